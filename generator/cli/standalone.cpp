@@ -83,8 +83,8 @@ class Carrier {
     for (const Target* target : targets) add_target(*target);
     add_folder("runtime/host");
     add_folder("toolchains");
-    add_file(fs::path(run_.root) / "runtime" / "flags.cmake",
-             std::string(kShareFolder) + "flags.cmake");
+    for (const char* name : {"flags.cmake", "flags.txt"})
+      add_file(fs::path(run_.root) / "runtime" / name, std::string(kShareFolder) + name);
   }
 
   /// The target's folder, and those that its target.cmake names.

@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 
+#include "generator/compile/flags.hpp"
 #include "generator/compile/forbidden.hpp"
 #include "generator/compile/messages.hpp"
 #include "generator/process/process.hpp"
@@ -45,7 +46,7 @@ class Checker {
         classes_(used_classes(plan)) {}
 
   void run() {
-    if (!write_files() || !has_compiler()) return;
+    if (!write_files() || !has_compiler() || !has_flags()) return;
     if (!find_classes()) return;  // what else is wrong follows from it
     if (compile_program()) look_for_calls();
   }
@@ -71,27 +72,34 @@ class Checker {
   }
 
   bool has_compiler() {
-    if (run_process({options_.compiler, "--version"})) return true;
+    if (const auto said = run_process({options_.compiler, "--version"})) {
+      version_ = said->output;
+      return true;
+    }
     diagnostics_.error("E0513", {}, fmt::format("there is no C++ compiler `{}`", options_.compiler))
         .help = "install one with `apt install g++`, or name another one in the variable CXX";
     return false;
   }
 
-  /// What everything is compiled with: runtime/flags.cmake, and what boards add.
+  bool has_flags() {
+    const fs::path path = fs::path(options_.root) / "runtime" / "flags.txt";
+    std::ifstream list(path);
+    if (!list) {
+      diagnostics_.io_error(
+          "E0101", {}, fmt::format("cannot read `{}`: {}", path.string(), std::strerror(errno)));
+      return false;
+    }
+    flags_ = runtime_flags(list, compiler_id(version_));
+    return true;
+  }
+
+  /// What everything is compiled with, and what boards add.
   std::vector<std::string> command() const {
-    std::vector<std::string> words = {options_.compiler,
-                                      "-std=c++20",
-                                      "-O2",
-                                      "-g",
-                                      "-ffunction-sections",
-                                      "-fno-fast-math",
-                                      "-ffp-contract=off",
-                                      "-fno-math-errno",
-                                      "-fno-trapping-math",
-                                      "-Wdouble-promotion",
-                                      "-I" + folder_,
-                                      "-I" + options_.root + "/runtime",
-                                      "-I" + options_.root};
+    std::vector<std::string> words = {options_.compiler, "-std=c++20", "-O2", "-g",
+                                      "-ffunction-sections"};
+    words.insert(words.end(), flags_.begin(), flags_.end());
+    words.insert(words.end(), {"-Wdouble-promotion", "-I" + folder_,
+                               "-I" + options_.root + "/runtime", "-I" + options_.root});
     for (const std::string& each : options_.include_folders) words.push_back("-I" + each);
     const bool portable =
         std::ranges::all_of(classes_, [](const UsedClass& each) { return each.system.empty(); });
@@ -281,6 +289,8 @@ class Checker {
   SourceMap& sources_;
   Diagnostics& diagnostics_;
   std::vector<UsedClass> classes_;
+  std::string version_;             // what the compiler says of itself
+  std::vector<std::string> flags_;  // of the runtime, for it
   std::map<std::string, FileId> spans_;
 };
 

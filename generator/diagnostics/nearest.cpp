@@ -1,99 +1,17 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
+#include <runtime/host/base/nearest.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
-#include "generator/diagnostics/utf8.hpp"
 
 namespace eagerx::gen {
-namespace {
-
-constexpr std::size_t kMaxLength = 128;  // longer words are not typing errors of each other
-
-/// The beginning of `text` into `result`, whose memory is used again.
-void decode(std::string_view text, std::u32string& result) {
-  result.clear();
-  for (std::size_t at = 0; at < text.size() && result.size() <= kMaxLength;) {
-    const CodePoint point = decode_utf8(text, at);
-    result.push_back(point.value);
-    at += point.size;
-  }
-}
-
-void make_lower(std::u32string& text) {
-  for (char32_t& c : text) {
-    if (c >= U'A' && c <= U'Z') c += U'a' - U'A';
-  }
-}
-
-/// Rows of the table below, used again: a graph may have thousands of names to compare.
-struct Rows {
-  std::vector<std::size_t> before_last, last, row;
-};
-
-/// Letters left out, added, replaced, or two neighbours swapped (optimal string alignment). More
-/// than `most` may come out as any larger number.
-std::size_t distance(const std::u32string& a, const std::u32string& b, std::size_t most,
-                     Rows& rows) {
-  auto& [before_last, last, row] = rows;
-  for (auto* each : {&before_last, &last, &row}) each->resize(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  std::size_t least_of_last = 0;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    before_last.swap(last);
-    last.swap(row);
-    row[0] = i;
-    std::size_t least = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replace = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, replace});
-      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
-      least = std::min(least, row[j]);
-    }
-    // A row is made of the two before it.
-    if (least > most && least_of_last > most) return most + 1;
-    least_of_last = least;
-  }
-  return row[b.size()];
-}
-
-}  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
-  std::u32string exact, letters, lower;
-  decode(word, exact);
-  std::u32string wanted = exact;
-  make_lower(wanted);
-  if (exact.empty() || exact.size() > kMaxLength) return {};
-
-  Rows rows;
-  const std::string* best = nullptr;
-  std::size_t best_distance = kMaxLength;
-  std::size_t best_exact = std::numeric_limits<std::size_t>::max();  // breaks ties, case counted
-  for (const std::string& candidate : candidates) {
-    if (candidate.size() > 4 * kMaxLength) continue;
-    decode(candidate, letters);
-    const std::size_t longer = std::max(letters.size(), exact.size());
-    const std::size_t shorter = std::min(letters.size(), exact.size());
-    if (longer > kMaxLength || longer - shorter > std::min(longer / 3, best_distance)) continue;
-    const std::size_t most = std::min(longer / 3, best_distance);
-    lower = letters;
-    make_lower(lower);
-    const std::size_t wrong = distance(wanted, lower, most, rows);
-    if (wrong > most) continue;
-    const std::size_t wrong_exact = distance(exact, letters, longer, rows);
-    if (wrong == best_distance && wrong_exact >= best_exact) continue;
-    best = &candidate;
-    best_distance = wrong;
-    best_exact = wrong_exact;
-  }
-  return best != nullptr ? *best : std::string();
+  return host::nearest_name(word, candidates);
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,

@@ -1,23 +1,16 @@
-// UTF-8 by hand: code points, and how wide a terminal draws them.
+// Code points of UTF-8, and how wide a terminal draws them.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <runtime/host/base/utf8.hpp>
 #include <string>
 #include <string_view>
 
 namespace eagerx::gen {
 
-/// One code point taken from a text. Malformed bytes come out one at a time, as U+FFFD, not valid.
-struct CodePoint {
-  char32_t value = 0;
-  std::size_t size = 1;  // bytes
-  bool valid = true;
-};
-
-/// The code point that starts at byte `at` (at < text.size()). Strict: no overlong forms, no
-/// surrogates, nothing past U+10FFFF (Unicode 15, table 3-7).
-CodePoint decode_utf8(std::string_view text, std::size_t at);
+using host::CodePoint;
+using host::decode_utf8;
 
 /// Number of code points; a malformed byte counts as one.
 std::size_t count_code_points(std::string_view text);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <runtime/host/base/hash.hpp>
 
 #include "generator/emit/names.hpp"
 #include "generator/emit/policy_answers.hpp"
@@ -291,13 +292,13 @@ class Emitter {
 }  // namespace
 
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
-  std::uint64_t hash = hash_text({});
+  std::uint64_t hash = host::fnv1a({});
   for (const auto& file : files) {
     if (file.path.ends_with("/program.map")) continue;
-    hash = hash_text(file.path, hash);
+    hash = host::fnv1a(file.path, hash);
     for (std::string_view rest = file.text; !rest.empty();) {
       const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
-      if (!line.starts_with("#include \"")) hash = hash_text(line, hash);
+      if (!line.starts_with("#include \"")) hash = host::fnv1a(line, hash);
       rest.remove_prefix(line.size());
     }
   }

@@ -1,4 +1,6 @@
 // program.map: what of program.hpp is whose.
+#include <runtime/host/base/hash.hpp>
+
 #include "generator/emit/names.hpp"
 #include "generator/emit/reset_view.hpp"
 #include "generator/quote/quote.hpp"
@@ -48,7 +50,7 @@ std::vector<ProgramMap::Place> places_of(const Graph& graph) {
 ProgramMap program_map(const Plan& plan, const ProgramNames& names, const MarkedText& program) {
   const Graph& graph = *plan.graph;
   ProgramMap map;
-  map.program_hash = hash_text(program.text);
+  map.program_hash = host::fnv1a(program.text);
   map.blocks = program.blocks;
   std::map<std::string, std::string> types;
   for (const auto& node : graph.nodes) {

@@ -77,6 +77,11 @@ Value arithmetic(Op op, const Number& a, const Number& b) {
   return exact;
 }
 
+Value magnitude(const Number& number) {
+  const Number zero = std::int64_t{0};
+  return less(number, zero) ? arithmetic(Op::subtract, zero, number) : value_of(number);
+}
+
 bool compare(Op op, const Value& a, const Value& b) {
   switch (op) {
     case Op::less:
@@ -103,6 +108,8 @@ class Stack {
         return push(step.value);
       case Op::negate:
         return push(arithmetic(Op::subtract, std::int64_t{0}, number_of(pop())));
+      case Op::absolute:
+        return push(magnitude(number_of(pop())));
       case Op::logical_not:
         return push(!is_true(pop()));
       case Op::length:

@@ -1,9 +1,9 @@
 // Conditions that manifests state about parameters, ports and rates: `max(cutoff_hz) < rate / 2`.
 // In the same language they compute numbers from what the graph says: `2 * $(config limit)`.
 //
-//   the language:  generator/expression/expression.hpp
+//   the language:  runtime/host/expression/README.md
 //   names:         parameters; `rate` of the node in Hz; the choices of an enum: `type == bandpass`
-//   calls:         min(…), max(…) of numbers and lists; len(LIST); increasing(LIST);
+//   calls:         abs(…); min(…), max(…) of numbers and lists; len(LIST); increasing(LIST);
 //                  size(PORT), window(INPUT), dtype(PORT)
 //
 // A port is written by its name, or as inputs.NAME, outputs.NAME, states.NAME where the name alone
@@ -44,6 +44,7 @@ struct ConditionStep {
     multiply,
     divide,
     negate,
+    absolute,
     less,
     less_equal,
     greater,

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/expression/text.hpp"
+#include "generator/expression/expression.hpp"
 #include "generator/library/library.hpp"
 #include "generator/spec/dtype.hpp"
 #include "generator/spec/named.hpp"
@@ -42,16 +42,15 @@ std::string_view to_string(Type::Kind kind) {
 class Maker {
  public:
   Maker(const YamlValue& yaml, const char* code, Diagnostics& diagnostics)
-      : text_(yaml, code, diagnostics) {}
+      : text_(yaml.text), yaml_(yaml), code_(code), diagnostics_(diagnostics) {}
   virtual ~Maker() = default;
   Maker(const Maker&) = delete;
   Maker& operator=(const Maker&) = delete;
 
   std::optional<Condition> read(NameForm names, Type::Kind kind) {
-    const auto tree = parse_expression(text_, names);
-    if (!tree) return std::nullopt;
-    expect(make(*tree), kind);
-    return text_.good() ? std::optional<Condition>(std::move(steps_)) : std::nullopt;
+    if (const auto tree = expression::parse(text_, names)) expect(make(*tree), kind);
+    if (report_problem(text_, yaml_, code_, diagnostics_)) return std::nullopt;
+    return std::move(steps_);
   }
 
  protected:
@@ -66,7 +65,7 @@ class Maker {
   Type make(const Expression& tree) {
     switch (tree.op) {
       case Tree::number:
-        return result({Op::constant, constant(tree.value), {}, {}, 0}, Type::Kind::number,
+        return result({Op::constant, constant(exact_number(tree)), {}, {}, 0}, Type::Kind::number,
                       tree.begin);
       case Tree::truth:
         return result({Op::constant, tree.truth, {}, {}, 0}, Type::Kind::boolean, tree.begin);
@@ -134,14 +133,15 @@ class Maker {
     const std::string& function = tree.text;
     if (function == "min" || function == "max")
       return extreme(function == "min" ? Op::least : Op::most, tree);
+    if (function == "abs") return takes_one(tree), unary(Op::absolute, Type::Kind::number, tree);
     if (function == "size" || function == "window" || function == "dtype") {
       takes_one(tree);
       return text_.good() ? port_fact(tree) : Type();
     }
     if (function != "len" && function != "increasing") {
-      text_.fail(
-          tree.begin, fmt::format("unknown function `{}`", function),
-          suggestion(function, {"min", "max", "len", "increasing", "size", "window", "dtype"}));
+      text_.fail(tree.begin, fmt::format("unknown function `{}`", function),
+                 suggestion(function, {"abs", "min", "max", "len", "increasing", "size", "window",
+                                       "dtype"}));
       return {};
     }
     takes_one(tree);
@@ -233,6 +233,9 @@ class Maker {
   }
 
   ExpressionText text_;
+  const YamlValue& yaml_;
+  const char* code_;
+  Diagnostics& diagnostics_;
   Condition steps_;
 };
 
@@ -361,7 +364,7 @@ class ExpressionMaker : public Maker {
 
   Type port_fact(const Expression& call) override {
     text_.fail(call.begin, fmt::format("unknown function `{}`", call.text),
-               suggestion(call.text, {"min", "max", "len"}));
+               suggestion(call.text, {"abs", "min", "max", "len"}));
     return {};
   }
 

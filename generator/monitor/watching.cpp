@@ -4,22 +4,16 @@
 
 #include <chrono>
 #include <csignal>
+#include <runtime/host/base/interrupt.hpp>
 
 namespace eagerx::gen {
-namespace {
-
-volatile std::sig_atomic_t interrupts = 0;
-
-}  // namespace
 
 void end_at_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupts = 1; };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  host::watch_interrupts({SIGINT, SIGTERM, SIGHUP}, host::Second::does_nothing);
 }
 
 bool is_interrupted() {
-  return interrupts != 0;
+  return host::interrupted();
 }
 
 std::int64_t steady_ns() {

@@ -161,11 +161,6 @@ ProgramMap::Owner ProgramMap::owner(const std::string& member) const {
   return found != owner_of_member.end() ? found->second : Owner{false, "schedule"};
 }
 
-std::uint64_t hash_text(std::string_view text, std::uint64_t hash) {
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
-}
-
 std::string to_text(const ProgramMap& map) {
   std::string text = fmt::format("{}\n", kFirstLine);
   text +=

@@ -49,9 +49,6 @@ struct ProgramMap {
   [[nodiscard]] Owner owner(const std::string& member) const;
 };
 
-/// FNV-1a, 64 bits; goes on from `hash`.
-std::uint64_t hash_text(std::string_view text, std::uint64_t hash = 0xcbf29ce484222325U);
-
 std::string to_text(const ProgramMap& map);
 
 /// Reads the text of the file `path`. Problems: E0911, with the line.

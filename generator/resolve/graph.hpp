@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "generator/expression/typed.hpp"
+#include "generator/expression/expression.hpp"
 #include "generator/library/library.hpp"
 #include "generator/spec/dtype.hpp"
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <runtime/host/base/hash.hpp>
 #include <sstream>
 
 #include "generator/program_map/program_map.hpp"
@@ -168,7 +169,7 @@ class Measurement {
     }
     auto map = parse_program_map(*map_text, path, diagnostics_);
     if (!map) return false;
-    if (map->program_hash != hash_text(*text)) {
+    if (map->program_hash != host::fnv1a(*text)) {
       diagnostics_
           .io_error("E0911", {}, fmt::format("`{}` was not made with this `{}`", path, program))
           .help = "generate the program again and build it anew; do not edit program.hpp";

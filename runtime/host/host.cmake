@@ -7,6 +7,23 @@ endif()
 # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
 set(eagerx_host_options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 set(eagerx_host_folder ${CMAKE_CURRENT_LIST_DIR})
+find_package(Threads REQUIRED)
+# For programs and for shared libraries.
+eagerx_compiled_library(
+  eagerx_base UNITY
+  SOURCES ${eagerx_host_folder}/base/files.cpp ${eagerx_host_folder}/base/interrupt.cpp ${eagerx_host_folder}/base/json.cpp
+          ${eagerx_host_folder}/base/nearest.cpp ${eagerx_host_folder}/base/team.cpp ${eagerx_host_folder}/base/text_file.cpp
+          ${eagerx_host_folder}/base/utf8.cpp
+  FOLDERS ${eagerx_host_folder}/base
+  LINK eagerx::runtime Threads::Threads
+  OPTIONS -fPIC ${eagerx_host_options})
+eagerx_compiled_library(
+  eagerx_expression UNITY
+  SOURCES ${eagerx_host_folder}/expression/calculation.cpp ${eagerx_host_folder}/expression/grammar.cpp
+          ${eagerx_host_folder}/expression/text.cpp ${eagerx_host_folder}/expression/typed.cpp
+  FOLDERS ${eagerx_host_folder}/base ${eagerx_host_folder}/expression ${eagerx_host_folder}/../eagerx
+  LINK eagerx_base
+  OPTIONS ${eagerx_host_options})
 eagerx_compiled_library(
   eagerx_trace UNITY
   SOURCES ${eagerx_host_folder}/trace/channel_name.cpp ${eagerx_host_folder}/trace/dtype.cpp
@@ -14,7 +31,7 @@ eagerx_compiled_library(
           ${eagerx_host_folder}/trace/log_file.cpp ${eagerx_host_folder}/trace/mcap.cpp
           ${eagerx_host_folder}/trace/mcap_reader.cpp ${eagerx_host_folder}/trace/replay.cpp ${eagerx_host_folder}/trace/scene_line.cpp
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
-  LINK eagerx::runtime
+  LINK eagerx_base
   OPTIONS ${eagerx_host_options})
 eagerx_compiled_library(
   eagerx_identify UNITY
@@ -49,7 +66,7 @@ eagerx_compiled_library(
   eagerx_web_sockets
   SOURCES ${eagerx_web_socket_sources} ${eagerx_host_folder}/web_socket/listener.cpp
   FOLDERS ${eagerx_host_folder}
-  LINK eagerx::runtime ${CMAKE_DL_LIBS}
+  LINK eagerx_base ${CMAKE_DL_LIBS}
   OPTIONS ${eagerx_host_options})
 eagerx_compiled_library(
   eagerx_foxglove UNITY

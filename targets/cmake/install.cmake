@@ -8,7 +8,7 @@ set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/eagerx_gen)
 set(share_dir ${CMAKE_INSTALL_DATADIR}/eagerx-gen)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/eagerx ${PROJECT_SOURCE_DIR}/runtime/host DESTINATION ${share_dir}/runtime)
-install(FILES ${PROJECT_SOURCE_DIR}/runtime/flags.cmake DESTINATION ${share_dir}/runtime)
+install(FILES ${PROJECT_SOURCE_DIR}/runtime/flags.cmake ${PROJECT_SOURCE_DIR}/runtime/flags.txt DESTINATION ${share_dir}/runtime)
 foreach(folder models targets toolchains templates)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS
           PATTERN __pycache__ EXCLUDE PATTERN *.egg-info EXCLUDE PATTERN python/build EXCLUDE)

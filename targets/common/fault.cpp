@@ -1,17 +1,11 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <runtime/host/base/number.hpp>
 #include <targets/common/fault.hpp>
 #include <utility>
 
 namespace eagerx::target {
 namespace {
-
-template <class T>
-bool read_all(std::string_view text, T& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
 
 bool read_kind(std::string_view text, Fault& fault) {
   if (text == "silent") return fault.kind = Fault::Kind::silent, true;
@@ -20,7 +14,7 @@ bool read_kind(std::string_view text, Fault& fault) {
   const bool is_offset = text.starts_with(kOffset);
   if (!is_offset && !text.starts_with(kValue)) return false;
   fault.kind = is_offset ? Fault::Kind::offset : Fault::Kind::value;
-  return read_all(text.substr(is_offset ? kOffset.size() : kValue.size()), fault.number) &&
+  return host::read_number(text.substr(is_offset ? kOffset.size() : kValue.size()), fault.number) &&
          std::isfinite(static_cast<float>(fault.number));
 }
 
@@ -29,12 +23,12 @@ bool read_time(std::string_view text, Fault& fault) {
   if (text.starts_with('@')) {
     const std::string_view step = text.substr(1, text.find('+') - 1);
     Seq begins = 0;
-    if (!read_all(step, begins)) return false;
+    if (!host::read_number(step, begins)) return false;
     fault.begins = begins;
     text.remove_prefix(1 + step.size());
   }
   if (text.empty()) return true;
-  return text.front() == '+' && read_all(text.substr(1), fault.steps) && fault.steps > 0;
+  return text.front() == '+' && host::read_number(text.substr(1), fault.steps) && fault.steps > 0;
 }
 
 /// Where the time begins: the + of 1e+5 is not that of the steps.
@@ -66,7 +60,7 @@ bool names(std::string_view written, const FaultPlace& place, PlacedFault& place
   if (rest.empty()) return true;
   if (rest.size() < 3 || rest.front() != '[' || rest.back() != ']') return false;
   placed.size = 1;
-  return read_all(rest.substr(1, rest.size() - 2), placed.first) && placed.first < place.size;
+  return host::read_number(rest.substr(1, rest.size() - 2), placed.first) && placed.first < place.size;
 }
 
 std::string list_of(const std::vector<FaultPlace>& places) {

@@ -11,6 +11,7 @@
 #include <eagerx/random.hpp>
 #include <map>
 #include <memory>
+#include <runtime/host/base/team.hpp>
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/environments/agent.hpp>
@@ -22,7 +23,6 @@
 #include <targets/environments/problem.hpp>
 #include <targets/environments/set_states.hpp>
 #include <targets/environments/task.hpp>
-#include <targets/environments/team.hpp>
 #include <targets/environments/traced.hpp>
 #include <targets/environments/tuning.hpp>
 #include <targets/environments/workload.hpp>
@@ -48,7 +48,7 @@ class Batch {
         programs_(std::make_unique<Program[]>(plain_programs())),
         packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
         agents_(kernel),
-        team_(std::min(options.threads != 0 ? options.threads : usable_cores(), blocks())) {
+        team_(std::min(options.threads != 0 ? options.threads : host::usable_cores(), blocks())) {
     packs_.make_room(team_.size());
     agents_.make_room(team_.size());
     if (target::is_real(programs_[0])) {
@@ -443,7 +443,7 @@ class Batch {
   std::map<std::uint32_t, Traces<Graph>> traces_;
   NotFinite<Graph> not_finite_;
   Workload resets_, steps_, acts_;
-  Team team_;
+  host::Team team_;
 };
 
 }  // namespace eagerx::environments

@@ -6,8 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/message.hpp>
+#include <runtime/host/base/hash.hpp>
+#include <runtime/host/base/json.hpp>
 #include <string>
-#include <targets/environments/json.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_kernel.hpp>
 #include <targets/environments/task.hpp>
@@ -44,11 +45,11 @@ std::string dtype_of() {
 
 template <class Message>
 struct ShapeOf {
-  static void add(Json& /*json*/) {}
+  static void add(host::Json& /*json*/) {}
 };
 template <class T, std::size_t... Shape>
 struct ShapeOf<Array<T, Shape...>> {
-  static void add(Json& json) { (json.whole(Shape), ...); }
+  static void add(host::Json& json) { (json.whole(Shape), ...); }
 };
 
 /// One object for each field of a row, in the order of the columns.
@@ -59,7 +60,7 @@ class Fields {
   /// `windows` above 1: so many messages, which is the first number of the shape.
   template <class Message, class Space>
   void add(const char* name, const Space& space, std::uint32_t windows) {
-    Json json;
+    host::Json json;
     json.begin_object().key("name").text(name).key("shape").begin_list();
     if (windows > 1) json.whole(windows);
     ShapeOf<Message>::add(json);
@@ -80,7 +81,7 @@ class Fields {
 
  private:
   template <class Message>
-  static void bounds(Json& json, const Message& bound, std::uint32_t windows) {
+  static void bounds(host::Json& json, const Message& bound, std::uint32_t windows) {
     json.begin_list();
     for (std::uint32_t w = 0; w < windows; ++w) {
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
@@ -130,7 +131,7 @@ std::string describe_states() {
 template <class Graph>
 std::string describe_task() {
   if constexpr (has_task<Graph>) {
-    Json json;
+    host::Json json;
     json.begin_object().key("terms").begin_list();
     for (const char* name : Graph::kTermNames) json.text(name);
     json.end_list().key("success").boolean(requires { Graph::kSuccessNames; });
@@ -146,7 +147,7 @@ template <class Graph>
 std::string describe_render() {
   if constexpr (requires { Graph::kRenders; }) {
     using Rate = typename Graph::RenderRate;
-    Json json;
+    host::Json json;
     json.begin_object().key("rate_hz").number(static_cast<double>(Rate::num) / Rate::den);
     return json.end_object().str();
   } else {
@@ -160,14 +161,14 @@ template <class Graph>
 std::string describe(const char* generator, const PackKernel<Graph>& kernel, const char* why_not) {
   const std::string observations = describe_observations<Graph>();
   const std::string actions = describe_actions<Graph>();
-  Json json;
+  host::Json json;
   json.begin_object().key("version").whole(EAGERX_ENVIRONMENTS_VERSION);
   json.key("generator").text(generator).key("graph").text(Graph::kName);
   json.key("engine").text(Graph::kEngine);
   json.key("rate_hz").number(static_cast<double>(Graph::Rate::num) / Graph::Rate::den);
   const std::string contract = json.str() + observations + actions;
   const bool in_packs = kernel.lanes != 0;
-  json.key("hash").text(hash_of(contract));
+  json.key("hash").text(host::hex_text(host::fnv1a(contract)));
   json.key("isa").text(in_packs ? kernel.isa : instruction_set());
   json.key("lanes").whole(in_packs ? kernel.lanes : 1);
   if (!in_packs) json.key("why_no_lanes").text(why_not);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,9 +11,9 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <runtime/host/base/number.hpp>
 #include <string>
 #include <targets/common/from_number.hpp>
-#include <targets/environments/json.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -68,21 +67,10 @@ T from_row(float x) {
   return target::from_number<T>(x);
 }
 
-/// The double that is written as the float32 is, 0.05 for 0.05F: what is set is what a command line
-/// or a graph with the same digits sets. A delay of 0.05F exactly would be longer than 0.05 s.
-inline double same_decimal(float x) {
-  constexpr std::size_t kMostDigits = 24;
-  std::array<char, kMostDigits> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), x);
-  double result = x;
-  std::from_chars(text.data(), written.ptr, result);
-  return result;
-}
-
 /// A number of a row of states as what a state holds.
 template <class T>
 T state_from_row(float x) {
-  if constexpr (std::is_same_v<T, double>) return same_decimal(x);
+  if constexpr (std::is_same_v<T, double>) return host::same_decimal(x);
   return from_row<T>(x);
 }
 
@@ -186,7 +174,7 @@ class Layout {
         if (x < static_cast<float>(element(space.low, i)) ||
             x > static_cast<float>(element(space.high, i))) {
           problem = "`" + std::string(name) + "` is out of its space: element " +
-                    std::to_string(i) + " is " + number_text(x);
+                    std::to_string(i) + " is " + host::number_text(x);
         }
       }
       if (!(drawn.*member) && missing != 0 && missing != size_of<Message>)

@@ -11,11 +11,11 @@
 #include <eagerx/math/rounding_check.hpp>
 #include <exception>
 #include <new>
+#include <runtime/host/base/json.hpp>
 #include <string>
 #include <system_error>
 #include <targets/environments/batch.hpp>
 #include <targets/environments/describe.hpp>
-#include <targets/environments/json.hpp>
 #include <targets/environments/packs_of_processor.hpp>
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
@@ -180,7 +180,7 @@ class Library {
   static const char* counts(Environments* environments) {
     const char* result = nullptr;
     call(environments, [&](Batch<Graph>& batch) {
-      Json json;
+      host::Json json;
       json.begin_object();
       for (const auto& [name, count] : batch.counts()) json.key(name).whole(count);
       environments->counts = json.end_object().str();

@@ -1,11 +1,10 @@
 # Makes `library` a shared library for the machine that builds it. Only eagerx_* can be seen in it, so that one process
 # can load the libraries of several graphs.
 set(EAGERX_TARGET_MAKES SHARED_LIBRARY)
-include(${CMAKE_CURRENT_LIST_DIR}/libraries.cmake)
 
 function(eagerx_configure_target library)
-  eagerx_environments_library()
-  target_link_libraries(${library} PRIVATE eagerx_environments)
+  include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../runtime/host/host.cmake)
+  target_link_libraries(${library} PRIVATE eagerx_base)
   _eagerx_add_packs(${library})
   # Nobody puts another function in place of one of these.
   target_compile_options(${library} PRIVATE -fvisibility-inlines-hidden $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)

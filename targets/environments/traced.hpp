@@ -8,11 +8,11 @@
 #include <eagerx/trace.hpp>
 #include <eagerx/trace_text.hpp>
 #include <memory>
+#include <runtime/host/base/text_file.hpp>
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
-#include <targets/linux-sim/text_file.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -22,9 +22,9 @@ namespace eagerx::environments {
 template <class Graph>
 class Recorder : public LastShown<Graph> {
  public:
-  using Text = TraceText<linux_sim::TextFile>;
+  using Text = TraceText<host::TextFile>;
 
-  void write_to(linux_sim::TextFile* file) { file_ = file; }
+  void write_to(host::TextFile* file) { file_ = file; }
   std::uint64_t hash() const { return hash_.hash(); }
 
   void episode(std::uint32_t index) {
@@ -46,7 +46,7 @@ class Recorder : public LastShown<Graph> {
 
  private:
   HashTrace hash_;
-  linux_sim::TextFile* file_ = nullptr;
+  host::TextFile* file_ = nullptr;
   std::uint64_t messages_ = 0;  // in the file
   std::uint32_t episode_ = 0;
 };
@@ -151,7 +151,7 @@ class Traced {
   }
 
   std::string path_;
-  linux_sim::TextFile file_;
+  host::TextFile file_;
   std::uint32_t episode_ = 0;  // since the trace began
 };
 

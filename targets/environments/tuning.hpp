@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <runtime/host/base/json.hpp>
 #include <string>
 #include <targets/common/run.hpp>
-#include <targets/environments/json.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/problem.hpp>
 
@@ -23,7 +23,7 @@ void for_each_tunable(F&& f) {
 
 template <class Graph>
 std::string describe_tunable() {
-  Json json;
+  host::Json json;
   json.begin_list();
   for_each_tunable<Graph>([&](const char* name) { json.text(name); });
   return json.end_list().str();

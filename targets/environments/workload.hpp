@@ -5,7 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <targets/environments/team.hpp>
+#include <runtime/host/base/team.hpp>
 
 namespace eagerx::environments {
 
@@ -30,7 +30,7 @@ class Workload {
   /// f(first, end, member) for blocks of `environments`, by as many members of the team as the work
   /// is worth.
   template <class F>
-  void run(Team& team, std::uint32_t environments, std::uint32_t block, F&& f) {
+  void run(host::Team& team, std::uint32_t environments, std::uint32_t block, F&& f) {
     using Clock = std::chrono::steady_clock;
     const unsigned members = this->members(team.size());
     const auto start = Clock::now();

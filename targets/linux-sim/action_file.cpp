@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <runtime/host/base/number.hpp>
 #include <sstream>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/elements.hpp>
@@ -39,8 +39,7 @@ bool parse_cell(std::string_view text, T& value) {
     value = text == "1";
     return true;
   } else {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return false;
+    if (!host::read_number(text, value)) return false;
     if constexpr (std::is_floating_point_v<T>) return std::isfinite(value);
     return true;
   }

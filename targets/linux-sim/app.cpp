@@ -1,6 +1,8 @@
 #include <cstdio>
 #include <eagerx/version.hpp>
 #include <optional>
+#include <runtime/host/base/interrupt.hpp>
+#include <runtime/host/base/number.hpp>
 #include <string>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/describe.hpp>
@@ -10,7 +12,6 @@
 #include <targets/linux-sim/float_environment.hpp>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/identify.hpp>
-#include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/recorder.hpp>
@@ -38,7 +39,7 @@ int show_help(const char* program_name, const Options& defaults, const Fields& f
   const double rate_hz = static_cast<double>(facts.rate_num) / static_cast<double>(facts.rate_den);
   std::string text = "Usage: " + std::string(program_name) + " [OPTION…]\n" +
                      (program.is_real() ? "Runs" : "Simulates") + " the graph `" + facts.name +
-                     "` on " + facts.engine + " at " + number_text(rate_hz) + " Hz.\n\n";
+                     "` on " + facts.engine + " at " + host::number_text(rate_hz) + " Hz.\n\n";
   text += describe(fields);
   text += "Options (defaults in brackets):\n" + options_help(defaults);
   return print(stdout, text) ? kDone : kBadFile;
@@ -143,7 +144,7 @@ int run_with(const Options& options, GraphProgram& program) {
                     std::string(facts.has_policy ? "policy" : "random") + "`",
                 kBadUsage);
   }
-  catch_interrupts();
+  host::catch_interrupts();
   if (is_split) {
     if (options.link.empty()) {
       return fail("error: a part of this graph runs on " + std::string(facts.board) +

@@ -147,7 +147,7 @@ void run_program(Watch& watch, Program& program) {
   };
   LinkOf<Graph>::connect(program);
   target::warm_up(program);  // a library may need memory for it, and none afterwards
-  const MadeSafe<Program> made_safe(program);
+  const host::MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
   target::run_episodes<Graph>(watch.plan(), program, agent, seen);
   const bool ends_early = watch.ends_early();

@@ -1,32 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
+#include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <type_traits>
 
 namespace eagerx::linux_sim {
-namespace {
-
-template <class T>
-std::string shortest(T value) {
-  constexpr std::size_t kLongestNumber = 32;
-  std::array<char, kLongestNumber> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-}  // namespace
-
-std::string number_text(float value) {
-  return shortest(value);
-}
-std::string number_text(double value) {
-  return shortest(value);
-}
-std::string number_text(std::int64_t value) {
-  return shortest(value);
-}
 
 const char* dtype_name(Scalar scalar) {
   return with_scalar(scalar, [](auto zero) {
@@ -46,9 +26,9 @@ namespace {
 template <class T>
 std::string bound_text(T bound) {
   if constexpr (std::is_floating_point_v<T>) {
-    return number_text(bound);
+    return host::number_text(bound);
   } else {
-    return number_text(static_cast<std::int64_t>(bound));
+    return host::number_text(static_cast<std::int64_t>(bound));
   }
 }
 

@@ -7,11 +7,6 @@
 
 namespace eagerx::linux_sim {
 
-/// The shortest text that reads back to the same bits.
-std::string number_text(float value);
-std::string number_text(double value);
-std::string number_text(std::int64_t value);
-
 /// As graphs and numpy write it: "float32".
 const char* dtype_name(Scalar scalar);
 

@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <runtime/host/base/files.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <vector>
 
@@ -38,11 +39,6 @@ void add_descriptor(std::vector<Place>& places, int descriptor, const char* name
 }
 
 }  // namespace
-
-bool is_dev_null(const struct stat& status) {
-  struct stat null {};
-  return S_ISCHR(status.st_mode) && stat("/dev/null", &null) == 0 && status.st_rdev == null.st_rdev;
-}
 
 void open_standard_files() {
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
@@ -81,7 +77,7 @@ std::string problem_with_files(const Options& options) {
     if (is_descriptor ? fstat(STDOUT_FILENO, &place.status) != 0
                       : stat(output.path.c_str(), &place.status) != 0)
       continue;  // there is none yet; what is wrong with its folder is said when it is made
-    if (is_dev_null(place.status)) continue;
+    if (host::is_dev_null(place.status)) continue;
     if (!is_descriptor && !S_ISREG(place.status.st_mode))
       return "error: " + place.name + " is no file\nhelp: `-` writes to the standard output";
     if (!S_ISREG(place.status.st_mode)) continue;
@@ -96,12 +92,11 @@ std::string problem_with_files(const Options& options) {
 }
 
 bool print(std::FILE* out, const std::string& text) {
-  errno = 0;
-  const bool done = std::fputs(text.c_str(), out) >= 0 && std::fflush(out) == 0;
-  if (!done)
+  const int error = host::print(out, text);
+  if (error != 0)
     std::fprintf(stderr, "error: cannot write to the standard %s: %s\n",
-                 out == stderr ? "error" : "output", std::strerror(errno));
-  return done;
+                 out == stderr ? "error" : "output", std::strerror(error));
+  return error == 0;
 }
 
 }  // namespace eagerx::linux_sim

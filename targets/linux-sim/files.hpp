@@ -1,16 +1,11 @@
 // What a program reads and writes: descriptors that are there, files that are different.
 #pragma once
 
-#include <sys/stat.h>
-
 #include <cstdio>
 #include <string>
 #include <targets/linux-sim/options.hpp>
 
 namespace eagerx::linux_sim {
-
-/// Where people send what they do not want: it may be an output, as no other device may.
-bool is_dev_null(const struct stat& status);
 
 /// Opens descriptors 0 to 2 on /dev/null where they are closed, so that no other file becomes one
 /// of them. A closed standard output stays one that cannot be written.

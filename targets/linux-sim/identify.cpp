@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstring>
 #include <optional>
+#include <runtime/host/base/files.hpp>
+#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/identify/identification.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <runtime/host/trace/replay.hpp>
@@ -14,24 +16,19 @@
 #include <targets/linux-sim/identify.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/say.hpp>
-#include <targets/linux-sim/text_file.hpp>
 #include <vector>
 
 namespace eagerx::linux_sim {
 namespace {
 
 /// All of it, or what was there stays. Why it could not be done, as `errno` says it, or 0.
-int write_whole(const std::string& path, const std::string& text) {
+int write_result(const std::string& path, const std::string& text) {
   struct stat found {};
   const bool is_device = stat(path.c_str(), &found) == 0 && !S_ISREG(found.st_mode);
-  const std::string draft = is_device ? path : path + ".part";
-  TextFile file;
-  if (file.open(draft)) file.text(text);
-  const bool is_written = file.close();
-  if (is_written && (is_device || std::rename(draft.c_str(), path.c_str()) == 0)) return 0;
-  const int error = is_written ? errno : file.error();
-  if (!is_device) std::remove(draft.c_str());
-  return error;
+  if (!is_device) return host::write_whole(path, text);
+  host::TextFile file;
+  if (file.open(path)) file.text(text);
+  return file.close() ? 0 : file.error();
 }
 
 using identification::Experiment;
@@ -109,7 +106,7 @@ class Trials {
 /// Writes the YAML to a file, or prints it.
 int finish(const Options& options, const std::string& report, const std::string& yaml) {
   if (options.identify_out.empty()) return print(stdout, report + yaml) ? kDone : kBadFile;
-  const int error = write_whole(options.identify_out, yaml);
+  const int error = write_result(options.identify_out, yaml);
   if (error == 0) return print(stdout, report) ? kDone : kBadFile;
   return fail("error: cannot write `" + options.identify_out + "`: " + std::strerror(error),
               kBadFile);

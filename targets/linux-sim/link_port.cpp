@@ -16,7 +16,7 @@
 #include <cstring>
 #include <ctime>
 #include <memory>
-#include <targets/linux-sim/interrupt.hpp>
+#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/link_port.hpp>
 #include <utility>
 
@@ -117,8 +117,8 @@ void LinkPort::close() {
 }
 
 bool LinkPort::is_interrupted() {
-  stop_if_told();
-  return interrupted();
+  host::stop_if_told();
+  return host::interrupted();
 }
 
 std::uint64_t LinkPort::now_ns() {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/measures.hpp>
-#include <targets/linux-sim/nearest.hpp>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -14,9 +14,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// Six digits are enough for people.
 std::string shown(double value) {
   constexpr double kDigits = 1e6;
-  if (!std::isfinite(value) || value == 0.0) return number_text(value);
+  if (!std::isfinite(value) || value == 0.0) return host::number_text(value);
   const double scale = kDigits / std::pow(10.0, std::floor(std::log10(std::fabs(value))) + 1.0);
-  return number_text(static_cast<float>(std::round(value * scale) / scale));
+  return host::number_text(static_cast<float>(std::round(value * scale) / scale));
 }
 
 }  // namespace
@@ -50,75 +50,61 @@ std::string Statistic::text(std::string_view unit) const {
          of(most_, most_episode_);
 }
 
-int Measures::variable_of(const std::string& name, std::size_t index, bool indexed,
-                          const std::vector<Readable>& readables, std::string& problem) {
-  Variable variable;
-  if (name != "time") {
-    const auto found = std::find_if(readables.begin(), readables.end(),
-                                    [&](const Readable& each) { return each.name == name; });
-    if (found == readables.end()) {
-      std::vector<std::string> names;
-      names.reserve(readables.size());
-      for (const Readable& each : readables) names.push_back(each.name);
-      const std::string near = nearest_name(name, names);
-      std::string list = "time";
-      for (const std::string& each : names) list += ", " + each;
-      problem = "there is no `" + name + "`" +
-                (near.empty() ? "; there is " + list : "; did you mean `" + near + "`?");
-      return -1;
-    }
-    if (index >= found->size || (!indexed && found->size > 1)) {
-      problem = "`" + name + "` has " + std::to_string(found->size) + " elements: write `" + name +
-                "[0]` to `" + name + "[" + std::to_string(found->size - 1) + "]`";
-      return -1;
-    }
-    variable = {found->kind, found->number, index};
-    reads_messages_ = reads_messages_ || found->kind == Variable::Kind::message;
-  }
+std::optional<std::size_t> Measures::place_of(const Variable& variable) {
   for (std::size_t i = 0; i < variables_used_; ++i) {
-    if (variables_[i] == variable) return static_cast<int>(i);
+    if (variables_[i] == variable) return i;
   }
-  if (variables_used_ == kMostVariables) {
-    problem = "more than " + std::to_string(kMostVariables) + " different names";
-    return -1;
-  }
+  if (variables_used_ == kMostVariables) return std::nullopt;
   variables_[variables_used_] = variable;
-  return static_cast<int>(variables_used_++);
+  return variables_used_++;
+}
+
+std::string Measures::read(const char* option, const std::string& written, expression::Type type,
+                           const std::vector<Readable>& readables, Formula& formula) {
+  std::vector<expression::Variable> names;
+  names.reserve(readables.size());
+  for (const Readable& each : readables) names.push_back({each.name, false, {each.size}});
+  const auto place_of = [&](const expression::Read& read) {
+    Variable variable;
+    if (read.variable != expression::Read::kTime) {
+      const Readable& from = readables[read.variable];
+      variable = {from.kind, from.number, static_cast<std::size_t>(read.element)};
+      reads_messages_ = reads_messages_ || from.kind == Variable::Kind::message;
+    }
+    if (read.is_before) variable.now = this->place_of(variable);
+    return read.is_before && !variable.now ? std::nullopt : this->place_of(variable);
+  };
+  formula.text = written;
+  expression::Text text(formula.text);
+  const auto typed = expression::read_typed(text, {names, expression::NameForm::port, {}}, type);
+  const std::string problem = "error: `" + std::string(option) + " \"" + written + "\"`, ";
+  if (typed) {
+    const std::string what = formula.calculation.prepare(*typed, place_of);
+    return what.empty() ? what : problem + what;
+  }
+  const auto& [place, message, help] = *text.problem();
+  return problem + "column " + std::to_string(place + 1) + ": " + message +
+         (help.empty() ? "" : "\nhelp: " + help);
 }
 
 std::string Measures::prepare(const std::string& until, const std::vector<std::string>& measures,
                               bool summary, const std::vector<Readable>& readables) {
   summary_ = summary;
-  const auto lookup = [&](const std::string& name, std::size_t index, bool indexed,
-                          std::string& problem) {
-    return variable_of(name, index, indexed, readables, problem);
-  };
-  const auto read = [&](const char* option, const std::string& text, Expression& expression,
-                        bool condition) -> std::string {
-    const std::string problem = expression.parse(text, lookup);
-    const std::string place = "error: `" + std::string(option) + " \"" + text + "\"`";
-    if (!problem.empty()) return place + ", " + problem;
-    if (expression.is_condition() == condition) return {};
-    return condition
-               ? place + " is a number\nhelp: an end is a condition, such as `" + text + " > 1`"
-               : place + " is a condition\nhelp: what is measured is a number";
-  };
-  if (!until.empty()) {
-    has_until_ = true;
-    std::string problem = read("--until", until, until_, true);
-    if (!problem.empty()) return problem;
-  }
+  has_until_ = !until.empty();
+  std::string problem;
+  if (has_until_) problem = read("--until", until, expression::Type::condition, readables, until_);
   for (const std::string& text : measures) {
-    std::string problem = read("--measure", text, quantities_.emplace_back().expression, false);
-    if (!problem.empty()) return problem;
+    if (!problem.empty()) break;
+    problem = read("--measure", text, expression::Type::number, readables,
+                   quantities_.emplace_back().formula);
   }
-  return {};
+  return problem;
 }
 
 void Measures::set_message(Variable::Kind kind, std::uint32_t number, MessageView message) {
   for (std::size_t i = 0; i < variables_used_; ++i) {
     const Variable& variable = variables_[i];
-    if (variable.kind != kind || variable.number != number) continue;
+    if (variable.kind != kind || variable.number != number || variable.now) continue;
     values_[i] = number_of(message.scalar, message.data, variable.element);
   }
 }
@@ -137,19 +123,27 @@ void Measures::begin_episode() {
   }
 }
 
+void Measures::keep_before() {
+  for (std::size_t i = 0; i < variables_used_; ++i) {
+    if (variables_[i].now) values_[i] = values_[*variables_[i].now];
+  }
+}
+
 void Measures::step(std::uint64_t step, double time_s) {
   set(Variable::Kind::time, 0, 0, time_s);
+  if (step == 0) keep_before();
   last_step_ = static_cast<double>(step);
   last_time_s_ = time_s;
   has_begun_ = true;
   for (Quantity& quantity : quantities_) {
-    const double value = quantity.expression.value(values_.data());
+    const double value = quantity.formula.calculation.value(values_.data());
     if (std::isnan(value)) continue;  // before the first message of something
     ++quantity.samples;
     quantity.sum += value;
     quantity.most = std::max(quantity.most, value);
   }
-  is_over_ = has_until_ && until_.value(values_.data()) != 0.0;
+  is_over_ = has_until_ && until_.calculation.value(values_.data()) != 0.0;
+  keep_before();
 }
 
 void Measures::end_episode() {
@@ -169,13 +163,13 @@ void Measures::describe(Summary& summary) const {
     summary.more.emplace_back(name, value);
   };
   if (has_until_) {
-    add("until `" + until_.text() + "`:",
+    add("until `" + until_.text + "`:",
         std::to_string(times_.count()) + " of " + std::to_string(lengths_.count()) + " episodes");
     if (summary_ && times_.count() > 0) add("time until then:", times_.text(" s"));
   }
   for (const Quantity& quantity : quantities_) {
     if (quantity.means.count() == 0) continue;
-    add("measure `" + quantity.expression.text() + "`:",
+    add("measure `" + quantity.formula.text + "`:",
         quantity.means.mean_text("") + ", worst " + shown(quantity.worst.most()) + " (episode " +
             std::to_string(quantity.worst.most_episode()) + ")");
   }

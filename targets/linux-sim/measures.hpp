@@ -4,9 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <runtime/host/expression/calculation.hpp>
 #include <string>
 #include <string_view>
-#include <targets/linux-sim/expression.hpp>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/summary.hpp>
 #include <vector>
@@ -20,6 +21,8 @@ struct Variable {
   Kind kind = Kind::time;
   std::uint32_t number = 0;  // of the channel, the observation, the state
   std::size_t element = 0;
+  std::optional<std::size_t> now =
+      std::nullopt;  // of its value one step before: where the value is
   friend bool operator==(const Variable&, const Variable&) = default;
 };
 
@@ -78,16 +81,23 @@ class Measures {
   void describe(Summary& summary) const;
 
  private:
+  /// As it was written, and ready to be calculated.
+  struct Formula {
+    std::string text;
+    expression::Calculation calculation;
+  };
   struct Quantity {
-    Expression expression;
+    Formula formula;
     double sum = 0.0, most = 0.0;  // of this episode
     std::uint64_t samples = 0;     // that are numbers
     Statistic means, worst;        // of all episodes
   };
-  int variable_of(const std::string& name, std::size_t index, bool indexed,
-                  const std::vector<Readable>& readables, std::string& problem);
+  std::string read(const char* option, const std::string& text, expression::Type type,
+                   const std::vector<Readable>& readables, Formula& formula);
+  std::optional<std::size_t> place_of(const Variable& variable);
+  void keep_before();
 
-  Expression until_;
+  Formula until_;
   bool has_until_ = false;
   bool summary_ = false;
   bool reads_messages_ = false;

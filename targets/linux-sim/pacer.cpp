@@ -1,6 +1,6 @@
 #include <cerrno>
 #include <ctime>
-#include <targets/linux-sim/interrupt.hpp>
+#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/pacer.hpp>
 
 namespace eagerx::linux_sim {
@@ -20,7 +20,7 @@ void MonotonicClock::sleep_until(std::int64_t ns) {
   const timespec until{static_cast<time_t>(ns / kNsPerSecond),
                        static_cast<long>(ns % kNsPerSecond)};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
-    if (interrupted() || is_told_to_stop()) return;
+    if (host::interrupted() || host::is_told_to_stop()) return;
   }
 }
 

@@ -1,5 +1,6 @@
 #include <eagerx/trace_text.hpp>
 #include <optional>
+#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/identify/experiment.hpp>
 #include <runtime/host/trace/replay.hpp>
 #include <targets/linux-sim/elements.hpp>
@@ -9,12 +10,11 @@
 #include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/scene_record.hpp>
-#include <targets/linux-sim/text_file.hpp>
 
 namespace eagerx::linux_sim {
 namespace {
 
-using Text = TraceText<TextFile>;
+using Text = TraceText<host::TextFile>;
 
 std::optional<SceneRecord> scenes_of_run;
 
@@ -64,14 +64,14 @@ void Recorder::scene(std::uint64_t rate_num, std::uint64_t rate_den, Seq tick, c
     scenes_of_run->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
 }
 
-void Recorder::write_to(TextFile* file, bool timed) {
+void Recorder::write_to(host::TextFile* file, bool timed) {
   file_ = file;
   start_ns_ = now_ns();
   timed_ = timed;
   decide();
 }
 
-void Recorder::keep_scenes(TextFile* file) {
+void Recorder::keep_scenes(host::TextFile* file) {
   scenes_of_run.emplace(facts_->scene_rows);
   scene_file_ = file;
   keeps_scenes_ = true;

@@ -8,6 +8,9 @@
 #include <runtime/host/identify/simulator_view.hpp>
 #include <targets/linux-sim/message_view.hpp>
 
+namespace eagerx::host {
+class TextFile;
+}
 namespace eagerx::trace_log {
 class Replay;
 }
@@ -19,7 +22,6 @@ namespace eagerx::linux_sim {
 
 struct GraphFacts;
 class Publishing;
-class TextFile;
 
 /// There is one, so that a program's trace stays small. Programs call what is in the first part.
 class Recorder {
@@ -40,8 +42,8 @@ class Recorder {
 
   void graph_is(const GraphFacts& facts) { facts_ = &facts; }
   /// Without a file only the hash is made. `timed`: every message with the time it was sent at.
-  void write_to(TextFile* file, bool timed);
-  void keep_scenes(TextFile* file);
+  void write_to(host::TextFile* file, bool timed);
+  void keep_scenes(host::TextFile* file);
   /// Others see the messages.
   void publish(Publishing* publishing);
   /// Expressions see the messages.
@@ -58,8 +60,8 @@ class Recorder {
   void decide();
 
   const GraphFacts* facts_ = nullptr;
-  TextFile* file_ = nullptr;
-  TextFile* scene_file_ = nullptr;
+  host::TextFile* file_ = nullptr;
+  host::TextFile* scene_file_ = nullptr;
   Publishing* publishing_ = nullptr;
   trace_log::Replay* replay_ = nullptr;
   identification::Experiment* experiment_ = nullptr;

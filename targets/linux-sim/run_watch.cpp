@@ -1,12 +1,13 @@
 #include <algorithm>
-#include <targets/linux-sim/interrupt.hpp>
+#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/run_watch.hpp>
 #include <targets/linux-sim/spaces.hpp>
 
 namespace eagerx::linux_sim {
 
-RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace)
+RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
+                   host::TextFile& trace)
     : Watch(told.options.plan, told.options.agent, csv),
       facts_(program.facts()),
       told_(told),
@@ -27,42 +28,23 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextF
   tunes_ = told.settings.tunes();
 }
 
-void RunWatch::listen_to(OutsideAgent& agent) {
-  outside_ = &agent;
-  paces_ = true;
-  tunes_ = tunes_ || std::ranges::any_of(told_.fields.states, &Field::tunable);
-}
-
 bool RunWatch::go_on() {
-  stop_if_told();
+  host::stop_if_told();
   if (pictures_ != nullptr && pictures_->ends_run()) return false;
-  if (interrupted() || csv_.failed() || trace_.failed() || left_space()) return false;
-  if (outside_ == nullptr) return true;
-  const bool goes_on = outside_->go_on();
-  is_over_ = is_over_ || outside_->wants_reset();
-  return goes_on;
+  return !(host::interrupted() || csv_.failed() || trace_.failed() || left_space());
 }
 
 bool RunWatch::ends_early() const {
-  const bool leaves_something = outside_ != nullptr && outside_->leaves_something();
-  return has_begun() && (interrupted() || left_space() || leaves_something);
-}
-
-EpisodeKey RunWatch::key(EpisodeKey planned) {
-  return outside_ != nullptr ? outside_->key(planned) : planned;
+  return has_begun() && (host::interrupted() || left_space());
 }
 
 std::uint64_t RunWatch::lateness() const {
-  const std::uint64_t late = pacer_.late_in_a_row();
-  return outside_ != nullptr ? std::max(late, outside_->late_in_a_row()) : late;
+  return pacer_.late_in_a_row();
 }
 
 bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
-  bool changed = set_states(key, states);
-  if (outside_ != nullptr) {
-    changed = outside_->apply_states(states) || changed;
-    is_over_ = false;
-  }
+  const bool changed = set_states(key, states);
+  is_over_ = false;
   record_.begin(states);
   task_record_.end_episode();
   if (measures_of_run.is_used()) {
@@ -106,19 +88,21 @@ void RunWatch::reset(std::uint32_t episode) {
     is_over_ = measures_of_run.is_over();
   }
   hand_on(pacer_.is_slow());
-  if (outside_ != nullptr) outside_->reset(episode);
 }
 
-void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
+// Part of step() in the run of every program; a call where somebody stands in between.
+[[gnu::always_inline]] inline bool RunWatch::counted(Seq step, bool has_ended,
+                                                     const OutcomeView& outcome) {
   ++steps_;
   task_record_.step(outcome);
   if (measures_of_run.is_used()) {
     measures_of_run.step(step, facts_.seconds(step));
     is_over_ = measures_of_run.is_over();
   }
-  const bool is_longest = step == plan_.steps;
-  has_ended = has_ended || is_longest || is_over_;
-  if (outside_ != nullptr) outside_->step(step, has_ended, is_longest, outcome);
+  return has_ended || step == plan_.steps || is_over_;
+}
+
+[[gnu::always_inline]] inline void RunWatch::paced(Seq step, bool has_ended) {
   hand_on(has_ended || pacer_.is_slow());
   progress_.step(steps_);
   if (pictures_ != nullptr) {
@@ -126,6 +110,16 @@ void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
     pacer_.set_speed(step, pictures_->speed());
   }
   if (pacer_.paces()) pacer_.wait_for(step);
+}
+
+bool RunWatch::count(Seq step, bool has_ended, const OutcomeView& outcome) {
+  return counted(step, has_ended, outcome);
+}
+void RunWatch::pace(Seq step, bool has_ended) {
+  paced(step, has_ended);
+}
+void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
+  paced(step, counted(step, has_ended, outcome));
 }
 
 void RunWatch::state_column_names() {
@@ -136,7 +130,6 @@ void RunWatch::state_columns() {
 }
 
 const void* RunWatch::given_action(Seq step) {
-  if (outside_ != nullptr) return outside_->action();
   return step < told_.table.size() ? told_.table[step] : nullptr;
 }
 
@@ -169,7 +162,7 @@ void RunWatch::finish(Summary& summary) {
   summary.paced = pacer_.paces();
   summary.overruns = pacer_.overruns();
   summary.worst_overrun_s = pacer_.worst_s();
-  summary.interrupted = interrupted();
+  summary.interrupted = host::interrupted();
 }
 
 void RunWatch::hand_on(bool now) {

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <runtime/host/base/text_file.hpp>
 #include <string>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/faults.hpp>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/options.hpp>
-#include <targets/linux-sim/outside/outside_agent.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/progress.hpp>
@@ -15,7 +15,6 @@
 #include <targets/linux-sim/state_settings.hpp>
 #include <targets/linux-sim/summary.hpp>
 #include <targets/linux-sim/task_record.hpp>
-#include <targets/linux-sim/text_file.hpp>
 #include <targets/linux-sim/watch.hpp>
 
 namespace eagerx::linux_sim {
@@ -31,11 +30,8 @@ struct Told {
 
 class RunWatch : public Watch {
  public:
-  RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace);
+  RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace);
   virtual ~RunWatch() = default;
-
-  /// Before the run, if its agent is outside.
-  void listen_to(OutsideAgent& agent);
 
   bool go_on() override;
   bool ends_early() const override;
@@ -47,9 +43,9 @@ class RunWatch : public Watch {
   void state_column_names() final;
   void state_columns() final;
   const void* given_action(Seq step) override;
-  ObservationRow outside_observation() final { return outside_->observation(); }
-  void applied(const void* action) final { outside_->applied(action); }
-  EpisodeKey key(EpisodeKey planned) final;
+  ObservationRow outside_observation() override { return {}; }
+  void applied(const void* /*action*/) override {}
+  EpisodeKey key(EpisodeKey planned) override { return planned; }
   ObservationRow observations() final { return {observations_.data(), sizes_.data()}; }
   ObservationRow seen(Seq step) final { return told_.faults.seen(step, observations()); }
   void given(Seq step, void* action) override { told_.faults.given(step, action); }
@@ -69,9 +65,14 @@ class RunWatch : public Watch {
   }
   /// The same of what is set before a step, all of it tunable.
   virtual bool set_parameters(Seq step, StateRow states) {
-    const bool changed = told_.settings.apply_at(step, states);
-    return (outside_ != nullptr && outside_->apply_parameters(states)) || changed;
+    return told_.settings.apply_at(step, states);
   }
+  /// The two parts of step(), between which an agent outside has its answer. A class that has more
+  /// to do in one of them has its own, and its own step().
+  /// What has become of a step. Returns whether the episode has ended.
+  bool count(Seq step, bool has_ended, const OutcomeView& outcome);
+  /// Waits until the step is over.
+  void pace(Seq step, bool has_ended);
   StateRow current_states() const { return record_.current(); }
   /// Between two steps.
   void time_stood_still(std::int64_t ns) { pacer_.pause(ns); }
@@ -79,20 +80,21 @@ class RunWatch : public Watch {
   const Pacer& pacer() const { return pacer_; }
 
  private:
+  bool counted(Seq step, bool has_ended, const OutcomeView& outcome);
+  void paced(Seq step, bool has_ended);
   void measure_states();
   void hand_on(bool now);
 
   const GraphFacts& facts_;
   const Told& told_;
   Pictures* pictures_;
-  OutsideAgent* outside_ = nullptr;
   StateMemory states_;
   MessageRows observations_;
   std::vector<std::uint32_t> sizes_;  // [observations]
   StateRecord record_;
   TaskRecord task_record_;
-  TextFile& csv_;
-  TextFile& trace_;
+  host::TextFile& csv_;
+  host::TextFile& trace_;
   Pacer pacer_;
   Progress progress_;
   std::int64_t began_ns_ = 0;

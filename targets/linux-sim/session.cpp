@@ -4,14 +4,14 @@
 #include <eagerx/float_environment.hpp>
 #include <eagerx/trace_text.hpp>
 #include <optional>
+#include <runtime/host/base/interrupt.hpp>
 #include <string>
 #include <string_view>
 #include <targets/linux-sim/dds/agent_watch.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/float_environment.hpp>
-#include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
-#include <targets/linux-sim/outside/outside_agent.hpp>
+#include <targets/linux-sim/outside/outside_watch.hpp>
 #include <targets/linux-sim/publish/publish_watch.hpp>
 #include <targets/linux-sim/publish/remote_watch.hpp>
 #include <targets/linux-sim/recorder.hpp>
@@ -24,7 +24,7 @@ namespace eagerx::linux_sim {
 namespace {
 
 /// Says that `path` cannot be written and why; returns false.
-bool cannot_write(const TextFile& file, const std::string& path) {
+bool cannot_write(const host::TextFile& file, const std::string& path) {
   const std::string name = path == "-" ? "the standard output" : "`" + path + "`";
   const char* const why = file.error() == ETIMEDOUT ? "nobody reads it, or too slowly"
                           : file.error() == EINVAL  ? "it is no file"
@@ -33,10 +33,10 @@ bool cannot_write(const TextFile& file, const std::string& path) {
   return false;
 }
 /// Written by a thread of its own: a disk that is slow for once must not make a step late.
-bool open_output(TextFile& file, const std::string& path, Writing writing) {
+bool open_output(host::TextFile& file, const std::string& path, host::Writing writing) {
   return path.empty() || file.open(path, writing) || cannot_write(file, path);
 }
-bool close_output(TextFile& file, const std::string& path) {
+bool close_output(host::TextFile& file, const std::string& path) {
   return path.empty() || file.close() || cannot_write(file, path);
 }
 
@@ -106,21 +106,25 @@ class Session {
 
  private:
   /// By a `Watch`, or one that asks another process for actions, too.
+  template <class Watch, class... More>
+  int run_watched(More&... more) {
+    if (agent_ != nullptr)
+      return run_by<AgentWatch<Watch>>(*agent_, program_, told_, csv_, trace_, more...);
+    if (outside_)
+      return run_by<OutsideWatch<Watch>>(*outside_, program_, told_, csv_, trace_, more...);
+    return run_by<Watch>(program_, told_, csv_, trace_, more...);
+  }
   template <class Watch, class... Arguments>
-  int run_watched(Arguments&... arguments) {
-    if (agent_ == nullptr) {
-      Watch watch(program_, told_, csv_, trace_, arguments...);
-      step_all(watch);
-      return end(watch);
-    }
-    AgentWatch<Watch> watch(*agent_, program_, told_, csv_, trace_, arguments...);
+  int run_by(Arguments&... arguments) {
+    Watch watch(arguments...);
     step_all(watch);
     return end(watch);
   }
 
   int open() {
     const bool in_real_time = options_.real_time_factor > 0.0 || program_.is_real();
-    const Writing writing = in_real_time ? Writing::real_time : Writing::background;
+    const host::Writing writing =
+        in_real_time ? host::Writing::real_time : host::Writing::background;
     if (!open_output(csv_, options_.csv, writing) || !open_output(trace_, options_.trace, writing))
       return kBadFile;
     if (csv_.is_same_file(trace_))
@@ -157,13 +161,12 @@ class Session {
   }
 
   void step_all(RunWatch& watch) {
-    if (outside_) watch.listen_to(*outside_);
     const bool is_traced = this->is_traced();
     if (is_traced && trace_.is_open()) {
       const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,
                               facts_.rate_den, facts_.channels, facts_.channel_count};
-      TraceText<TextFile>::head(trace_, graph, options_.plan.seed, options_.plan.environment,
-                                agent_name(options_), options_.trace_time);
+      TraceText<host::TextFile>::head(trace_, graph, options_.plan.seed, options_.plan.environment,
+                                      agent_name(options_), options_.trace_time);
       recorder_of_run.write_to(&trace_, options_.trace_time);
       if (options_.trace_scenes) recorder_of_run.keep_scenes(&trace_);
     }
@@ -207,7 +210,7 @@ class Session {
       fail("error: " + spaces_of_run.first() + "\n" + place_of(summary_), kLeftSpace);
     const std::string not_finite = watch.not_finite();
     if (!not_finite.empty()) fail(not_finite, kNotFinite);
-    end_as_told();
+    host::end_as_told();
     if (!broken.empty()) return kBadFile;
     if (!is_right) return kSelfTestFailed;
     if (!not_finite.empty()) return kNotFinite;
@@ -244,7 +247,7 @@ class Session {
   GraphProgram& program_;
   const GraphFacts& facts_;
   RemoteAgent* const agent_;
-  TextFile csv_, trace_;
+  host::TextFile csv_, trace_;
   std::optional<Publishing> publishing_;
   std::optional<OutsideAgent> outside_;
   Summary summary_;

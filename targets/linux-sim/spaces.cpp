@@ -1,3 +1,4 @@
+#include <runtime/host/base/number.hpp>
 #include <string>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/graph_program.hpp>
@@ -37,7 +38,7 @@ void SpaceCounts::list(CountListener& listener) const {
 }
 
 std::string SpaceCounts::first() const {
-  const auto shown = [](double x) { return number_text(static_cast<float>(x)); };
+  const auto shown = [](double x) { return host::number_text(static_cast<float>(x)); };
   const Channel& what = facts_->channels[channel_];
   const Bounds& bounds = facts_->bounds[what.first + (what.bounds == 1 ? 0 : element_)];
   return "`" + std::string(what.name) + "` left its space, from " + shown(bounds.low) + " to " +

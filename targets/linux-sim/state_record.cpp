@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cstring>
 #include <limits>
+#include <runtime/host/base/number.hpp>
 #include <string>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
@@ -38,7 +39,7 @@ void StateRecord::begin(StateRow states) {
 }
 
 /// `before` comes before the first value, a comma before each other.
-void StateRecord::values(TextFile& out, std::size_t state, const char* before) const {
+void StateRecord::values(host::TextFile& out, std::size_t state, const char* before) const {
   const MessageType& type = states_[state].type;
   with_elements(type.scalar, current().messages[state], [&](const auto* elements) {
     for (std::size_t i = 0; i < type.size; ++i) {
@@ -48,7 +49,7 @@ void StateRecord::values(TextFile& out, std::size_t state, const char* before) c
   });
 }
 
-void StateRecord::trace(TextFile& out, std::uint32_t episode) const {
+void StateRecord::trace(host::TextFile& out, std::uint32_t episode) const {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (!current().has_value[i]) continue;
     out.text("# state ");
@@ -60,7 +61,8 @@ void StateRecord::trace(TextFile& out, std::uint32_t episode) const {
   }
 }
 
-void StateRecord::trace_set(TextFile& out, std::uint32_t episode, Seq step, StateRow states) const {
+void StateRecord::trace_set(host::TextFile& out, std::uint32_t episode, Seq step,
+                            StateRow states) const {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (!states.has_value[i]) continue;
     out.text("# set ");
@@ -74,7 +76,7 @@ void StateRecord::trace_set(TextFile& out, std::uint32_t episode, Seq step, Stat
   }
 }
 
-void StateRecord::column_names(TextFile& out) const {
+void StateRecord::column_names(host::TextFile& out) const {
   for (const Field& state : states_) {
     for (std::size_t i = 0; i < state.type.size; ++i) {
       out.text(",state:");
@@ -87,7 +89,7 @@ void StateRecord::column_names(TextFile& out) const {
   }
 }
 
-void StateRecord::columns(TextFile& out) const {
+void StateRecord::columns(host::TextFile& out) const {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (current().has_value[i]) {
       values(out, i, ",");
@@ -107,8 +109,8 @@ void StateRecord::describe(Summary& summary) const {
       std::string text;
       for (std::size_t k = first; k < at; ++k) {
         text += (k > first ? ", " : "") + (type.scalar == Scalar::f32
-                                               ? number_text(static_cast<float>(numbers[k]))
-                                               : number_text(numbers[k]));
+                                               ? host::number_text(static_cast<float>(numbers[k]))
+                                               : host::number_text(numbers[k]));
       }
       return type.size > 1 ? "[" + text + "]" : text;
     };

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/summary.hpp>
-#include <targets/linux-sim/text_file.hpp>
 #include <vector>
 
 namespace eagerx::linux_sim {
@@ -23,16 +23,16 @@ class StateRecord {
   StateRow current() const { return current_.row(); }
 
   /// Lines `# state EPISODE NAME VALUE,…`, which are no messages: the hash does not see them.
-  void trace(TextFile& out, std::uint32_t episode) const;
+  void trace(host::TextFile& out, std::uint32_t episode) const;
   /// Lines `# set EPISODE STEP NAME VALUE,…` of what `states` has, which was set before that step.
-  void trace_set(TextFile& out, std::uint32_t episode, Seq step, StateRow states) const;
-  void column_names(TextFile& out) const;
-  void columns(TextFile& out) const;
+  void trace_set(host::TextFile& out, std::uint32_t episode, Seq step, StateRow states) const;
+  void column_names(host::TextFile& out) const;
+  void columns(host::TextFile& out) const;
   /// A line for each state: its value, or from where to where it was drawn.
   void describe(Summary& summary) const;
 
  private:
-  void values(TextFile& out, std::size_t state, const char* before) const;
+  void values(host::TextFile& out, std::size_t state, const char* before) const;
 
   const std::vector<Field>& states_;
   StateMemory current_;

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <eagerx/space.hpp>
+#include <runtime/host/base/nearest.hpp>
+#include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 #include <type_traits>
 
@@ -26,17 +26,11 @@ bool read_numbers(std::string_view text, std::vector<double>& numbers) {
   while (true) {
     const std::size_t comma = std::min(text.find(','), text.size());
     double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + comma, value);
-    if (error != std::errc() || end != text.data() + comma || !std::isfinite(value)) return false;
+    if (!host::read_number(text.substr(0, comma), value) || !std::isfinite(value)) return false;
     numbers.push_back(value);
     if (comma == text.size()) return true;
     text.remove_prefix(comma + 1);
   }
-}
-
-bool read_step(std::string_view text, Seq& step) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), step);
-  return error == std::errc() && end == text.data() + text.size();
 }
 
 std::string about(const StateSetting& setting) {
@@ -65,7 +59,7 @@ std::optional<StateSetting> parse_setting(std::string_view text) {
     break;
   }
   if (const std::size_t at = value.find('@'); at != std::string_view::npos) {
-    if (setting.kind != Kind::value || !read_step(value.substr(at + 1), setting.step.emplace()))
+    if (setting.kind != Kind::value || !host::read_number(value.substr(at + 1), setting.step.emplace()))
       return std::nullopt;
     value = value.substr(0, at);
   }
@@ -76,7 +70,7 @@ std::optional<StateSetting> parse_setting(std::string_view text) {
 std::string unknown_state(const std::string& name, const std::vector<std::string>& known) {
   std::string list;
   for (const std::string& state : known) list += (list.empty() ? "" : ", ") + state;
-  const std::string near = nearest_name(name, known);
+  const std::string near = host::nearest_name(name, known);
   return "error: this program has no state `" + name +
          "`\nhelp: " + (near.empty() ? "" : "did you mean `" + near + "`? ") +
          (known.empty() ? "it has none" : "it has " + list) +
@@ -114,9 +108,9 @@ std::string problem_of(const StateSetting& setting, const std::vector<double>& l
                        : i < size                   ? setting.number(group, i)
                                                     : low[at];
       if (is_within(x, low[at], high[at])) continue;
-      return about(setting) + number_text(x) + " is out of the space of the state, from " +
-             number_text(static_cast<float>(low[at])) + " to " +
-             number_text(static_cast<float>(high[at])) +
+      return about(setting) + host::number_text(x) + " is out of the space of the state, from " +
+             host::number_text(static_cast<float>(low[at])) + " to " +
+             host::number_text(static_cast<float>(high[at])) +
              "\nhelp: a wider one is written in the graph: `states: {…: {uniform: space, space: "
              "{low: "
              "…, high: …}}}`";

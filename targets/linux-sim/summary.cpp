@@ -1,5 +1,6 @@
 #include <array>
 #include <charconv>
+#include <runtime/host/base/hash.hpp>
 #include <string_view>
 #include <targets/linux-sim/summary.hpp>
 
@@ -63,14 +64,7 @@ std::string not_finite_problem(const std::string& first, std::uint64_t seed,
 }
 
 std::string hash_line(std::uint64_t hash) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  constexpr unsigned kBitsPerDigit = 4;
-  std::string text = "trace hash 0x";
-  for (unsigned shift = 64; shift > 0;) {
-    shift -= kBitsPerDigit;
-    text += kDigits[(hash >> shift) & 0xfU];
-  }
-  return text + "\n";
+  return "trace hash " + host::hex_text(hash) + "\n";
 }
 
 }  // namespace eagerx::linux_sim

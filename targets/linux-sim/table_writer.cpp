@@ -1,5 +1,5 @@
+#include <runtime/host/base/text_file.hpp>
 #include <targets/linux-sim/table_writer.hpp>
-#include <targets/linux-sim/text_file.hpp>
 
 namespace eagerx::linux_sim {
 

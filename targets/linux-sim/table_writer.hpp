@@ -4,13 +4,15 @@
 #include <cstdint>
 #include <string_view>
 
-namespace eagerx::linux_sim {
-
+namespace eagerx::host {
 class TextFile;
+}
+
+namespace eagerx::linux_sim {
 
 class TableWriter {
  public:
-  explicit TableWriter(TextFile& file) : file_(file) {}
+  explicit TableWriter(host::TextFile& file) : file_(file) {}
   void text(std::string_view text);
   void number(bool value);
   void number(std::int8_t value);
@@ -25,7 +27,7 @@ class TableWriter {
   void number(double value);
 
  private:
-  TextFile& file_;
+  host::TextFile& file_;
 };
 
 }  // namespace eagerx::linux_sim

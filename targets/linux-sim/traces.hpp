@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
-#include <targets/linux-sim/interrupt.hpp>
+#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/pictures/show.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/spaces.hpp>
@@ -15,7 +15,7 @@ namespace eagerx::linux_sim {
 /// was a signal, or a stop.
 template <class Graph>
 struct Untraced : NoTrace, Shows<Graph> {
-  static bool is_interrupted() { return stop_if_told(), ends_reset(); }
+  static bool is_interrupted() { return host::stop_if_told(), host::ends_reset(); }
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {
     spaces_of_run.see<Graph>(channel, seq, message);
@@ -49,7 +49,7 @@ class Traced : public ShowsAndKeeps<Graph> {
  public:
   static constexpr bool kSimulators = true;
 
-  static bool is_interrupted() { return stop_if_told(), ends_reset(); }
+  static bool is_interrupted() { return host::stop_if_told(), host::ends_reset(); }
   static bool runs_engine() { return recorder_of_run.runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 

@@ -61,7 +61,7 @@ class Watch {
   virtual void given(Seq step, void* action) = 0;
 
  protected:
-  Watch(const target::RunPlan& plan, target::Agent agent, TextFile& table)
+  Watch(const target::RunPlan& plan, target::Agent agent, host::TextFile& table)
       : plan_(plan), agent_(agent), writer_(table) {}
   ~Watch() = default;
   virtual std::uint64_t lateness() const = 0;

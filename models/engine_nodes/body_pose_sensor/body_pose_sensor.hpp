@@ -2,33 +2,18 @@
 #pragma once
 
 #include <cstddef>
-#include <eagerx/message.hpp>
-#include <eagerx/rate.hpp>
-#include <models/engines/open_dynamics_engine/scene.hpp>
-#include <type_traits>
+#include <models/engine_nodes/rigid_nodes.hpp>
 
 namespace eagerx::models {
 
 /// Every tick: observation [7] := position [m] and quaternion [w, x, y, z] of the body.
 template <class Io>
-class BodyPoseSensor {
+class BodyPoseSensor : public BodySensor<Io, BodyPoseSensor<Io>> {
  public:
-  using Simulator = typename Io::Simulator;
-
-  void reset(const typename Io::States& /*states*/, Simulator& /*simulator*/) {}
-
-  void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/, typename Io::Outputs& out,
-                Simulator& simulator) {
-    using Message = std::remove_cvref_t<decltype(out.observation)>;
-    constexpr std::size_t kItem = scene::find(Simulator::Model::kBodies, Io::Config::body);
-    static_assert(kItem < Simulator::Model::kBodies.size(),
-                  "BodyPoseSensor: `body` is not a body of the object's model");
-    static_assert(size_of<Message> == 7);
-    const auto state = simulator.state(kItem);
-    for (std::size_t i = 0; i < 3; ++i)
-      element(out.observation, i) = static_cast<ScalarOf<Message>>(state.position[i]);
-    for (std::size_t i = 0; i < 4; ++i)
-      element(out.observation, 3 + i) = static_cast<ScalarOf<Message>>(state.rotation[i]);
+  static Pose numbers(const typename Io::Simulator& simulator, std::size_t body) {
+    const RigidState now = simulator.state(body);
+    return {{now.position[0], now.position[1], now.position[2], now.rotation[0], now.rotation[1],
+             now.rotation[2], now.rotation[3]}};
   }
 };
 

@@ -2,32 +2,17 @@
 #pragma once
 
 #include <cstddef>
-#include <eagerx/message.hpp>
-#include <eagerx/rate.hpp>
-#include <models/engines/open_dynamics_engine/joint_list.hpp>
-#include <type_traits>
+#include <models/engine_nodes/rigid_nodes.hpp>
 
 namespace eagerx::models {
 
 /// Every tick: observation [size] := positions of `joints` [rad, m] at the time of the tick.
 template <class Io>
-class JointPositionSensor {
+class JointPositionSensor : public JointSensor<Io, JointPositionSensor<Io>> {
  public:
-  using Simulator = typename Io::Simulator;
-
-  void reset(const typename Io::States& /*states*/, Simulator& /*simulator*/) {}
-
-  void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/, typename Io::Outputs& out,
-                Simulator& simulator) {
-    using Joints = JointList<typename Simulator::Model, typename Io::Config>;
-    using Message = std::remove_cvref_t<decltype(out.observation)>;
-    static_assert(Joints::size() == size_of<Message>,
-                  "JointPositionSensor: `size` must be how many numbers the joints have together");
-    constexpr auto kAxes = Joints::axes();
-    for (std::size_t i = 0; i < kAxes.size(); ++i) {
-      element(out.observation, i) =
-          static_cast<ScalarOf<Message>>(simulator.joint_position(kAxes[i].joint, kAxes[i].axis));
-    }
+  static double number(const typename Io::Simulator& simulator, std::size_t joint,
+                       std::size_t axis) {
+    return simulator.joint_position(joint, axis);
   }
 };
 

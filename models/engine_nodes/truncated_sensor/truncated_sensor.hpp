@@ -1,27 +1,16 @@
 // Whether an environment on GymEngine was truncated.
 #pragma once
 
-#include <eagerx/message.hpp>
-#include <eagerx/rate.hpp>
-#include <type_traits>
+#include <models/engine_nodes/gym_sensor.hpp>
 
 namespace eagerx::models {
 
 /// Every tick: truncated [] := 1 if any step since the reset said so, else 0.
 template <class Io>
-class TruncatedSensor {
+class TruncatedSensor : public GymSensor<Io, TruncatedSensor<Io>> {
  public:
-  using Simulator = typename Io::Simulator;
-
-  void reset(const typename Io::States& /*states*/, Simulator& simulator) {
-    simulator.begin_episode();
-  }
-
-  void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/, typename Io::Outputs& out,
-                Simulator& simulator) {
-    using Message = std::remove_cvref_t<decltype(out.truncated)>;
-    element(out.truncated, 0) = static_cast<ScalarOf<Message>>(simulator.truncated);
-  }
+  static auto& message(typename Io::Outputs& out) { return out.truncated; }
+  static auto number(typename Io::Simulator& simulator) { return simulator.truncated; }
 };
 
 }  // namespace eagerx::models

@@ -11,6 +11,10 @@ using Quaternion = Array<double, 4>;  // [w, x, y, z]
 using Pose = Array<double, 7>;        // position, then quaternion
 using Twist = Array<double, 6>;       // velocity of the centre of mass, then angular velocity
 
+constexpr Twist joined(const Vector3& a, const Vector3& b) {
+  return {{a[0], a[1], a[2], b[0], b[1], b[2]}};
+}
+
 constexpr Vector3 operator+(const Vector3& a, const Vector3& b) {
   return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
 }

@@ -1,8 +1,8 @@
 // The same elements in another shape.
 #pragma once
 
-#include <cstddef>
 #include <eagerx/message.hpp>
+#include <models/processors/same_elements.hpp>
 
 namespace eagerx::models {
 
@@ -12,9 +12,7 @@ struct Reshape {
   static typename Io::Output convert(const typename Io::Input& in) {
     static_assert(size_of<typename Io::Input> == size_of<typename Io::Output>,
                   "Reshape: `rows` times `columns` is the number of elements");
-    typename Io::Output out{};
-    for (std::size_t i = 0; i < size_of<typename Io::Input>; ++i) element(out, i) = element(in, i);
-    return out;
+    return same_elements<typename Io::Output>(in);
   }
 };
 

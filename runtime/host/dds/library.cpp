@@ -1,7 +1,7 @@
 #include <dlfcn.h>
 
+#include <runtime/host/base/look_up.hpp>
 #include <runtime/host/dds/library.hpp>
-#include <runtime/host/look_up.hpp>
 
 namespace eagerx::dds {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
-#include <runtime/host/background.hpp>
+#include <runtime/host/base/background.hpp>
 #include <runtime/host/dds/participant.hpp>
 #include <set>
 #include <vector>

@@ -25,17 +25,7 @@ Sequence<T> sequence(T* elements, std::size_t size) {
   return {count, count, elements, false};
 }
 
-/// The value of canonical bits.
-template <class T>
-T value_of(std::uint64_t bits) {
-  if constexpr (std::is_same_v<T, float>) {
-    return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-  } else if constexpr (std::is_same_v<T, double>) {
-    return std::bit_cast<double>(bits);
-  } else {
-    return static_cast<T>(bits);
-  }
-}
+using trace_log::value_of;
 
 /// The types of one number and of many.
 template <class OneType, class ManyType>

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <cmath>
 #include <eagerx/scene.hpp>
+#include <runtime/host/base/json.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
-#include <runtime/host/trace/json_text.hpp>
 #include <string_view>
 #include <vector>
 
@@ -61,7 +61,7 @@ class Primitives {
     begin(texts, at, {});
     texts += R"(,"billboard":true,"font_size":)" + number(height) +
              R"(,"scale_invariant":false,"text":)";
-    trace_log::append_json_string(texts, text);
+    host::append_json_string(texts, text);
     texts += colour(ink) + "}";
   }
 

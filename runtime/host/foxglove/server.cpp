@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <runtime/host/base/hash.hpp>
 #include <runtime/host/foxglove/access.hpp>
 #include <runtime/host/foxglove/client_message.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
@@ -173,7 +174,7 @@ void FoxgloveServer::opened(ClientId id, const Handshake& handshake) {
   const bool has_services = client.may_change && this->has_services();
   answer(id, server_info_text("eagerx " + served_.graph, has_services, session_,
                               {{"graph", served_.graph},
-                               {"graph_hash", publish::hash_text(served_.graph_hash)},
+                               {"graph_hash", host::hex_text(served_.graph_hash)},
                                {"engine", served_.engine},
                                {"may_change", client.may_change ? "true" : "false"}}));
   answer(id, advertise_text(channels(), served_.chosen, topics_));

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <eagerx/scene.hpp>
+#include <runtime/host/base/json.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
 #include <runtime/host/foxglove/server_text.hpp>
 #include <runtime/host/trace/json_text.hpp>
@@ -11,7 +12,7 @@ namespace {
 
 std::string json(std::string_view text) {
   std::string result;
-  trace_log::append_json_string(result, text);
+  host::append_json_string(result, text);
   return result;
 }
 

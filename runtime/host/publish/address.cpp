@@ -1,13 +1,12 @@
-#include <charconv>
 #include <cstdint>
+#include <runtime/host/base/number.hpp>
 #include <runtime/host/publish/address.hpp>
 
 namespace eagerx::publish {
 
 bool is_port(std::string_view text) {
   std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  return error == std::errc() && end == text.data() + text.size() && port > 0;
+  return host::read_number(text, port) && port > 0;
 }
 
 bool parse_address(std::string_view text, Address& address) {
@@ -31,16 +30,6 @@ bool parse_local_address(std::string_view text, Address& address) {
   address.host = "127.0.0.1";
   address.port = text;
   return true;
-}
-
-std::string hash_text(std::uint64_t hash) {
-  constexpr unsigned kBits = 64, kBitsPerDigit = 4;
-  std::string text = "0x";
-  for (unsigned shift = kBits; shift > 0;) {
-    shift -= kBitsPerDigit;
-    text += "0123456789abcdef"[(hash >> shift) & 0xfU];
-  }
-  return text;
 }
 
 }  // namespace eagerx::publish

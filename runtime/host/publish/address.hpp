@@ -20,7 +20,5 @@ bool parse_address(std::string_view text, Address& address);
 
 /// The same of `[HOST:]PORT`; without a host it is this machine's own, 127.0.0.1.
 bool parse_local_address(std::string_view text, Address& address);
-/// "0x0123456789abcdef"
-std::string hash_text(std::uint64_t hash);
 
 }  // namespace eagerx::publish

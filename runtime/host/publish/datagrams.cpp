@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <runtime/host/base/hash.hpp>
+#include <runtime/host/base/json.hpp>
 #include <runtime/host/publish/datagrams.hpp>
 #include <runtime/host/trace/json_text.hpp>
 
@@ -91,7 +93,7 @@ class UdpSink final : public DatagramSink {
  public:
   UdpSink(Address to, const PublishedChannels& channels, std::uint64_t graph_hash)
       : DatagramSink(std::move(to), channels),
-        graph_(",\"graph\":\"" + hash_text(graph_hash) + "\"") {}
+        graph_(",\"graph\":\"" + host::hex_text(graph_hash) + "\"") {}
 
   void step(const PublishedStep& step) override {
     begin(step);
@@ -115,7 +117,7 @@ class UdpSink final : public DatagramSink {
   /// What does not fit goes into a datagram of its own, or is dropped.
   void add(const PublishedStep& step, std::size_t c) {
     field_ = ",";
-    trace_log::append_json_string(field_, channels()[c].name);
+    host::append_json_string(field_, channels()[c].name);
     field_ += ':';
     trace_log::append_json_values(field_, channels()[c], values(c));
     if (begun_ + field_.size() > kMostBytes) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstring>
 #include <eagerx/trace.hpp>
+#include <runtime/host/base/hash.hpp>
 #include <runtime/host/telemetry/decoder.hpp>
 
 namespace eagerx::telemetry {
@@ -45,11 +46,6 @@ bool is_text(std::uint8_t byte) {
   return (byte >= ' ' && byte <= '~') || byte == '\n' || byte == '\r' || byte == '\t';
 }
 
-std::string hex(std::uint64_t number) {
-  std::string text = "0x";
-  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[(number >> shift) & 15U];
-  return text;
-}
 std::string version(std::uint16_t runtime) {
   return std::to_string(runtime / 256) + "." + std::to_string(runtime % 256);
 }
@@ -125,7 +121,8 @@ bool Decoder::take_greeting(const std::uint8_t* payload, std::size_t size, std::
                std::to_string(link::kProtocol);
   } else if (greeting.graph != layout_.hash) {
     refusal_ = "the board runs another graph, or the same of another time: its hash is " +
-               hex(greeting.graph) + ", that of `" + layout_.graph + "` is " + hex(layout_.hash);
+               host::hex_text(greeting.graph) + ", that of `" + layout_.graph + "` is " +
+               host::hex_text(layout_.hash);
   } else if (greeting.runtime != layout_.runtime) {
     refusal_ = "the board has runtime " + version(greeting.runtime) + ", the layout is of " +
                version(layout_.runtime);

@@ -16,24 +16,6 @@ void append_value(std::string& to, Dtype dtype, std::uint64_t bits) {
 
 }  // namespace
 
-void append_json_string(std::string& to, std::string_view text) {
-  constexpr unsigned char kSpace = 0x20;
-  constexpr unsigned kLowHalf = 0xf, kHalf = 4;
-  to += '"';
-  for (const char each : text) {
-    const auto byte = static_cast<unsigned char>(each);
-    if (byte < kSpace) {
-      to += "\\u00";
-      to += "0123456789abcdef"[byte >> kHalf];
-      to += "0123456789abcdef"[byte & kLowHalf];
-      continue;
-    }
-    if (each == '"' || each == '\\') to += '\\';
-    to += each;
-  }
-  to += '"';
-}
-
 void append_json_values(std::string& to, const RecordedChannel& channel,
                         const std::uint64_t* values) {
   if (channel.size == 1) return append_value(to, channel.dtype, values[0]);

@@ -8,8 +8,6 @@
 
 namespace eagerx::trace_log {
 
-/// Text of others as a string of JSON. What is no UTF-8 stays what it is.
-void append_json_string(std::string& to, std::string_view text);
 /// "[0.5,-1]" or, of a message with one number, "0.5". Numbers have the fewest digits that give the
 /// same bits; what is not finite is null.
 void append_json_values(std::string& to, const RecordedChannel& channel,

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <runtime/host/base/number.hpp>
 #include <runtime/host/trace/channel_name.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <runtime/host/trace/scene_line.hpp>
@@ -17,15 +18,9 @@ namespace eagerx::trace_log {
 namespace {
 
 template <class T>
-bool parse(std::string_view text, T& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
-template <class T>
 bool parse_as(std::string_view text, std::uint64_t& bits) {
   T value{};
-  if (!parse(text, value)) return false;
+  if (!host::read_number(text, value)) return false;
   bits = canonical_bits(value);
   return true;
 }
@@ -172,10 +167,10 @@ class LogReader::Lines {
     if (name == "agent") return log_.agent = value, true;
     if (name == "seed") {
       has_seed_ = true;
-      return parse(value, log_.seed) || fail(value, shown(value) + " is not a seed");
+      return host::read_number(value, log_.seed) || fail(value, shown(value) + " is not a seed");
     }
     if (name == "environment")
-      return parse(value, log_.environment) ||
+      return host::read_number(value, log_.environment) ||
              fail(value, shown(value) + " is not the number of an environment");
     if (name == "channel") return read_channel(value);
     return true;  // what a later version may add
@@ -199,11 +194,11 @@ class LogReader::Lines {
     const std::optional<Dtype> dtype = dtype_of(words[1]);
     if (!dtype) return fail(words[1], shown(words[1]) + " is not a type");
     channel.dtype = *dtype;
-    if (!parse(words[2], channel.size) || channel.size == 0)
+    if (!host::read_number(words[2], channel.size) || channel.size == 0)
       return fail(words[2], shown(words[2]) + " is not a number of elements");
     const std::size_t slash = words[3].find('/');
-    if (slash == std::string_view::npos || !parse(words[3].substr(0, slash), channel.rate_num) ||
-        !parse(words[3].substr(slash + 1), channel.rate_den) || channel.rate_num == 0 ||
+    if (slash == std::string_view::npos || !host::read_number(words[3].substr(0, slash), channel.rate_num) ||
+        !host::read_number(words[3].substr(slash + 1), channel.rate_den) || channel.rate_num == 0 ||
         channel.rate_den == 0)
       return fail(words[3], shown(words[3]) + " is not a rate");
     const auto number = static_cast<std::uint32_t>(log_.channels.size());
@@ -238,7 +233,7 @@ class LogReader::Lines {
     RecordedState state;
     const std::size_t first = fact.find(' ');
     const std::size_t last = fact.rfind(' ');
-    if (first == last || !parse(fact.substr(0, first), state.episode))
+    if (first == last || !host::read_number(fact.substr(0, first), state.episode))
       return fail(fact, "a state is `episode name values`, not " + shown(fact));
     state.name = fact.substr(first + 1, last - first - 1);
     if (!read_numbers(fact.substr(last + 1), state.values)) return false;
@@ -253,8 +248,8 @@ class LogReader::Lines {
     const std::size_t second = fact.find(' ', std::min(first, fact.size() - 1) + 1);
     const std::size_t last = fact.rfind(' ');
     if (second == std::string_view::npos || second == last ||
-        !parse(fact.substr(0, first), setting.episode) ||
-        !parse(fact.substr(first + 1, second - first - 1), setting.step))
+        !host::read_number(fact.substr(0, first), setting.episode) ||
+        !host::read_number(fact.substr(first + 1, second - first - 1), setting.step))
       return fail(fact, "what is set is `episode step name values`, not " + shown(fact));
     setting.name = fact.substr(second + 1, last - second - 1);
     if (!read_numbers(fact.substr(last + 1), setting.values)) return false;
@@ -266,7 +261,7 @@ class LogReader::Lines {
     std::string_view cell;
     while (take(rest, cell)) {
       double value = 0.0;
-      if (!parse(cell, value)) return fail(cell, shown(cell) + " is not a number");
+      if (!host::read_number(cell, value)) return fail(cell, shown(cell) + " is not a number");
       values.emplace_back(cell);
     }
     return true;
@@ -278,7 +273,7 @@ class LogReader::Lines {
     row.first = log_.values.size();
     std::string_view rest = text_;
     std::string_view cell;
-    if (!take(rest, cell) || !parse(cell, row.episode))
+    if (!take(rest, cell) || !host::read_number(cell, row.episode))
       return fail(cell, shown(cell) + " is not the number of an episode");
     const bool follows = row.episode == episode_ || (row.episode == episode_ + 1 && messages_ > 0);
     if (!follows)
@@ -288,9 +283,9 @@ class LogReader::Lines {
     if (channel == channels_.end())
       return fail(cell, "no line `# channel` says what " + shown(cell) + " is");
     row.channel = channel->second;
-    if (!take(rest, cell) || !parse(cell, row.seq))
+    if (!take(rest, cell) || !host::read_number(cell, row.seq))
       return fail(cell, shown(cell) + " is not the number of a message");
-    if (log_.timed && (!take(rest, cell) || !parse(cell, row.time_ns)))
+    if (log_.timed && (!take(rest, cell) || !host::read_number(cell, row.time_ns)))
       return fail(cell, shown(cell) + " is not a time in nanoseconds");
     return read_values(rest, row);
   }
@@ -337,7 +332,7 @@ class LogReader::Lines {
     const std::size_t space = std::min(fact.find(' '), fact.size());
     const std::string_view hash = fact.substr(std::min(space + 1, fact.size()));
     std::uint64_t messages = 0;
-    if (!parse(fact.substr(0, space), messages) || !hash.starts_with("0x") || hash.size() != 18 ||
+    if (!host::read_number(fact.substr(0, space), messages) || !hash.starts_with("0x") || hash.size() != 18 ||
         !parse_hex(hash.substr(2), log_.hash))
       return fail(fact, "the last line is `# end messages hash`, not " + shown(text_));
     if (messages != messages_)

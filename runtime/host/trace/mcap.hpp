@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <map>
-#include <runtime/host/crc32.hpp>
+#include <runtime/host/base/crc32.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <string>
 #include <utility>

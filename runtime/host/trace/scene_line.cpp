@@ -1,18 +1,12 @@
 #include <algorithm>
-#include <charconv>
 #include <eagerx/scene.hpp>
+#include <runtime/host/base/number.hpp>
 #include <runtime/host/trace/scene_line.hpp>
 
 namespace eagerx::trace_log {
 namespace {
 
 constexpr std::string_view kRate = "# scenes ", kScene = "# scene ";
-
-template <class T>
-bool read_number(std::string_view text, T& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
 
 /// Up to `separator`, which is cut off with it.
 std::string_view take(std::string_view& rest, char separator) {
@@ -24,14 +18,14 @@ std::string_view take(std::string_view& rest, char separator) {
 
 bool read_rate(std::string_view rate, Log& log) {
   const std::string_view num = take(rate, '/');
-  return read_number(num, log.scenes_num) && read_number(rate, log.scenes_den) &&
+  return host::read_number(num, log.scenes_num) && host::read_number(rate, log.scenes_den) &&
          log.scenes_num > 0 && log.scenes_den > 0;
 }
 
 bool read_change(std::string_view text, std::uint32_t rows, Log& log) {
   SceneChange change;
   const std::string_view index = take(text, '=');
-  if (!read_number(index, change.index) || !read_number(text, change.value)) return false;
+  if (!host::read_number(index, change.index) || !host::read_number(text, change.value)) return false;
   log.scene_changes.push_back(change);
   return change.index < rows * kSceneColumns;
 }
@@ -60,10 +54,10 @@ bool read_scene_line(std::string_view line, Log& log, std::string_view& place, s
   if (log.scenes_num == 0) return fail(line, "no line `# scenes RATE` is before this scene");
   RecordedScene scene;
   const std::string_view episode = take(rest, ' '), tick = take(rest, ' '), rows = take(rest, ' ');
-  if (!read_number(episode, scene.episode))
+  if (!host::read_number(episode, scene.episode))
     return fail(episode, "expected the number of an episode");
-  if (!read_number(tick, scene.tick)) return fail(tick, "expected the number of a scene");
-  if (!read_number(rows, scene.rows) || scene.rows > kMostSceneRows)
+  if (!host::read_number(tick, scene.tick)) return fail(tick, "expected the number of a scene");
+  if (!host::read_number(rows, scene.rows) || scene.rows > kMostSceneRows)
     return fail(rows, "expected how many rows the scene has, at most 4095");
   if (!follows(scene, log)) return fail(episode, "this scene is not later than the one before");
   scene.first = log.scene_changes.size();

@@ -1,7 +1,7 @@
 #include <dlfcn.h>
 
 #include <array>
-#include <runtime/host/look_up.hpp>
+#include <runtime/host/base/look_up.hpp>
 #include <runtime/host/web_socket/library.hpp>
 
 namespace eagerx::web_socket {

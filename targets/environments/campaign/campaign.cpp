@@ -8,6 +8,8 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <runtime/host/base/hash.hpp>
+#include <runtime/host/base/team.hpp>
 #include <stop_token>
 #include <string_view>
 #include <thread>
@@ -19,23 +21,15 @@
 #include "targets/environments/campaign/runner.hpp"
 #include "targets/environments/client/files.hpp"
 #include "targets/environments/client/problem.hpp"
-#include "targets/environments/client/team.hpp"
 
 namespace eagerx::campaign {
 namespace {
 
-/// FNV-1a of a file.
-std::uint64_t hash_of(const std::string& path) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : client::read_file(path))
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
-}
-
 /// All that results depend on, in a line.
 std::string identity_of(const std::string& library, const Plan& plan) {
-  std::string text = fmt::format("library {:016x} seed {} runs {} steps {}", hash_of(library),
-                                 plan.seed, plan.runs, plan.longest);
+  std::string text =
+      fmt::format("library {:016x} seed {} runs {} steps {}",
+                  host::fnv1a(client::read_file(library)), plan.seed, plan.runs, plan.longest);
   for (const Variation& one : plan.variations)
     text += fmt::format(" {}={}:{}", one.name, one.low, one.high);
   for (const target::PlacedFault& one : plan.faults) text += " " + text_of(one.fault);
@@ -67,7 +61,7 @@ class Campaign {
     done_ = ranks_.share(std::move(done_));
   }
 
-  int run(const client::Interrupt& interrupted) {
+  int run(const host::Interrupt& interrupted) {
     if (!options_.is_quiet && ranks_.is_first())
       fmt::print(stderr, "{} environments at a time step {}\n", plan_.size_of(0),
                  runner_.stepping());
@@ -91,9 +85,9 @@ class Campaign {
 
   /// This rank's share of the chunks. `add(chunk, results)` by one thread at a time.
   template <class Add>
-  void compute(const client::Interrupt& interrupted, const Add& add) {
-    client::Team team(threads());
-    team.run(plan_.chunks(), [&](std::size_t part) {
+  void compute(const host::Interrupt& interrupted, const Add& add) {
+    host::Team team(threads(), host::Team::Size::at_most);
+    team.run_parts(plan_.chunks(), [&](std::size_t part) {
       const auto chunk = static_cast<std::uint32_t>(part);
       if (done_[chunk] != 0 || interrupted || chunk % ranks_.size() != ranks_.rank()) return;
       const Results some = runner_.run(chunk);
@@ -103,14 +97,14 @@ class Campaign {
   }
 
   /// Nothing is the last that a rank sends.
-  int contribute(const client::Interrupt& interrupted) {
+  int contribute(const host::Interrupt& interrupted) {
     compute(interrupted,
             [&](std::uint32_t chunk, const Results& some) { ranks_.send(record_of(chunk, some)); });
     ranks_.send({});
     return client::kDone;
   }
 
-  int collect(const client::Interrupt& interrupted) {
+  int collect(const host::Interrupt& interrupted) {
     for (std::uint32_t chunk = 0; chunk < plan_.chunks(); ++chunk) {
       if (done_[chunk] != 0) note(chunk);
     }
@@ -167,9 +161,7 @@ class Campaign {
   }
 
   unsigned threads() const {
-    const unsigned wanted = options_.threads != 0
-                                ? options_.threads
-                                : std::max(1U, std::thread::hardware_concurrency());
+    const unsigned wanted = options_.threads != 0 ? options_.threads : host::usable_cores();
     return library_.description().has_threads ? std::min(wanted, plan_.chunks()) : 1;
   }
 
@@ -205,7 +197,7 @@ class Campaign {
 }  // namespace
 
 int run_campaign(const Options& options, const client::Library& library, Ranks& ranks,
-                 const client::Interrupt& interrupted) {
+                 const host::Interrupt& interrupted) {
   return Campaign(options, library, ranks).run(interrupted);
 }
 

@@ -1,9 +1,10 @@
 // A campaign from its first chunk to its report.
 #pragma once
 
+#include <runtime/host/base/interrupt.hpp>
+
 #include "targets/environments/campaign/options.hpp"
 #include "targets/environments/campaign/ranks.hpp"
-#include "targets/environments/client/interrupt.hpp"
 #include "targets/environments/client/library.hpp"
 
 namespace eagerx::campaign {
@@ -13,7 +14,7 @@ inline constexpr int kInterrupted = 130;  // exit code
 /// Runs what is not done yet, each rank its share; rank 0 prints the report. The exit code.
 /// `interrupted` is asked between chunks. Throws Problem.
 int run_campaign(const Options& options, const client::Library& library, Ranks& ranks,
-                 const client::Interrupt& interrupted);
+                 const host::Interrupt& interrupted);
 
 /// Throws Problem if a file of the options could not be written or read.
 void check_files(const Options& options);

@@ -2,11 +2,12 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <runtime/host/base/interrupt.hpp>
 #include <string_view>
 
 #include "targets/environments/campaign/campaign.hpp"
 #include "targets/environments/client/files.hpp"
-#include "targets/environments/client/interrupt.hpp"
 #include "targets/environments/client/problem.hpp"
 
 namespace eagerx::campaign {
@@ -38,7 +39,8 @@ int run_ranks(int argc, char** argv, Ranks& ranks) {
     if (is_all) return client::kDone;
   }
   const client::Library library(ranks.is_first() ? options.library : file_of(bytes));
-  return run_campaign(options, library, ranks, client::watch_interrupts());
+  return run_campaign(options, library, ranks,
+                      host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends));
 }
 
 int run(int argc, char** argv) {

@@ -1,5 +1,6 @@
 #include "targets/environments/campaign/options.hpp"
 
+#include <runtime/host/base/number.hpp>
 #include <string_view>
 
 #include "targets/environments/client/command_line.hpp"
@@ -9,8 +10,8 @@ namespace eagerx::campaign {
 namespace {
 
 using client::number;
-using client::read_number;
 using client::refuse;
+using host::read_number;
 
 /// "pendulum.mass=0.1:0.2"
 Variation variation(const std::string& text) {

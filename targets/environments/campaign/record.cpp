@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <runtime/host/base/hash.hpp>
 #include <type_traits>
 
 namespace eagerx::campaign {
 namespace {
-
-/// FNV-1a, 64 bits.
-std::uint64_t check_sum(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
-}
 
 template <class T>
 void append(std::string& bytes, const T* values, std::size_t count) {
@@ -66,7 +60,7 @@ std::string record_of(std::uint32_t chunk, const Results& results) {
   body += nlohmann::json(results.counts).dump();
   std::string record;
   const auto size = static_cast<std::uint32_t>(body.size());
-  const std::uint64_t sum = check_sum(body);
+  const std::uint64_t sum = host::fnv1a(body);
   append(record, &size, 1);
   append(record, &sum, 1);
   return record + body;
@@ -86,7 +80,7 @@ std::size_t find_record(std::string_view bytes, std::size_t from, const Plan& pl
     if (chunk >= plan.chunks() || !body.ends_with('}')) continue;
     if (size > work) break;
     work -= size;
-    if (check_sum(body) == sum) return at;
+    if (host::fnv1a(body) == sum) return at;
   }
   return std::string_view::npos;
 }
@@ -96,7 +90,7 @@ std::optional<Record> take_record(std::string_view& bytes, const Plan& plan) {
   const auto size = reader.take<std::uint32_t>();
   const auto sum = reader.take<std::uint64_t>();
   const std::string_view body = reader.take_bytes(size);
-  if (!reader.is_complete() || check_sum(body) != sum) return std::nullopt;
+  if (!reader.is_complete() || host::fnv1a(body) != sum) return std::nullopt;
   Reader in(body);
   const auto chunk = in.take<std::uint32_t>();
   // A JSON reader would take a zero for the end of the text.

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <functional>
+#include <runtime/host/base/number.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,18 +48,11 @@ void parse(const CommandLine& line, int argc, const char* const* argv);
 /// A line for each option.
 std::string help_of(const std::vector<Option>& options);
 
-/// All of `text` as a number from `low` to `high`, or false.
-template <class T>
-bool read_number(std::string_view text, T low, T high, T& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && value >= low && value <= high;
-}
-
-/// The same, or it throws Problem with kUsage.
+/// All of `text` as a number from `low` to `high`, or it throws Problem with kUsage.
 template <class T>
 T number(std::string_view text, T low, T high) {
   T value{};
-  if (read_number(text, low, high, value)) return value;
+  if (host::read_number(text, low, high, value)) return value;
   throw Problem(kUsage, fmt::format("`{}` is not a number from {} to {}", text, low, high));
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <runtime/host/base/hash.hpp>
 #include <string_view>
 #include <type_traits>
 
@@ -15,14 +16,6 @@ namespace {
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
 constexpr std::string_view kFirstLine = "eagerx-train checkpoint 4\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
-
-std::uint64_t hash_of(std::string_view bytes) {
-  constexpr std::uint64_t kOffset = 0xCBF29CE484222325U;
-  constexpr std::uint64_t kPrime = 0x100000001B3U;
-  std::uint64_t hash = kOffset;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
-  return hash;
-}
 
 /// Visits values of a checkpoint in its order: writes them.
 class Writer {
@@ -125,7 +118,7 @@ Parts parts_of(std::string_view bytes, const std::string& name) {
   parts.interface = next_line(bytes, position);
   const std::string_view hash = next_line(bytes, position);
   parts.values = bytes.substr(position);
-  if (hash != fmt::format("{:016x}", hash_of(parts.values)))
+  if (hash != fmt::format("{:016x}", host::fnv1a(parts.values)))
     throw Problem(kInputOutput, "`" + name + "` is damaged", kOwnFile);
   return parts;
 }
@@ -185,7 +178,7 @@ std::string checkpoint_of(const std::string& conditions, const std::string& inte
   Writer writer;
   visit(writer, model, progressed);
   return fmt::format("{}{}\n{}\n{:016x}\n", kFirstLine, conditions, interface,
-                     hash_of(writer.bytes)) +
+                     host::fnv1a(writer.bytes)) +
          writer.bytes;
 }
 

@@ -1,12 +1,13 @@
 // What the trainer uses of the programs around libraries of environments.
 #pragma once
 
+#include <runtime/host/base/interrupt.hpp>
+#include <runtime/host/base/team.hpp>
+
 #include "targets/environments/client/description.hpp"
 #include "targets/environments/client/files.hpp"
-#include "targets/environments/client/interrupt.hpp"
 #include "targets/environments/client/library.hpp"
 #include "targets/environments/client/problem.hpp"
-#include "targets/environments/client/team.hpp"
 #include "targets/environments/client/words.hpp"
 
 namespace eagerx::train {
@@ -15,7 +16,6 @@ using client::check_writable;
 using client::Description;
 using client::Environments;
 using client::ExitCode;
-using client::Interrupt;
 using client::Library;
 using client::LibraryFunctions;
 using client::minutes;
@@ -25,10 +25,11 @@ using client::read_description;
 using client::read_file;
 using client::rounded;
 using client::Space;
-using client::Team;
 using client::write_file;
 using client::write_files;
 using enum client::ExitCode;
+using host::Interrupt;
+using host::Team;
 
 /// A step that can be learnt from. Throws Problem if a reward is not finite.
 inline void step_all(Environments& environments, const float* action, const eagerx_rows& rows) {

@@ -93,7 +93,7 @@ Evaluator::~Evaluator() = default;
 Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed) {
   const auto work = [&](std::size_t part) { parts_[part]->run(kernels_, policy, seed); };
   if (has_threads_) {
-    team_.run(parts_.size(), work);
+    team_.run_parts(parts_.size(), work);
   } else {
     for (std::size_t part = 0; part < parts_.size(); ++part) work(part);
   }

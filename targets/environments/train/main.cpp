@@ -1,5 +1,7 @@
 // eagerx-train LIBRARY: trains a policy on the environments of a graph.
-#include "targets/environments/client/interrupt.hpp"
+#include <csignal>
+#include <runtime/host/base/interrupt.hpp>
+
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/options.hpp"
 #include "targets/environments/train/training.hpp"
@@ -18,7 +20,7 @@ int run(int argc, char** argv) {
     if (options.only_checks) return kDone;
     const Library library(options.library);
     Training training(options, library);
-    return training.run(client::watch_interrupts());
+    return training.run(host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends));
   } catch (const std::exception& error) {
     return client::tell(error);
   }

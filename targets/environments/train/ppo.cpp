@@ -180,7 +180,7 @@ void Ppo::begin_era(std::uint32_t era) {
 }
 
 void Ppo::in_parts(const std::function<void(std::size_t part)>& work) {
-  if (has_threads_) return team_.run(kParts, work);
+  if (has_threads_) return team_.run_parts(kParts, work);
   for (std::size_t part = 0; part < kParts; ++part) work(part);
 }
 
@@ -248,8 +248,9 @@ std::vector<Episode> Ppo::collect() {
 void Ppo::update(std::size_t minibatch) {
   precision_.clear();
   for (const float x : model_.log_deviation) precision_.push_back(exp(-x));
-  team_.run(kParts,
-            [&](std::size_t part) { learners_[part]->learn(*this, *rollouts_[part], minibatch); });
+  team_.run_parts(kParts, [&](std::size_t part) {
+    learners_[part]->learn(*this, *rollouts_[part], minibatch);
+  });
   Gradient& sum = learners_.front()->gradient;
   for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
   divergence_ = sum.divergence / sum.count;

@@ -31,7 +31,7 @@ const Kernels& chosen_kernels(const std::string& name) {
 }
 
 unsigned chosen_threads(unsigned threads) {
-  return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+  return threads > 0 ? threads : host::usable_cores();
 }
 
 /// Long enough for two episodes, so that environments do not all begin anew before one ends.
@@ -108,7 +108,7 @@ Training::Training(const Options& options, const Library& library)
       conditions_(conditions(options.settings, library.description().hash)),
       interface_(interface_of(options.settings, library.description())),
       head_(library.description()),
-      team_(chosen_threads(options.threads)),
+      team_(chosen_threads(options.threads), Team::Size::at_most),
       ppo_(options.settings, library, kernels_, team_, longest_),
       evaluator_(library, kernels_, team_, longest_),
       progress_(0, 0, false, true) {

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/dds/topics.hpp>
 #include <runtime/host/trace/log_clock.hpp>
 #include <targets/linux-sim/dds/remote_agent.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/pacer.hpp>
 
 namespace eagerx::linux_sim {
@@ -98,9 +98,9 @@ bool RemoteAgent::is_there() const {
 std::string RemoteAgent::wait_for_agent() {
   const std::int64_t until = now_ns() + static_cast<std::int64_t>(options_.agent_timeout_s * 1e9);
   while (!is_there()) {
-    stop_if_told();
+    host::stop_if_told();
     look_for_strangers();
-    if (interrupted()) return {};
+    if (host::interrupted()) return {};
     const std::int64_t now = now_ns();
     if (now >= until)
       return silence("there is no agent in domain " + std::to_string(options_.agent_domain));
@@ -120,9 +120,9 @@ const void* RemoteAgent::act(Seq step, ObservationRow observations, std::int64_t
   bool is_written = write(observations);
   std::int64_t again = began + kSlice;
   while (!take_all()) {
-    stop_if_told();
+    host::stop_if_told();
     const std::int64_t now = now_ns();
-    if (interrupted()) return action_.data();
+    if (host::interrupted()) return action_.data();
     if (now >= until_ns) {
       ++missed_;
       ++missed_in_a_row_;

@@ -10,10 +10,11 @@
 #include <ctime>
 #include <eagerx/version.hpp>
 #include <limits>
-#include <runtime/host/trace/json_text.hpp>
+#include <runtime/host/base/interrupt.hpp>
+#include <runtime/host/base/json.hpp>
+#include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/outside/outside_agent.hpp>
 #include <targets/linux-sim/pacer.hpp>
@@ -63,7 +64,7 @@ struct Counted final : CountListener {
   void count(const char* name, std::uint64_t count) override {
     if (count == 0) return;
     text += text.size() > 1 ? ", " : "";
-    trace_log::append_json_string(text, name);
+    host::append_json_string(text, name);
     text += ": " + std::to_string(count);
   }
   std::string& text;
@@ -96,7 +97,7 @@ OutsideAgent::OutsideAgent(const Options& options, const Fields& fields, GraphPr
 }
 
 OutsideAgent::~OutsideAgent() {
-  on_gone(nullptr, nullptr);
+  host::on_gone(nullptr, nullptr);
 }
 
 std::string OutsideAgent::open() {
@@ -120,7 +121,7 @@ std::string OutsideAgent::open() {
            std::to_string(kLongestRow) +
            " go to an agent outside at most\nhelp: make the graph's "
            "observations smaller";
-  on_gone([](void* agent) { return static_cast<OutsideAgent*>(agent)->is_gone(); }, this);
+  host::on_gone([](void* agent) { return static_cast<OutsideAgent*>(agent)->is_gone(); }, this);
   return {};
 }
 
@@ -159,7 +160,7 @@ bool OutsideAgent::go_on() {
   if (wants_reset_) return true;
   answer_.time_ns = now_ns();
   answer_observation();
-  if (!in_episode_) make_safe_now();
+  if (!in_episode_) host::make_safe_now();
   for (;;) {
     std::int64_t until_ns = 0;
     if (in_episode_ && patience_ns_ > 0) until_ns = answer_.time_ns + patience_ns_;
@@ -174,7 +175,7 @@ bool OutsideAgent::go_on() {
       ++answer_.late;
       return true;
     } else {
-      make_safe_now();
+      host::make_safe_now();
     }
   }
 }
@@ -187,8 +188,8 @@ OutsideAgent::Got OutsideAgent::receive(std::int64_t until_ns) {
     const timespec left{static_cast<time_t>(left_ns / kWhole), static_cast<long>(left_ns % kWhole)};
     pollfd ready{socket_, POLLIN, 0};
     const int count = ppoll(&ready, 1, until_ns == 0 ? nullptr : &left, nullptr);
-    if (interrupted()) return Got::end;
-    stop_if_told();
+    if (host::interrupted()) return Got::end;
+    host::stop_if_told();
     if (count == 0) return Got::nothing;
     if (count < 0) continue;
     std::array<iovec, 2> parts{
@@ -361,7 +362,7 @@ void OutsideAgent::lose(std::string why) {
 std::string OutsideAgent::description() const {
   const auto quoted = [](const char* text) {
     std::string result;
-    trace_log::append_json_string(result, text);
+    host::append_json_string(result, text);
     return result;
   };
   std::string tunable;
@@ -376,16 +377,16 @@ std::string OutsideAgent::description() const {
   }
   const std::string render = facts_.is_shown
                                  ? "{\"rate_hz\": " +
-                                       number_text(static_cast<double>(facts_.render_num) /
-                                                   static_cast<double>(facts_.render_den)) +
+                                       host::number_text(static_cast<double>(facts_.render_num) /
+                                                         static_cast<double>(facts_.render_den)) +
                                        "}"
                                  : "null";
   return "{\"version\": " + std::to_string(kOutsideVersion) + ", \"generator\": \"" +
          std::to_string(kVersionMajor) + "." + std::to_string(kVersionMinor) +
          "\", \"graph\": " + quoted(facts_.name) + ", \"engine\": " + quoted(facts_.engine) +
-         ", \"rate_hz\": " + number_text(1.0 / facts_.period_s()) +
+         ", \"rate_hz\": " + host::number_text(1.0 / facts_.period_s()) +
          ", \"real\": " + (is_real_ ? "true" : "false") + ", \"patience_s\": " +
-         (patience_ns_ > 0 ? number_text(static_cast<double>(patience_ns_) / kNsInSecond)
+         (patience_ns_ > 0 ? host::number_text(static_cast<double>(patience_ns_) / kNsInSecond)
                            : "null") +
          ", \"observations\": " + rows_.describe_observations() +
          ", \"actions\": " + rows_.describe_actions() + ", \"states\": " + rows_.describe_states() +

@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <runtime/host/trace/json_text.hpp>
+#include <runtime/host/base/json.hpp>
+#include <runtime/host/base/number.hpp>
 #include <string_view>
 #include <targets/common/from_number.hpp>
 #include <targets/linux-sim/describe.hpp>
@@ -19,20 +18,9 @@ std::size_t numbers_of(const Field& field) {
   return field.type.size * field.most;
 }
 
-/// The double that is written as the float32 is, 0.05 for 0.05F: what is set is what a command line
-/// with the same digits sets.
-double same_decimal(float x) {
-  constexpr std::size_t kMostDigits = 24;
-  std::array<char, kMostDigits> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), x);
-  double result = x;
-  std::from_chars(text.data(), written.ptr, result);
-  return result;
-}
-
 template <class T>
 T state_from_row(float x) {
-  if constexpr (std::is_same_v<T, double>) return same_decimal(x);
+  if constexpr (std::is_same_v<T, double>) return host::same_decimal(x);
   return target::from_number<T>(x);
 }
 
@@ -46,9 +34,9 @@ void append_bounds(std::string& text, const Field& field, const void* bounds) {
     if (!std::isfinite(bound)) {
       text += "null";
     } else if (field.type.scalar == Scalar::f32) {
-      text += number_text(static_cast<float>(bound));
+      text += host::number_text(static_cast<float>(bound));
     } else {
-      text += number_text(bound);
+      text += host::number_text(bound);
     }
   }
   text += ']';
@@ -56,7 +44,7 @@ void append_bounds(std::string& text, const Field& field, const void* bounds) {
 
 void append_field(std::string& text, const Field& field, std::size_t first) {
   text += R"({"name": )";
-  trace_log::append_json_string(text, field.name);
+  host::append_json_string(text, field.name);
   text += R"(, "shape": [)";
   if (field.most > 1) text += std::to_string(field.most);
   for (std::size_t i = 0; i < field.type.dimensions; ++i)
@@ -140,7 +128,7 @@ std::string OutsideRows::problem_of_states(const float* row, const bool* drawn) 
       };
       if (field.low != nullptr && (from[i] < bound(field.low) || from[i] > bound(field.high)))
         return "`" + std::string(field.name) + "` is out of its space: element " +
-               std::to_string(i) + " is " + number_text(from[i]);
+               std::to_string(i) + " is " + host::number_text(from[i]);
     }
     if ((drawn == nullptr || !drawn[f]) && missing != 0 && missing != field.type.size)
       return "`" + std::string(field.name) + "` is not drawn: set all of its elements, or none";

@@ -7,7 +7,7 @@
 #include <eagerx/scene.hpp>
 #include <filesystem>
 #include <memory>
-#include <targets/linux-sim/interrupt.hpp>
+#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/film.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
@@ -179,7 +179,7 @@ void PicturesOfRun::look_at_window() {
     ends_run_ = ends_run_ || wishes.ends;
     if (wishes.pauses) paused_ = !paused_;
     speed_ = std::clamp(speed_ + wishes.speeds, -kFastest, kFastest);
-    if (!paused_ || ends_run_ || interrupted()) break;
+    if (!paused_ || ends_run_ || host::interrupted()) break;
     waited = true;
     if (wishes.steps) break;
   }

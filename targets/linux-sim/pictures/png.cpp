@@ -1,5 +1,5 @@
 #include <array>
-#include <runtime/host/crc32.hpp>
+#include <runtime/host/base/crc32.hpp>
 #include <string_view>
 #include <targets/linux-sim/pictures/png.hpp>
 

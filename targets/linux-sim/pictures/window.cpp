@@ -1,7 +1,7 @@
 #include <dlfcn.h>
 
 #include <cstdlib>
-#include <runtime/host/look_up.hpp>
+#include <runtime/host/base/look_up.hpp>
 #include <targets/linux-sim/pictures/window.hpp>
 
 namespace eagerx::linux_sim {

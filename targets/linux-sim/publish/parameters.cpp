@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <runtime/host/base/nearest.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/publish/parameters.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 
@@ -109,7 +109,7 @@ std::string Parameters::set(ClientId client, const ClientMessage::Parameter& wan
   if (found == known_.end()) {
     std::vector<std::string> names;
     for (const Known& each : known_) names.push_back(each.name);
-    const std::string near = nearest_name(wanted.name, names);
+    const std::string near = host::nearest_name(wanted.name, names);
     return "there is no parameter `" + wanted.name + "`" +
            (near.empty() ? "" : "; did you mean `" + near + "`?");
   }

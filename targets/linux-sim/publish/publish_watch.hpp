@@ -9,7 +9,7 @@ namespace eagerx::linux_sim {
 /// Tells others where steps end, too.
 class PublishWatch : public RunWatch {
  public:
-  PublishWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace,
+  PublishWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace,
                Publishing& publishing)
       : RunWatch(program, told, csv, trace), publishing_(publishing) {}
 
@@ -19,8 +19,13 @@ class PublishWatch : public RunWatch {
     RunWatch::reset(episode);
   }
   void step(Seq step, bool has_ended, const OutcomeView& outcome) override {
+    pace(step, count(step, has_ended, outcome));
+  }
+
+ protected:
+  bool count(Seq step, bool has_ended, const OutcomeView& outcome) {
     publishing_.step(episode_, step);
-    RunWatch::step(step, has_ended, outcome);
+    return RunWatch::count(step, has_ended, outcome);
   }
 
  private:

@@ -4,13 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <eagerx/trace.hpp>
-#include <runtime/host/background.hpp>
+#include <runtime/host/base/background.hpp>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/dds/dds_sink.hpp>
 #include <runtime/host/foxglove/server.hpp>
 #include <runtime/host/publish/datagrams.hpp>
 #include <targets/linux-sim/dds/graph_of.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/publish/recording.hpp>
 #include <targets/linux-sim/say.hpp>
@@ -73,7 +73,7 @@ std::string unknown_channel(const std::string& name, const PublishedChannels& ch
     known.push_back(channel.name);
     list += (list.empty() ? "" : ", ") + channel.name;
   }
-  const std::string near = nearest_name(name, known);
+  const std::string near = host::nearest_name(name, known);
   return "error: this program has no channel `" + name +
          "`\nhelp: " + (near.empty() ? "it has " + list : "did you mean `" + near + "`?");
 }

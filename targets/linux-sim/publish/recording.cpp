@@ -1,9 +1,9 @@
 #include <chrono>
 #include <cstring>
 #include <optional>
+#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/trace/mcap.hpp>
 #include <targets/linux-sim/publish/recording.hpp>
-#include <targets/linux-sim/text_file.hpp>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -21,7 +21,7 @@ class McapSink final : public PublishSink {
     if (channels_.size() > trace_log::kMostMcapChannels)
       return "error: MCAP has at most " + std::to_string(trace_log::kMostMcapChannels) +
              " channels\nhelp: `--trace`";
-    if (!file_.open(to_.file, Writing::direct)) return problem();
+    if (!file_.open(to_.file, host::Writing::direct)) return problem();
     if (!file_.reserve())
       return "error: `" + to_.file + "` is written by somebody else\nhelp: give each its own file";
     mcap_.emplace(channels_);
@@ -62,7 +62,7 @@ class McapSink final : public PublishSink {
   Destination to_;
   const PublishedChannels& channels_;
   std::optional<trace_log::McapFile> mcap_;
-  TextFile file_;
+  host::TextFile file_;
   Clock::time_point begun_;
 };
 

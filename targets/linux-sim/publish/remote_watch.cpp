@@ -18,8 +18,8 @@ void put(const Field& field, void* message, const std::vector<double>& numbers) 
 
 }  // namespace
 
-RemoteWatch::RemoteWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace,
-                         Publishing& publishing, Remote& remote)
+RemoteWatch::RemoteWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
+                         host::TextFile& trace, Publishing& publishing, Remote& remote)
     : PublishWatch(program, told, csv, trace, publishing),
       remote_(remote),
       fields_(told.fields),
@@ -101,7 +101,6 @@ void RemoteWatch::finish_service() {
 }
 
 bool RemoteWatch::begin_episode(EpisodeKey key, StateRow states) {
-  is_over_ = false;
   const bool changed = PublishWatch::begin_episode(key, states);
   remote_.tell_states(states);
   return changed;
@@ -141,9 +140,9 @@ void RemoteWatch::reset(std::uint32_t episode) {
   is_reset_wanted_ = false;
 }
 
-void RemoteWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
-  PublishWatch::step(step, has_ended, outcome);
-  in_episode_ = step != plan_.steps && !is_over_ && !has_ended;
+void RemoteWatch::pace(Seq step, bool has_ended) {
+  PublishWatch::pace(step, has_ended);
+  in_episode_ = !has_ended;
   if (to_go_ > 0 && --to_go_ == 0) finish_service();
 }
 

@@ -10,19 +10,22 @@ namespace eagerx::linux_sim {
 /// step of an episode; nothing else waits for anybody.
 class RemoteWatch : public PublishWatch {
  public:
-  RemoteWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace,
+  RemoteWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace,
               Publishing& publishing, Remote& remote);
 
   bool go_on() override;
   bool begin_episode(EpisodeKey key, StateRow states) override;
   bool tune(std::uint32_t episode, Seq step, StateRow states) override;
   void reset(std::uint32_t episode) override;
-  void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
+  void step(Seq step, bool has_ended, const OutcomeView& outcome) override {
+    pace(step, count(step, has_ended, outcome));
+  }
   void given(Seq step, void* action) override;
 
  protected:
   bool set_states(EpisodeKey key, StateRow states) override;
   bool set_parameters(Seq step, StateRow states) override;
+  void pace(Seq step, bool has_ended);
 
  private:
   /// One number for each element, if there are any.

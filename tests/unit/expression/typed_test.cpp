@@ -1,9 +1,8 @@
 // Expressions of tasks: types, and the C++ that they become.
-#include "generator/expression/typed.hpp"
-
 #include <gtest/gtest.h>
 
 #include "generator/emit/expression_text.hpp"
+#include "generator/expression/expression.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -76,6 +76,7 @@ TEST(Condition, Holds) {
                            "n != 4",
                            "n < gain * 2",
                            "max(list) < rate / 2",
+                           "abs(n - 5) == 2 and abs(gain - 1) == 1.5",
                            "min(list) == 0.5",
                            "max(n, gain, list) == 3",
                            "-n + 4 == 1",

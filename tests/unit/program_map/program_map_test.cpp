@@ -116,11 +116,5 @@ TEST(ProgramMap, LinesAreNobodysTwice) {
             "`m:6` is no line of a program map");
 }
 
-TEST(ProgramMap, ItsHashIsThatOfTheText) {
-  EXPECT_EQ(hash_text(""), 0xcbf29ce484222325U);
-  EXPECT_EQ(hash_text("a"), 0xaf63dc4c8601ec8cU);  // as published for FNV-1a
-  EXPECT_EQ(hash_text("b", hash_text("a")), hash_text("ab"));
-}
-
 }  // namespace
 }  // namespace eagerx::gen

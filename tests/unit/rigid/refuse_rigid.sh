@@ -20,14 +20,14 @@ refuse() {
 }
 
 compiler=$1
-compile 'template class JointPositionSensor<JointsIo<Arm, 2>>; template class BodyPoseSensor<BodyIo<Box, 7>>;'
+compile 'auto a = &JointPositionSensor<JointsIo<Arm, 2>>::callback; auto b = &BodyPoseSensor<BodyIo<Box, 7>>::callback;'
 refuse '`joints` names a joint that the object'"'"'s model does not have' \
   'struct Wrong : JointsIo<Arm, 2> { struct Config { static constexpr const char* joints = "elbow wrist"; }; };
-   template class JointPositionSensor<Wrong>;'
-refuse '`size` must be how many numbers the joints have together' 'template class JointPositionSensor<JointsIo<Arm, 3>>;'
+   auto use = &JointPositionSensor<Wrong>::callback;'
+refuse '`size` must be how many numbers the joints have together' 'auto use = &JointPositionSensor<JointsIo<Arm, 3>>::callback;'
 refuse '`body` is not a body of the object'"'"'s model' \
   'struct Wrong : BodyIo<Box, 7> { struct Config { static constexpr const char* body = "bax"; }; };
-   template class BodyPoseSensor<Wrong>;'
+   auto use = &BodyPoseSensor<Wrong>::callback;'
 refuse '`geometry` is not a geometry of the object'"'"'s model' \
   'struct Wrong : GeometryIo<Box> { struct Config { static constexpr const char* geometry = "wall"; }; };
    template class ContactForceSensor<Wrong>;'

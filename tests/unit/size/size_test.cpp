@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <runtime/host/base/hash.hpp>
 
 #include "generator/cli/commands.hpp"
 #include "generator/program_map/program_map.hpp"
@@ -21,7 +22,7 @@ constexpr const char* kProgram = "class Program;\n";
 /// The map of a program.hpp with this text, in which two nodes have the lines 4 to 7 and 8 to 11.
 std::string map_of(const std::string& program) {
   ProgramMap map;
-  map.program_hash = hash_text(program);
+  map.program_hash = host::fnv1a(program);
   map.type_of_node = {{"smooth", "ButterworthFilter"}, {"pendulum/theta", "FloatOutput"}};
   map.blocks = {{4, 7, "smooth"}, {8, 11, "pendulum/theta"}};
   map.owner_of_member = {{"smooth_", {true, "smooth"}}, {"smooth_filtered_", {false, "rings"}}};

@@ -61,5 +61,41 @@ TEST_F(Settings, ALogRepeatsWhatWasSetBeforeAStep) {
   EXPECT_FALSE(states.row().has_value[0]);
 }
 
+TEST(StateSettingTest, Forms) {
+  const auto setting = parse_setting("a.b=uniform:0.1,0.2");
+  ASSERT_TRUE(setting);
+  EXPECT_EQ(setting->name, "a.b");
+  EXPECT_EQ(setting->number(0, 5), 0.1);
+  EXPECT_EQ(setting->number(1, 5), 0.2);
+  const auto lists = parse_setting("a.b=normal:1,2,3,4");
+  ASSERT_TRUE(lists);
+  EXPECT_EQ(lists->number(0, 1), 2.0);
+  EXPECT_EQ(lists->number(1, 0), 3.0);
+  for (const char* wrong : {"", "a.b", "=1", "a.b=", "a.b=x", "a.b=1,", "a.b=uniform:", "a.b=inf",
+                            "a.b=1 ", "a.b=nan", "a.b=gauss:1,2"})
+    EXPECT_FALSE(parse_setting(wrong)) << wrong;
+}
+
+TEST(StateSettingTest, NumbersAreWithinTheSpace) {
+  const std::vector<double> low = {0.0, -1.0};
+  const std::vector<double> high = {1.0, 1.0};
+  const auto problem = [&](const char* text) {
+    return problem_of(*parse_setting(text), low, high);
+  };
+  EXPECT_EQ(problem("a=0.5"), "");
+  EXPECT_EQ(problem("a=0.5,-0.5"), "");
+  EXPECT_NE(problem("a=-0.5").find("-0.5 is out of the space"), std::string::npos);
+  EXPECT_NE(problem("a=1,2,3").find("there are 3 numbers"), std::string::npos);
+  EXPECT_EQ(problem("a=uniform:0,1"), "");
+  EXPECT_EQ(problem("a=uniform:0,-1,1,0"), "");
+  EXPECT_NE(problem("a=uniform:1,0"), "");
+  EXPECT_NE(problem("a=uniform:0,1,2"), "");
+  EXPECT_NE(problem("a=log_uniform:0,1"), "");
+  EXPECT_EQ(problem("a=normal:5,1"), "");
+  EXPECT_NE(problem("a=normal:5,-1"), "");
+  EXPECT_EQ(problem("a=choice:0,0.5,1"), "");
+  EXPECT_NE(problem("a=choice:0,0.5,2"), "");
+}
+
 }  // namespace
 }  // namespace eagerx::linux_sim

@@ -380,35 +380,5 @@ TEST(TrainOptions, WrongOnesAreRefused) {
   EXPECT_EQ(parse({"a.so", "--more"}), "there is no option `--more`");
 }
 
-TEST(TrainTeam, EveryPartIsDoneOnceAndFailuresComeBack) {
-  Team team(3);
-  std::vector<int> done(50);
-  for (int again = 0; again < 200; ++again) {
-    team.run(done.size(), [&](std::size_t part) { ++done[part]; });
-  }
-  EXPECT_EQ(done, std::vector<int>(50, 200));
-  EXPECT_THROW(team.run(4,
-                        [](std::size_t part) {
-                          if (part == 3) throw Problem(kProblems, "no");
-                        }),
-               Problem);
-  team.run(1, [&](std::size_t part) { ++done[part]; });
-  EXPECT_EQ(done[0], 201);
-}
-
-// On 0d2dc587 an exception, and the end of the program if some threads had started.
-TEST(TrainTeam, WorksWithTheThreadsThatThereAre) {
-  pthread_attr_t before, huge;
-  pthread_getattr_default_np(&before);
-  pthread_attr_init(&huge);
-  pthread_attr_setstacksize(&huge, std::size_t{1} << 50U);  // no system has that
-  pthread_setattr_default_np(&huge);
-  Team team(3);
-  pthread_setattr_default_np(&before);
-  std::vector<int> done(5);
-  team.run(done.size(), [&](std::size_t part) { ++done[part]; });
-  EXPECT_EQ(done, std::vector<int>(5, 1));
-}
-
 }  // namespace
 }  // namespace eagerx::train

@@ -1,0 +1,40 @@
+// JSON text, piece by piece.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace eagerx::host {
+
+/// Text of others as a string of JSON, behind `to`. What is no UTF-8 stays what it is.
+void append_json_string(std::string& to, std::string_view text);
+
+/// Writes what it is told to; the caller opens and closes. Commas come by themselves.
+class Json {
+ public:
+  Json& begin_object();
+  Json& end_object();
+  Json& begin_list();
+  Json& end_list();
+  Json& key(std::string_view name);
+  Json& text(std::string_view value);
+  /// Infinite and NaN: null.
+  Json& number(double value);
+  /// The shortest text that reads back to the same bits; infinite and NaN: null.
+  Json& number(float value);
+  Json& whole(std::uint64_t value);
+  Json& boolean(bool value);
+  Json& null();
+
+  const std::string& str() const { return text_; }
+
+ private:
+  Json& raw(std::string_view value);
+
+  std::string text_;
+  bool wants_comma_ = false;
+};
+
+}  // namespace eagerx::host

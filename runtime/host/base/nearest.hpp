@@ -1,0 +1,15 @@
+// Of some names, the one that was probably meant.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eagerx::host {
+
+/// The name with the fewest letters left out, added, replaced or swapped, at most a third of them,
+/// whatever their case; of several, the one that is nearest with its case, then the first. Empty if
+/// none is near.
+std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
+
+}  // namespace eagerx::host

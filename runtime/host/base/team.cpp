@@ -1,0 +1,126 @@
+#include <sched.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <runtime/host/base/background.hpp>
+#include <runtime/host/base/team.hpp>
+#include <system_error>
+#include <utility>
+
+namespace eagerx::host {
+namespace {
+
+constexpr int kSpins = 2000;   // some microseconds
+constexpr int kYields = 1000;  // some hundred more: waking up costs a caller of short jobs as much
+
+}  // namespace
+
+unsigned usable_cores() {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  if (sched_getaffinity(0, sizeof(cores), &cores) == 0)
+    return std::max(1U, static_cast<unsigned>(CPU_COUNT(&cores)));
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+Team::Team(unsigned size, Size kind) : process_(getpid()) {
+  const NoSignals inherited;
+  threads_.reserve(size - 1);
+  try {
+    for (unsigned i = 1; i < size; ++i) threads_.emplace_back([this, i] { work(i); });
+  } catch (const std::system_error&) {
+    if (kind == Size::at_most) return;
+    stop();
+    throw;
+  } catch (...) {  // a thread that nobody joins would end the program
+    stop();
+    throw;
+  }
+}
+
+Team::~Team() {
+  stop();
+}
+
+bool Team::is_complete() const {
+  return threads_.empty() || getpid() == process_;
+}
+
+void Team::run_parts(std::size_t parts, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;  // of what stands below
+  std::exception_ptr failure;
+  std::size_t failed = 0;
+  const auto members = static_cast<unsigned>(std::clamp<std::size_t>(parts, 1, size()));
+  run(members, [&](unsigned) {
+    for (std::size_t part = next++; part < parts; part = next++) {
+      try {
+        work(part);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure || part < failed) {
+          failure = std::current_exception();
+          failed = part;
+        }
+      }
+    }
+  });
+  if (failure) std::rethrow_exception(failure);
+}
+
+void Team::begin(unsigned members) {
+  at_work_.store(members - 1, std::memory_order_relaxed);
+  const std::uint64_t number = (turn_.load(std::memory_order_relaxed) >> kMemberBits) + 1;
+  turn_.store((number << kMemberBits) | members, std::memory_order_release);
+  turn_.notify_all();
+}
+
+void Team::call(unsigned i) noexcept {
+  try {
+    call_(job_, i);
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    failure_ = std::current_exception();
+  }
+}
+
+void Team::end() {
+  wait();
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+void Team::wait() const {
+  int spin = 0;
+  for (unsigned left = 0; (left = at_work_.load(std::memory_order_acquire)) != 0; ++spin) {
+    if (spin > kSpins + kYields)
+      at_work_.wait(left, std::memory_order_acquire);
+    else if (spin > kSpins)
+      std::this_thread::yield();
+  }
+}
+
+void Team::work(unsigned i) {
+  constexpr std::uint64_t kMembers = (std::uint64_t{1} << kMemberBits) - 1;
+  std::uint64_t seen = 0;
+  for (;;) {
+    for (int spin = 0; spin < kSpins && turn_.load(std::memory_order_relaxed) == seen; ++spin) {
+    }
+    turn_.wait(seen, std::memory_order_relaxed);
+    // Whoever takes part sees its turn, because run() waits for it; others may miss some.
+    seen = turn_.load(std::memory_order_acquire);
+    if ((seen & kMembers) == 0) return;
+    if (i >= (seen & kMembers)) continue;
+    call(i);
+    if (at_work_.fetch_sub(1, std::memory_order_release) == 1) at_work_.notify_one();
+  }
+}
+
+void Team::stop() {
+  const bool complete = is_complete();
+  turn_.store(((turn_.load() >> kMemberBits) + 1) << kMemberBits);
+  turn_.notify_all();
+  for (std::thread& thread : threads_) complete ? thread.join() : thread.detach();
+  threads_.clear();
+}
+
+}  // namespace eagerx::host

@@ -1,0 +1,73 @@
+// Threads that do one thing together, again and again.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace eagerx::host {
+
+/// Cores that this process may use, at least 1.
+unsigned usable_cores();
+
+/// The caller is member 0. Members that have nothing to do spin for some microseconds, then sleep,
+/// and get no signals.
+class Team {
+ public:
+  enum class Size : std::uint8_t { exact, at_most };
+
+  /// `size` members from 1 to 65535. If the system has no more threads: throws std::system_error,
+  /// or takes as many as there are.
+  explicit Team(unsigned size, Size kind = Size::exact);
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+  ~Team();
+
+  unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }
+  /// False in a process that fork() made, where only the caller lives.
+  bool is_complete() const;
+
+  /// job(i) for each i < `members`, at once; returns when all have returned, and throws what one of
+  /// them has thrown. 1 <= members <= size().
+  template <class Job>
+  void run(unsigned members, Job&& job) {
+    if (members == 1) return job(0U);
+    call_ = [](void* what, unsigned i) { (*static_cast<std::remove_reference_t<Job>*>(what))(i); };
+    job_ = const_cast<void*>(static_cast<const void*>(&job));  // call_ knows what it is
+    begin(members);
+    call(0);
+    end();
+  }
+
+  /// work(part) for 0 … parts - 1, each once, by whichever member is free; returns when all have
+  /// returned. Throws the exception of the first part that has thrown one; the others are done.
+  void run_parts(std::size_t parts, const std::function<void(std::size_t)>& work);
+
+ private:
+  void begin(unsigned members);
+  void call(unsigned i) noexcept;
+  void end();
+  void wait() const;
+  void work(unsigned i);
+  void stop();
+
+  // A turn's number above, how many take part below.
+  static constexpr unsigned kMemberBits = 16;
+  std::atomic<std::uint64_t> turn_{0};
+  std::atomic<unsigned> at_work_{0};
+  void (*call_)(void*, unsigned) = nullptr;
+  void* job_ = nullptr;
+  std::mutex mutex_;
+  std::exception_ptr failure_;  // what a job has thrown; written under the mutex
+  pid_t process_;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace eagerx::host

@@ -1,0 +1,72 @@
+// A typed expression that is calculated in a loop: on a stack of fixed size, without allocating.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <runtime/host/expression/typed.hpp>
+#include <string>
+#include <vector>
+
+namespace eagerx::expression {
+
+/// A number that a calculation reads.
+struct Read {
+  static constexpr std::size_t kTime = SIZE_MAX;  // a variable that is the time
+  std::size_t variable = kTime;
+  std::uint64_t element = 0;  // row-major
+  bool is_before = false;     // its value one step before
+};
+
+class Calculation {
+ public:
+  /// The place of what is read among the values; nullopt: there is no more room.
+  using Places = std::function<std::optional<std::size_t>(const Read& read)>;
+
+  /// Why it cannot be calculated, or nothing.
+  std::string prepare(const Typed& expression, const Places& places);
+
+  /// With the values at their places. A condition gives 0 or 1; a comparison with NaN is false
+  /// (`!=`: true). min and max of NaN are NaN, and so is what else is calculated from it.
+  double value(const double* values) const;
+
+  enum class Op : std::uint8_t {
+    number,
+    read,
+    negate,
+    logical_not,
+    one,  // a function of one number
+    two,  // of two
+    clamp,
+    choose,
+    add,
+    subtract,
+    multiply,
+    divide,
+    least,
+    most,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    equal,
+    not_equal,
+    logical_and,
+    logical_or
+  };
+  struct Step {
+    Op op = Op::number;
+    double number = 0.0;
+    std::size_t place = 0;
+    double (*one)(double) = nullptr;
+    double (*two)(double, double) = nullptr;
+  };
+  static constexpr std::size_t kDeepest = 64;  // values on the stack
+  static constexpr std::size_t kMostSteps = 10'000;
+
+ private:
+  std::vector<Step> steps_;  // in postfix order
+};
+
+}  // namespace eagerx::expression

@@ -1,0 +1,172 @@
+// runtime/host/base: what programs for Linux have in common.
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "runtime/host/base/files.hpp"
+#include "runtime/host/base/hash.hpp"
+#include "runtime/host/base/json.hpp"
+#include "runtime/host/base/number.hpp"
+#include "runtime/host/base/team.hpp"
+
+namespace eagerx::host {
+namespace {
+
+TEST(Team, EveryMemberDoesTheJob) {
+  Team team(3);
+  std::vector<int> done(3);
+  for (int again = 0; again < 200; ++again) team.run(3, [&](unsigned i) { ++done[i]; });
+  for (int again = 0; again < 200; ++again) team.run(2, [&](unsigned i) { ++done[i]; });
+  team.run(1, [&](unsigned i) { ++done[i]; });
+  EXPECT_EQ(done, (std::vector<int>{401, 400, 200}));
+}
+
+// Before, what the caller's own job threw left the others at work on what was gone.
+TEST(Team, WhatAJobThrowsComesWhenAllHaveReturned) {
+  Team team(3);
+  for (const unsigned which : {0U, 2U}) {
+    std::vector<int> done(3);
+    const auto fails = [&](unsigned i) {
+      ++done[i];
+      if (i == which) throw std::runtime_error("no");
+    };
+    EXPECT_THROW(team.run(3, fails), std::runtime_error);
+    EXPECT_EQ(done, std::vector<int>(3, 1));
+  }
+  int done = 0;
+  team.run(1, [&](unsigned) { ++done; });
+  EXPECT_EQ(done, 1);
+}
+
+TEST(Team, EveryPartIsDoneOnceAndTheFirstFailureComesBack) {
+  Team team(3);
+  std::vector<int> done(50);
+  for (int again = 0; again < 200; ++again)
+    team.run_parts(done.size(), [&](std::size_t part) { ++done[part]; });
+  EXPECT_EQ(done, std::vector<int>(50, 200));
+  const auto fails = [&](std::size_t part) {
+    ++done[part];
+    if (part % 2 == 1) throw std::runtime_error(std::to_string(part));
+  };
+  try {
+    team.run_parts(6, fails);
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "1");
+  }
+  EXPECT_EQ(done[4], 201);  // the others are done
+  team.run_parts(1, [&](std::size_t part) { ++done[part]; });
+  EXPECT_EQ(done[0], 202);
+  team.run_parts(0, [&](std::size_t part) { ++done[part]; });
+}
+
+/// While it lives, no thread can be made.
+class NoThreads {
+ public:
+  NoThreads() {
+    pthread_getattr_default_np(&before_);
+    pthread_attr_t huge;
+    pthread_attr_init(&huge);
+    pthread_attr_setstacksize(&huge, std::size_t{1} << 50U);  // no system has that
+    pthread_setattr_default_np(&huge);
+  }
+  NoThreads(const NoThreads&) = delete;
+  NoThreads& operator=(const NoThreads&) = delete;
+  ~NoThreads() { pthread_setattr_default_np(&before_); }
+
+ private:
+  pthread_attr_t before_{};
+};
+
+// On 0d2dc587 an exception, and the end of the program if some threads had started.
+TEST(Team, WorksWithTheThreadsThatThereAre) {
+  std::vector<int> done(5);
+  const auto work = [&](std::size_t part) { ++done[part]; };
+  {
+    const NoThreads none;
+    EXPECT_THROW(Team(3), std::system_error);
+    Team team(3, Team::Size::at_most);
+    EXPECT_EQ(team.size(), 1U);
+    team.run_parts(done.size(), work);
+  }
+  EXPECT_EQ(done, std::vector<int>(5, 1));
+}
+
+TEST(Hash, IsFnv1a) {
+  EXPECT_EQ(fnv1a(""), 0xcbf29ce484222325U);
+  EXPECT_EQ(fnv1a("a"), 0xaf63dc4c8601ec8cU);  // as published
+  EXPECT_EQ(fnv1a("b", fnv1a("a")), fnv1a("ab"));
+  EXPECT_EQ(hex_text(0x0123456789abcdefU), "0x0123456789abcdef");
+}
+
+TEST(Number, ReadsBackToTheSameBits) {
+  EXPECT_EQ(number_text(0.1F), "0.1");
+  EXPECT_EQ(number_text(1.0 / 3.0), "0.3333333333333333");
+  EXPECT_EQ(number_text(std::int64_t{-7}), "-7");
+  double value = 5.0;
+  EXPECT_TRUE(read_number("0.3333333333333333", 0.0, 1.0, value));
+  EXPECT_EQ(value, 1.0 / 3.0);
+  for (const char* wrong : {"", " 1", "1 ", "1x", "-0.5", "1.5", "nan", "inf", "0x1"}) {
+    EXPECT_FALSE(read_number(wrong, 0.0, 1.0, value)) << wrong;
+    EXPECT_EQ(value, 1.0 / 3.0) << wrong;
+  }
+}
+
+TEST(Json, WritesWhatIsSaid) {
+  Json json;
+  json.begin_object().key("a\"b\\c\n").begin_list().whole(3).number(0.5F).boolean(true);
+  json.number(std::numeric_limits<double>::infinity()).begin_object().end_object().end_list();
+  json.key("text").text("\x1f\xc3\xa4").end_object();
+  EXPECT_EQ(json.str(),
+            "{\"a\\\"b\\\\c\\u000a\": [3, 0.5, true, null, {}], \"text\": "
+            "\"\\u001f\xc3\xa4\"}");
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+bool is_there(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0;
+}
+
+TEST(Draft, TakesThePlaceOfTheFileAsAWhole) {
+  const std::string path = ::testing::TempDir() + "draft_of_base_test";
+  std::remove(path.c_str());
+  EXPECT_EQ(write_whole(path, "first"), 0);
+  {
+    Draft draft(path);
+    EXPECT_EQ(draft.write("second"), 0);
+    EXPECT_EQ(text_of(path), "first");
+  }
+  EXPECT_EQ(text_of(path), "first");
+  EXPECT_FALSE(is_there(path + ".part"));
+  EXPECT_EQ(write_whole(path, "third"), 0);
+  EXPECT_EQ(text_of(path), "third");
+  EXPECT_FALSE(is_there(path + ".part"));
+  std::remove(path.c_str());
+}
+
+TEST(Draft, LeavesNothingWhereItCannotWrite) {
+  EXPECT_EQ(write_whole("/nowhere/file", "x"), ENOENT);
+  const std::string folder = ::testing::TempDir() + "folder_of_base_test";
+  mkdir(folder.c_str(), 0755);
+  EXPECT_EQ(write_whole(folder, "x"), EISDIR);
+  EXPECT_FALSE(is_there(folder + ".part"));
+  rmdir(folder.c_str());
+}
+
+}  // namespace
+}  // namespace eagerx::host

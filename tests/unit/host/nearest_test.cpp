@@ -1,0 +1,44 @@
+#include "runtime/host/base/nearest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace eagerx::host {
+namespace {
+
+TEST(Nearest, FindsTypingErrors) {
+  const std::vector<std::string> names = {"theta", "theta_dot", "voltage", "ButterworthFilter"};
+  EXPECT_EQ(nearest_name("tehta", names), "theta");          // neighbours swapped
+  EXPECT_EQ(nearest_name("thta", names), "theta");           // left out
+  EXPECT_EQ(nearest_name("voltagee", names), "voltage");     // added
+  EXPECT_EQ(nearest_name("theta-dot", names), "theta_dot");  // replaced
+  EXPECT_EQ(nearest_name("butterworthfilter", names), "ButterworthFilter");
+  EXPECT_EQ(nearest_name("theta", names), "theta");
+}
+
+TEST(Nearest, AtMostAThirdOfTheLetters) {
+  EXPECT_EQ(nearest_name("abcxyz", {"abcdef"}), "");
+  EXPECT_EQ(nearest_name("abcdxy", {"abcdef"}), "abcdef");
+  EXPECT_EQ(nearest_name("u", {"v", "w"}), "");
+  EXPECT_EQ(nearest_name("in", {"inn"}), "inn");
+  EXPECT_EQ(nearest_name("motor", {"pendulum"}), "");
+}
+
+TEST(Nearest, TheBestOneAndThenTheFirst) {
+  EXPECT_EQ(nearest_name("gain_p", {"gain_x", "gain_q", "gain_pp"}), "gain_x");
+  EXPECT_EQ(nearest_name("gain_pq", {"gain_x", "gain_p"}), "gain_p");
+  EXPECT_EQ(nearest_name("Theta", {"thetA", "theta"}), "theta");  // fewer letters of other case
+}
+
+TEST(Nearest, OddInput) {
+  EXPECT_EQ(nearest_name("", {"a", ""}), "");
+  EXPECT_EQ(nearest_name("a", {}), "");
+  EXPECT_EQ(nearest_name("äöü", {"äöu"}), "äöu");  // letters, not bytes
+  EXPECT_EQ(nearest_name(std::string(1000000, 'a'), {std::string(1000000, 'a')}), "");
+  EXPECT_EQ(nearest_name("\xff\xfe\xfd", {"x"}), "");
+}
+
+}  // namespace
+}  // namespace eagerx::host
