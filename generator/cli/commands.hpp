@@ -127,6 +127,7 @@ Command trace_commands(Options& options);
 Command plot_commands(Options& options);
 Command monitor_commands(Options& options);
 Command report_commands(Options& options);
+Command docs_commands();
 /// Writes `pages` below the folder `output`.
 int pages_command(const Options& options, const std::vector<CommandLinePage>& pages);
 

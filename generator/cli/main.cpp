@@ -57,7 +57,7 @@ Command info(Options& options) {
                 flag("--flat", options.flat,
                      "print the graph that composites, arrays and variants become, and where its "
                      "lines are from"),
-                flag("--json", options.json_output, "print JSON (for graphs only)")}}),
+                flag("--json", options.json_output, "print JSON")}}),
           .run = [&options] { return info_command(options); }};
 }
 
@@ -284,6 +284,7 @@ CommandLine command_line(Options& options) {
                            picture(options),
                            report_commands(options),
                            explain(options),
+                           docs_commands(),
                            import(options),
                            schema(options),
                            make_new(options),

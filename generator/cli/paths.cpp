@@ -49,4 +49,13 @@ std::string helper_program(const std::string& name) {
   return (fs::exists(installed, error) ? installed : folder / name).lexically_normal().string();
 }
 
+std::string reference_folder() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& candidate : {folder / "../share/doc/eagerx-gen/html", folder / "site"}) {
+    if (fs::exists(candidate / "index.html", error)) return candidate.lexically_normal().string();
+  }
+  return {};
+}
+
 }  // namespace eagerx::gen

@@ -16,4 +16,8 @@ std::string package_folder();
 /// build folder.
 std::string helper_program(const std::string& name);
 
+/// The folder of the reference that `docs` opens: where it is installed, or in the build folder.
+/// Empty if there is none.
+std::string reference_folder();
+
 }  // namespace eagerx::gen
