@@ -105,7 +105,7 @@ int report_command(const Options& options) {
 
 Command report_commands(Options& options) {
   Argument points{"--points",
-                  "most points of a plot (default: as many as keep the file below 5 MB, at most "
+                  "most points of a plot (default: as many as keep all plots below 3 MB, at most "
                   "2000); of more messages, the least and the greatest of each part are kept",
                   "N", [&options](const auto& values) {
                     options.points = std::strtoul(values.front().c_str(), nullptr, 10);

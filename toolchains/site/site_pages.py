@@ -12,6 +12,7 @@ from entities import Entities
 from frame import Frame
 from keys import Keys
 from markup import plain, rewrite
+from plots import all_plots
 from sources import Sources, relative
 from words import Words
 
@@ -52,6 +53,7 @@ class Site:
         contents = yaml.safe_load((HERE / "contents.yaml").read_text(encoding="utf-8"))
         self.frame = Frame(self.version, [(title, [(name, self.sources.page_of(page) if page.endswith(".md") else page)
                                                    for name, page in pages]) for title, pages in contents.items()])
+        self.entities.pictures.update(all_plots(HERE, self.code, lambda word: f"entities/{word}.html"))
         self.made = {}
         self.index = []  # [title, page, group, text] for the search
 
