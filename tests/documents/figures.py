@@ -27,7 +27,7 @@ def right_one(root, rule):
     text = part_of((root / rule["in"]).read_text(encoding="utf-8"), rule)
     if "count" in rule:
         return float(len(re.findall(rule["count"], text, re.MULTILINE))) - rule.get("less", 0)
-    value = number_of(re.search(rule["value"], text, re.MULTILINE).group(1))
+    value = number_of(".".join(re.search(rule["value"], text, re.MULTILINE).groups()))
     return round(value * rule["times"], 9) if "times" in rule else value
 
 

@@ -69,7 +69,7 @@ class Commands:
                 anchor = f' id="{prefix}{first.group()}"' if first else ""
                 cells.append(f'<tr{anchor}><td class="key"><code>{escape(name)}</code></td><td>{escape(words)}</td></tr>')
             parts.append(f'<h{level} id="{prefix}{slug_of(title)}">{escape(title)}</h{level}>'
-                         f'<div class="wide"><table><tbody>{"".join(cells)}</tbody></table></div>')
+                         f'<div class="wide entries"><table><tbody>{"".join(cells)}</tbody></table></div>')
         if examples:
             parts.append(f'<h{level} id="{prefix}examples">Examples</h{level}>' + self.code.block("\n".join(examples), "", page))
         parts += [f"<p>{escape(line)}</p>" for line in rest]

@@ -54,7 +54,8 @@ class Entities:
         self.library, self.sources, self.words, self.code = library, sources, words, code
         self.all = library["entities"] + library["targets"]
         self.users = {}
-        self.pictures = {}  # id: HTML of responses and drawings
+        self.pictures = {}  # id: HTML of responses
+        self.drawings = {}  # id: picture, from the top of the site
         for entity in self.all:
             words.add_entity(entity["id"], page_of(entity))
             if "manifest" in entity and not entity["manifest"].startswith(".."):
@@ -167,6 +168,12 @@ class Entities:
                                               for title, target in self.users[entity["id"]])))
         return table(("", ""), rows).replace("<thead><tr><th></th><th></th></tr></thead>", "")
 
+    def drawing(self, page, entity):
+        if entity["id"] not in self.drawings:
+            return ""
+        return (f'<img class="drawing" src="{relative(page, self.drawings[entity["id"]])}" width="320" height="240" '
+                f'alt="a drawing of {escape(entity["id"])}" title="as `--render` draws it, after a second of random actions">')
+
     def page(self, entity):
         """(page, title, HTML, headings, text for the search)."""
         page = page_of(entity)
@@ -179,7 +186,7 @@ class Entities:
                 parts.append(f'<h2 id="{anchor}">{title}</h2>\n{content}')
 
         if entity["kind"] != "target":
-            parts.append(f'<figure>{symbol(entity)}</figure>')
+            parts.append(f'<figure>{symbol(entity)}{self.drawing(page, entity)}</figure>')
         parts.append(self.description(page, entity.get("description", "")))
         section("Response", self.pictures.get(entity["id"], ""))
         for name, title in PORTS:

@@ -47,7 +47,9 @@ class Keys:
                 if here in self.anchors:
                     continue
                 self.anchors[here] = ".".join(here)
-                self.rows.append((here, inner, name in each.get("required", []), self.go_on(here, inner)))
+                row = [here, inner, name in each.get("required", []), None]
+                self.rows.append(row)  # above those of what is below it
+                row[3] = self.go_on(here, inner)
             for word, name in (("additionalProperties", "NAME"), ("items", "[]")):
                 if isinstance(each.get(word), dict) and each[word]:
                     self.read(place + (name,), each[word])
@@ -91,5 +93,5 @@ class Keys:
             name = f'<span class="faint">{".".join(place[:-1])}{"." if place[1:] else ""}</span><b>{place[-1]}</b>'
             rows.append(f'<tr id="{self.anchors[place]}"><td class="key"><code>{name}</code></td><td>{shape_of(schema)}</td>'
                         f'<td>{about}{"; " if about and notes else ""}{", ".join(notes)}</td></tr>')
-        return ('<div class="wide"><table class="keys"><thead><tr><th>key</th><th>value</th><th>what it says</th></tr></thead><tbody>'
+        return ('<div class="wide entries"><table class="keys"><thead><tr><th>key</th><th>value</th><th>what it says</th></tr></thead><tbody>'
                 + "\n".join(rows) + "</tbody></table></div>")

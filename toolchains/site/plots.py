@@ -8,7 +8,7 @@ import re
 
 import yaml
 
-WIDTH, HEIGHT = 420, 220
+WIDTH, HEIGHT = 400, 210
 LEFT, RIGHT, TOP, BOTTOM = 46, 12, 26, 34
 FLOOR_DB = -80.0
 LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)

@@ -27,14 +27,14 @@
     let sum = 0;
     for (const word of words) {
       const at = entry.low.indexOf(word);
-      if (entry.low === word) sum += 200;
+      if (entry.low === word || (entry.group.endsWith("key") && entry.low.endsWith("." + word))) sum += 200;
       else if (at === 0) sum += 60;
       else if (at > 0) sum += /\W/.test(entry.low[at - 1]) ? 40 : 20;
       else if (entry.lowText.includes(word)) sum += 5;
       else return 0;
     }
-    const bonus = { entity: 30, code: 12, command: 25, key: 15, page: 8 }[entry.group] ?? 0;
-    return sum + (sum > 5 * words.length ? bonus : 0) - Math.min(entry.title.length, 60) / 60;
+    const bonus = { entity: 30, code: 12, command: 25, key: 15, "manifest key": 5, page: 8 }[entry.group] ?? 0;
+    return sum + (sum > 5 * words.length ? bonus : 0) - Math.min(entry.title.length, 60) / 10;
   }
 
   function excerpt(entry, words) {

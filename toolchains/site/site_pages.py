@@ -3,6 +3,7 @@ import html
 import json
 import pathlib
 import posixpath
+import re
 
 import yaml
 
@@ -50,10 +51,14 @@ class Site:
         self.commands = Commands(run, self.words, self.code)
         self.codes = [path for path in self.sources.documents if path.startswith("generator/diagnostics/codes/")]
         self.add_words()
+        self.find_users()
         contents = yaml.safe_load((HERE / "contents.yaml").read_text(encoding="utf-8"))
         self.frame = Frame(self.version, [(title, [(name, self.sources.page_of(page) if page.endswith(".md") else page)
                                                    for name, page in pages]) for title, pages in contents.items()])
         self.entities.pictures.update(all_plots(HERE, self.code, lambda word: f"entities/{word}.html"))
+        self.drawings = {path.stem: path for path in sorted((HERE / "drawings").glob("*.png"))}
+        for name in self.drawings:
+            self.entities.drawings[name] = f"drawings/{name}.png"
         self.made = {}
         self.index = []  # [title, page, group, text] for the search
 
@@ -68,6 +73,18 @@ class Site:
         for path in self.sources.documents:
             name = posixpath.basename(posixpath.dirname(path)) if path.endswith("README.md") else pathlib.Path(path).stem
             self.words.add(name.lower() or "readme", self.sources.page_of(path))
+
+    def find_users(self):
+        """Which examples use an entity: those with a graph that names it."""
+        for path in self.sources.documents:
+            folder = posixpath.dirname(path)
+            if posixpath.dirname(folder) != "examples":
+                continue
+            named = set()
+            for graph in sorted((self.sources.root / folder).glob("*.yaml")):
+                named |= set(re.findall(r"[A-Za-z]\w*", graph.read_text(encoding="utf-8"))) & set(self.words.entities)
+            for word in sorted(named):
+                self.entities.users.setdefault(word, []).append((posixpath.basename(folder), self.sources.page_of(path)))
 
     def add(self, page, title, body, headings, words, group):
         self.made[page] = self.frame(page, title, body, headings)
@@ -109,7 +126,8 @@ class Site:
         self.add(keys.page_name, title, f"<h1>{title}</h1>\n<p>{text} NAME is a name that you give, [] an item of a list.</p>\n"
                  + keys.html(links), [], [], "page")
         for place, schema, *_ in keys.rows:
-            self.index.append([".".join(place), keys.page(place), "key", schema.get("description", "")])
+            group = "key" if keys is self.graph_keys else "manifest key"
+            self.index.append([".".join(place), keys.page(place), group, schema.get("description", "")])
 
     def add_codes(self):
         rows = []
@@ -146,6 +164,7 @@ class Site:
         self.add_files()
         files = dict(self.made)
         files.update({path: (self.sources.root / path).read_bytes() for path in self.sources.pictures})
+        files.update({f"drawings/{name}.png": path.read_bytes() for name, path in self.drawings.items()})
         files.update({name: (HERE / name).read_bytes() for name in ASSETS})
         files["words.json"] = json.dumps(dict(sorted(self.words.pages.items())), ensure_ascii=False, indent=0) + "\n"
         files["index-of-search.js"] = "globalThis.siteIndex = " + json.dumps(self.index, ensure_ascii=False, separators=(",", ":")) + ";\n"
