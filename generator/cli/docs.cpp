@@ -34,13 +34,15 @@ std::string address_of(const std::string& path) {
   constexpr std::string_view kPlain = "/-._~";
   std::string result = "file://";
   for (const unsigned char c : path) {
-    const bool plain = c < 0x80U && (std::isalnum(c) != 0 || kPlain.find(static_cast<char>(c)) != std::string_view::npos);
+    const bool plain = c < 0x80U && (std::isalnum(c) != 0 ||
+                                     kPlain.find(static_cast<char>(c)) != std::string_view::npos);
     result += plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
   }
   return result;
 }
 
-/// Words of the reference with their pages, as the maker of the site wrote them; null if it did not.
+/// Words of the reference with their pages, as the maker of the site wrote them; null if it did
+/// not.
 Json words_of(const std::string& site) {
   std::ifstream file(std::filesystem::path(site) / "words.json", std::ios::binary);
   std::stringstream text;
@@ -48,8 +50,8 @@ Json words_of(const std::string& site) {
   return parse_json(text.str()).value_or(nullptr);
 }
 
-/// A browser that keeps what stands behind `#`: xdg-open does not, so it comes last. Empty without a
-/// display to show one on.
+/// A browser that keeps what stands behind `#`: xdg-open does not, so it comes last. Empty without
+/// a display to show one on.
 std::string browser() {
   const auto variable = [](const char* name) {
     const char* value = std::getenv(name);

@@ -85,7 +85,9 @@ void add(Json& json, std::string_view name, const std::vector<PortManifest>& por
   for (const auto& port : ports) json[name].push_back(json_of(port));
 }
 
-Json json_of(const CppClass& cpp) { return {{"class", cpp.name}, {"header", cpp.include}}; }
+Json json_of(const CppClass& cpp) {
+  return {{"class", cpp.name}, {"header", cpp.include}};
+}
 
 /// What an object is made of on one engine.
 Json json_of(const ObjectEngine& made) {

@@ -1,4 +1,5 @@
-// What is known of entities and targets, as JSON: for the reference (toolchains/site) and other tools.
+// What is known of entities and targets, as JSON: for the reference (toolchains/site) and other
+// tools.
 #pragma once
 
 #include "generator/json/json.hpp"

@@ -263,7 +263,8 @@ int info_command(const Options& options) {
     for (const auto& [name, value] : target->facts) say("{}: {}\n", name, value);
     return finish(run, options);
   }
-  if (!options.json_output && print_family(run.library, options.entity)) return finish(run, options);
+  if (!options.json_output && print_family(run.library, options.entity))
+    return finish(run, options);
   std::vector<std::string> known;
   for (const auto& [id, entity] : run.library.all_entities()) known.push_back(id);
   for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);

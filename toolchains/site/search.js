@@ -5,7 +5,7 @@
   const list = document.getElementById("found");
   const top = document.body.dataset.top;
   const most = 20;
-  let index = null; // [{title, page, group, text, lower…}]
+  let index = null;  // [{title, page, group, text, lower…}]
   let chosen = -1;
 
   function load() {
@@ -15,8 +15,13 @@
     script.src = top + "index-of-search.js";
     script.onload = () => {
       index = globalThis.siteIndex.map(([title, page, group, text]) => ({
-        title, page, group, text, low: title.toLowerCase(), lowText: text.toLowerCase(),
-      }));
+                                         title,
+                                         page,
+                                         group,
+                                         text,
+                                         low: title.toLowerCase(),
+                                         lowText: text.toLowerCase(),
+                                       }));
       show();
     };
     document.head.append(script);
@@ -27,13 +32,18 @@
     let sum = 0;
     for (const word of words) {
       const at = entry.low.indexOf(word);
-      if (entry.low === word || (entry.group.endsWith("key") && entry.low.endsWith("." + word))) sum += 200;
-      else if (at === 0) sum += 60;
-      else if (at > 0) sum += /\W/.test(entry.low[at - 1]) ? 40 : 20;
-      else if (entry.lowText.includes(word)) sum += 5;
-      else return 0;
+      if (entry.low === word || (entry.group.endsWith("key") && entry.low.endsWith("." + word)))
+        sum += 200;
+      else if (at === 0)
+        sum += 60;
+      else if (at > 0)
+        sum += /\W/.test(entry.low[at - 1]) ? 40 : 20;
+      else if (entry.lowText.includes(word))
+        sum += 5;
+      else
+        return 0;
     }
-    const bonus = { entity: 30, code: 12, command: 25, key: 15, "manifest key": 5, page: 8 }[entry.group] ?? 0;
+    const bonus = {entity: 30, code: 12, command: 25, key: 15, "manifest key": 5, page: 8}[entry.group] ?? 0;
     return sum + (sum > 5 * words.length ? bonus : 0) - Math.min(entry.title.length, 60) / 10;
   }
 
@@ -47,16 +57,15 @@
     const items = [...list.children];
     chosen = items.length ? (number + items.length) % items.length : -1;
     items.forEach((item, i) => item.setAttribute("aria-selected", String(i === chosen)));
-    items[chosen]?.scrollIntoView({ block: "nearest" });
+    items[chosen]?.scrollIntoView({block: "nearest"});
   }
 
   function show() {
     const words = field.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const found = index
-      .map(entry => [score(entry, words), entry])
-      .filter(([points]) => points > 0)
-      .sort((a, b) => b[0] - a[0])
-      .slice(0, most);
+    const found = index.map(entry => [score(entry, words), entry])
+                      .filter(([points]) => points > 0)
+                      .sort((a, b) => b[0] - a[0])
+                      .slice(0, most);
     list.replaceChildren(...found.map(([, entry]) => {
       const item = document.createElement("li");
       item.setAttribute("role", "option");

@@ -7,7 +7,7 @@
     try {
       return localStorage.getItem("theme");
     } catch {
-      return null; // a browser may keep nothing of file://
+      return null;  // a browser may keep nothing of file://
     }
   };
   const show = () => (root.dataset.theme = kept() ?? (system.matches ? "dark" : "light"));
@@ -28,6 +28,6 @@
     const open = () => (menu.open = wide.matches);
     open();
     wide.addEventListener("change", open);
-    document.querySelector("nav.site [aria-current]")?.scrollIntoView({ block: "nearest" });
+    document.querySelector("nav.site [aria-current]")?.scrollIntoView({block: "nearest"});
   });
 })();
