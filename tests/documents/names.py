@@ -66,16 +66,21 @@ def named(text):
 
 def check_names(root):
     every = list(files(root))
-    names, problems, count = Names(root, every), [], 0
+    names, folders, problems, count = Names(root, every), {}, [], 0
     for path in every:
         if path.suffix != ".md":
             continue
-        here = Names(path.parent, [each for each in every if each.is_relative_to(path.parent)])
         for line, name, is_file in named(path.read_text(encoding="utf-8")):
             like_one = name.rstrip("/").rpartition(".")[2] in KINDS or name.split("/")[0] in names.tops
             if not (is_file or like_one) or PLACEHOLDER.search(name) or any(fnmatch.fnmatch(name, made) for made in MADE):
                 continue
             count += 1
-            if not (here.has(name) or name.startswith("../") or "/" in name and names.has(name) or not is_file and names.has(name)):
+            if is_file and "/" not in name:  # in a table of files: one of the document's own folder
+                if path.parent not in folders:
+                    folders[path.parent] = Names(path.parent, [each for each in every if each.is_relative_to(path.parent)])
+                here = folders[path.parent]
+            else:
+                here = names
+            if not (here.has(name) or name.startswith("../")):
                 problems.append(f"{path.relative_to(root)}:{line}: there is no file `{name}`")
     return problems, f"{count} names of files"
