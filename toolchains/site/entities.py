@@ -172,7 +172,7 @@ class Entities:
         if entity["id"] not in self.drawings:
             return ""
         return (f'<img class="drawing" src="{relative(page, self.drawings[entity["id"]])}" width="320" height="240" '
-                f'alt="a drawing of {escape(entity["id"])}" title="as `--render` draws it, after a second of random actions">')
+                f'alt="a drawing of {escape(entity["id"])}" title="as `--render` draws it at the beginning">')
 
     def page(self, entity):
         """(page, title, HTML, headings, text for the search)."""

@@ -34,6 +34,9 @@ FORM = """<!DOCTYPE html>
 """
 
 
+INDEXED = ("entities/", "commands/", "codes/")  # folders whose index alone is in the navigation
+
+
 class Frame:
     """`contents`: [(title of a section, [(title, page)])]."""
 
@@ -43,7 +46,8 @@ class Frame:
     def nav(self, page):
         out = []
         for title, pages in self.contents:
-            open_here = " open" if any(target == page for _, target in pages) else ""
+            over = f"{posixpath.dirname(page)}/index.html" if page.startswith(INDEXED) else page
+            open_here = " open" if any(target == over for _, target in pages) else ""
             items = "".join(f'<li><a href="{relative(page, target)}"{" aria-current=page" if target == page else ""}>'
                             f"{html.escape(name, quote=False)}</a></li>" for name, target in pages)
             out.append(f"<details{open_here}><summary>{html.escape(title, quote=False)}</summary><ul>{items}</ul></details>")
@@ -60,6 +64,3 @@ class Frame:
             top="../" * depth, nav=self.nav(page), menu="", body=body,
             contents=f'<nav class="page" aria-label="on this page"><ul>{contents}</ul></nav>' if len(inner) > 1 else "")
 
-
-def folder_of(page):
-    return posixpath.dirname(page)

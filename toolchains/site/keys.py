@@ -1,6 +1,7 @@
 """Keys of graph files and manifests, from the JSON schemas that `eagerx-gen schema` prints."""
 import html
 import json
+import re
 
 
 def alternatives(schema):
@@ -82,7 +83,7 @@ class Keys:
         """All keys as one table. `explained`: {first word of a place: link to the text about it}."""
         rows = []
         for place, schema, required, same in self.rows:
-            about = html.escape(schema.get("description", ""), quote=False)
+            about = re.sub(r"`([^`]+)`", r"<code>\1</code>", html.escape(schema.get("description", ""), quote=False))
             notes = []
             if required:
                 notes.append("required")
@@ -90,7 +91,8 @@ class Keys:
                 notes.append(f'keys as in <a href="#{self.anchors[same]}">{".".join(same)}</a>')
             if len(place) == 1 and place[0] in explained:
                 notes.append(f'<a href="{explained[place[0]]}">more</a>')
-            name = f'<span class="faint">{".".join(place[:-1])}{"." if place[1:] else ""}</span><b>{place[-1]}</b>'
+            before = "".join(f"{word}.<wbr>" for word in place[:-1])
+            name = f'<span class="faint">{before}</span><b>{place[-1]}</b>'
             rows.append(f'<tr id="{self.anchors[place]}"><td class="key"><code>{name}</code></td><td>{shape_of(schema)}</td>'
                         f'<td>{about}{"; " if about and notes else ""}{", ".join(notes)}</td></tr>')
         return ('<div class="wide entries"><table class="keys"><thead><tr><th>key</th><th>value</th><th>what it says</th></tr></thead><tbody>'
