@@ -89,6 +89,8 @@ class Code:
         if "kind" in names:
             kind = next(value.value for key, value in root.value if key.value == "kind")
             return self.manifest_keys, (kind,)
+        if names == {"graph"}:  # of a composite's manifest
+            return self.manifest_keys, ("node",)
         if names & self.graph_keys.top:
             return self.graph_keys, ()
         if {"from", "to"} <= names:

@@ -142,7 +142,7 @@ class Entities:
 
     def facts(self, page, entity):
         rows = [("kind", escape(entity["kind"]))]
-        if entity["kind"] not in ("object", "target", "engine state"):
+        if entity["kind"] not in ("object", "target", "engine state") and "composite" not in entity:
             rows.append(("packs of SIMD lanes", {True: "yes", False: "no, one lane after the other"}.get(
                 entity["packs"], "with some parameters")))
         for name, title in (("engines", "works on"), ("runs", "runs what is made for")):
@@ -167,6 +167,13 @@ class Entities:
             rows.append(("used by", ", ".join(f'<a href="{relative(page, target)}">{escape(title)}</a>'
                                               for title, target in self.users[entity["id"]])))
         return table(("", ""), rows).replace("<thead><tr><th></th><th></th></tr></thead>", "")
+
+    def inside(self, page, entity):
+        """Of a composite the graph in its manifest, as it stands."""
+        if "composite" not in entity:
+            return ""
+        text = self.sources.text(entity["manifest"])
+        return self.code.block(text[text.index("\ngraph:") + 1:], "yaml", page)
 
     def drawing(self, page, entity):
         if entity["id"] not in self.drawings:
@@ -195,6 +202,7 @@ class Entities:
         section("States", self.ports(page, entity.get("states", [])))
         section("Requires", table(("condition", "because"), [(f"<code>{escape(each['that'])}</code>", self.about(page, each["because"]))
                                                              for each in entity.get("requires", [])]))
+        section("Inside", self.inside(page, entity))
         section("Made for", self.engines(page, entity))
         section("Facts", self.facts(page, entity))
         head = (f'<p class="kind"><a href="{relative(page, "entities/index.html")}">{escape(entity["kind"])}</a></p>'

@@ -50,10 +50,12 @@ class Rewriter(html.parser.HTMLParser):
         self.title = ""
         self.held = []                  # where output went before a heading or code began
         self.inside = []
+        self.cells = 0                  # of the row of a table
 
     def handle_starttag(self, tag, attributes):
         attributes = dict(attributes)
         self.inside.append(tag)
+        self.cells = 0 if tag == "tr" else self.cells + (tag == "td")
         if tag in HEADINGS or tag == "pre" or (tag == "code" and "pre" not in self.inside):
             self.held.append((self.out, attributes))
             self.out = []
@@ -85,11 +87,19 @@ class Rewriter(html.parser.HTMLParser):
         elif tag == "code" and "pre" not in self.inside:
             text = "".join(self.out)
             self.out = self.held.pop()[0]
-            page = None if "a" in self.inside or HEADINGS & set(self.inside) else self.words.of_code(html.unescape(text), self.page)
+            page = None if "a" in self.inside or HEADINGS & set(self.inside) else self.page_of_code(html.unescape(text))
             shown = f"<code>{text}</code>"
             self.out.append(f'<a href="{relative(self.page, page)}">{shown}</a>' if page else shown)
         elif tag != "code":
             self.out.append(f"</{tag}>" + ("</div>" if tag == "table" else ""))
+
+    def page_of_code(self, text):
+        """In the first column of a table about keys it is the key's row."""
+        if "td" in self.inside and self.cells == 1:
+            row = self.words.of_row(self.page, self.sections[-1][1], text)
+            if row:
+                return row
+        return self.words.of_code(text, self.page)
 
     def handle_data(self, data):
         self.sections[-1][2].append(data)

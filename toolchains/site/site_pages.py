@@ -27,6 +27,13 @@ EXPLAINED = {  # where the graph file's page says more of a key
 }
 
 
+TABLES = {  # headings of that page: which keys their tables explain
+    "the-top-level": (), "objects-sensors-actuators": ("objects", "NAME"), "nodes": ("nodes", "NAME"), "connections": ("connections", "[]"),
+    "spaces": ("actions", "NAME", "space"), "the-agent-and-policies": ("agent",), "task": ("task",), "render": ("render",),
+    "safety": ("safety",), "telemetry": ("telemetry",), "budget": ("budget",),
+}
+
+
 def manifest_roots(schema):
     """The tables of manifests by kind; of what can be a composite both."""
     roots = {}
@@ -70,6 +77,8 @@ class Site:
             if len(place) == 1:
                 self.words.top_keys[place[0]] = page
             self.words.add(place[-1], page)
+        for anchor, place in TABLES.items():
+            self.words.tables[SPEC, anchor] = lambda name, place=place: self.graph_keys.page(self.graph_keys.step(place, name) or ("",))
         for path in self.sources.documents:
             name = posixpath.basename(posixpath.dirname(path)) if path.endswith("README.md") else pathlib.Path(path).stem
             self.words.add(name.lower() or "readme", self.sources.page_of(path))

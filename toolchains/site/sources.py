@@ -1,12 +1,13 @@
 """Which file of the repository becomes which page."""
 import pathlib
 import posixpath
+import re
 import urllib.parse
 
 PICTURES = {".png", ".svg", ".gif", ".jpg"}
 TEXTS = {".yaml", ".hpp", ".cpp", ".h", ".cmake", ".py", ".sh", ".txt", ".csv", ".ld", ".json", ".toml", ".mustache", ".blank", ""}
 MOST_BYTES = 200_000  # of a text that gets a page
-SKIPPED = ("build", "generated", "out", ".git", ".cache", "__pycache__")
+NOT_OURS = re.compile(r"build.*|generated|out|\..*")  # at the top, as .gitignore says
 
 
 class LinkError(Exception):
@@ -14,7 +15,8 @@ class LinkError(Exception):
 
 
 def is_skipped(path):
-    return any(part == "__pycache__" or part.startswith(".") for part in path.parts) or path.parts[0].startswith(SKIPPED)
+    """What a build or an editor leaves."""
+    return any(part in ("__pycache__", "generated") or part.startswith(".") for part in path.parts)
 
 
 class Sources:
@@ -22,7 +24,7 @@ class Sources:
 
     def __init__(self, root):
         self.root = pathlib.Path(root).resolve()
-        every = (p.relative_to(self.root) for top in sorted(self.root.iterdir()) if not is_skipped(pathlib.Path(top.name))
+        every = (p.relative_to(self.root) for top in sorted(self.root.iterdir()) if not NOT_OURS.fullmatch(top.name)
                  for p in ([top] if top.is_file() else sorted(top.rglob("*.md"))))
         self.documents = [str(p) for p in every if p.suffix == ".md" and not is_skipped(p) and p.parts[0] != "tests" or
                           str(p) in ("tests/README.md", "tests/bench/README.md", "tests/conformance/README.md")]

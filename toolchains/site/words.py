@@ -10,6 +10,7 @@ class Words:
         self.entities = {}
         self.commands = {}
         self.top_keys = {}
+        self.tables = {}  # (page, anchor): which keys the tables below this heading explain, as a function from name to page
 
     def add(self, word, page):
         self.pages.setdefault(word, page)
@@ -31,6 +32,11 @@ class Words:
         elif text.endswith(":"):
             target = self.top_keys.get(text[:-1])
         return None if target == page else target
+
+    def of_row(self, page, anchor, name):
+        """The page of a key that a table explains; None if it is none."""
+        table = self.tables.get((page, anchor))
+        return table(name) if table else None
 
     def command(self, text):
         """The page of `eagerx-gen COMMAND …`; a graph in its place is short for generate."""
