@@ -8,13 +8,14 @@ import urllib.parse
 class Page(html.parser.HTMLParser):
     """Links and anchors of a page, and whether its elements are closed in order."""
 
-    VOID = {"meta", "link", "img", "input", "br", "hr", "path", "rect", "circle", "line"}
+    VOID = {"meta", "link", "img", "input", "br", "hr", "wbr", "path", "rect", "circle", "line"}
 
     def __init__(self, text):
         super().__init__()
         self.links, self.ids, self.open, self.problems, self.title = [], [], [], [], ""
         self.feed(text)
-        self.problems += [f"<{tag}> is not closed" for tag in self.open]
+        if not any("closes nothing" in problem for problem in self.problems):
+            self.problems += [f"<{tag}> is not closed" for tag in self.open]
 
     def handle_starttag(self, tag, attributes):
         attributes = dict(attributes)
@@ -29,7 +30,7 @@ class Page(html.parser.HTMLParser):
     def handle_endtag(self, tag):
         if tag in self.VOID:
             return
-        if not self.open or self.open.pop() != tag:
+        if (not self.open or self.open.pop() != tag) and not any("closes nothing" in problem for problem in self.problems):
             self.problems.append(f"</{tag}> at line {self.getpos()[0]} closes nothing")
 
     def handle_startendtag(self, tag, attributes):
