@@ -104,6 +104,14 @@ Json json_of(const ObjectEngine& made) {
   return json;
 }
 
+/// A file from the folder that includes are relative to; both may be relative to the working
+/// folder.
+std::string place_of(const std::string& file, const std::string& root) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::absolute(root.empty() ? "." : root).lexically_normal();
+  return fs::absolute(file).lexically_normal().lexically_relative(folder).generic_string();
+}
+
 /// Where the class also calculates with packs of numbers: true, false, or "some parameters".
 Json packs_of(const Entity& entity) {
   if (entity.packs.empty()) return false;
@@ -140,12 +148,11 @@ std::string_view type_of(const Parameter& parameter) {
 }
 
 Json entity_json(const Entity& entity) {
-  const std::filesystem::path root(entity.include_root);
   Json json{{"id", entity.id.value},
             {"kind", std::string(kind_of(entity))},
             {"summary", entity.summary},
             {"description", entity.description},
-            {"manifest", std::filesystem::path(entity.path).lexically_relative(root).string()}};
+            {"manifest", place_of(entity.path, entity.include_root)}};
   for (const auto& known : entity.eagerx_ids) {
     Json when = Json::object();
     for (const auto& [name, span, value] : known.when) when[name] = json_of(value);
