@@ -32,7 +32,7 @@
     let sum = 0;
     for (const word of words) {
       const at = entry.low.indexOf(word);
-      if (entry.low === word || (entry.group.endsWith("key") && entry.low.endsWith("." + word)))
+      if (entry.low === word || (entry.group === "key" && entry.low.endsWith("." + word)))
         sum += 200;
       else if (at === 0)
         sum += 60;
@@ -43,7 +43,7 @@
       else
         return 0;
     }
-    const bonus = {entity: 30, code: 12, command: 25, key: 15, "manifest key": 5, page: 8}[entry.group] ?? 0;
+    const bonus = {entity: 30, code: 12, command: 25, key: 15, "manifest key": 0, page: 8}[entry.group] ?? 0;
     return sum + (sum > 5 * words.length ? bonus : 0) - Math.min(entry.title.length, 60) / 10;
   }
 
