@@ -8,20 +8,22 @@
   let index = null;  // [{title, page, group, text, lower…}]
   let chosen = -1;
 
+  // Of a key, `nodes.NAME.rate`, the last word counts as its title. `begins`: where words begin in the title.
+  function entryOf([title, page, group, text]) {
+    const key = group.endsWith("key");
+    const name = key ? title.split(".").at(-1) : title;
+    const begins = [...name.matchAll(/[A-Z]?[a-z0-9]+|[A-Z]+/g)].map(match => match.index);
+    const lowText = (key ? title + " " + text : text).toLowerCase();
+    return {title, page, group, text, low: name.toLowerCase(), begins, lowText};
+  }
+
   function load() {
     if (index !== null) return;
     index = [];
     const script = document.createElement("script");
     script.src = top + "index-of-search.js";
     script.onload = () => {
-      index = globalThis.siteIndex.map(([title, page, group, text]) => ({
-                                         title,
-                                         page,
-                                         group,
-                                         text,
-                                         low: title.toLowerCase(),
-                                         lowText: text.toLowerCase(),
-                                       }));
+      index = globalThis.siteIndex.map(entryOf);
       show();
     };
     document.head.append(script);
@@ -32,12 +34,12 @@
     let sum = 0;
     for (const word of words) {
       const at = entry.low.indexOf(word);
-      if (entry.low === word || (entry.group === "key" && entry.low.endsWith("." + word)))
-        sum += 200;
+      if (entry.low === word)
+        sum += entry.group === "manifest key" ? 40 : 200;
       else if (at === 0)
         sum += 60;
       else if (at > 0)
-        sum += /\W/.test(entry.low[at - 1]) ? 40 : 20;
+        sum += entry.begins.includes(at) ? 40 : 20;
       else if (entry.lowText.includes(word))
         sum += 5;
       else
