@@ -32,6 +32,14 @@ refuses() {
   done
 }
 
+# page_shows FILE: the README shows output (blocks of ```csv and ```text), and each of its lines is in the file.
+page_shows() {
+  awk 'NR == FNR { there[$0]; next } FNR == 1 { block = 0 }
+    /^```/ { block = $0 == "```csv" || $0 == "```text"; next }
+    block { ++shown; if (!($0 in there)) { print "not in the output: " $0; wrong = 1 } }
+    END { exit wrong || !shown }' "$1" README.md
+}
+
 # Prefix of awk programs for tables: c["angle"] is the column of that name, near(a, b, tolerance) compares.
 columns='BEGIN { FS = "," } NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
 function abs(x) { return x < 0 ? -x : x }

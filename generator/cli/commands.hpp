@@ -41,6 +41,8 @@ Command plot_command();
 Command monitor_command();
 /// Looks into weight files: `policy info`, `test`, `golden`, `compare`.
 Command policy_command();
+/// Opens the reference.
+Command docs_command();
 /// Writes `pages` below a folder.
 Command pages_command(std::vector<CommandLinePage> (*pages)());
 

@@ -5,6 +5,7 @@
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/entity_json.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/compose/flat_text.hpp"
 #include "generator/emit/namer.hpp"
@@ -62,28 +63,6 @@ void print_eagerx_ids(const Entity& entity) {
   if (!entity.eagerx_ids.empty()) say("\n");
 }
 
-std::string_view type_of(const Parameter& parameter) {
-  switch (parameter.type) {
-    case Parameter::Type::integer:
-      return "int";
-    case Parameter::Type::number:
-      return "float";
-    case Parameter::Type::boolean:
-      return "bool";
-    case Parameter::Type::text:
-      return "string";
-    case Parameter::Type::keyword:
-      return "choice";
-    case Parameter::Type::integers:
-      return "ints";
-    case Parameter::Type::numbers:
-      return "floats";
-    case Parameter::Type::model:
-      return "object of";
-  }
-  return "";
-}
-
 void print_parameters(const std::vector<Parameter>& parameters) {
   if (parameters.empty()) return;
   say("\nconfig\n");
@@ -107,11 +86,6 @@ void print_requirements(const std::vector<Requirement>& requirements) {
   say("\nrequires\n");
   for (const auto& requirement : requirements)
     say("  {}\n  {:<20}   {}\n", requirement.text, "", requirement.because);
-}
-
-/// A node with targets is a reset node, whatever it is otherwise.
-std::string_view kind_of(const Entity& entity) {
-  return entity.is_reset_node() ? "reset node" : to_string(entity.kind);
 }
 
 /// What the ports of a composite are bound to, and what is inside.
@@ -261,29 +235,39 @@ int graph_info(InfoOptions options) {
 
 int perform(const InfoOptions& options) {
   if (is_graph_file(options.entity)) return graph_info(options);
-  if (options.json_output || options.flat) {
-    complain("error: `{}` is for graphs\nhelp: give a file GRAPH.yaml\n",
-             options.flat ? "--flat" : "--json");
+  if (options.flat) {
+    complain("error: `--flat` is for graphs\nhelp: give a file GRAPH.yaml\n");
     return kWrongUsage;
   }
   Run run;
   load(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);
   if (options.entity.empty()) {
-    print_all(run.library);
+    if (options.json_output)
+      say("{}\n", dump_json(library_json(run.library)));
+    else
+      print_all(run.library);
     return finish(run, options);
   }
   if (const Entity* entity = run.library.find(options.entity)) {
-    print_entity(*entity, run.sources);
+    if (options.json_output)
+      say("{}\n", dump_json(entity_json(*entity)));
+    else
+      print_entity(*entity, run.sources);
     return finish(run, options);
   }
   if (const Target* target = run.library.find_target(options.entity)) {
+    if (options.json_output) {
+      say("{}\n", dump_json(target_json(*target)));
+      return finish(run, options);
+    }
     say("{} (target)\n{}\n\n{}", target->id.value, target->summary, target->description);
     if (!target->facts.empty()) say("\n");
     for (const auto& [name, value] : target->facts) say("{}: {}\n", name, value);
     return finish(run, options);
   }
-  if (print_family(run.library, options.entity)) return finish(run, options);
+  if (!options.json_output && print_family(run.library, options.entity))
+    return finish(run, options);
   std::vector<std::string> known;
   for (const auto& [id, entity] : run.library.all_entities()) known.push_back(id);
   for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
@@ -309,7 +293,7 @@ Command table(InfoOptions& options) {
                 flag("--flat", options.flat,
                      "print the graph that composites, arrays and variants become, and where its "
                      "lines are from"),
-                flag("--json", options.json_output, "print JSON (for graphs only)")}}),
+                flag("--json", options.json_output, "print JSON")}}),
           .run = [&options] { return perform(options); }};
 }
 

@@ -54,4 +54,13 @@ std::string build_folder_of(const std::string& image, const std::string& said) {
   return !said.empty() ? said : folder.empty() ? "." : folder;
 }
 
+std::string reference_folder() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& candidate : {folder / "../share/doc/eagerx-gen/html", folder / "site"}) {
+    if (fs::exists(candidate / "index.html", error)) return candidate.lexically_normal().string();
+  }
+  return {};
+}
+
 }  // namespace eagerx::gen

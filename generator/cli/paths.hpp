@@ -18,4 +18,8 @@ std::string helper_program(const std::string& name);
 /// The build folder of an image, as was said, or else the folder that it lies in.
 std::string build_folder_of(const std::string& image, const std::string& said);
 
+/// The folder of the reference that `docs` opens: where it is installed, or in the build folder.
+/// Empty if there is none.
+std::string reference_folder();
+
 }  // namespace eagerx::gen

@@ -133,7 +133,7 @@ Command table(ReportOptions& options) {
             folder(text("--build", options.build,
                         "build folder of the image (default: the folder that it lies in)", "DIR")),
             whole("--points", options.points,
-                  "most points of a plot (default: as many as keep the file below 5 MB, at most "
+                  "most points of a plot (default: as many as keep all plots below 3 MB, at most "
                   "2000); of more messages, the least and the greatest of each part are kept",
                   2, kMostPoints),
             reads(text("--live", options.live,

@@ -11,7 +11,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/eagerx ${PROJECT_SOURCE_DIR}/run
 install(FILES ${PROJECT_SOURCE_DIR}/runtime/flags.cmake ${PROJECT_SOURCE_DIR}/runtime/flags.txt DESTINATION ${share_dir}/runtime)
 foreach(folder models targets toolchains templates)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS
-          PATTERN __pycache__ EXCLUDE PATTERN *.egg-info EXCLUDE PATTERN python/build EXCLUDE)
+          PATTERN __pycache__ EXCLUDE PATTERN *.egg-info EXCLUDE PATTERN python/build EXCLUDE REGEX /toolchains/site$ EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${share_dir})
 

@@ -3,7 +3,7 @@ import re
 
 from markdown import files
 
-CITED = re.compile(r"\bSEMANTICS\b(?!\.md)(?: §(\d+))?")
+CITED = re.compile(r"\bSEMANTICS\b(?!\.(?:md|html))(?: §(\d+))?")
 OWN = re.compile(r"§(\d+)")  # SEMANTICS.md's own references
 ELSEWHERE = re.compile(r"\b(RECIPES|DESIGN)\b")  # notes of the first days, in nobody's repository
 SECTION = re.compile(r"^## (\d+)\. ", re.MULTILINE)

@@ -1,5 +1,5 @@
 // What the actions and observations of graph `pendulum_swing_up` may be, and which action is safe.
-// Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
+// Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
 #include <array>

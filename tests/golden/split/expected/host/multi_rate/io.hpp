@@ -1,5 +1,5 @@
 // What each node of graph `multi_rate` is compiled for: rate, parameters, inputs, outputs.
-// Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
+// Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
 #include <array>
