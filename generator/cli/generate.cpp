@@ -18,7 +18,7 @@
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/read/text.hpp"
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
@@ -227,7 +227,7 @@ void check_budget(Run& run) {
   if (budget.find("age") == nullptr && budget.find("link") == nullptr &&
       budget.find("telemetry") == nullptr)
     return;
-  check_plan_budget(report_of(*run.plan, run.spec->budget, run.diagnostics), budget,
+  check_plan_budget(info_of(*run.plan, run.spec->budget, run.diagnostics), budget,
                     run.diagnostics);
 }
 

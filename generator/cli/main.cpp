@@ -10,7 +10,7 @@
 #include "generator/cli/kinds.hpp"
 #include "generator/cli/topics.hpp"
 #include "generator/command_line/command_line.hpp"
-#include "generator/picture/picture.hpp"
+#include "generator/drawing/format.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -86,7 +86,7 @@ Command picture(Options& options) {
                   "<graph name>.svg)",
                   "FILE"));
   output.check = [](const std::string& path) {
-    return picture_format_of(path) ? std::string() : path + " ends in none of .svg, .dot, .mmd";
+    return drawing_format_of(path) ? std::string() : path + " ends in none of .svg, .dot, .mmd";
   };
   return {
       .name = "graph",

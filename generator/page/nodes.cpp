@@ -104,7 +104,7 @@ const char* name_of(NodeRole role) {
 class Nodes {
  public:
   explicit Nodes(const PageContents& contents)
-      : contents_(contents), plan_(*contents.report->plan), graph_(*plan_.graph) {}
+      : contents_(contents), plan_(*contents.info->plan), graph_(*plan_.graph) {}
 
   void add_to(Json& page) const {
     page["schedule"] = schedule();

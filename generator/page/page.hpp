@@ -11,7 +11,7 @@
 #include "generator/agent/policies.hpp"
 #include "generator/json/json.hpp"
 #include "generator/plan/plan.hpp"
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 #include "generator/size/size.hpp"
 
 namespace eagerx::gen {
@@ -26,7 +26,7 @@ struct PageImage {
 struct PageContents {
   const GraphSpec* spec = nullptr;
   const Policies* policies = nullptr;
-  const PlanReport* report = nullptr;  // and with it plan and graph
+  const PlanInfo* info = nullptr;    // and with it plan and graph
   const SourceMap* sources = nullptr;
   const Diagnostics* diagnostics = nullptr;
   std::vector<PageImage> images = {};

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -33,7 +33,7 @@ void check_ages(const AgeComparison& compared, Diagnostics& diagnostics) {
   }
 }
 
-void check_link(const PlanReport& report, const YamlValue& entry, Diagnostics& diagnostics) {
+void check_link(const PlanInfo& report, const YamlValue& entry, Diagnostics& diagnostics) {
   const auto limit = Rational::parse(entry.text);
   if (!limit || report.link.baud() <= *limit) return;
   auto& problem =
@@ -66,15 +66,15 @@ void check_telemetry(const Plan& plan, const YamlValue& entry, Diagnostics& diag
 
 }  // namespace
 
-PlanReport report_of(const Plan& plan, const std::optional<YamlValue>& budget,
+PlanInfo info_of(const Plan& plan, const std::optional<YamlValue>& budget,
                      Diagnostics& diagnostics) {
   const DataAges ages(plan, usual_ends(*plan.graph));
-  PlanReport report{&plan, ages.known(), ages.unknown(), {}, link_of(plan)};
+  PlanInfo report{&plan, ages.known(), ages.unknown(), {}, link_of(plan)};
   if (budget) report.compared = compare_ages(plan, *budget, diagnostics);
   return report;
 }
 
-void check_plan_budget(const PlanReport& report, const YamlValue& budget,
+void check_plan_budget(const PlanInfo& report, const YamlValue& budget,
                        Diagnostics& diagnostics) {
   for (const AgeComparison& compared : report.compared) check_ages(compared, diagnostics);
   if (const YamlValue* entry = budget.find("link")) check_link(report, *entry, diagnostics);

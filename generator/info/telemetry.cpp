@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/plan/link.hpp"
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,7 +1,7 @@
 // What a graph's task sees and gives.
 #include <fmt/format.h>
 
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 
 namespace eagerx::gen {
 namespace {

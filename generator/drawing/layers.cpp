@@ -1,4 +1,4 @@
-#include "generator/picture/layers.hpp"
+#include "generator/drawing/layers.hpp"
 
 #include <algorithm>
 #include <cstdint>

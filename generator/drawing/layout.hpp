@@ -3,13 +3,13 @@
 // After Sugiyama, Tagawa, Toda, "Methods for visual understanding of hierarchical system
 // structures" (1981): break circles, choose layers, order within layers, then places. All places
 // are whole numbers and every choice between equals is by number, so the same graph gives the same
-// picture on every machine.
+// drawing on every machine.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "generator/picture/drawing.hpp"
+#include "generator/drawing/drawing.hpp"
 
 namespace eagerx::gen {
 
@@ -46,10 +46,10 @@ Layout layout_of(const Drawing& drawing, Composites composites);
 /// What a box says of a port or of itself, cut to what is drawn: names may be as long as they like.
 std::string shown(const std::string& text);
 
-/// Sizes that the layout reserves and the picture uses.
-namespace picture_size {
+/// Sizes that the layout reserves and svg_of() uses.
+namespace drawing_size {
 inline constexpr std::int64_t margin = 20, padding = 10, header = 40, row = 18, detail = 14;
 inline constexpr std::int64_t between_boxes = 22, between_layers = 56, lane = 12;
-}  // namespace picture_size
+}  // namespace drawing_size
 
 }  // namespace eagerx::gen

@@ -1,22 +1,22 @@
-#include "generator/picture/layout.hpp"
+#include "generator/drawing/layout.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include "generator/diagnostics/utf8.hpp"
-#include "generator/picture/layers.hpp"
+#include "generator/drawing/layers.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using picture_size::between_boxes;
-using picture_size::between_layers;
-using picture_size::detail;
-using picture_size::header;
-using picture_size::lane;
-using picture_size::margin;
-using picture_size::padding;
-using picture_size::row;
+using drawing_size::between_boxes;
+using drawing_size::between_layers;
+using drawing_size::detail;
+using drawing_size::header;
+using drawing_size::lane;
+using drawing_size::margin;
+using drawing_size::padding;
+using drawing_size::row;
 
 constexpr std::size_t kLongestText = 40;  // code points
 
@@ -37,7 +37,7 @@ PlacedBox measure(const Box& box) {
   placed.width = std::max(width_of(box.name, 9), width_of(box.subtitle, 7));
   for (std::size_t i = 0; i < std::max(box.inputs.size(), box.outputs.size()); ++i) {
     std::int64_t left = 0, right = 0, height = row;
-    const auto add = [&](const std::vector<PicturePort>& ports, std::vector<std::int64_t>& at,
+    const auto add = [&](const std::vector<BoxPort>& ports, std::vector<std::int64_t>& at,
                          std::int64_t& width) {
       if (i >= ports.size()) return;
       at.push_back(y + row / 2);

@@ -1,4 +1,4 @@
-#include "generator/picture/groups.hpp"
+#include "generator/drawing/groups.hpp"
 
 #include <array>
 #include <string_view>
@@ -30,14 +30,14 @@ std::optional<std::size_t> group_of(const GroupOf& groups, std::string_view name
   return group_around(groups, name.substr(0, name.rfind('/')));
 }
 
-PictureGroup group_of(const CompositeSpec& composite) {
-  PictureGroup group;
+BoxGroup group_of(const CompositeSpec& composite) {
+  BoxGroup group;
   group.box.kind = composite.is_object ? BoxKind::object : BoxKind::node;
   group.box.name = composite.name;
   group.box.subtitle =
       composite.type + (composite.rate_hz ? ", " + *composite.rate_hz + " Hz" : std::string());
   group.box.about = composite.about;
-  const auto add = [](const auto& named, std::vector<PicturePort>& ports,
+  const auto add = [](const auto& named, std::vector<BoxPort>& ports,
                       std::map<std::string, std::size_t>& number_of) {
     for (const auto& [name, inside] : named) {
       for (const auto& port : inside) number_of.emplace(port, ports.size());
@@ -50,7 +50,7 @@ PictureGroup group_of(const CompositeSpec& composite) {
 }
 
 /// `name` as it is called in its group.
-void shorten(Box& box, const std::vector<PictureGroup>& groups, std::optional<std::size_t> around) {
+void shorten(Box& box, const std::vector<BoxGroup>& groups, std::optional<std::size_t> around) {
   box.full_name = box.name;
   if (!around) return;
   const std::string prefix = groups[*around].box.full_name + "/";
@@ -118,7 +118,7 @@ class Nester {
 
   /// The port of a group that a wire passes: what the composite binds, or one that is made.
   std::size_t port(std::size_t g, bool leaves, const std::string& inside) {
-    PictureGroup& group = groups_[g];
+    BoxGroup& group = groups_[g];
     auto& ports = leaves ? group.box.outputs : group.box.inputs;
     const auto [found, is_new] =
         (leaves ? group.outputs : group.inputs).emplace(inside, ports.size());
@@ -180,7 +180,7 @@ class Nester {
   }
 
   const Drawing& flat_;
-  std::vector<PictureGroup> groups_;
+  std::vector<BoxGroup> groups_;
   std::vector<Drawing> drawings_;      // the outermost, then of each group
   std::vector<std::size_t> of_box_;    // of each flat box, its number where it is
   std::vector<std::size_t> of_group_;  // of each group, the same
@@ -197,7 +197,7 @@ void add_groups(const std::vector<CompositeSpec>& composites, Drawing& drawing) 
     drawing.groups.push_back(group_of(composite));
     drawing.groups.back().box.full_name = composite.name;
   }
-  for (PictureGroup& group : drawing.groups) {
+  for (BoxGroup& group : drawing.groups) {
     group.around = group_around(number_of, group.box.full_name);
     shorten(group.box, drawing.groups, group.around);
   }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "generator/picture/drawing.hpp"
+#include "generator/drawing/drawing.hpp"
 
 namespace eagerx::gen {
 

@@ -1,20 +1,20 @@
 // The languages of Graphviz and Mermaid.
 #include <fmt/format.h>
 
-#include "generator/picture/layout.hpp"
-#include "generator/picture/picture.hpp"
+#include "generator/drawing/layout.hpp"
+#include "generator/drawing/format.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 /// A field of a record of Graphviz.
-std::string field(const std::string& port, const PicturePort& each) {
+std::string field(const std::string& port, const BoxPort& each) {
   std::string text = each.name + (each.detail.empty() ? "" : " (" + each.detail + ")");
   return fmt::format("<{}> {}", port, dot_record_text(text));
 }
 
-std::string fields(const char* prefix, const std::vector<PicturePort>& ports) {
+std::string fields(const char* prefix, const std::vector<BoxPort>& ports) {
   std::string text;
   for (std::size_t i = 0; i < ports.size(); ++i)
     text += (i == 0 ? "" : " | ") + field(fmt::format("{}{}", prefix, i), ports[i]);
@@ -95,11 +95,11 @@ std::string mermaid_of(const Drawing& drawing) {
   };
   text += nested_text(drawing, std::nullopt, "  end\n", box_text, subgraph);
   for (const Wire& wire : drawing.wires) {
-    const PicturePort& from = drawing.boxes[wire.from].outputs[wire.output];
-    const PicturePort& to = drawing.boxes[wire.to].inputs[wire.input];
+    const BoxPort& from = drawing.boxes[wire.from].outputs[wire.output];
+    const BoxPort& to = drawing.boxes[wire.to].inputs[wire.input];
     std::string label = mermaid_text(from.name);
     if (to.name != from.name) label += " → " + mermaid_text(to.name);
-    for (const PicturePort* port : {&from, &to}) {
+    for (const BoxPort* port : {&from, &to}) {
       if (!port->detail.empty()) label += "<br/>" + mermaid_text(port->detail);
     }
     text += fmt::format("  b{} {}|\"{}\"| b{}\n", wire.from, wire.sets_state ? "-.->" : "-->",

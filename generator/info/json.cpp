@@ -1,7 +1,7 @@
 #include "generator/json/json.hpp"
 
 #include "generator/plan/packs.hpp"
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -45,7 +45,7 @@ Json json_of(const LinkLoad& load) {
 
 }  // namespace
 
-Json report_json(const PlanReport& report) {
+Json info_json(const PlanInfo& report) {
   const Plan& plan = *report.plan;
   Json json;
   json["name"] = plan.graph->name;

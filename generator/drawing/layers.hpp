@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/picture/drawing.hpp"
+#include "generator/drawing/drawing.hpp"
 
 namespace eagerx::gen {
 

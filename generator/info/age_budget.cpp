@@ -5,7 +5,7 @@
 #include <map>
 
 #include "generator/read/scalar.hpp"
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {

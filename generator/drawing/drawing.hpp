@@ -32,7 +32,7 @@ enum class BoxKind : std::uint8_t {
   exit,   // and where its outputs leave
 };
 
-struct PicturePort {
+struct BoxPort {
   std::string name;
   std::string detail;  // "window 4, delay 0.05 s"; empty if there is nothing to say
 };
@@ -44,7 +44,7 @@ struct Box {
   std::string name;
   std::string subtitle;  // "ButterworthFilter, 30 Hz"
   std::string about;     // the summary of its manifest
-  std::vector<PicturePort> inputs, outputs;
+  std::vector<BoxPort> inputs, outputs;
   std::optional<std::size_t> node = {}, object = {};  // of the graph; `actions` is node 0, too
   std::optional<std::size_t> group = {};              // that it is in
   /// Of a composite: what is in it. Its ends are its boxes 0 (entry) and 1 (exit).
@@ -66,7 +66,7 @@ struct Wire {
 };
 
 /// A composite: boxes that are drawn in a frame, or as one.
-struct PictureGroup {
+struct BoxGroup {
   Box box;                            // as one
   std::optional<std::size_t> around;  // the group that it is in
   /// For a port of a box inside, as `box.port`, the number of the port that stands for it.
@@ -79,7 +79,7 @@ struct Drawing {
   std::string title;
   std::vector<Box> boxes;
   std::vector<Wire> wires;
-  std::vector<PictureGroup> groups;  // of a drawing that is not nested
+  std::vector<BoxGroup> groups;  // of a drawing that is not nested
 };
 
 /// All boxes and wires beside each other; each box says in which group it is.

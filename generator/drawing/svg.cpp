@@ -3,14 +3,14 @@
 #include <array>
 #include <cstdlib>
 
-#include "generator/picture/picture.hpp"
+#include "generator/drawing/format.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using picture_size::detail;
-using picture_size::padding;
+using drawing_size::detail;
+using drawing_size::padding;
 
 struct Look {
   BoxKind kind;
@@ -100,7 +100,7 @@ std::string wire_text(const Wire& wire, const PlacedWire& placed) {
       end.y);
 }
 
-std::string ports_text(const std::vector<PicturePort>& ports, const std::vector<std::int64_t>& at,
+std::string ports_text(const std::vector<BoxPort>& ports, const std::vector<std::int64_t>& at,
                        std::int64_t x, std::int64_t top, bool outputs) {
   std::string text;
   for (std::size_t i = 0; i < ports.size(); ++i) {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "generator/plan/packs.hpp"
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -32,7 +32,7 @@ std::string load_text(const char* what, const LinkLoad& load) {
       load.baud.to_double());
 }
 
-std::string compared_text(const PlanReport& report) {
+std::string compared_text(const PlanInfo& report) {
   if (report.compared.empty()) return {};
   std::string text = "\nbudget of ages\n";
   for (const AgeComparison& compared : report.compared) {
@@ -58,7 +58,7 @@ std::string compared_text(const PlanReport& report) {
 
 }  // namespace
 
-std::string plan_text(const PlanReport& report) {
+std::string plan_text(const PlanInfo& report) {
   const Plan& plan = *report.plan;
   std::string text =
       fmt::format("{}: {} nodes {}\n\nrates\n", plan.graph->name, plan.graph->nodes.size(),
@@ -99,7 +99,7 @@ std::string packs_text(const Plan& plan) {
       by_lane.empty() ? "" : ", one lane after the other: ", fmt::join(by_lane, ", "));
 }
 
-std::string timing_text(const PlanReport& report) {
+std::string timing_text(const PlanInfo& report) {
   const bool engine = report.plan->graph->has_engine();
   std::string text = engine ? "\nage of a sensor's data at an actuator's ticks, at most\n"
                             : "\nage of an action's data in the observation of a step, at most\n";

@@ -1,4 +1,4 @@
-#include "generator/picture/drawing.hpp"
+#include "generator/drawing/drawing.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "generator/picture/groups.hpp"
+#include "generator/drawing/groups.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -112,9 +112,9 @@ class Builder {
   }
 
   /// Its number among the ports of the box; a new one if it is not there yet.
-  static std::size_t port(std::vector<PicturePort>& ports, const std::string& name,
+  static std::size_t port(std::vector<BoxPort>& ports, const std::string& name,
                           const std::string& detail = {}) {
-    const auto found = std::ranges::find(ports, name, &PicturePort::name);
+    const auto found = std::ranges::find(ports, name, &BoxPort::name);
     if (found != ports.end()) return static_cast<std::size_t>(found - ports.begin());
     ports.push_back({name, detail});
     return ports.size() - 1;
