@@ -1,9 +1,11 @@
 // Nodes with their inputs, outputs and parameters; where messages live, and when nodes run.
 #include <fmt/format.h>
 
+#include <numeric>
 #include <type_traits>
 
 #include "generator/page/page.hpp"
+#include "generator/plan/counts.hpp"
 #include "generator/plan/hop.hpp"
 
 namespace eagerx::gen {
@@ -18,6 +20,32 @@ Json list_of(const std::vector<T>& values) {
   Json list = Json::list();
   for (const T& value : values) list.push_back(value);
   return list;
+}
+
+/// In quanta; nothing if it is so long that its time is no exact number.
+std::optional<std::int64_t> hyperperiod_of(const std::vector<RateClass>& rates) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 53U;
+  std::uint64_t product = 1;
+  for (const RateClass& rate : rates) {
+    const std::uint64_t factor = rate.period / std::gcd(product, rate.period);
+    if (factor > kMost / product) return std::nullopt;
+    product *= factor;
+  }
+  return static_cast<std::int64_t>(product);
+}
+
+/// Messages of a connection at each tick of its reader: `begin` at the first ones, then `cycle` over
+/// and over. Null if that is too long for a page.
+Json received_json(const Hop& hop, bool skip) {
+  constexpr std::int64_t kMostTicks = 10'000;
+  if (hop.settled + hop.b > kMostTicks) return nullptr;
+  const Counts counts{hop.a, hop.b, hop.x, skip};
+  const auto list = [&](std::int64_t from, std::int64_t to) {
+    Json numbers = Json::list();
+    for (std::int64_t n = from; n < to; ++n) numbers.push_back(counts.at(n));
+    return numbers;
+  };
+  return Json{{"begin", list(0, hop.settled)}, {"cycle", list(hop.settled, hop.settled + hop.b)}};
 }
 
 Json json_of(const Space& space) {
@@ -158,6 +186,9 @@ class Nodes {
               {"form", text_of(plan_.schedule.form)},
               {"asynchronous", graph_.asynchronous}};
     json["slots"] = plan_.schedule.slots ? Json(*plan_.schedule.slots) : Json(nullptr);
+    const auto hyperperiod = hyperperiod_of(plan_.rates);
+    json["hyperperiod"] =
+        hyperperiod ? time_of(Rational(*hyperperiod) * quantum_s()) : Json(nullptr);
     std::vector<std::size_t> order = plan_.before;
     order.push_back(Graph::kEnvironment);
     order.insert(order.end(), plan_.after.begin(), plan_.after.end());
@@ -222,20 +253,17 @@ class Nodes {
               {"keep", reception.keep},
               {"line", line_of(input.span)}};
     json["longest_delay"] = input.max_delay_s ? time_of(*input.max_delay_s) : Json(nullptr);
-    json["hop"] = hop(n, i);
+    const auto hop = graph_.asynchronous ? std::nullopt : make_hop(plan_, n, i);
+    json["hop"] = json_of(hop);
+    json["received"] = hop ? received_json(*hop, input.skip) : Json(nullptr);
     return json;
   }
 
   /// Null where messages do not come by count, or too far apart.
-  Json hop(std::size_t n, std::size_t i) const {
-    const auto hop = graph_.asynchronous ? std::nullopt : make_hop(plan_, n, i);
+  Json json_of(const std::optional<Hop>& hop) const {
     if (!hop) return nullptr;
     return Json{{"a", hop->a},
                 {"b", hop->b},
-                {"x", hop->x},
-                {"off", hop->off},
-                {"received", hop->received},
-                {"settled", hop->settled},
                 {"newest", time_of(Rational(hop->newest_bound) * quantum_s())},
                 {"oldest", time_of(Rational(hop->oldest_bound) * quantum_s())}};
   }

@@ -2,7 +2,7 @@
 // A box that opens moves what stands right of it to the right, and what stands below it in its column down.
 
 /** The d of a path through points; against the direction of reading along right angles. */
-function pathOf(points, backwards) {
+export function pathOf(points, backwards) {
   const [first, ...rest] = points;
   let d = `M${first[0]} ${first[1]}`, [x, y] = first;
   for (const [toX, toY] of rest) {
@@ -14,7 +14,7 @@ function pathOf(points, backwards) {
 }
 
 /** How what is open stretches a drawing: `x(at)`, and of the column that ends at `right` `y(right, at)`. */
-function stretchOf(boxes) {
+export function stretchOf(boxes) {
   const columns = new Map();  // by their right edges: how much wider, and what lies below what
   for (const {box, width, height} of boxes) {
     const right = box.x + box.width;
@@ -36,7 +36,7 @@ function stretchOf(boxes) {
  * A drawing with boxes and wires in one list each, those of open composites among them. An open box has `open`; what is
  * in it has it as `around`.
  */
-function unfold(drawing, opened) {
+export function unfold(drawing, opened) {
   const inner =
       drawing.boxes.map((box) => (box.inside && opened.has(box.composite) ? unfold(box.inside, opened) : null));
   const sizes = drawing.boxes.map((box, i) => ({
@@ -120,6 +120,6 @@ function unfold(drawing, opened) {
 }
 
 /** Whether a box, or what is in it, is what `is` says. */
-function holds(box, is) {
+export function holds(box, is) {
   return is(box) || (box.inside !== undefined && box.inside.boxes.some((inner) => holds(inner, is)));
 }

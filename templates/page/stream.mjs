@@ -1,7 +1,8 @@
 // What a run sends while it goes on: a client of Foxglove's WebSocket protocol, at the server that shows this page.
-const kStreamProtocol = "foxglove.websocket.v1", kStreamAgain_ms = 1000;
 
-class StreamClient {
+const kStreamProtocol = "foxglove.websocket.v1";
+
+export class StreamClient {
   /** `told(topic, message, time_ns)` of each message; `changed(text)` when the connection is another one. */
   constructor(told, changed) {
     this.told = told;
@@ -61,42 +62,5 @@ class StreamClient {
     if (more.length) say({op: "subscribe", subscriptions: more.map((id) => ({id, channelId: id}))});
     if (less.length) say({op: "unsubscribe", subscriptionIds: less});
     this.subscribed = ids;
-  }
-}
-
-/** What came of the channels that are plotted: points at their own rates, in seconds of the run. */
-class StreamHistory {
-  constructor(fields) {
-    this.fields = fields;
-    this.rows = fields.map(() => null);
-    this.end_s = 0;
-  }
-
-  add(f, values, time_s) {
-    const step = 1 / this.fields[f].rate_hz, place = Math.round(time_s / step);
-    const shown = values.slice(0, kPlottedElements).map((value) => (value === null ? NaN : Number(value)));
-    let row = this.rows[f];
-    // What was missing leaves a gap, and what is far away, or earlier, begins anew.
-    const gap = row ? place - row.first - row.elements[0].length : -1;
-    if (gap < 0 || gap > kKeptSteps || row.elements.length !== shown.length)
-      row = this.rows[f] = {first: place, step, elements: shown.map(() => [])};
-    else
-      for (let i = 0; i < gap; ++i) row.elements.forEach((element) => element.push(NaN));
-    row.elements.forEach((element, i) => element.push(shown[i]));
-    if (row.elements[0].length > 2 * kKeptSteps) {
-      for (const element of row.elements) element.splice(0, kKeptSteps);
-      row.first += kKeptSteps;
-    }
-    this.end_s = Math.max(this.end_s, time_s);
-  }
-
-  get kept_s() {
-    return kShown_s;
-  }
-
-  points(f) {
-    const row = this.rows[f];
-    if (!row) return {begin: 0, step: 1, elements: []};
-    return {begin: row.first * row.step, step: row.step, elements: row.elements.map((low) => ({low, high: null}))};
   }
 }

@@ -1,117 +1,25 @@
 // Plots of what runs sent: one cursor through all, episodes over each other or side by side. Of long traces each point
 // is the least and the greatest value of a part of the time.
-function floats(text) {
-  const raw = atob(text), values = new Float32Array(raw.length / 4);
-  const view = new DataView(Uint8Array.from(raw, (c) => c.charCodeAt(0)).buffer);
-  for (let i = 0; i < values.length; ++i) values[i] = view.getFloat32(4 * i, true);
-  return values;
-}
-
-// A run is an episode of a trace.
-const runs = data.logs.flatMap(
-    (log, l) => log.episodes.map(
-        (episode) => ({
-          log,
-          episode,
-          name: data.logs.length > 1 ? `${l + 1}: episode ${episode.number}` : `episode ${episode.number}`
-        })));
-runs.forEach((run, number) => {
-  run.number = number;
-});
-const plots = {
-  runs: new Set(),
-  series: new Set(),
-  beside: false,
-  begin: 0,
-  span: 1,
-  cursor: null,
-  rows: [],
-  draw: null,
-  stage: null
-};
-const seriesList = [];
-
-/** What can be plotted: a channel, or how late its messages were. */
-function makeSeries() {
-  const names = new Map();
-  for (const log of data.logs)
-    for (const channel of log.channels)
-      if (!names.has(channel.name)) names.set(channel.name, channel);
-  for (const [name, channel] of names) {
-    const known = data.channels.find((other) => other.name === name);
-    const output = known && nodes[known.node].outputs[known.output];
-    const title = known ? outputName(known.node, known.output) : name;
-    seriesList.push({
-      name,
-      title,
-      unit: output ? output.unit : "",
-      node: known ? known.node : null,
-      size: channel.size,
-      late: false
-    });
-  }
-  if (data.logs.some((log) => log.paced))
-    for (const {name, title} of [...seriesList])
-      seriesList.push({name, title: `late: ${title}`, unit: "s", node: null, size: 1, late: true});
-  seriesList.forEach((series, number) => {
-    series.number = number;
-  });
-}
-
-/** The points of a series in a run; null if it has none. */
-function pointsOf(series, run) {
-  const key = `points${series.number}`;
-  if (run[key] !== undefined) return run[key];
-  const number = run.log.channels.findIndex((channel) => channel.name === series.name);
-  const channel = number < 0 ? null : run.episode.channels[number];
-  const elements = !channel || !channel.messages ? [] :
-      series.late                                ? [channel.lateness].filter(Boolean) :
-                                                   channel.elements;
-  if (!elements.length) return (run[key] = null);
-  const {rate_hz} = run.log.channels[number];
-  return (run[key] = {
-    begin: channel.first / rate_hz,
-    step: channel.per / rate_hz,
-    messages: channel.messages,
-    thinned: channel.per > 1 ? channel.per : 0,
-    elements: elements.map((element) => ({
-                             low: floats(element.low),
-                             high: element.high ? floats(element.high) : null,
-                             notFinite: element.not_finite || 0
-                           }))
-  });
-}
-
-function defaultSeries() {
-  const important = new Set();
-  nodes[0].outputs.forEach((_, o) => important.add(`0/${o}`));
-  nodes[0].inputs.forEach((input) => important.add(input.source.join("/")));
-  const names = new Set(data.channels.filter((channel) => important.has(`${channel.node}/${channel.output}`))
-                            .map((channel) => channel.name));
-  return seriesList.filter((series) => !series.late && names.has(series.name)).slice(0, 6);
-}
-
-const chosenRuns = () => runs.filter((run) => plots.runs.has(run.number));
-
-function wholeSpan() {
-  let end = 0;
-  for (const run of chosenRuns())
-    for (const [c, channel] of run.episode.channels.entries())
-      end = Math.max(end, (channel.first + channel.messages) / run.log.channels[c].rate_hz);
-  return end || 1;
-}
-
-function placePlots(begin, span) {
-  const whole = wholeSpan();
-  plots.span = Math.min(Math.max(span, whole * 1e-5), whole * 1.02);
-  plots.begin = Math.min(Math.max(begin, -0.01 * whole), whole * 1.01 - plots.span);
-  plots.draw();
-}
-const fitPlots = () => placePlots(0, wholeSpan());
-function zoomPlots(factor, time = null) {
-  const at = time ?? plots.cursor ?? plots.begin + plots.span / 2;
-  placePlots(at - (at - plots.begin) * factor, plots.span * factor);
-}
+import {data} from "./data.mjs";
+import {add, breakable, button, el, segment, table} from "./elements.mjs";
+import {count, counted, list} from "./numbers.mjs";
+import {layOutPictures, playback, playbackCard, playTrace} from "./playback.mjs";
+import {colourOf, kLeft} from "./plots.mjs";
+import {draggable} from "./pointer.mjs";
+import {
+  chosenRuns,
+  defaultSeries,
+  fitPlots,
+  makeSeries,
+  placePlots,
+  plots,
+  pointsOf,
+  runs,
+  seriesList,
+  zoomPlots
+} from "./runs.mjs";
+import {select} from "./selection.mjs";
+import {showView} from "./views.mjs";
 
 // ---- Rows -----------------------------------------------------------------------------------------------------------
 function layOutPlots() {
@@ -129,8 +37,9 @@ function layOutPlots() {
       series.unit, series.size > 16 ? `first 16 of ${count(series.size)} elements` : "",
       thinned ? `least and greatest of ${count(thinned)} messages` : "", bad ? `${count(bad)} not finite` : ""
     ].filter(Boolean).join(", ");
-    const title = series.node !== null ? button(series.title, () => select({node: series.node}), {className: "plain"}) :
-                                         el("span", {}, series.title);
+    const title = series.node !== null ?
+        button(breakable(series.title), () => select({node: series.node}), {className: "plain"}) :
+        el("span", {}, breakable(series.title));
     const groups = plots.beside ? of.map((run) => [run]) : [of];
     const cells = groups.map((group) => ({runs: group, canvas: el("canvas")}));
     const element =
@@ -148,7 +57,7 @@ function layOutPlots() {
   plots.draw();
 }
 
-function plotNode(number) {
+export function plotNode(number) {
   showView("traces");
   plots.series =
       new Set(seriesList.filter((series) => series.node === number && !series.late).map((series) => series.number));
@@ -176,7 +85,7 @@ function seriesChooser() {
                        layOutPlots();
                      }
                    }),
-                   el("span", {}, series.title))),
+                   el("span", {}, breakable(series.title)))),
         own.length > 300 ? el("p.note", {}, `and ${count(own.length - 300)} more`) : null
       ];
     };
@@ -263,7 +172,7 @@ function plotAt(event) {
   return {time: plots.begin + (event.clientX - box.left - kLeft) * scale, scale};
 }
 
-function makeTracesView(panel) {
+export function makeTracesView(panel) {
   makeSeries();
   runs.slice(0, 3).forEach((run) => plots.runs.add(run.number));
   defaultSeries().forEach((series) => plots.series.add(series.number));

@@ -1,4 +1,16 @@
 // The view of a run while it goes on.
+import {onFrame, prepare} from "./canvas.mjs";
+import {data, nodes} from "./data.mjs";
+import {add, breakable, card, el, table, tiles} from "./elements.mjs";
+import {LivePlots} from "./growing_plots.mjs";
+import {StreamHistory} from "./history.mjs";
+import {count, seconds, short} from "./numbers.mjs";
+import {paintScene} from "./scene.mjs";
+import {state} from "./selection.mjs";
+import {StreamClient} from "./stream.mjs";
+import {showOnWires, streamTimes} from "./stream_shown.mjs";
+import {moreViews} from "./views.mjs";
+
 const stream = {
   latest: new Map(),  // channel: what /monitor says of it
   scene: null,
@@ -34,7 +46,7 @@ function streamTopics() {
 function streamTable(channels) {
   return table(
       [
-        {name: "channel", cell: (row) => row.name},
+        {name: "channel", cell: (row) => breakable(row.name)},
         {name: "rate", number: true, cell: (row) => (row.rate_hz === null ? "–" : `${short(row.rate_hz, 3)} Hz`)},
         {
           name: "planned",
@@ -104,3 +116,4 @@ function makeStreamView(panel) {
   streamClient.want(streamTopics());
   return {shown: showStream, resized: showStream};
 }
+moreViews.set("live", makeStreamView);

@@ -1,9 +1,12 @@
 // How old data of a sensor are at an actuator, and the way that they take.
-const ages = data.info.ages;
+import {ageWay, data, inputOf, nodes} from "./data.mjs";
+import {add, bar, button, card, el, pairs, table} from "./elements.mjs";
+import {showInGraph} from "./graph.mjs";
+import {inputLink, settingsText} from "./inspector.mjs";
+import {count, seconds, short} from "./numbers.mjs";
+import {select} from "./selection.mjs";
 
-function ageWay(age) {
-  return age.way.map((hop) => inputOf.get(hop.input)).filter(Boolean);
-}
+const ages = data.info.ages;
 
 function wayChart(age) {
   const total = age.way.reduce((sum, hop) => sum + hop.newest.seconds, 0);
@@ -56,7 +59,7 @@ function showWay(age, box) {
   ]);
 }
 
-function makeAgesView(panel) {
+export function makeAgesView(panel) {
   const detail = el("section.card");
   if (!ages.length)
     panel.append(card(

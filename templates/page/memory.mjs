@@ -1,4 +1,9 @@
 // Where memory goes: buffers, and with an image flash, RAM and stack of each node.
+import {data, inputOf, nodes, outputName} from "./data.mjs";
+import {bar, card, el, table, tiles} from "./elements.mjs";
+import {bytes, count, counted, list} from "./numbers.mjs";
+import {select} from "./selection.mjs";
+
 function memoryRows() {
   const rows = new Map();
   const row = (name, node) => {
@@ -22,7 +27,7 @@ function memoryRows() {
   return [...rows.values()].sort((a, b) => weight(b) - weight(a) || (a.name < b.name ? -1 : 1));
 }
 
-function withBar(value, most, kind) {
+export function withBar(value, most, kind) {
   return el("div.measure", {}, el("span", {}, value ? count(value) : "–"), bar(most ? value / most : 0, null, kind));
 }
 
@@ -61,11 +66,11 @@ function imageCard(image) {
 }
 
 /** What needs the most messages. A buffer of one may have no reader at all. */
-function whyText(ring) {
+export function whyText(ring) {
   return ring.why || "one message is always kept";
 }
 
-function makeMemoryView(panel) {
+export function makeMemoryView(panel) {
   const rows = memoryRows();
   const rings = [...data.rings].sort((a, b) => b.bytes - a.bytes || a.number - b.number);
   const sum = (of) => rings.reduce((all, ring) => all + of(ring), 0);

@@ -1,47 +1,13 @@
-// Plots of channels while they grow: of a simulation the newest message behind each step.
-const kKeptSteps = 6000, kShown_s = 20, kPlottedElements = 16;
-
-/** What was seen since a reset. */
-class LiveHistory {
-  constructor(fields, step_s) {
-    this.step_s = step_s;
-    this.first = 0;  // step of the first point
-    this.rows = fields.map((field) => Array.from({length: Math.min(field.numbers, kPlottedElements)}, () => []));
-    this.fields = fields;
-  }
-
-  get length() {
-    return this.rows.length && this.rows[0].length ? this.rows[0][0].length : 0;
-  }
-
-  get end_s() {
-    return (this.first + this.length) * this.step_s;
-  }
-
-  get kept_s() {
-    return Math.min(kShown_s, kKeptSteps * this.step_s);
-  }
-
-  add(values) {
-    this.fields.forEach((field, f) => this.rows[f].forEach((row, i) => row.push(values[field.first + i])));
-    if (this.length < 2 * kKeptSteps) return;
-    for (const elements of this.rows)
-      for (const row of elements) row.splice(0, kKeptSteps);
-    this.first += kKeptSteps;
-  }
-
-  /** As drawElement() takes them. */
-  points(f) {
-    return {
-      begin: this.first * this.step_s,
-      step: this.step_s,
-      elements: this.rows[f].map((row) => ({low: row, high: null}))
-    };
-  }
-}
+// Plots of channels while they grow.
+import {prepare, shade} from "./canvas.mjs";
+import {data, nodes} from "./data.mjs";
+import {breakable, el} from "./elements.mjs";
+import {kPlottedElements} from "./history.mjs";
+import {count, list} from "./numbers.mjs";
+import {drawAxes, drawElement, kLeft} from "./plots.mjs";
 
 /** Least and greatest of the last `count` points, with room. */
-function liveRange(points, count) {
+export function liveRange(points, count) {
   let [low, high] = [Infinity, -Infinity];
   for (const {low: values} of points.elements) {
     for (let i = Math.max(0, values.length - count); i < values.length; ++i) {
@@ -65,7 +31,7 @@ function firstChannels(fields) {
   return new Set((chosen.length ? chosen : fields.map((_, f) => f)).slice(0, 5));
 }
 
-class LivePlots {
+export class LivePlots {
   /** `changed()` when others are chosen. `history` is a LiveHistory, or has what is asked of one here. */
   constructor(fields, changed = () => {}) {
     this.fields = fields;
@@ -85,7 +51,7 @@ class LivePlots {
                           changed();
                         }
                       }),
-                      el("span", {}, field.name))));
+                      el("span", {}, breakable(field.name)))));
     this.history = null;
     this.layOut();
   }
@@ -97,7 +63,8 @@ class LivePlots {
           `first ${kPlottedElements} of ${count(this.fields[f].numbers)} elements` :
           "";
       const element =
-          el("article.plot", {}, el("header", {}, el("span", {}, this.fields[f].name), el("small", {}, more), values),
+          el("article.plot", {},
+             el("header", {}, el("span", {}, breakable(this.fields[f].name)), el("small", {}, more), values),
              el("div.cell", {}, canvas));
       return {f, canvas, values, element};
     });

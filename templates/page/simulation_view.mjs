@@ -1,4 +1,17 @@
 // The view that runs the graph's module of WebAssembly.
+import {Simulation} from "../../targets/wasm/simulation.js";
+
+import {onFrame} from "./canvas.mjs";
+import {data} from "./data.mjs";
+import {add, button, card, el, pairs, segment, tiles} from "./elements.mjs";
+import {LivePlots} from "./growing_plots.mjs";
+import {LiveHistory} from "./history.mjs";
+
+import {count, seconds, short} from "./numbers.mjs";
+import {state} from "./selection.mjs";
+import {ActionControls, StateControls} from "./simulation_controls.mjs";
+import {moreViews} from "./views.mjs";
+
 const live = {
   simulation: null,
   playing: false,
@@ -218,3 +231,4 @@ function makeSimulationView(panel) {
   };
   return {shown: again, resized: again};
 }
+moreViews.set("simulation", makeSimulationView);

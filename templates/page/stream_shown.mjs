@@ -1,5 +1,12 @@
 // What a run sends, where the page has a place for it: values at the wires of the drawing, measured times in the
 // timetable.
+import {data, nodes} from "./data.mjs";
+import {svg} from "./elements.mjs";
+import {graphView} from "./graph_drawing.mjs";
+import {short} from "./numbers.mjs";
+import {periodOf} from "./schedule.mjs";
+import {state} from "./selection.mjs";
+import {fitTimetable, placeTimetable, timetable} from "./timetable_canvas.mjs";
 
 // ---- Wires ----------------------------------------------------------------------------------------------------------
 const kWireValues = 3;
@@ -26,7 +33,7 @@ function wireValues(drawing) {
 }
 
 /** `latest`: channel: what /monitor says of it. */
-function showOnWires(latest) {
+export function showOnWires(latest) {
   if (state.view.id !== "graph" || !graphView.shown) return;
   for (const {channel, text} of wireValues(graphView.shown)) {
     const said = latest.get(channel);
@@ -56,7 +63,7 @@ function followTimetable() {
   placeTimetable(end - timetable.span * 0.95, timetable.span);
 }
 
-const streamTimes = {
+export const streamTimes = {
   measured: false,
   show(channels) {
     if (!this.measured) return;
@@ -70,3 +77,4 @@ const streamTimes = {
     fitTimetable();
   }
 };
+timetable.stream = streamTimes;

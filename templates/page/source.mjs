@@ -1,4 +1,9 @@
 // The graph's file, with what eagerx-gen says about it at its place.
+import {data} from "./data.mjs";
+import {button, el} from "./elements.mjs";
+import {counted} from "./numbers.mjs";
+import {showView} from "./views.mjs";
+
 const lineElements = new Map();
 
 function problemElement(problem) {
@@ -13,7 +18,7 @@ function problemElement(problem) {
       problem.help ? el("p", {}, el("b", {}, "help"), ": ", problem.help) : null);
 }
 
-function sourceLine(text, i) {
+export function sourceLine(text, i) {
   // A comment is what follows a # that begins the line or follows a blank, outside of quotes.
   const comment = /^(?:[^"'#]|"[^"]*"|'[^']*'|\S#)*?(?:^|\s)(#.*)$/.exec(text);
   const at = comment ? text.length - comment[1].length : text.length;
@@ -27,7 +32,7 @@ function sourceLine(text, i) {
   return line;
 }
 
-function showLine(line) {
+export function showLine(line) {
   showView("source");
   const element = lineElements.get(line);
   if (!element) return;
@@ -36,7 +41,7 @@ function showLine(line) {
   element.scrollIntoView({block: "center"});
 }
 
-function makeSourceView(panel) {
+export function makeSourceView(panel) {
   const elsewhere = data.diagnostics.filter((problem) => !problem.line);
   const at = new Map();
   for (const problem of data.diagnostics) at.set(problem.line, [...(at.get(problem.line) || []), problem]);

@@ -1,13 +1,14 @@
 // Paints a scene: rows of 16 numbers as in runtime/eagerx/scene.hpp, flat or in space. Texts have the page's letters;
 // otherwise it is what `--render` shows.
+
 const kShapes = [
   "none", "view", "line", "polyline", "polygon", "circle", "rectangle", "arrow", "text", "camera", "plane", "box",
   "sphere", "capsule", "cylinder", "segment"
 ];
-const kOnScreen = 32, kColumns = 16;
+export const kOnScreen = 32, kColumns = 16;
 
 /** A row, or null: whatever the numbers are, the result can be painted. */
-function sceneRow(scene, row) {
+export function sceneRow(scene, row) {
   const [kind, colour, opacity, width] = scene.subarray(row * kColumns, row * kColumns + 4);
   const shape = kind >= 0 && kind < 2 * kOnScreen ? kShapes[Math.trunc(kind) % kOnScreen] : undefined;
   if (!shape || shape === "none") return null;
@@ -27,7 +28,7 @@ function paintOf(row, light = 1) {
   return `rgba(${r}, ${g}, ${b}, ${row.opacity})`;
 }
 
-function sceneText({n}) {
+export function sceneText({n}) {
   let text = "";
   for (let i = 0; i < 18; ++i) {
     const packed = n[6 + Math.trunc(i / 3)];
@@ -246,7 +247,7 @@ function paintInSpace(context, camera, row, height) {
 }
 
 /** The whole picture. First what is in space, the farthest first, then the shapes of the plane in their order. */
-function paintScene(context, scene, width, height) {
+export function paintScene(context, scene, width, height) {
   const rows = [];
   for (let row = 0; row < scene.length / kColumns && scene[row * kColumns] !== 0; ++row)
     rows.push(sceneRow(scene, row));

@@ -1,5 +1,11 @@
 // How plots look: axes, lines, the cursor and what it reads.
-const kLeft = 62, kBottom = 18;
+import {colour, onFrame, prepare, shade} from "./canvas.mjs";
+import {el} from "./elements.mjs";
+import {seconds, short, stepOf} from "./numbers.mjs";
+import {drawPictures} from "./playback.mjs";
+import {chosenRuns, plots, pointsOf} from "./runs.mjs";
+
+export const kLeft = 62, kBottom = 18;
 
 /** Least and greatest of what is to be seen. */
 function rangeOf(series, of) {
@@ -23,7 +29,7 @@ function rangeOf(series, of) {
 }
 
 /** `frame`: {begin, span} of what is to be seen, in seconds. */
-function drawAxes(context, width, height, [low, high], last, frame = plots) {
+export function drawAxes(context, width, height, [low, high], last, frame = plots) {
   const bottom = height - (last ? kBottom : 4), y = (value) => bottom - ((value - low) / (high - low)) * (bottom - 6);
   context.strokeStyle = colour("grid");
   context.fillStyle = colour("faint");
@@ -51,7 +57,7 @@ function drawAxes(context, width, height, [low, high], last, frame = plots) {
   return {x, y, bottom};
 }
 
-function drawElement(context, points, element, {x, y}, fill, frame = plots) {
+export function drawElement(context, points, element, {x, y}, fill, frame = plots) {
   const from = Math.max(0, Math.floor((frame.begin - points.begin) / points.step) - 1);
   const to = Math.min(element.low.length - 1, Math.ceil((frame.begin + frame.span - points.begin) / points.step) + 1);
   const at = (i) => x(points.begin + i * points.step);
@@ -87,7 +93,7 @@ function drawElement(context, points, element, {x, y}, fill, frame = plots) {
 }
 
 /** Several runs have a colour each; a single one has one for each element. */
-function colourOf(run, element) {
+export function colourOf(run, element) {
   const place = chosenRuns().indexOf(run);
   return shade(plots.runs.size > 1 ? place + (plots.beside ? element : 0) : element);
 }

@@ -1,7 +1,9 @@
 // Sliders of the simulation: actions by hand, and the states that episodes begin with.
+import {breakable, card, el} from "./elements.mjs";
+import {short} from "./numbers.mjs";
 
 /** A row for each number of `fields`: {name, first, number} and its bounds. */
-function numbersOf(fields, low, high, most = 64) {
+export function numbersOf(fields, low, high, most = 64) {
   const rows = fields.flatMap(
       (field) => Array.from({length: field.numbers}, (_, i) => ({
                                                        name: field.numbers > 1 ? `${field.name}[${i}]` : field.name,
@@ -58,7 +60,7 @@ function numberControl(row, changed) {
 }
 
 /** Actions: they follow the agent until somebody moves one, which takes the wheel. */
-class ActionControls {
+export class ActionControls {
   constructor(simulation, taken) {
     this.simulation = simulation;
     const rows = numbersOf(simulation.about.actions, simulation.actionsLow, simulation.actionsHigh);
@@ -75,7 +77,8 @@ class ActionControls {
         card(
             "Actions",
             el("div.numbers", {},
-               this.controls.map(({row, elements}) => [el("span", {}, row.name), el("span"), ...elements]))) :
+               this.controls.map(
+                   ({row, elements}) => [el("span", {}, breakable(row.name)), el("span"), ...elements]))) :
         null;
   }
 
@@ -88,7 +91,7 @@ class ActionControls {
    States, parameters and delays of the next episodes: drawn, or fixed where the box is ticked. Tunable parameters are
    set at once, too: `step()` is the step before which, or null if no episode runs.
  */
-class StateControls {
+export class StateControls {
   constructor(simulation, step) {
     this.simulation = simulation;
     this.step = step;
@@ -118,7 +121,9 @@ class StateControls {
                    (about.tunable.length ? ". What is tunable (bold) changes at once, too." : ".")),
             el("div.numbers", {},
                this.controls.map(
-                   ({row, box, elements}) => [el(row.tunable ? "b" : "span", {}, row.name), box, ...elements]))) :
+                   ({row,
+                     box,
+                     elements}) => [el(row.tunable ? "b" : "span", {}, breakable(row.name)), box, ...elements]))) :
         null;
   }
 

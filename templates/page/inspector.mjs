@@ -1,7 +1,18 @@
 // What is selected, in detail: a node, an object, or a connection with what it costs.
+import {data, inputOf, nodes} from "./data.mjs";
+import {add, breakable, button, el, pairs, table} from "./elements.mjs";
+import {showInGraph, toggle} from "./graph.mjs";
+import {graphView} from "./graph_drawing.mjs";
+import {whyText} from "./memory.mjs";
+import {bounds, bytes, count, counted, list, seconds, short} from "./numbers.mjs";
+import {select, watch} from "./selection.mjs";
+import {showLine} from "./source.mjs";
+import {plotNode} from "./traces.mjs";
+import {showView} from "./views.mjs";
+
 const inspector = document.getElementById("inspector");
 
-function lineLink(line) {
+export function lineLink(line) {
   if (!line || !data.source.lines.length) return null;
   return button(`${data.source.name}:${line}`, () => showLine(line), {className: "plain", title: "Show the line"});
 }
@@ -10,11 +21,11 @@ function nodeLink(number) {
   return button(nodes[number].name, () => select({node: number}), {className: "plain"});
 }
 
-function inputLink(input, text) {
+export function inputLink(input, text) {
   return button(text, () => select({input: [input.node, input.number]}), {className: "plain"});
 }
 
-function valueText(value) {
+export function valueText(value) {
   return Array.isArray(value) ? `[${list(value)}]` : typeof value === "number" ? short(value, 6) : String(value);
 }
 
@@ -32,7 +43,7 @@ function configTable(config) {
   ];
 }
 
-function randomText(random) {
+export function randomText(random) {
   if (!random) return "set by the program only";
   const one = (values) => (values.length === 1 ? short(values[0], 6) : `[${list(values)}]`);
   switch (random.kind) {
@@ -55,14 +66,14 @@ function statesTable(states) {
     el("h3", {}, "States at a reset"),
     table(
         [
-          {name: "name", cell: (item) => item.name},
+          {name: "name", cell: (item) => breakable(item.name)},
           {name: "drawn", cell: (item) => randomText(item.random)},
         ],
         states)
   ];
 }
 
-function settingsText(input) {
+export function settingsText(input) {
   const parts = [];
   if (input.processor) parts.push(`through ${input.processor.type}`);
   if (input.window !== 1) parts.push(input.window === 0 ? "all new messages" : `window ${input.window}`);
@@ -190,7 +201,7 @@ function showComposite(number) {
 }
 
 /** How the numbers of messages relate: "2 messages a tick". */
-function ratioText(hop) {
+export function ratioText(hop) {
   if (!hop) return null;
   if (hop.a === hop.b) return "one message a tick";
   if (hop.b === 1) return `${hop.a} messages a tick`;
