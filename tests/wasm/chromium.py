@@ -3,7 +3,7 @@ import base64
 import pathlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-MISSING = "there is no selenium: sudo apt install chromium chromium-driver python3-selenium"
+MISSING = "there is no selenium: toolchains/install-packages browser"
 
 RUN = """
 const done = arguments[arguments.length - 1], [module, options] = arguments;
