@@ -1,6 +1,7 @@
 // Nodes with their inputs, outputs and parameters; where messages live, and when nodes run.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numeric>
 #include <type_traits>
 
@@ -34,8 +35,8 @@ std::optional<std::int64_t> hyperperiod_of(const std::vector<RateClass>& rates) 
   return static_cast<std::int64_t>(product);
 }
 
-/// Messages of a connection at each tick of its reader: `begin` at the first ones, then `cycle` over
-/// and over. Null if that is too long for a page.
+/// Messages of a connection at each tick of its reader: `begin` at the first ones, then `cycle`
+/// over and over. Null if that is too long for a page.
 Json received_json(const Hop& hop, bool skip) {
   constexpr std::int64_t kMostTicks = 10'000;
   if (hop.settled + hop.b > kMostTicks) return nullptr;
@@ -55,15 +56,31 @@ Json json_of(const Space& space) {
               {"high", list_of(space.high)}};
 }
 
+/// JSON has no number for what is not finite.
+Json number_of(double value) {
+  if (std::isfinite(value)) return value;
+  if (std::isnan(value)) return "not a number";
+  return value > 0 ? "∞" : "−∞";
+}
+
+Json numbers_of(const std::vector<double>& values) {
+  Json list = Json::list();
+  for (const double value : values) list.push_back(number_of(value));
+  return list;
+}
+
 Json json_of(const Config& config) {
   Json list = Json::list();
   for (const ConfigValue& item : config) {
     Json value = std::visit(
         [](const auto& held) {
           using Held = std::decay_t<decltype(held)>;
-          if constexpr (std::is_same_v<Held, std::vector<std::int64_t>> ||
-                        std::is_same_v<Held, std::vector<double>>)
+          if constexpr (std::is_same_v<Held, std::vector<std::int64_t>>)
             return list_of(held);
+          else if constexpr (std::is_same_v<Held, std::vector<double>>)
+            return numbers_of(held);
+          else if constexpr (std::is_same_v<Held, double>)
+            return number_of(held);
           else if constexpr (std::is_same_v<Held, std::shared_ptr<const ModelUse>>)
             return Json(held->object->id.value);
           else
@@ -254,13 +271,13 @@ class Nodes {
               {"line", line_of(input.span)}};
     json["longest_delay"] = input.max_delay_s ? time_of(*input.max_delay_s) : Json(nullptr);
     const auto hop = graph_.asynchronous ? std::nullopt : make_hop(plan_, n, i);
-    json["hop"] = json_of(hop);
+    json["hop"] = hop_json(hop);
     json["received"] = hop ? received_json(*hop, input.skip) : Json(nullptr);
     return json;
   }
 
   /// Null where messages do not come by count, or too far apart.
-  Json json_of(const std::optional<Hop>& hop) const {
+  Json hop_json(const std::optional<Hop>& hop) const {
     if (!hop) return nullptr;
     return Json{{"a", hop->a},
                 {"b", hop->b},
