@@ -1,7 +1,7 @@
 // Which observation of the graph is which of the training.
+
 #include <gtest/gtest.h>
 
-#include "generator/agent/agent.hpp"
 #include "generator/agent/order.hpp"
 
 namespace eagerx::gen {

@@ -1,7 +1,7 @@
 // The table of a command line: what is taken, and what is said of what is wrong.
-#include <gtest/gtest.h>
-
 #include "generator/command_line/command_line.hpp"
+
+#include <gtest/gtest.h>
 
 namespace eagerx::gen {
 namespace {
@@ -84,7 +84,7 @@ TEST(CommandLine, SaysWhatIsWrongAndRunsNothing) {
       {{"make", "a.yaml", "--output"}, "--output"},
       {{"make", "a.yaml", "b.yaml"}, "b.yaml"},
       {{"mak", "a.yaml"}, "mak"},
-      {{}, "command"},
+      {{}, "not enough"},
   };
   for (const auto& [words, part] : cases) {
     Program program;

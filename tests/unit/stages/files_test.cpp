@@ -14,7 +14,9 @@ class FilesTest : public testing::Test {
  protected:
   void SetUp() override { forget_files(); }
   void TearDown() override { forget_files(); }
-  [[nodiscard]] std::string at(const std::string& name) const { return folder_.path() + "/" + name; }
+  [[nodiscard]] std::string at(const std::string& name) const {
+    return folder_.path() + "/" + name;
+  }
 
   const TestFolder folder_;
 };
@@ -23,15 +25,25 @@ TEST_F(FilesTest, AnOutputIsNoInputByAnyNameOrLink) {
   const std::string input = folder_.file("in.yaml", "x");
   fs::create_symlink(input, at("link"));
   fs::create_hard_link(input, at("hard"));
-  remember_input(input, "the graph");
-  for (const std::string& name : {input, at("link"), at("hard"), at("./../") + fs::path(folder_.path()).filename().string() + "/in.yaml"}) {
-    const auto found = find_one_file({name});
+  const std::string around = at("../" + fs::path(folder_.path()).filename().string() + "/in.yaml");
+  for (const std::string& name : {input, at("link"), at("hard"), around}) {
+    forget_files();
+    remember_input(input, "the graph");
+    EXPECT_EQ(input_at(name), "the graph") << name;
+    EXPECT_FALSE(find_one_file());
+    remember_output(name, "--csv");
+    const auto found = find_one_file();
     ASSERT_TRUE(found) << name;
-    EXPECT_NE(found->other.find("the graph"), std::string::npos) << found->other;
+    EXPECT_EQ(found->output, "--csv");
+    EXPECT_EQ(found->other, "the graph");
   }
-  EXPECT_FALSE(find_one_file({at("out.yaml")}));
-  EXPECT_EQ(input_at(at("link")), "the graph");
   EXPECT_FALSE(input_at(at("out.yaml")));
+}
+
+TEST_F(FilesTest, NorAFileThatIsAboutToBeWritten) {
+  remember_output(at("a"), "--csv");
+  EXPECT_FALSE(find_one_file({at("b")}));
+  EXPECT_TRUE(find_one_file({at("b"), at("a")}));
 }
 
 TEST_F(FilesTest, TwoOutputsAreTwoFilesThoughNeitherIsThere) {
@@ -48,8 +60,10 @@ TEST_F(FilesTest, TwoOutputsAreTwoFilesThoughNeitherIsThere) {
 TEST_F(FilesTest, WhatIsForgottenIsNotInTheWay) {
   const std::string input = folder_.file("in", "x");
   remember_input(input);
+  remember_output(input, "--csv");
   forget_files();
-  EXPECT_FALSE(find_one_file({input}));
+  EXPECT_FALSE(find_one_file());
+  EXPECT_FALSE(input_at(input));
 }
 
 }  // namespace

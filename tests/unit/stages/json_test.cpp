@@ -11,7 +11,9 @@ namespace eagerx::gen {
 namespace {
 
 TEST(Json, ComesBackAsItWas) {
-  const Json json{{"text", "a\"\\\n\u00e9"}, {"whole", -9007199254740993}, {"number", 0.1},
+  const Json json{{"text", "a\"\\\n\u00e9"},
+                  {"whole", -9007199254740993},
+                  {"number", 0.1},
                   {"list", Json::List{true, nullptr, Json::object()}}};
   const auto again = parse_json(dump_json(json));
   ASSERT_TRUE(again);
@@ -30,9 +32,10 @@ TEST(Json, KnowsWhatPythonWrites) {
 TEST(Json, RefusesWhatIsNone) {
   const std::string deep(65, '['), fine(64, '[');
   EXPECT_TRUE(parse_json(fine + std::string(64, ']')));
-  const std::string cases[] = {"",          "{",          "[1,]",      "{\"a\": 1, \"a\": 2}",
-                               "nul",       "[1] 2",      "'a'",       deep + std::string(65, ']'),
-                               "\"\xff\"",  "{\"a\" 1}",  "01",        "[" + std::string(2'000'002, ',') + "]"};
+  const std::string cases[] = {
+      "",         "{",         "[1,]", "{\"a\": 1, \"a\": 2}",
+      "nul",      "[1] 2",     "'a'",  deep + std::string(65, ']'),
+      "\"\xff\"", "{\"a\" 1}", "01",   "[" + std::string(2'000'002, ',') + "]"};
   for (const std::string& text : cases) EXPECT_FALSE(parse_json(text)) << text.substr(0, 30);
   std::string many = "[0";
   for (int i = 0; i < 1'000'000; ++i) many += ",0";
@@ -40,8 +43,13 @@ TEST(Json, RefusesWhatIsNone) {
 }
 
 TEST(Json, WhatIsNoUtf8IsReplaced) {
-  const std::string text = dump_json(Json{{"name", "a\xff\xfe" "b"}});
-  EXPECT_NE(text.find("a\ufffd\ufffd" "b"), std::string::npos) << text;
+  const std::string text = dump_json(Json{{"name",
+                                           "a\xff\xfe"
+                                           "b"}});
+  EXPECT_NE(text.find("a\ufffd\ufffd"
+                      "b"),
+            std::string::npos)
+      << text;
   EXPECT_TRUE(parse_json(text));
 }
 
@@ -75,7 +83,8 @@ TEST(Base64, ComesBackAsItWas) {
 }
 
 TEST(Base64, RefusesWhatIsNone) {
-  for (const char* text : {"Zm9", "Zm9v!", "=", "Zg=", "Zm=v"}) EXPECT_FALSE(from_base64(text)) << text;
+  for (const char* text : {"Zm9v!", "Zm=v", "Zm9v-_", "Zm	9v"})
+    EXPECT_FALSE(from_base64(text)) << text;
 }
 
 }  // namespace

@@ -53,8 +53,11 @@ TEST_F(LogsTest, TheFirstDifferenceIsToldWithItsPlace) {
   const Comparison different = compare(kWhole, other);
   EXPECT_TRUE(different.readable);
   EXPECT_FALSE(different.equal);
-  EXPECT_NE(different.text.find("environment/u"), std::string::npos) << different.text;
-  EXPECT_NE(different.text.find("2 messages before, all equal"), std::string::npos) << different.text;
+  EXPECT_NE(different.text.find("tick 1 (0.033333 s), node `environment`, field `u`, element 1"),
+            std::string::npos)
+      << different.text;
+  EXPECT_NE(different.text.find("2 messages before, all equal"), std::string::npos)
+      << different.text;
 }
 
 TEST_F(LogsTest, WhatCannotBeComparedIsSaid) {
@@ -68,14 +71,16 @@ TEST_F(LogsTest, WhatCannotBeComparedIsSaid) {
 TEST_F(LogsTest, FormatsGoByTheNameOfTheFile) {
   EXPECT_EQ(trace_format_of("a.b/run.csv"), TraceFormat::csv);
   EXPECT_EQ(trace_format_of("run.mcap"), TraceFormat::mcap);
-  for (const char* path : {"", "csv", "run.CSV", "run.txt"}) EXPECT_FALSE(trace_format_of(path)) << path;
+  for (const char* path : {"", "csv", "run.CSV", "run.txt"})
+    EXPECT_FALSE(trace_format_of(path)) << path;
 }
 
 TEST_F(LogsTest, EachFormBeginsAsItsReadersWantIt) {
   const TraceResult csv = convert(kWhole, TraceFormat::csv);
   EXPECT_TRUE(csv.readable && csv.problem.empty());
   EXPECT_EQ(csv.summary, "4 messages of 2 channels");
-  EXPECT_EQ(csv.bytes.substr(0, csv.bytes.find('\n')), "episode,time_s,environment/u[0],environment/u[1],pendulum/theta");
+  EXPECT_EQ(csv.bytes.substr(0, csv.bytes.find('\n')),
+            "episode,time_s,environment/u[0],environment/u[1],pendulum/theta");
   EXPECT_TRUE(convert(kWhole, TraceFormat::mcap).bytes.starts_with("\x89MCAP0\r\n"));
   EXPECT_TRUE(convert(kWhole, TraceFormat::npz).bytes.starts_with("PK\x03\x04"));
   EXPECT_TRUE(parse_json(convert(kWhole, TraceFormat::json).bytes));
@@ -94,7 +99,7 @@ TEST_F(LogsTest, ValuesHaveTheFewestDigitsAndNullForWhatIsNotFinite) {
   const trace_log::Log read = log();
   EXPECT_EQ(json_values(read, read.rows[0]), "[0.5,null]");
   EXPECT_EQ(json_values(read, read.rows[1]), "-128");
-  EXPECT_EQ(quoted_json("a\"\n"), "\"a\\\"\\n\"");
+  EXPECT_EQ(quoted_json("a\"\n"), "\"a\\\"\\u000a\"");
 }
 
 TEST_F(LogsTest, AChannelIsNamedByPartsThatOnlyItHas) {
@@ -116,8 +121,10 @@ TEST_F(LogsTest, WithoutStampsTimesAreThoseOfTicks) {
 TEST_F(LogsTest, PlotsSayWhatIsNotThere) {
   const std::string path = folder_.file("a.log", kWhole);
   EXPECT_NE(plot_log_as_svg({path, {"theta"}, {}}).bytes.find("<svg"), std::string::npos);
-  EXPECT_NE(plot_log_as_svg({path, {"theta"}, 9}).problem.find("episodes are 0 to 1"), std::string::npos);
-  EXPECT_NE(plot_log_as_text({path, {"no"}, {}}, 60, true).problem.find("error: "), std::string::npos);
+  EXPECT_NE(plot_log_as_svg({path, {"theta"}, 9}).problem.find("episodes are 0 to 1"),
+            std::string::npos);
+  EXPECT_NE(plot_log_as_text({path, {"no"}, {}}, 60, true).problem.find("error: "),
+            std::string::npos);
   EXPECT_FALSE(plot_log_as_text({path, {"u"}, 0}, 60, false).bytes.empty());
 }
 
@@ -137,7 +144,9 @@ TEST_F(LogsTest, MarksAreRoundAndWithin) {
   for (const PlotRange& range : {PlotRange{0, 1}, PlotRange{-3.7, 1e5}, PlotRange{1e-9, 3e-9}}) {
     const auto marks = marks_of(range, 5);
     ASSERT_GE(marks.size(), 2U);
-    for (const PlotMark& mark : marks) EXPECT_TRUE(mark.value >= range.low - 1e-12 && mark.value <= range.high * (1 + 1e-9)) << mark.text;
+    for (const PlotMark& mark : marks)
+      EXPECT_TRUE(mark.value >= range.low - 1e-12 && mark.value <= range.high * (1 + 1e-9))
+          << mark.text;
   }
 }
 

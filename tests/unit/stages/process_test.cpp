@@ -37,13 +37,17 @@ TEST(Process, WordsAreNotReadByAShell) {
 
 TEST(Process, HasNoInputAndTheCLocale) {
   EXPECT_EQ(run_process({"cat"})->output, "");
-  EXPECT_EQ(run_process({"sh", "-c", "echo $LC_ALL $MORE"}, {.environment = {{"MORE", "x"}}})->output, "C x\n");
+  EXPECT_EQ(
+      run_process({"sh", "-c", "echo $LC_ALL $MORE"}, {.environment = {{"MORE", "x"}}})->output,
+      "C x\n");
 }
 
 /// The lines of a program, and whether its output was kept besides.
 Lines lines_of(const std::string& script, int input = -1) {
   Lines lines;
-  const auto result = run_process({"sh", "-c", script}, {.input = input, .line = [&](std::string_view line) { lines.emplace_back(line); }});
+  const auto result = run_process(
+      {"sh", "-c", script},
+      {.input = input, .line = [&](std::string_view line) { lines.emplace_back(line); }});
   EXPECT_TRUE(result && result->output.empty());
   return lines;
 }

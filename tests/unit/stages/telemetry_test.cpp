@@ -1,13 +1,17 @@
 // telemetry.json of others.
 #include <gtest/gtest.h>
 
+#include <eagerx/version.hpp>
+#include <string>
+
 #include "generator/json/json.hpp"
 #include "generator/telemetry/read_layout.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-const std::string kLayout = R"({"format": "eagerx telemetry 1", "graph": "g", "hash": "0x0123456789abcdef", "runtime": "VERSION",
+const std::string kLayout =
+    R"({"format": "eagerx telemetry 1", "graph": "g", "hash": "0x0123456789abcdef", "runtime": "VERSION",
  "baud": 115200, "groups": [{"rate": "125/4", "every": 2, "bytes": 24, "channels": [
  {"name": "a/x", "port": "a.x", "dtype": "float32", "shape": [3], "offset": 8},
  {"name": "a/on", "port": "a.on", "dtype": "bool", "shape": [], "offset": 20}]}]})";
@@ -37,7 +41,8 @@ TEST(TelemetryLayout, IsReadAsItWasWritten) {
 }
 
 TEST(TelemetryLayout, EveryMemberIsNeeded) {
-  for (const char* name : {"format", "hash", "runtime", "baud", "groups", "rate", "every", "bytes", "channels", "dtype", "shape", "offset"}) {
+  for (const char* name : {"format", "hash", "runtime", "baud", "groups", "rate", "every", "bytes",
+                           "channels", "dtype", "shape", "offset"}) {
     std::string text = layout();
     const std::string quoted = "\"" + std::string(name) + "\"";
     text.replace(text.find(quoted), quoted.size(), "\"gone\"");
@@ -47,16 +52,27 @@ TEST(TelemetryLayout, EveryMemberIsNeeded) {
 
 TEST(TelemetryLayout, NothingInItIsTrusted) {
   const std::pair<const char*, const char*> changes[] = {
-      {"0x0123456789abcdef", "0x0123456789abcdef0"}, {"0x0123456789abcdef", "123"}, {"125/4", "125"}, {"125/4", "0/1"}, {"125/4", "1/0"},
-      {"\"every\": 2", "\"every\": 0"},  {"\"every\": 2", "\"every\": -1"},  {"115200", "99999999999"}, {"[3]", "[-3]"},
-      {"[3]", "[4294967296, 4294967296, 2]"}, {"\"offset\": 20", "\"offset\": 23999"}, {"\"bytes\": 24", "\"bytes\": 9"}, {"float32", "float"},
+      {"0x0123456789abcdef", "0x10123456789abcdef"},
+      {"0x0123456789abcdef", "123"},
+      {"125/4", "125"},
+      {"125/4", "0/1"},
+      {"125/4", "1/0"},
+      {"\"every\": 2", "\"every\": 0"},
+      {"\"every\": 2", "\"every\": -1"},
+      {"115200", "99999999999"},
+      {"[3]", "[-3]"},
+      {"[3]", "[4294967296, 4294967296, 2]"},
+      {"\"offset\": 20", "\"offset\": 23999"},
+      {"\"bytes\": 24", "\"bytes\": 9"},
+      {"float32", "float"},
       {"\"offset\": 8", "\"offset\": \"8\""}};
   for (const auto& [from, to] : changes) {
     std::string text = layout();
     text.replace(text.find(from), std::string(from).size(), to);
     EXPECT_NE(problem_of(text), "") << to;
   }
-  for (const char* text : {"", "{", "[]", "null", "{\"format\": \"eagerx telemetry 2\"}"}) EXPECT_NE(problem_of(text), "") << text;
+  for (const char* text : {"", "{", "[]", "null", "{\"format\": \"eagerx telemetry 2\"}"})
+    EXPECT_NE(problem_of(text), "") << text;
 }
 
 }  // namespace
