@@ -15,10 +15,10 @@
 #include "generator/compile/compile.hpp"
 #include "generator/cut/cut.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/info/info.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/read/text.hpp"
-#include "generator/info/info.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
@@ -227,8 +227,7 @@ void check_budget(Run& run) {
   if (budget.find("age") == nullptr && budget.find("link") == nullptr &&
       budget.find("telemetry") == nullptr)
     return;
-  check_plan_budget(info_of(*run.plan, run.spec->budget, run.diagnostics), budget,
-                    run.diagnostics);
+  check_plan_budget(info_of(*run.plan, run.spec->budget, run.diagnostics), budget, run.diagnostics);
 }
 
 /// Whether the graph is as it is written: what is said of another variant says little of it.

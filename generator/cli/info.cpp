@@ -1,4 +1,6 @@
 // eagerx-gen info: what there is, and what one entity takes.
+#include "generator/info/info.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include "generator/emit/namer.hpp"
 #include "generator/library/schema.hpp"
 #include "generator/plausibility/plausibility.hpp"
-#include "generator/info/info.hpp"
 #include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {

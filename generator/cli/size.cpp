@@ -13,8 +13,8 @@
 #include "generator/cli/image_budget.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/cli/pipeline.hpp"
-#include "generator/plausibility/plausibility.hpp"
 #include "generator/info/info.hpp"
+#include "generator/plausibility/plausibility.hpp"
 #include "generator/size/tools.hpp"
 
 namespace eagerx::gen {

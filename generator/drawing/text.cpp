@@ -1,8 +1,8 @@
 // The languages of Graphviz and Mermaid.
 #include <fmt/format.h>
 
-#include "generator/drawing/layout.hpp"
 #include "generator/drawing/format.hpp"
+#include "generator/drawing/layout.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {

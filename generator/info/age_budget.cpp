@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "generator/read/scalar.hpp"
 #include "generator/info/info.hpp"
+#include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {

@@ -67,15 +67,14 @@ void check_telemetry(const Plan& plan, const YamlValue& entry, Diagnostics& diag
 }  // namespace
 
 PlanInfo info_of(const Plan& plan, const std::optional<YamlValue>& budget,
-                     Diagnostics& diagnostics) {
+                 Diagnostics& diagnostics) {
   const DataAges ages(plan, usual_ends(*plan.graph));
   PlanInfo report{&plan, ages.known(), ages.unknown(), {}, link_of(plan)};
   if (budget) report.compared = compare_ages(plan, *budget, diagnostics);
   return report;
 }
 
-void check_plan_budget(const PlanInfo& report, const YamlValue& budget,
-                       Diagnostics& diagnostics) {
+void check_plan_budget(const PlanInfo& report, const YamlValue& budget, Diagnostics& diagnostics) {
   for (const AgeComparison& compared : report.compared) check_ages(compared, diagnostics);
   if (const YamlValue* entry = budget.find("link")) check_link(report, *entry, diagnostics);
   if (const YamlValue* entry = budget.find("telemetry"))

@@ -36,7 +36,7 @@ struct PlanInfo {
 /// E0424 a name that is none, E0425 a pair that no data go between, W0120 an entry that limits
 /// nothing.
 PlanInfo info_of(const Plan& plan, const std::optional<YamlValue>& budget,
-                     Diagnostics& diagnostics);
+                 Diagnostics& diagnostics);
 /// The comparisons of it.
 std::vector<AgeComparison> compare_ages(const Plan& plan, const YamlValue& budget,
                                         Diagnostics& diagnostics);

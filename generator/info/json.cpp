@@ -1,7 +1,7 @@
 #include "generator/json/json.hpp"
 
-#include "generator/plan/packs.hpp"
 #include "generator/info/info.hpp"
+#include "generator/plan/packs.hpp"
 
 namespace eagerx::gen {
 namespace {

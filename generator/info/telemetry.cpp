@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/plan/link.hpp"
 #include "generator/info/info.hpp"
+#include "generator/plan/link.hpp"
 
 namespace eagerx::gen {
 namespace {

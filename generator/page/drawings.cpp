@@ -1,6 +1,6 @@
 // The graph as the user wrote it and as it runs, each box and wire with its place.
-#include "generator/page/page.hpp"
 #include "generator/drawing/format.hpp"
+#include "generator/page/page.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -27,7 +27,7 @@ std::string_view imported_by(std::string_view statement) {
   if (!before.empty() && !(before.starts_with('{') && before.ends_with(kFrom))) return {};
   const std::string_view name = statement.substr(quote + 1);
   return name.starts_with('.') && name.find('"') == std::string_view::npos ? name
-                                                                            : std::string_view();
+                                                                           : std::string_view();
 }
 
 class Joiner {

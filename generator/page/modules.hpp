@@ -18,7 +18,8 @@ std::optional<std::string> read_part(const std::filesystem::path& path, Diagnost
 /// module of another file, so a page has its script in itself. All modules share the names of their
 /// first level: no two may declare the same one, and an import may not rename (tests/page finds
 /// both). Problems: E0301 a module cannot be read, imports or exports in another form than
-/// `import {a, b} from "./c.mjs";` and `export` before a declaration, or imports itself in a circle.
+/// `import {a, b} from "./c.mjs";` and `export` before a declaration, or imports itself in a
+/// circle.
 std::optional<std::string> joined_modules(const std::filesystem::path& folder,
                                           const std::vector<std::string>& entries,
                                           Diagnostics& diagnostics);

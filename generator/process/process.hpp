@@ -26,8 +26,8 @@ struct ProcessOptions {
   std::function<void(std::string_view line)> line = {};
 };
 
-/// Runs a program, which is looked for in PATH, in the C locale, until it ends; nothing if it could not be started. SIGINT, SIGTERM and SIGHUP end it, all that it
-/// started, and then eagerx-gen.
+/// Runs a program, which is looked for in PATH, in the C locale, until it ends; nothing if it could
+/// not be started. SIGINT, SIGTERM and SIGHUP end it, all that it started, and then eagerx-gen.
 std::optional<ProcessResult> run_process(const std::vector<std::string>& command,
                                          const ProcessOptions& options = {});
 

@@ -1,4 +1,6 @@
 // Traces: two of them compared, and one in the form of other tools.
+#include "generator/trace/trace.hpp"
+
 #include <algorithm>
 #include <runtime/host/trace/log_file.hpp>
 
@@ -8,7 +10,6 @@
 #include "generator/trace/convert.hpp"
 #include "generator/trace/plot.hpp"
 #include "generator/trace/timeline.hpp"
-#include "generator/trace/trace.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {
