@@ -7,7 +7,7 @@ namespace eagerx::gen {
 namespace {
 
 GraphFacts facts(const std::string& text) {
-  const auto graph = graph_of(text);
+  const auto graph = graph_of_text(text);
   return facts_of(info_of(*graph->plan, graph->spec->budget, graph->diagnostics));
 }
 

@@ -13,7 +13,7 @@ struct CutGraph {
 };
 
 CutGraph cut(const std::vector<std::string>& names, const std::string& text = swing()) {
-  CutGraph result{graph_of(text), {}};
+  CutGraph result{graph_of_text(text), {}};
   result.part = cut_out(*result.whole->graph, {names, {}, {}}, result.whole->diagnostics);
   return result;
 }

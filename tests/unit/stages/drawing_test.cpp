@@ -8,7 +8,7 @@ namespace eagerx::gen {
 namespace {
 
 Drawing drawing(const std::string& text, GraphView view = GraphView::user) {
-  const auto graph = graph_of(text);
+  const auto graph = graph_of_text(text);
   return drawing_of(*graph->graph, {}, view);
 }
 

@@ -1,49 +1,15 @@
-// Graphs from texts, with the library of this repository.
+// What several tests of stages need: a graph, and a folder for files.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
-#include <memory>
-#include <optional>
 #include <string>
 
-#include "generator/cut/cut.hpp"
-#include "generator/plan/plan.hpp"
+#include "tests/unit/graph_of_text.hpp"
 
 namespace eagerx::gen {
-
-struct GraphOfText {
-  SourceMap sources;
-  Diagnostics diagnostics;
-  std::optional<GraphSpec> spec;
-  std::optional<Graph> graph;
-  std::optional<Plan> plan;
-
-  /// Codes of all problems, "E0307 E0310".
-  [[nodiscard]] std::string codes() const {
-    std::string text;
-    for (const Diagnostic& problem : diagnostics.all())
-      text += (text.empty() ? "" : " ") + problem.code;
-    return text;
-  }
-};
-
-inline std::unique_ptr<GraphOfText> graph_of(const std::string& text) {
-  static SourceMap library_sources;
-  static Diagnostics library_diagnostics;
-  static const Library kLibrary = load_library({{std::string(EAGERX_SOURCE_DIR) + "/models", {}},
-                                                {std::string(EAGERX_SOURCE_DIR) + "/targets", {}}},
-                                               library_sources, library_diagnostics);
-  auto result = std::make_unique<GraphOfText>();
-  const YamlValue tree = read_yaml_text("graph.yaml", text, result->sources, result->diagnostics);
-  result->spec = read_graph_spec(tree, "graph.yaml", result->diagnostics);
-  if (result->spec) result->graph = resolve(*result->spec, kLibrary, {}, result->diagnostics);
-  if (result->graph) result->plan = make_plan(*result->graph, result->diagnostics);
-  EXPECT_TRUE(result->plan) << render_text(result->diagnostics, result->sources, false);
-  return result;
-}
 
 /// A pendulum that a filter drives; `more` are further keys.
 inline std::string swing(const std::string& rate_of_filter = "30", const std::string& more = "") {

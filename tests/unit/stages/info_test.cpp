@@ -7,7 +7,7 @@ namespace eagerx::gen {
 namespace {
 
 TEST(Info, JsonSaysWhatTheTextSays) {
-  const auto graph = graph_of(swing());
+  const auto graph = graph_of_text(swing());
   const PlanInfo info = info_of(*graph->plan, graph->spec->budget, graph->diagnostics);
   const auto json = parse_json(dump_json(info_json(info)));
   ASSERT_TRUE(json);
@@ -29,7 +29,7 @@ std::string codes_of(const std::string& budget) {
   std::string text = swing("30", "budget: " + budget + "\n");
   const std::string last = "to: observations.angle";
   text.insert(text.find(last) + last.size(), ", delay: 0.1");
-  const auto graph = graph_of(text);
+  const auto graph = graph_of_text(text);
   const PlanInfo info = info_of(*graph->plan, graph->spec->budget, graph->diagnostics);
   if (graph->spec->budget) check_plan_budget(info, *graph->spec->budget, graph->diagnostics);
   return graph->codes();
