@@ -51,6 +51,7 @@ Json received_json(const Hop& hop, bool skip) {
 
 Json json_of(const Space& space) {
   return Json{{"text", space.describe()},
+              {"numbers", space.size()},
               {"bytes", bytes_of(space)},
               {"low", list_of(space.low)},
               {"high", list_of(space.high)}};

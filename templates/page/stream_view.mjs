@@ -18,9 +18,7 @@ const stream = {
 };
 
 const streamFields = data.channels.map((channel) => {
-  const node = nodes[channel.node], {space} = node.outputs[channel.output];
-  const [, shape] = space.text.match(/\[([\d, ]*)\]/) || [null, ""];
-  const numbers = shape.split(",").filter(Boolean).reduce((product, length) => product * Number(length), 1);
+  const node = nodes[channel.node], {numbers} = node.outputs[channel.output].space;
   return {name: channel.name, numbers, rate_hz: node.rate_hz};
 });
 const fieldOfTopic = new Map(streamFields.map((field, f) => [`/${field.name}`, f]));

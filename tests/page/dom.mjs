@@ -227,7 +227,7 @@ export function become(data) {
 
 /** A block of data with as little as there may be: one node `filter` at 20 Hz that reads the environment at 10 Hz. */
 export function smallData() {
-  const space = {text: "float32 [2]", bytes: 8, low: [-1, -1], high: [1, 1]};
+  const space = {text: "float32 [2]", numbers: 2, bytes: 8, low: [-1, -1], high: [1, 1]};
   const port = {space, unit: "V", processor: null, sensor: ""};
   const node = {role: "node", type: "Filter", about: "", line: 0, config: [], states: [], object: null};
   const hop = {a: 1, b: 2, newest: {exact: "0", seconds: 0}, oldest: {exact: "0", seconds: 0}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <runtime/host/trace/log_file.hpp>
 
+#include "generator/json/json.hpp"
 #include "generator/replay/compare.hpp"
 #include "generator/trace/axis.hpp"
 #include "generator/trace/bytes.hpp"
