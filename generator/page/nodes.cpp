@@ -35,11 +35,15 @@ std::optional<std::int64_t> hyperperiod_of(const std::vector<RateClass>& rates) 
   return static_cast<std::int64_t>(product);
 }
 
+/// Ticks whose messages are listed in a page, of all connections: two bytes each.
+constexpr std::int64_t kMostTicks = 400'000;
+
 /// Messages of a connection at each tick of its reader: `begin` at the first ones, then `cycle`
-/// over and over. Null if that is too long for a page.
-Json received_json(const Hop& hop, bool skip) {
-  constexpr std::int64_t kMostTicks = 10'000;
-  if (hop.settled + hop.b > kMostTicks) return nullptr;
+/// over and over. Null if these are more than `room`, which becomes smaller by them.
+Json received_json(const Hop& hop, bool skip, std::int64_t& room) {
+  const std::int64_t ticks = hop.settled + hop.b;
+  if (ticks > room) return nullptr;
+  room -= ticks;
   const Counts counts{hop.a, hop.b, hop.x, skip};
   const auto list = [&](std::int64_t from, std::int64_t to) {
     Json numbers = Json::list();
@@ -152,7 +156,7 @@ class Nodes {
   explicit Nodes(const PageContents& contents)
       : contents_(contents), plan_(*contents.info->plan), graph_(*plan_.graph) {}
 
-  void add_to(Json& page) const {
+  void add_to(Json& page) {
     page["schedule"] = schedule();
     Json& nodes = page["nodes"] = Json::list();
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) nodes.push_back(node(n));
@@ -228,7 +232,7 @@ class Nodes {
     return port != nullptr && !output.processor ? port->unit : std::string();
   }
 
-  Json node(std::size_t n) const {
+  Json node(std::size_t n) {
     const GraphNode& node = graph_.nodes[n];
     Json json{{"name", node.name},
               {"role", node.is_reset_node() ? "reset node" : name_of(node.role)},
@@ -253,7 +257,7 @@ class Nodes {
     return json;
   }
 
-  Json input(std::size_t n, std::size_t i) const {
+  Json input(std::size_t n, std::size_t i) {
     const Input& input = graph_.nodes[n].inputs[i];
     const Reception& reception = plan_.nodes[n].receptions[i];
     Json json{{"name", input.name},
@@ -273,7 +277,7 @@ class Nodes {
     json["longest_delay"] = input.max_delay_s ? time_of(*input.max_delay_s) : Json(nullptr);
     const auto hop = graph_.asynchronous ? std::nullopt : make_hop(plan_, n, i);
     json["hop"] = hop_json(hop);
-    json["received"] = hop ? received_json(*hop, input.skip) : Json(nullptr);
+    json["received"] = hop ? received_json(*hop, input.skip, room_) : Json(nullptr);
     return json;
   }
 
@@ -331,6 +335,7 @@ class Nodes {
   const PageContents& contents_;
   const Plan& plan_;
   const Graph& graph_;
+  std::int64_t room_ = kMostTicks;
 };
 
 }  // namespace

@@ -201,7 +201,7 @@ function showComposite(number) {
 }
 
 /** How the numbers of messages relate: "2 messages a tick". */
-export function ratioText(hop) {
+function ratioText(hop) {
   if (!hop) return null;
   if (hop.a === hop.b) return "one message a tick";
   if (hop.b === 1) return `${hop.a} messages a tick`;

@@ -12,7 +12,6 @@ export const timetable = {
   begin: 0,
   span: 1,
   scroll: 0,
-  hover: null,
   measured: null,
   stream: null,  // of pages that are told what a run sends: {choose(whether its times are shown)}
   canvas: el("canvas"),

@@ -14,7 +14,7 @@ export function pathOf(points, backwards) {
 }
 
 /** How what is open stretches a drawing: `x(at)`, and of the column that ends at `right` `y(right, at)`. */
-export function stretchOf(boxes) {
+function stretchOf(boxes) {
   const columns = new Map();  // by their right edges: how much wider, and what lies below what
   for (const {box, width, height} of boxes) {
     const right = box.x + box.width;

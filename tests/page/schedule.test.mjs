@@ -45,6 +45,17 @@ test("the messages that ticks read are those that have come", () => {
   for (const graph of graphs) assert.ok(compare(pageOf(graph).data, graph) > 1, graph);
 });
 
+test("what has a long cycle is counted, too, and what does not come by count is not known", () => {
+  const {nodes, schedule} = pageOf("tests/page/odd_rates.yaml").data;
+  assert.equal(schedule.hyperperiod, null);
+  const named = new Map(nodes.flatMap((node) => node.inputs.map((input) => [input.written, [node, input]])));
+  const [b, fromA] = named.get("b.signal");
+  assert.equal(fromA.received.cycle.length, 17123);
+  for (const n of [0, 1, 2, 17122, 17123, 17124, 99999, 12345678])
+    assert.equal(newestAt(fromA, n), newest("29.97", b.rate, "0", n), `tick ${n}`);
+  assert.equal(newestAt(named.get("d.signal")[1], 5), null);
+});
+
 test("a skipped connection has nothing at the first tick, and then the message before", () => {
   const {nodes} = pageOf("tests/own_loop/skipped.yaml").data;
   const skipped = nodes.flatMap((node) => node.inputs.map((input) => [node, input]))

@@ -26,7 +26,7 @@ function readable(element, what) {
 const kGraphs = [
   ["examples/pendulum_swing_up/graph.yaml"], ["tests/golden/multi_rate/graph.yaml"], ["tests/compose/graphs/arm.yaml"],
   ["examples/quadruped_trot/graph.yaml"], ["examples/pendulum_with_safety/graph.yaml"],
-  ["examples/pendulum_swing_up/controller.yaml"], ["tests/asynchronous/graph.yaml"]
+  ["examples/pendulum_swing_up/controller.yaml"], ["tests/asynchronous/graph.yaml"], ["tests/page/odd_rates.yaml"]
 ];
 for (const [graph, ...options] of kGraphs) {
   test(`${graph}: every view, and everything selected`, () => {
