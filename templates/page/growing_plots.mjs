@@ -7,7 +7,7 @@ import {count, list} from "./numbers.mjs";
 import {drawAxes, drawElement, kLeft} from "./plots.mjs";
 
 /** Least and greatest of the last `count` points, with room. */
-export function liveRange(points, count) {
+export function newestRange(points, count) {
   let [low, high] = [Infinity, -Infinity];
   for (const {low: values} of points.elements) {
     for (let i = Math.max(0, values.length - count); i < values.length; ++i) {
@@ -31,8 +31,8 @@ function firstChannels(fields) {
   return new Set((chosen.length ? chosen : fields.map((_, f) => f)).slice(0, 5));
 }
 
-export class LivePlots {
-  /** `changed()` when others are chosen. `history` is a LiveHistory, or has what is asked of one here. */
+export class GrowingPlots {
+  /** `changed()` when others are chosen. `history` is a StepHistory, or has what is asked of one here. */
   constructor(fields, changed = () => {}) {
     this.fields = fields;
     this.chosen = firstChannels(fields);
@@ -81,7 +81,7 @@ export class LivePlots {
       const last = r === this.rows.length - 1, height = last ? 104 : 88;
       const context = prepare(row.canvas, width, height);
       if (!context) return;
-      const axes = drawAxes(context, width, height, liveRange(points, span / points.step), last, frame);
+      const axes = drawAxes(context, width, height, newestRange(points, span / points.step), last, frame);
       context.save();
       context.beginPath();
       context.rect(kLeft, 0, width - kLeft, axes.bottom + 2);

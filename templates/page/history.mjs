@@ -3,7 +3,7 @@
 export const kKeptSteps = 6000, kShown_s = 20, kPlottedElements = 16;
 
 /** What was seen since a reset. */
-export class LiveHistory {
+export class StepHistory {
   constructor(fields, step_s) {
     this.step_s = step_s;
     this.first = 0;  // step of the first point

@@ -17,29 +17,30 @@ import {makeTimetableView} from "./timetable.mjs";
 import {makeTracesView} from "./traces.mjs";
 import {moreViews, showView, views} from "./views.mjs";
 
-views.push(
-    ...[{id: "live", name: "Live", make: moreViews.get("live"), there: moreViews.has("live")},
-        {id: "graph", name: "Graph", make: makeGraphView, there: true},
-        {id: "timetable", name: "Timetable", make: makeTimetableView, there: true},
-        {id: "memory", name: "Memory", make: makeMemoryView, there: true},
-        {id: "ages", name: "Ages", make: makeAgesView, there: true},
-        {
-          id: "policy",
-          name: data.policies.length > 1 ? "Policies" : "Policy",
-          make: makePolicyView,
-          there: data.policies.length > 0
-        },
-        {id: "facts", name: "Facts", make: makeFactsView, there: true},
-        {
-          id: "source",
-          name: "File",
-          make: makeSourceView,
-          there: data.source.lines.length > 0,
-          badge: data.diagnostics.filter((problem) => problem.severity === "warning").length
-        },
-        {id: "traces", name: "Traces", make: makeTracesView, there: data.logs.length > 0},
-        {id: "simulation", name: "Simulation", make: moreViews.get("simulation"), there: moreViews.has("simulation")},
-].filter((view) => view.there));
+const allViews = [
+  {id: "live", name: "Live", make: moreViews.get("live"), there: moreViews.has("live")},
+  {id: "graph", name: "Graph", make: makeGraphView, there: true},
+  {id: "timetable", name: "Timetable", make: makeTimetableView, there: true},
+  {id: "memory", name: "Memory", make: makeMemoryView, there: true},
+  {id: "ages", name: "Ages", make: makeAgesView, there: true},
+  {
+    id: "policy",
+    name: data.policies.length > 1 ? "Policies" : "Policy",
+    make: makePolicyView,
+    there: data.policies.length > 0
+  },
+  {id: "facts", name: "Facts", make: makeFactsView, there: true},
+  {
+    id: "source",
+    name: "File",
+    make: makeSourceView,
+    there: data.source.lines.length > 0,
+    badge: data.diagnostics.filter((problem) => problem.severity === "warning").length
+  },
+  {id: "traces", name: "Traces", make: makeTracesView, there: data.logs.length > 0},
+  {id: "simulation", name: "Simulation", make: moreViews.get("simulation"), there: moreViews.has("simulation")},
+];
+views.push(...allViews.filter((view) => view.there));
 
 for (const view of views) {
   view.tab =

@@ -4,15 +4,15 @@ import {Simulation} from "../../targets/wasm/simulation.js";
 import {onFrame} from "./canvas.mjs";
 import {data} from "./data.mjs";
 import {add, button, card, el, pairs, segment, tiles} from "./elements.mjs";
-import {LivePlots} from "./growing_plots.mjs";
-import {LiveHistory} from "./history.mjs";
+import {GrowingPlots} from "./growing_plots.mjs";
+import {StepHistory} from "./history.mjs";
 
 import {count, seconds, short} from "./numbers.mjs";
 import {state} from "./selection.mjs";
 import {ActionControls, StateControls} from "./simulation_controls.mjs";
 import {moreViews} from "./views.mjs";
 
-const live = {
+const simulated = {
   simulation: null,
   playing: false,
   speed: 1,
@@ -27,135 +27,138 @@ const live = {
 const kBudget_ms = 12;  // of a frame
 
 function stepLength_s() {
-  const [num, den] = live.simulation.about.rate;
+  const [num, den] = simulated.simulation.about.rate;
   return den / num;
 }
 
 /** What the module does when it traps is the end of it. */
 function guarded(action) {
-  if (live.broken) return 0;
+  if (simulated.broken) return 0;
   try {
     return action();
   } catch (problem) {
-    live.broken = `The simulation has stopped: ${problem.message}. Load the page again.`;
+    simulated.broken = `The simulation has stopped: ${problem.message}. Load the page again.`;
     play(false);
-    tell(live.broken);
+    tell(simulated.broken);
     return 0;
   }
 }
 
 /** A run begins as a program that has just been started. */
 const beginRun = () => guarded(() => {
-  const text = live.seed.value.trim();
+  const text = simulated.seed.value.trim();
   const seed = /^\d{1,20}$/.test(text) ? BigInt(text) : 1n;
-  live.seed.value = seed;
-  live.simulation.begin(seed, {watched: true});
-  live.episode = -1;
-  live.drivers.clear();
+  simulated.seed.value = seed;
+  simulated.simulation.begin(seed, {watched: true});
+  simulated.episode = -1;
+  simulated.drivers.clear();
   nextEpisode();
 });
 
 const nextEpisode = () => guarded(() => {
-  if (!live.simulation.reset()) return tell("A state is outside of its space.");
-  ++live.episode;
-  live.steps = 0;
-  live.behind = 0;
-  live.plots.history = new LiveHistory(live.simulation.about.messages, stepLength_s());
-  live.plots.history.add(live.simulation.messages);
-  live.states.show();
+  if (!simulated.simulation.reset()) return tell("A state is outside of its space.");
+  ++simulated.episode;
+  simulated.steps = 0;
+  simulated.behind = 0;
+  simulated.plots.history = new StepHistory(simulated.simulation.about.messages, stepLength_s());
+  simulated.plots.history.add(simulated.simulation.messages);
+  simulated.states.show();
   // A slider that was moved stays where it is.
-  if (live.driver !== "hand")
-    live.actions.show();
+  if (simulated.driver !== "hand")
+    simulated.actions.show();
   else
-    live.simulation.actions.set(live.hand);
-  showLive();
+    simulated.simulation.actions.set(simulated.hand);
+  showSimulated();
 });
 
 /** At most `steps`, while there is time for it; how many it were. */
 const advance = (steps, until = Infinity) => guarded(() => {
   let done = 0;
   while (done < steps && performance.now() < until) {
-    if (live.driver === "hand") live.simulation.actions.set(live.hand);
-    if (live.simulation.step(live.driver) === 0) break;
-    live.drivers.add(live.driver);
-    live.plots.history.add(live.simulation.messages);
+    if (simulated.driver === "hand") simulated.simulation.actions.set(simulated.hand);
+    if (simulated.simulation.step(simulated.driver) === 0) break;
+    simulated.drivers.add(simulated.driver);
+    simulated.plots.history.add(simulated.simulation.messages);
     ++done;
   }
-  live.steps += done;
-  if (live.simulation.ended) play(false);
-  showLive();
+  simulated.steps += done;
+  if (simulated.simulation.ended) play(false);
+  showSimulated();
   return done;
 });
 
 function play(playing) {
-  if (playing && live.broken) return;
-  if (playing && live.simulation.ended) nextEpisode();
-  live.playing = playing;
-  live.button.textContent = playing ? "Pause" : "Play";
-  live.before = null;
-  if (playing) requestAnimationFrame(liveFrame);
+  if (playing && simulated.broken) return;
+  if (playing && simulated.simulation.ended) nextEpisode();
+  simulated.playing = playing;
+  simulated.button.textContent = playing ? "Pause" : "Play";
+  simulated.before = null;
+  if (playing) requestAnimationFrame(simulationFrame);
 }
 
-function liveFrame(now) {
-  if (!live.playing) return;
+function simulationFrame(now) {
+  if (!simulated.playing) return;
   if (state.view.id === "simulation") {
     const step_s = stepLength_s(), until = performance.now() + kBudget_ms;
-    if (live.before !== null) live.behind += Math.min(0.25, (now - live.before) * 1e-3) * live.speed;
-    const wanted = live.speed === Infinity ? Infinity : Math.floor(live.behind / step_s + 1e-6);
+    if (simulated.before !== null)
+      simulated.behind += Math.min(0.25, (now - simulated.before) * 1e-3) * simulated.speed;
+    const wanted = simulated.speed === Infinity ? Infinity : Math.floor(simulated.behind / step_s + 1e-6);
     const done = wanted > 0 ? advance(wanted, until) : 0;
     // What this machine is too slow for is left out.
-    live.behind = done === wanted ? live.behind - done * step_s : 0;
+    simulated.behind = done === wanted ? simulated.behind - done * step_s : 0;
   }
-  live.before = now;
-  requestAnimationFrame(liveFrame);
+  simulated.before = now;
+  requestAnimationFrame(simulationFrame);
 }
 
 // ---- What is shown --------------------------------------------------------------------------------------------------
 function tell(text) {
-  live.message.textContent = text;
+  simulated.message.textContent = text;
 }
 
 function drawPicture() {
-  if (!live.canvas) return;
-  const side = Math.floor(live.canvas.parentElement.getBoundingClientRect().width);
+  if (!simulated.canvas) return;
+  const side = Math.floor(simulated.canvas.parentElement.getBoundingClientRect().width);
   const pixels = Math.min(1024, Math.round(side * (window.devicePixelRatio || 1)));
   if (pixels < 2) return;
-  if (live.canvas.width !== pixels) live.canvas.width = live.canvas.height = pixels;
-  const picture = live.simulation.picture(pixels, pixels);
-  if (picture) live.canvas.getContext("2d").putImageData(new ImageData(picture, pixels, pixels), 0, 0);
+  if (simulated.canvas.width !== pixels) simulated.canvas.width = simulated.canvas.height = pixels;
+  const picture = simulated.simulation.picture(pixels, pixels);
+  if (picture) simulated.canvas.getContext("2d").putImageData(new ImageData(picture, pixels, pixels), 0, 0);
 }
 
 /** What gives the same hash on Linux; or why no command does. */
 function sameOnLinux() {
-  const [driver] = live.drivers;
-  if (!live.drivers.size) return "";
-  if (live.drivers.size > 1 || driver === "hand") return "no command: several, or a hand, have decided";
-  if (live.episode > 0 || live.states.any) return "no command: more than one episode, or states were set";
+  const [driver] = simulated.drivers;
+  if (!simulated.drivers.size) return "";
+  if (simulated.drivers.size > 1 || driver === "hand") return "no command: several, or a hand, have decided";
+  if (simulated.episode > 0 || simulated.states.any) return "no command: more than one episode, or states were set";
   const file = /^[\w.-]+$/.test(data.source.name) ? data.source.name : "GRAPH";
-  return `eagerx-gen run ${file} -- --seed ${live.seed.value} --steps ${live.steps} --agent ${driver} --hash` +
-      live.states.tuned.map((option) => ` ${option}`).join("");
+  return `eagerx-gen run ${file} -- --seed ${simulated.seed.value} --steps ${simulated.steps} --agent ${
+             driver} --hash` +
+      simulated.states.tuned.map((option) => ` ${option}`).join("");
 }
 
-const showLive = onFrame(() => {
-  if (live.broken) return;
-  const {simulation} = live, {about} = simulation;
+const showSimulated = onFrame(() => {
+  if (simulated.broken) return;
+  const {simulation} = simulated, {about} = simulation;
   drawPicture();
-  live.plots.draw();
-  if (live.driver !== "hand") live.actions.show();
+  simulated.plots.draw();
+  if (simulated.driver !== "hand") simulated.actions.show();
   const counts = Object.entries(simulation.counts).map(([name, value]) => `${name}: ${count(value)}`);
-  live.facts.replaceChildren(tiles([
-    ["episode", count(live.episode)], ["step", count(live.steps)], ["time", seconds(live.steps * stepLength_s())],
+  simulated.facts.replaceChildren(tiles([
+    ["episode", count(simulated.episode)], ["step", count(simulated.steps)],
+    ["time", seconds(simulated.steps * stepLength_s())],
     ...about.outcome.map((field) => [field.name, short(simulation.outcome[field.first])])
   ]));
-  live.hash.textContent = simulation.hash;
-  live.same.textContent = sameOnLinux();
+  simulated.hash.textContent = simulation.hash;
+  simulated.same.textContent = sameOnLinux();
   tell([simulation.ended ? "The episode has ended." : "", ...counts].filter(Boolean).join(" · "));
 });
 
 // ---- The view -------------------------------------------------------------------------------------------------------
 function drive(driver) {
-  live.driver = driver;
-  if (driver === "hand") live.hand = live.simulation.actions.slice();
+  simulated.driver = driver;
+  if (driver === "hand") simulated.hand = simulated.simulation.actions.slice();
 }
 
 function driverChoices(about) {
@@ -165,49 +168,54 @@ function driverChoices(about) {
   ].filter(Boolean);
 }
 
-function liveToolbar(about) {
-  live.button = button("Play", () => play(!live.playing), {id: "play"});
-  live.seed = el("input", {type: "text", inputMode: "numeric", value: "1", size: 8, "aria-label": "Seed", id: "seed"});
-  live.seed.addEventListener("keydown", (event) => {
+function simulationToolbar(about) {
+  simulated.button = button("Play", () => play(!simulated.playing), {id: "play"});
+  simulated.seed =
+      el("input", {type: "text", inputMode: "numeric", value: "1", size: 8, "aria-label": "Seed", id: "seed"});
+  simulated.seed.addEventListener("keydown", (event) => {
     if (event.key === "Enter") beginRun();
   });
   const choices = driverChoices(about);
   drive((choices.find(([name]) => name === about.agent) || choices[0])[0]);
-  live.driverChoice = segment("Who decides", choices, live.driver, drive);
+  simulated.driverChoice = segment("Who decides", choices, simulated.driver, drive);
   return el(
-      "div.toolbar", {}, live.button, button("Step", () => advance(1), {id: "step"}),
+      "div.toolbar", {}, simulated.button, button("Step", () => advance(1), {id: "step"}),
       button("Next episode", nextEpisode, {id: "next"}),
-      button("Reset", beginRun, {id: "reset", title: "From the first episode on"}), el("label", {}, "seed ", live.seed),
-      live.driverChoice, segment("Speed", [[0.25, "¼×"], [1, "1×"], [4, "4×"], [Infinity, "Fastest"]], 1, (speed) => {
-        live.speed = speed;
-        live.behind = 0;
+      button("Reset", beginRun, {id: "reset", title: "From the first episode on"}),
+      el("label", {}, "seed ", simulated.seed), simulated.driverChoice,
+      segment("Speed", [[0.25, "¼×"], [1, "1×"], [4, "4×"], [Infinity, "Fastest"]], 1, (speed) => {
+        simulated.speed = speed;
+        simulated.behind = 0;
       }));
 }
 
 function showSimulation(panel, simulation) {
-  live.simulation = simulation;
+  simulated.simulation = simulation;
   const {about} = simulation;
-  live.message = el("p.note", {role: "status"});
-  live.facts = el("div");
-  live.hash = el("code", {id: "hash"});
-  live.same = el("code.same");
-  live.plots = new LivePlots(about.messages);
-  live.actions = new ActionControls(simulation, () => {
-    live.hand = simulation.actions.slice();
-    if (live.driver !== "hand") live.driverChoice.choose("hand");
+  simulated.message = el("p.note", {role: "status"});
+  simulated.facts = el("div");
+  simulated.hash = el("code", {id: "hash"});
+  simulated.same = el("code.same");
+  simulated.plots = new GrowingPlots(about.messages);
+  simulated.actions = new ActionControls(simulation, () => {
+    simulated.hand = simulation.actions.slice();
+    if (simulated.driver !== "hand") simulated.driverChoice.choose("hand");
   });
-  live.states = new StateControls(simulation, () => live.episode < 0 || simulation.ended ? null : live.steps);
-  live.canvas = about.render ? el("canvas", {role: "img", "aria-label": "What render: shows"}) : null;
-  const toolbar = liveToolbar(about);
+  simulated.states =
+      new StateControls(simulation, () => simulated.episode < 0 || simulation.ended ? null : simulated.steps);
+  simulated.canvas = about.render ? el("canvas", {role: "img", "aria-label": "What render: shows"}) : null;
+  const toolbar = simulationToolbar(about);
   panel.replaceChildren();
   add(panel, [
     toolbar,
     el("div.bench", {},
-       el("div", {}, live.canvas ? el("div.picture", {}, live.canvas) : null, live.actions.element,
-          live.states.element),
+       el("div", {}, simulated.canvas ? el("div.picture", {}, simulated.canvas) : null, simulated.actions.element,
+          simulated.states.element),
        el("div", {},
-          card("", live.facts, pairs([["trace hash", live.hash], ["the same on Linux", live.same]]), live.message),
-          live.plots.chooser, live.plots.stage))
+          card(
+              "", simulated.facts, pairs([["trace hash", simulated.hash], ["the same on Linux", simulated.same]]),
+              simulated.message),
+          simulated.plots.chooser, simulated.plots.stage))
   ]);
   beginRun();
 }
@@ -227,7 +235,7 @@ function makeSimulationView(panel) {
   // A call of the module cannot be interrupted, so what is said must have been painted before.
   requestAnimationFrame(() => setTimeout(start));
   const again = () => {
-    if (live.plots) showLive();
+    if (simulated.plots) showSimulated();
   };
   return {shown: again, resized: again};
 }

@@ -2,7 +2,7 @@
 import {onFrame, prepare} from "./canvas.mjs";
 import {data, nodes} from "./data.mjs";
 import {add, breakable, card, el, table, tiles} from "./elements.mjs";
-import {LivePlots} from "./growing_plots.mjs";
+import {GrowingPlots} from "./growing_plots.mjs";
 import {StreamHistory} from "./history.mjs";
 import {count, seconds, short} from "./numbers.mjs";
 import {paintScene} from "./scene.mjs";
@@ -99,7 +99,7 @@ const streamClient = new StreamClient(
 streamClient.want(streamTopics());
 
 function makeStreamView(panel) {
-  stream.plots = new LivePlots(streamFields, () => streamClient.want(streamTopics()));
+  stream.plots = new GrowingPlots(streamFields, () => streamClient.want(streamTopics()));
   stream.plots.history = streamHistory;
   stream.canvas = data.shows === "scene" ? el("canvas", {role: "img", "aria-label": "What render: shows"}) : null;
   stream.note = el("p.note", {role: "status"}, stream.problem || "");

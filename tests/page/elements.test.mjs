@@ -7,7 +7,7 @@ import {become, smallData} from "./dom.mjs";
 become(smallData());
 const {breakable, el, piecesOf, segment, table} = await import("../../templates/page/elements.mjs");
 const {numbersOf} = await import("../../templates/page/simulation_controls.mjs");
-const {liveRange} = await import("../../templates/page/growing_plots.mjs");
+const {newestRange} = await import("../../templates/page/growing_plots.mjs");
 const {sourceLine} = await import("../../templates/page/source.mjs");
 
 test("names break behind dots, slashes and underscores and before an index, never within a word", () => {
@@ -63,9 +63,9 @@ test("the range of a plot that grows has room, and stands what is not finite", (
   const points = (...values) => ({elements: [{low: values}]});
   const near = (found, wanted) =>
       found.forEach((value, i) => assert.ok(Math.abs(value - wanted[i]) < 1e-9, `${found}`));
-  near(liveRange(points(-5, 0, 1), 2), [-0.08, 1.08]);
-  near(liveRange(points(2, 2), 9), [1.84, 2.16]);
-  for (const none of [points(), points(NaN), points(Infinity)]) assert.deepEqual(liveRange(none, 9), [0, 1]);
+  near(newestRange(points(-5, 0, 1), 2), [-0.08, 1.08]);
+  near(newestRange(points(2, 2), 9), [1.84, 2.16]);
+  for (const none of [points(), points(NaN), points(Infinity)]) assert.deepEqual(newestRange(none, 9), [0, 1]);
 });
 
 test("a line of the file: its key, and a comment that is one", () => {

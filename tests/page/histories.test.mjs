@@ -3,17 +3,17 @@ import assert from "node:assert/strict";
 import test from "node:test";
 
 import {Film} from "../../templates/page/film.mjs";
-import {kKeptSteps, kPlottedElements, LiveHistory, StreamHistory} from "../../templates/page/history.mjs";
+import {kKeptSteps, kPlottedElements, StepHistory, StreamHistory} from "../../templates/page/history.mjs";
 
 test("of a simulation the newest steps are kept, and their times stay", () => {
-  const history = new LiveHistory([{first: 0, numbers: 1}, {first: 1, numbers: 40}], 0.5);
+  const history = new StepHistory([{first: 0, numbers: 1}, {first: 1, numbers: 40}], 0.5);
   for (let i = 0; i < 2 * kKeptSteps + 7; ++i) history.add([i, ...Array(40).fill(-i)]);
   const [one, many] = [history.points(0), history.points(1)];
   assert.equal(many.elements.length, kPlottedElements);
   assert.equal(history.end_s, (2 * kKeptSteps + 7) * 0.5);
   assert.equal(one.begin, kKeptSteps * 0.5);
   assert.deepEqual([one.elements[0].low[0], one.elements[0].low.at(-1)], [kKeptSteps, 2 * kKeptSteps + 6]);
-  assert.equal(new LiveHistory([], 0.1).end_s, 0);
+  assert.equal(new StepHistory([], 0.1).end_s, 0);
 });
 
 test("of a stream: gaps where messages were lost, and a new beginning where time goes back", () => {
