@@ -4,7 +4,7 @@ import test from "node:test";
 
 import {StreamClient} from "../../templates/page/stream.mjs";
 
-import {become, smallData} from "./dom.mjs";
+import {become, Element, smallData} from "./dom.mjs";
 
 become(smallData());
 class Socket {
@@ -69,9 +69,46 @@ test("messages are told by topic, and what is none is not", () => {
   socket.onmessage({data: message(9, "{\"value\":[1]}")});
   socket.onmessage({data: message(4, "{}")});
   socket.onmessage({data: message(9, "{}", 7n, 2)});
-  socket.onmessage({data: new ArrayBuffer(5)});
+  socket.onmessage({data: Uint8Array.of(1, 9, 0, 0, 0).buffer});
   socket.say({op: "status", level: 1});
   assert.deepEqual(told, [["/b", {value: [1]}, 7]]);
+});
+
+test("the live view shows what the monitor says, and subscribes to what it plots", async () => {
+  const {moreViews} = await import("../../templates/page/views.mjs");
+  const {state} = await import("../../templates/page/selection.mjs");
+  const {timetable} = await import("../../templates/page/timetable_canvas.mjs");
+  let socket;
+  globalThis.WebSocket = class extends Socket {
+    constructor(...words) {
+      super(...words);
+      socket = this;
+    }
+  };
+  await import("../../templates/page/stream_view.mjs");
+  const panel = new Element("section");
+  state.view = {id: "live"};
+  moreViews.get("live")(panel);
+  socket.open();
+  const topics = ["/monitor", "/drawing", "/environment/u", "/filter/y"];
+  socket.say({op: "advertise", channels: topics.map((topic, id) => ({id, topic}))});
+  assert.deepEqual(socket.sent[0].subscriptions.map(({id}) => id), [0, 1, 2]);
+  const channel =
+      {name: "filter/y", rate_hz: 19.9, planned_hz: 20, late_s: 0.001, worst_s: null, left: 0.25, state: "silent"};
+  const said =
+      {channels: [channel], episode: 3, step: null, time_s: 1.5, steps_hz: 10, speed: 1, late_s: 0, worst_s: 0};
+  socket.onmessage({data: message(0, JSON.stringify({...said, faults: {"lost frames": 2}, note: "<b>slow</b>"}))});
+  for (const word of ["silent", "25 %", "lost frames", "<b>slow</b>", "unknown"])
+    assert.ok(panel.textContent.includes(word), `${word}: ${panel.textContent}`);
+  timetable.stream.choose(true);
+  socket.onmessage({
+    data: message(
+        0,
+        JSON.stringify({...said, channels: [{...channel, first: 4, came_late_s: [0.01, 0.02]}], faults: {}, note: ""}))
+  });
+  assert.deepEqual(timetable.measured.get(1), {first: 4, late: [0.01, 0.02]});
+  timetable.stream.choose(false);
+  assert.equal(timetable.measured, null);
 });
 
 test("after the end it says so, and sends nothing", () => {

@@ -83,12 +83,35 @@ test("keys go from view to view and from box to box, and Enter opens composites"
   assert.ok(document.getElementById("help").open);
 });
 
+test("an open composite that is selected is marked with all that is in it", () => {
+  const {run, frames} = open("tests/compose/graphs/arm.yaml");
+  run("showView('graph'); toggle('arm'); select({composite: 0})");
+  passFrames(frames);
+  const inside = run("graphView.shown.boxes.flatMap((box, b) => box.around === undefined ? [] : [b])");
+  assert.ok(inside.length >= 2);
+  assert.ok(run(`[${inside}].every((b) => graphView.shown.boxElements[b].classList.contains("on"))`));
+});
+
+test("the timetable says what a tick reads, and what is not known", () => {
+  const {run, document, data, frames} = open("tests/page/odd_rates.yaml");
+  run("showView('timetable')");
+  passFrames(frames);
+  const tip = (name) => {
+    const row = run("order").findIndex((node) => data.nodes[node].name === name);
+    run("timetable.canvas")
+        .parentElement.send("pointermove", {clientX: 300, clientY: run("kHead + kRow / 2") + row * run("kRow")});
+    return document.getElementById("tip").textContent;
+  };
+  assert.match(tip("a"), /^a, tick \d+.*actions\.u: message \d+, /);
+  assert.match(tip("d"), /c\.y: not known/);
+});
+
 test("search finds what has a name, the nearest first", () => {
   const {run, document, frames} = open("examples/pendulum_swing_up/graph.yaml");
   const box = document.getElementById("search"), found = document.getElementById("found");
   box.value = "Smooth";
   box.send("input");
-  assert.match(found.children[0].textContent, /^smooth/);
+  assert.equal(found.children[0].textContent, "smoothnode");
   box.send("keydown", {key: "Enter"});
   passFrames(frames);
   assert.equal(run("nodes[state.selected.node].name"), "smooth");
