@@ -83,13 +83,19 @@ test("keys go from view to view and from box to box, and Enter opens composites"
   assert.ok(document.getElementById("help").open);
 });
 
-test("an open composite that is selected is marked with all that is in it", () => {
-  const {run, frames} = open("tests/compose/graphs/arm.yaml");
-  run("showView('graph'); toggle('arm'); select({composite: 0})");
+test("an open composite that is selected is marked with all that is in it, however deep", () => {
+  const {run, data, frames} = open("tests/compose/graphs/levels.yaml");
+  const deep = data.composites.findIndex(({name}) => name === "deep");
+  run(`showView('graph'); toggleAll(); select({composite: ${deep}})`);
   passFrames(frames);
-  const inside = run("graphView.shown.boxes.flatMap((box, b) => box.around === undefined ? [] : [b])");
-  assert.ok(inside.length >= 2);
-  assert.ok(run(`[${inside}].every((b) => graphView.shown.boxElements[b].classList.contains("on"))`));
+  const isInside = (b) => {
+    const {around, composite} = run(`graphView.shown.boxes[${b}]`);
+    return composite === "deep" || (around !== undefined && isInside(around));
+  };
+  const boxes = [...Array(run("graphView.shown.boxes.length")).keys()], inside = boxes.filter(isInside);
+  assert.ok(inside.length > 4);
+  for (const b of inside) assert.ok(run(`graphView.shown.boxElements[${b}].classList.contains("on")`), `box ${b}`);
+  assert.ok(boxes.some((b) => !run(`graphView.shown.boxElements[${b}].classList.contains("on")`)));
 });
 
 test("the timetable says what a tick reads, and what is not known", () => {
