@@ -17,7 +17,7 @@ std::optional<GraphFacts> facts_of_graph(const GraphOptions& options) {
     finish(run, options);
     return std::nullopt;
   }
-  return facts_of(report_of(*run.plan, run.spec->budget, run.diagnostics));
+  return facts_of(info_of(*run.plan, run.spec->budget, run.diagnostics));
 }
 
 int perform(const DiffOptions& options) {

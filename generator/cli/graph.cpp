@@ -7,7 +7,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
-#include "generator/picture/picture.hpp"
+#include "generator/drawing/format.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -23,7 +23,7 @@ int perform(const GraphPictureOptions& options) {
   const Drawing drawing = drawing_of(*run.graph, run.spec->composites,
                                      options.engine_graph ? GraphView::engine : GraphView::user);
   const std::string path = options.output.empty() ? run.graph->name + ".svg" : options.output;
-  const std::string text = picture_of(drawing, *picture_format_of(path));
+  const std::string text = drawing_text(drawing, *drawing_format_of(path));
   if (write_file(path, text, run.diagnostics) && !options.quiet)
     say("{}: {} boxes, {} connections\n", path, drawing.boxes.size(), drawing.wires.size());
   return finish(run, options);
@@ -35,7 +35,7 @@ Command table(GraphPictureOptions& options) {
                   "file of the picture: .svg, .dot (Graphviz) or .mmd (Mermaid) (default: "
                   "<graph name>.svg)",
                   "FILE")),
-      [](const std::string& path) { return picture_format_of(path).has_value(); },
+      [](const std::string& path) { return drawing_format_of(path).has_value(); },
       "ends in none of .svg, .dot, .mmd");
   return {
       .name = "graph",

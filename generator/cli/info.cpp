@@ -1,4 +1,6 @@
 // eagerx-gen info: what there is, and what one entity takes.
+#include "generator/info/info.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 #include "generator/compose/flat_text.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/plausibility/plausibility.hpp"
-#include "generator/report/report.hpp"
+#include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -223,10 +225,10 @@ int graph_info(InfoOptions options) {
     return finish(run, options);
   }
   if (!made) return finish(run, options);
-  const PlanReport report = report_of(*run.plan, run.spec->budget, run.diagnostics);
+  const PlanInfo report = info_of(*run.plan, run.spec->budget, run.diagnostics);
   allow_warnings(run.spec->allow, false, run.diagnostics);
   if (options.json_output)
-    say("{}\n", dump_json(report_json(report)));
+    say("{}\n", dump_json(info_json(report)));
   else
     say("{}{}{}{}{}{}", plan_text(report), packs_text(*run.plan), task_text(*run.graph),
         timing_text(report), telemetry_text(*run.plan), profile_text(*run.spec));

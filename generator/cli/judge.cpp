@@ -7,7 +7,7 @@
 #include "generator/cut/cut.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/plausibility/plausibility.hpp"
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -19,7 +19,7 @@ void check_budget(Run& run) {
   if (budget.find("age") == nullptr && budget.find("link") == nullptr &&
       budget.find("telemetry") == nullptr)
     return;
-  check_plan_budget(report_of(*run.plan, run.spec->budget, run.diagnostics), budget,
+  check_plan_budget(info_of(*run.plan, run.spec->budget, run.diagnostics), budget,
                     run.diagnostics);
 }
 

@@ -78,7 +78,7 @@ int perform(const ReportOptions& options) {
   PageContents contents;
   const std::vector<const Target*> no_targets;
   check_plausibility({*run.spec, *run.graph, *run.plan, no_targets}, run.diagnostics);
-  const PlanReport report = report_of(*run.plan, run.spec->budget, run.diagnostics);
+  const PlanInfo info = info_of(*run.plan, run.spec->budget, run.diagnostics);
   allow_warnings(run.spec->allow, false, run.diagnostics);
   if (run.diagnostics.has_errors()) return finish(run, options);
   if (options.simulate) {
@@ -89,7 +89,7 @@ int perform(const ReportOptions& options) {
   run.diagnostics.sort_by_place();
   contents.spec = &*run.spec;
   contents.policies = &run.policies;
-  contents.report = &report;
+  contents.info = &info;
   contents.sources = &run.sources;
   contents.diagnostics = &run.diagnostics;
   contents.images = std::move(images);
@@ -98,7 +98,7 @@ int perform(const ReportOptions& options) {
   const std::uint64_t warnings = warnings_in(run.diagnostics);
   Diagnostics problems;  // those that were found are on the page
   const auto text =
-      page_text((fs::path(run.root) / "templates" / "report").string(), contents, problems);
+      page_text((fs::path(run.root) / "templates" / "page").string(), contents, problems);
   run.diagnostics = std::move(problems);
   if (text && contents.is_live) return show_live(run, options, *text);
   const std::string path = options.output.empty() ? run.graph->name + ".html" : options.output;

@@ -15,8 +15,8 @@
 #include "generator/cli/image_budget.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/info/info.hpp"
 #include "generator/plausibility/plausibility.hpp"
-#include "generator/report/report.hpp"
 #include "generator/size/tools.hpp"
 
 namespace eagerx::gen {
@@ -76,14 +76,14 @@ std::optional<Json> read_baseline(Run& run, const SizeOptions& options) {
   return json;
 }
 
-void print_report(const SizeReport& report, const std::optional<PlanReport>& plan, bool as_json) {
+void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan, bool as_json) {
   if (!as_json) {
     say("{}{}", size_text(report), plan ? timing_text(*plan) : "");
     return;
   }
   Json json = size_json(report);
   if (plan) {
-    Json timing = report_json(*plan);
+    Json timing = info_json(*plan);
     json["ages"] = std::move(timing["ages"]);
     json["budget_ages"] = std::move(timing["budget_ages"]);
     json["link"] = std::move(timing["link"]);
@@ -94,9 +94,9 @@ void print_report(const SizeReport& report, const std::optional<PlanReport>& pla
 int perform(const SizeOptions& options) {
   Run run;
   run.root = data_root();
-  std::optional<PlanReport> plan;
+  std::optional<PlanInfo> plan;
   if (!options.graph.empty() && make(run, options)) {
-    plan = report_of(*run.plan, run.spec->budget, run.diagnostics);
+    plan = info_of(*run.plan, run.spec->budget, run.diagnostics);
     allow_warnings(run.spec->allow, false, run.diagnostics);
   }
   const std::optional<Json> baseline = read_baseline(run, options);

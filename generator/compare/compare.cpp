@@ -51,7 +51,7 @@ std::string text_of(const Processor& processor) {
 
 class FactCollector {
  public:
-  explicit FactCollector(const PlanReport& report) : report_(report), graph_(*report.plan->graph) {}
+  explicit FactCollector(const PlanInfo& report) : report_(report), graph_(*report.plan->graph) {}
 
   GraphFacts all() {
     facts_["graph.rate"] = graph_.environment().rate_hz.to_string();
@@ -165,7 +165,7 @@ class FactCollector {
           fmt::format("{}", safety.actions[a]);
   }
 
-  const PlanReport& report_;
+  const PlanInfo& report_;
   const Graph& graph_;
   GraphFacts facts_;
 };
@@ -183,7 +183,7 @@ std::string entity_of(const std::string& key) {
 
 }  // namespace
 
-GraphFacts facts_of(const PlanReport& report) {
+GraphFacts facts_of(const PlanInfo& report) {
   return FactCollector(report).all();
 }
 

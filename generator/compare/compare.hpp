@@ -5,13 +5,13 @@
 #include <map>
 #include <string>
 
-#include "generator/report/report.hpp"
+#include "generator/info/info.hpp"
 
 namespace eagerx::gen {
 
 /// What is known of a graph, by what it is about: "nodes.smooth.rate" → "30".
 using GraphFacts = std::map<std::string, std::string>;
-GraphFacts facts_of(const PlanReport& report);
+GraphFacts facts_of(const PlanInfo& report);
 
 /// A line for each difference: `-` only the first has it, `+` only the second, `~` both, but
 /// another value. Of an entity that only one has, one line. Empty if there is none.

@@ -1,59 +1,28 @@
 // The template, its content policy, and the data in it.
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "generator/page/modules.hpp"
 #include "generator/page/page.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-std::optional<std::string> read_part(const std::filesystem::path& path, Diagnostics& diagnostics) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (file && !file.bad()) return text;
-  diagnostics.io_error("E0301", {},
-                       fmt::format("cannot read `{}`: {}", path.string(), std::strerror(errno)));
-  return std::nullopt;
-}
 
 void replace(std::string& text, std::string_view what, std::string_view with) {
   const std::size_t at = text.find(what);
   if (at != std::string::npos) text.replace(at, what.size(), with);
 }
 
-/// `@include NAME@` becomes the file NAME of the folder.
-std::optional<std::string> with_included(std::string text, const std::string& folder,
-                                         Diagnostics& diagnostics) {
-  constexpr std::string_view kBegin = "@include ";
-  for (std::size_t at = text.find(kBegin); at != std::string::npos; at = text.find(kBegin, at)) {
-    const std::size_t name = at + kBegin.size(), end = text.find('@', name);
-    const auto part =
-        read_part(std::filesystem::path(folder) / text.substr(name, end - name), diagnostics);
-    if (!part) return std::nullopt;
-    text.replace(at, end + 1 - at, *part);
-    at += part->size();
-  }
-  return text;
+/// The modules that a page begins with. Those that only some pages have put their views into the
+/// table of views.mjs, so main.mjs comes last.
+std::vector<std::string> entries_of(const PageContents& contents) {
+  std::vector<std::string> entries;
+  if (contents.module) entries.emplace_back("simulation_view.mjs");
+  if (contents.is_live) entries.emplace_back("stream_view.mjs");
+  entries.emplace_back("main.mjs");
+  return entries;
 }
-
-/// Scripts that only pages with a simulation have.
-constexpr std::string_view kSimulation =
-    "@include ../../targets/wasm/simulation.js@\n"
-    "@include live_controls.js@\n"
-    "@include live.js@\n";
-/// Those of pages that are told what a run sends.
-constexpr std::string_view kStream =
-    "@include stream.js@\n"
-    "@include stream_shown.js@\n"
-    "@include stream_view.js@\n";
-/// Plots that run, of both.
-constexpr std::string_view kPlots = "@include live_plots.js@\n";
 
 /// What is between the first `<name>` and its end.
 std::string_view element(std::string_view text, std::string_view name) {
@@ -103,22 +72,21 @@ std::optional<std::string> load_module(const std::string& path, Diagnostics& dia
 
 std::optional<std::string> page_text(const std::string& folder, const PageContents& contents,
                                      Diagnostics& diagnostics) {
-  auto text = read_part(std::filesystem::path(folder) / "report.html", diagnostics);
-  if (text) {
-    const bool simulates = contents.module.has_value();
-    replace(*text, "@plots@", simulates || contents.is_live ? kPlots : "");
-    replace(*text, "@simulation@", simulates ? kSimulation : "");
-    replace(*text, "@stream@", contents.is_live ? kStream : "");
-    // Compiling a module counts as evaluating text; nothing else is allowed with it.
-    replace(*text, "@wasm@", simulates ? " 'wasm-unsafe-eval'" : "");
-    replace(*text, "@connect@", contents.is_live ? "; connect-src 'self'" : "");
-  }
-  if (text) text = with_included(std::move(*text), folder, diagnostics);
-  if (!text) return std::nullopt;
-  const std::string style = sha256_base64(element(*text, "style"));
-  const std::string script = sha256_base64(element(*text, "script"));
-  replace(*text, "@style-hash@", style);
-  replace(*text, "@script-hash@", script);
+  const std::filesystem::path here = folder;
+  auto text = read_part(here / "page.html", diagnostics);
+  const auto style = text ? read_part(here / "page.css", diagnostics) : std::nullopt;
+  const auto script =
+      style ? joined_modules(here, entries_of(contents), diagnostics) : std::nullopt;
+  if (!script) return std::nullopt;
+  replace(*text, "@style@", *style);
+  replace(*text, "@script@", *script);
+  // Compiling a module counts as evaluating text; nothing else is allowed with it.
+  replace(*text, "@wasm@", contents.module ? " 'wasm-unsafe-eval'" : "");
+  replace(*text, "@connect@", contents.is_live ? "; connect-src 'self'" : "");
+  const std::string style_hash = sha256_base64(element(*text, "style"));
+  const std::string script_hash = sha256_base64(element(*text, "script"));
+  replace(*text, "@style-hash@", style_hash);
+  replace(*text, "@script-hash@", script_hash);
   replace(*text, "@data@", for_markup(dump_json(page_json(contents))));
   return text;
 }

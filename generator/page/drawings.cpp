@@ -1,6 +1,6 @@
 // The graph as the user wrote it and as it runs, each box and wire with its place.
+#include "generator/drawing/format.hpp"
 #include "generator/page/page.hpp"
-#include "generator/picture/picture.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -30,7 +30,7 @@ const char* name_of(BoxKind kind) {
   return "task";
 }
 
-Json ports_json(const std::vector<PicturePort>& ports, const std::vector<std::int64_t>& y) {
+Json ports_json(const std::vector<BoxPort>& ports, const std::vector<std::int64_t>& y) {
   Json list = Json::list();
   for (std::size_t i = 0; i < ports.size(); ++i)
     list.push_back(

@@ -23,7 +23,7 @@ constexpr std::size_t kMostPoints = 2000, kFewPoints = 200, kLeastPoints = 16;
 constexpr std::size_t kEpisodes = 12;         // of a trace
 constexpr std::size_t kElements = 16;         // of a channel
 constexpr std::size_t kBytes = 3'000'000;     // of all plots in the page
-constexpr std::size_t kSceneBytes = 900'000;  // of all drawings in the page
+constexpr std::size_t kSceneBytes = 900'000;  // of all films in the page
 constexpr std::size_t kBytesOfPoint = 11;     // two float32 in Base64
 constexpr std::size_t kStamps = 40'000;       // of a trace, for the timetable
 constexpr double kNsPerSecond = 1e9;
@@ -31,7 +31,7 @@ constexpr double kNsPerSecond = 1e9;
 /// How much of the traces is shown.
 struct Amount {
   std::size_t points = kMostPoints, episodes = kEpisodes;
-  std::size_t scene_bytes = kSceneBytes;  // of the drawing of an episode
+  std::size_t scene_bytes = kSceneBytes;  // of the film of an episode
 };
 
 std::size_t shown_elements(const RecordedChannel& channel) {
@@ -266,7 +266,7 @@ Json log_json(const Log& log, const Amount& amount) {
     json["episodes"].push_back(Json{{"number", e},
                                     {"states", states_json(log, e)},
                                     {"channels", std::move(channels)},
-                                    {"drawing", scenes_json(log, e, amount.scene_bytes)}});
+                                    {"film", scenes_json(log, e, amount.scene_bytes)}});
   }
   return json;
 }

@@ -1,9 +1,12 @@
 // Nodes with their inputs, outputs and parameters; where messages live, and when nodes run.
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numeric>
 #include <type_traits>
 
 #include "generator/page/page.hpp"
+#include "generator/plan/counts.hpp"
 #include "generator/plan/hop.hpp"
 
 namespace eagerx::gen {
@@ -20,11 +23,55 @@ Json list_of(const std::vector<T>& values) {
   return list;
 }
 
+/// In quanta; nothing if it is so long that its time is no exact number.
+std::optional<std::int64_t> hyperperiod_of(const std::vector<RateClass>& rates) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 53U;
+  std::uint64_t product = 1;
+  for (const RateClass& rate : rates) {
+    const std::uint64_t factor = rate.period / std::gcd(product, rate.period);
+    if (factor > kMost / product) return std::nullopt;
+    product *= factor;
+  }
+  return static_cast<std::int64_t>(product);
+}
+
+/// Ticks whose messages are listed in a page, of all connections: two bytes each.
+constexpr std::int64_t kMostTicks = 400'000;
+
+/// Messages of a connection at each tick of its reader: `begin` at the first ones, then `cycle`
+/// over and over. Null if these are more than `room`, which becomes smaller by them.
+Json received_json(const Hop& hop, bool skip, std::int64_t& room) {
+  const std::int64_t ticks = hop.settled + hop.b;
+  if (ticks > room) return nullptr;
+  room -= ticks;
+  const Counts counts{hop.a, hop.b, hop.x, skip};
+  const auto list = [&](std::int64_t from, std::int64_t to) {
+    Json numbers = Json::list();
+    for (std::int64_t n = from; n < to; ++n) numbers.push_back(counts.at(n));
+    return numbers;
+  };
+  return Json{{"begin", list(0, hop.settled)}, {"cycle", list(hop.settled, hop.settled + hop.b)}};
+}
+
 Json json_of(const Space& space) {
   return Json{{"text", space.describe()},
+              {"numbers", space.size()},
               {"bytes", bytes_of(space)},
               {"low", list_of(space.low)},
               {"high", list_of(space.high)}};
+}
+
+/// JSON has no number for what is not finite.
+Json number_of(double value) {
+  if (std::isfinite(value)) return value;
+  if (std::isnan(value)) return "not a number";
+  return value > 0 ? "∞" : "−∞";
+}
+
+Json numbers_of(const std::vector<double>& values) {
+  Json list = Json::list();
+  for (const double value : values) list.push_back(number_of(value));
+  return list;
 }
 
 Json json_of(const Config& config) {
@@ -33,9 +80,12 @@ Json json_of(const Config& config) {
     Json value = std::visit(
         [](const auto& held) {
           using Held = std::decay_t<decltype(held)>;
-          if constexpr (std::is_same_v<Held, std::vector<std::int64_t>> ||
-                        std::is_same_v<Held, std::vector<double>>)
+          if constexpr (std::is_same_v<Held, std::vector<std::int64_t>>)
             return list_of(held);
+          else if constexpr (std::is_same_v<Held, std::vector<double>>)
+            return numbers_of(held);
+          else if constexpr (std::is_same_v<Held, double>)
+            return number_of(held);
           else if constexpr (std::is_same_v<Held, std::shared_ptr<const ModelUse>>)
             return Json(held->object->id.value);
           else
@@ -104,9 +154,9 @@ const char* name_of(NodeRole role) {
 class Nodes {
  public:
   explicit Nodes(const PageContents& contents)
-      : contents_(contents), plan_(*contents.report->plan), graph_(*plan_.graph) {}
+      : contents_(contents), plan_(*contents.info->plan), graph_(*plan_.graph) {}
 
-  void add_to(Json& page) const {
+  void add_to(Json& page) {
     page["schedule"] = schedule();
     Json& nodes = page["nodes"] = Json::list();
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) nodes.push_back(node(n));
@@ -158,6 +208,9 @@ class Nodes {
               {"form", text_of(plan_.schedule.form)},
               {"asynchronous", graph_.asynchronous}};
     json["slots"] = plan_.schedule.slots ? Json(*plan_.schedule.slots) : Json(nullptr);
+    const auto hyperperiod = hyperperiod_of(plan_.rates);
+    json["hyperperiod"] =
+        hyperperiod ? time_of(Rational(*hyperperiod) * quantum_s()) : Json(nullptr);
     std::vector<std::size_t> order = plan_.before;
     order.push_back(Graph::kEnvironment);
     order.insert(order.end(), plan_.after.begin(), plan_.after.end());
@@ -179,7 +232,7 @@ class Nodes {
     return port != nullptr && !output.processor ? port->unit : std::string();
   }
 
-  Json node(std::size_t n) const {
+  Json node(std::size_t n) {
     const GraphNode& node = graph_.nodes[n];
     Json json{{"name", node.name},
               {"role", node.is_reset_node() ? "reset node" : name_of(node.role)},
@@ -204,7 +257,7 @@ class Nodes {
     return json;
   }
 
-  Json input(std::size_t n, std::size_t i) const {
+  Json input(std::size_t n, std::size_t i) {
     const Input& input = graph_.nodes[n].inputs[i];
     const Reception& reception = plan_.nodes[n].receptions[i];
     Json json{{"name", input.name},
@@ -222,20 +275,17 @@ class Nodes {
               {"keep", reception.keep},
               {"line", line_of(input.span)}};
     json["longest_delay"] = input.max_delay_s ? time_of(*input.max_delay_s) : Json(nullptr);
-    json["hop"] = hop(n, i);
+    const auto hop = graph_.asynchronous ? std::nullopt : make_hop(plan_, n, i);
+    json["hop"] = hop_json(hop);
+    json["received"] = hop ? received_json(*hop, input.skip, room_) : Json(nullptr);
     return json;
   }
 
   /// Null where messages do not come by count, or too far apart.
-  Json hop(std::size_t n, std::size_t i) const {
-    const auto hop = graph_.asynchronous ? std::nullopt : make_hop(plan_, n, i);
+  Json hop_json(const std::optional<Hop>& hop) const {
     if (!hop) return nullptr;
     return Json{{"a", hop->a},
                 {"b", hop->b},
-                {"x", hop->x},
-                {"off", hop->off},
-                {"received", hop->received},
-                {"settled", hop->settled},
                 {"newest", time_of(Rational(hop->newest_bound) * quantum_s())},
                 {"oldest", time_of(Rational(hop->oldest_bound) * quantum_s())}};
   }
@@ -285,6 +335,7 @@ class Nodes {
   const PageContents& contents_;
   const Plan& plan_;
   const Graph& graph_;
+  std::int64_t room_ = kMostTicks;
 };
 
 }  // namespace

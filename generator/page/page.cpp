@@ -28,7 +28,7 @@ Json source_json(const PageContents& contents) {
       begin = end + 1;
     }
   }
-  return Json{{"name", contents.report->plan->graph->file_name}, {"lines", std::move(lines)}};
+  return Json{{"name", contents.info->plan->graph->file_name}, {"lines", std::move(lines)}};
 }
 
 const char* name_of(Severity severity) {
@@ -72,8 +72,8 @@ Json images_json(const std::vector<PageImage>& images) {
 }  // namespace
 
 Json page_json(const PageContents& contents) {
-  const Plan& plan = *contents.report->plan;
-  Json page{{"info", report_json(*contents.report)},
+  const Plan& plan = *contents.info->plan;
+  Json page{{"info", info_json(*contents.info)},
             {"agent", agent_text(plan.graph->agent)},
             {"real", plan.graph->double_precision ? "double" : "float"},
             {"drawings", drawings_json(*plan.graph, contents.spec->composites)}};

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "generator/agent/policies.hpp"
+#include "generator/info/info.hpp"
 #include "generator/json/json.hpp"
 #include "generator/plan/plan.hpp"
-#include "generator/report/report.hpp"
 #include "generator/size/size.hpp"
 
 namespace eagerx::gen {
@@ -26,7 +26,7 @@ struct PageImage {
 struct PageContents {
   const GraphSpec* spec = nullptr;
   const Policies* policies = nullptr;
-  const PlanReport* report = nullptr;  // and with it plan and graph
+  const PlanInfo* info = nullptr;  // and with it plan and graph
   const SourceMap* sources = nullptr;
   const Diagnostics* diagnostics = nullptr;
   std::vector<PageImage> images = {};
@@ -38,10 +38,10 @@ struct PageContents {
 /// The block of data of the page: `info` is what `eagerx-gen info --json` prints.
 Json page_json(const PageContents& contents);
 
-/// The page: the file `report.html` of `folder` with what it includes, and the data in it. Bytes
-/// are the same on every machine. What stands in `data` stays data: it can close no element and
-/// begin none. With a module the page may run it; a live one may speak with who shows it. Problems:
-/// E0301 a file of the template cannot be read.
+/// The page: `page.html` of `folder` with its style, its modules joined to one script, and the
+/// data. Bytes are the same on every machine. What stands in `data` stays data: it can close no
+/// element and begin none. With a module the page may run it; a live one may speak with who shows
+/// it. Problems: E0301 a file of the template cannot be read.
 std::optional<std::string> page_text(const std::string& folder, const PageContents& contents,
                                      Diagnostics& diagnostics);
 

@@ -92,7 +92,7 @@ Json policy_json(const std::string& name, const PolicyUse& use, const Network& n
 }  // namespace
 
 Json policies_json(const PageContents& contents) {
-  const Graph& graph = *contents.report->plan->graph;
+  const Graph& graph = *contents.info->plan->graph;
   Json list = Json::list();
   if (contents.policies->agent)
     list.push_back(policy_json("agent", agent_use(graph), *contents.policies->agent, contents));

@@ -1,4 +1,4 @@
-// The drawing of a trace: scenes as they change, so many that the page stays small.
+// The film of a trace: scenes as they change, so many that the page stays small.
 #include "generator/page/scenes.hpp"
 
 #include <algorithm>

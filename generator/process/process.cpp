@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 namespace eagerx::gen {
 namespace {
@@ -27,9 +28,11 @@ constexpr int kNotStarted = 127;
   bool good = setpgid(0, 0) == 0 && setenv("LC_ALL", "C", 1) == 0;
   for (const auto& [name, value] : options.environment)
     good = good && setenv(name.c_str(), value.c_str(), 1) == 0;
-  const int nothing = open("/dev/null", O_RDONLY);
-  if (good && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 &&
-      dup2(output, STDOUT_FILENO) >= 0 && dup2(output, STDERR_FILENO) >= 0)
+  const int nothing = open("/dev/null", O_RDWR);
+  const int input = options.input >= 0 ? options.input : nothing;
+  const int error = options.line ? nothing : output;
+  if (good && nothing >= 0 && dup2(input, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 &&
+      dup2(error, STDERR_FILENO) >= 0)
     execvp(arguments.front(), arguments.data());
   _exit(kNotStarted);
 }
@@ -72,7 +75,18 @@ class PassSignals {
   std::array<struct sigaction, kEndingSignals.size()> before_{};
 };
 
-/// What comes through `end`, until nobody writes to it any more.
+/// Takes the whole lines from the beginning of `text`, or at its end what is left, too.
+void take_lines(std::string& text, bool ended, const ProcessOptions& options) {
+  std::string_view rest = text;
+  for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+    options.line(rest.substr(0, end));
+    rest.remove_prefix(end + 1);
+  }
+  if (ended && !rest.empty()) options.line(std::exchange(rest, {}));
+  text.erase(0, text.size() - rest.size());
+}
+
+/// What comes through `end`, until nobody writes to it any more; nothing if it goes to `line`.
 std::string read_all(int end, const ProcessOptions& options) {
   constexpr int kWaitMs = 200;
   std::string output;
@@ -84,8 +98,9 @@ std::string read_all(int end, const ProcessOptions& options) {
     if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
     const ssize_t count = read(end, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
+    if (count > 0) output.append(buffer.data(), static_cast<std::size_t>(count));
+    if (options.line) take_lines(output, count <= 0, options);
     if (count <= 0) return output;
-    output.append(buffer.data(), static_cast<std::size_t>(count));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,11 +20,14 @@ struct ProcessOptions {
   std::vector<std::pair<std::string, std::string>> environment = {};  // added to that of eagerx-gen
   /// Called several times a second with what came so far.
   std::function<void(const std::string& output)> waiting = {};
+  int input = -1;  // the descriptor of its standard input; -1: none
+  /// Called with each line of the standard output, which then is not kept. Standard error is thrown
+  /// away: for programs whose output may be long, and is read by a program.
+  std::function<void(std::string_view line)> line = {};
 };
 
-/// Runs a program, which is looked for in PATH, in the C locale and without an input, until it
-/// ends; nothing if it could not be started. SIGINT, SIGTERM and SIGHUP end it, all that it
-/// started, and then eagerx-gen.
+/// Runs a program, which is looked for in PATH, in the C locale, until it ends; nothing if it could
+/// not be started. SIGINT, SIGTERM and SIGHUP end it, all that it started, and then eagerx-gen.
 std::optional<ProcessResult> run_process(const std::vector<std::string>& command,
                                          const ProcessOptions& options = {});
 

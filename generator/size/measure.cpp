@@ -123,19 +123,19 @@ class Measurement {
       for (std::uint64_t at = address; at < address + symbol.size; at += 2)
         fmt::print(list.get(), "{:x}\n", at);
     }
-    if (std::fflush(list.get()) != 0) return false;
+    if (std::fflush(list.get()) != 0 || std::fseek(list.get(), 0, SEEK_SET) != 0) return false;
     addresses_.clear();
     places_.clear();
-    for_each_line({"sh", "-c", fmt::format("exec {}addr2line -a -i -e \"$1\" <\"$2\"", prefix_),
-                   "sh", image_, fmt::format("/dev/fd/{}", fileno(list.get()))},
-                  [&](std::string_view line) {
-                    if (line.starts_with("0x")) {
-                      addresses_.emplace_back();
-                      places_.push_back(hex(line.substr(2)));
-                    } else if (!addresses_.empty()) {
-                      addresses_.back().emplace_back(line);
-                    }
-                  });
+    const auto take = [&](std::string_view line) {
+      if (line.starts_with("0x")) {
+        addresses_.emplace_back();
+        places_.push_back(hex(line.substr(2)));
+      } else if (!addresses_.empty()) {
+        addresses_.back().emplace_back(line);
+      }
+    };
+    // One process for all: it reads the image's description once.
+    for_each_line({prefix_ + "addr2line", "-a", "-i", "-e", image_}, take, fileno(list.get()));
     return true;
   }
 

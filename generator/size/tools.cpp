@@ -1,42 +1,16 @@
 #include "generator/size/tools.hpp"
 
-#include <sys/wait.h>
-
 #include <array>
-#include <cstdio>
 #include <fstream>
 
+#include "generator/process/process.hpp"
+
 namespace eagerx::gen {
-namespace {
-
-std::string quoted(const std::string& word) {
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
-}  // namespace
 
 int for_each_line(const std::vector<std::string>& command,
-                  const std::function<void(std::string_view)>& line) {
-  std::string text;
-  for (const auto& word : command) text += quoted(word) + " ";
-  std::FILE* pipe = popen((text + "2>/dev/null").c_str(), "r");
-  if (pipe == nullptr) return -1;
-  std::string current;
-  std::array<char, 1U << 16U> buffer{};
-  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
-    current += buffer.data();
-    if (current.back() != '\n') continue;
-    current.pop_back();
-    line(current);
-    current.clear();
-  }
-  if (!current.empty()) line(current);
-  const int status = pclose(pipe);
-  constexpr int kNotFound = 127;
-  if (status == -1 || !WIFEXITED(status) || WEXITSTATUS(status) == kNotFound) return -1;
-  return WEXITSTATUS(status);
+                  const std::function<void(std::string_view)>& line, int input) {
+  const auto result = run_process(command, {.input = input, .line = line});
+  return result ? result->exit_code : -1;
 }
 
 std::optional<std::string> tool_prefix(const std::string& image) {

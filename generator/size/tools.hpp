@@ -13,9 +13,10 @@ namespace eagerx::gen {
 constexpr std::size_t kMaxLine = 16'000;
 
 /// Runs a program, gives every line of its standard output to `line`, and returns its exit code;
-/// -1 if it could not be started. Its standard error is thrown away.
+/// -1 if it could not be started, or a signal ended it. Its standard error is thrown away. `input`:
+/// the descriptor that it reads from; -1: none.
 int for_each_line(const std::vector<std::string>& command,
-                  const std::function<void(std::string_view)>& line);
+                  const std::function<void(std::string_view)>& line, int input = -1);
 
 /// What the names of these programs begin with for an image, by the machine in its ELF header:
 /// `arm-none-eabi-`, `riscv64-unknown-elf-`, or nothing for the machine that this runs on. nullopt:

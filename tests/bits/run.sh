@@ -29,7 +29,7 @@ check() { # compiler, flags
 
 for compiler in $compilers; do
   if ! command -v "$compiler" >/dev/null; then
-    echo "skipped   $compiler is not installed"
+    echo "SKIPPED: $compiler is not installed"
     continue
   fi
   for level in -O0 -O2 -O3; do

@@ -8,6 +8,8 @@ if(definitions MATCHES EAGERX_NCURSES)
   add_test(NAME monitor.screen COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/screen $<TARGET_FILE:eagerx-gen>
                                        $<TARGET_FILE:replay_swing_up>)
   set_tests_properties(monitor.screen PROPERTIES SKIP_RETURN_CODE 77)
+else()
+  eagerx_left_out(monitor.screen "there is no ncurses (toolchains/install-packages build)")
 endif()
 # Foxglove's protocol, of monitor and of the live page, which a browser shows where there is one.
 if(EAGERX_LIBWEBSOCKETS)
@@ -15,5 +17,9 @@ if(EAGERX_LIBWEBSOCKETS)
                                          $<TARGET_FILE:replay_swing_up>)
   add_test(NAME report.live COMMAND ${CMAKE_CURRENT_LIST_DIR}/../browser/live ${PROJECT_BINARY_DIR}
                                     $<TARGET_FILE:replay_swing_up>)
-  set_tests_properties(report.live PROPERTIES SKIP_RETURN_CODE 77)
+  # A browser is a package of the long tests.
+  set_tests_properties(report.live PROPERTIES SKIP_RETURN_CODE 77 LABELS long)
+else()
+  eagerx_left_out(monitor.foxglove "there is no libwebsockets (toolchains/install-packages publish)")
+  eagerx_left_out(report.live "there is no libwebsockets (toolchains/install-packages publish)")
 endif()

@@ -1,5 +1,6 @@
 # Robots from URDF files, where pugixml is.
 if(NOT TARGET eagerx-urdf)
+  eagerx_left_out(urdf "there is no pugixml (toolchains/install-packages models)")
   return()
 endif()
 eagerx_add_graph(TARGET urdf_robots GRAPH ${CMAKE_CURRENT_LIST_DIR}/graph.yaml)

@@ -3,7 +3,7 @@ import base64
 import pathlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-MISSING = "there is no selenium: sudo apt install chromium chromium-driver python3-selenium"
+MISSING = "there is no selenium: toolchains/install-packages browser"
 
 RUN = """
 const done = arguments[arguments.length - 1], [module, options] = arguments;
@@ -24,7 +24,7 @@ class Chromium:
     def __init__(self):
         from selenium import webdriver
         options = webdriver.ChromeOptions()
-        for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--host-resolver-rules=MAP * ~NOTFOUND"):
+        for word in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--host-resolver-rules=MAP * ~NOTFOUND"):
             options.add_argument(word)
         self.driver = webdriver.Chrome(options=options)
         self.driver.set_script_timeout(300)

@@ -3,35 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
+#include "tests/unit/graph_of_text.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-struct AgedGraph {
-  SourceMap sources;
-  Diagnostics diagnostics;
-  std::optional<Graph> graph;
-  std::optional<Plan> plan;
-};
-
-std::unique_ptr<AgedGraph> plan_of(const std::string& text) {
-  static SourceMap library_sources;
-  static Diagnostics library_diagnostics;
-  static const Library kLibrary = load_library({{std::string(EAGERX_SOURCE_DIR) + "/models", {}},
-                                                {std::string(EAGERX_SOURCE_DIR) + "/targets", {}}},
-                                               library_sources, library_diagnostics);
-  auto result = std::make_unique<AgedGraph>();
-  const YamlValue tree = read_yaml_text("graph.yaml", text, result->sources, result->diagnostics);
-  const auto spec = read_graph_spec(tree, "graph.yaml", result->diagnostics);
-  if (spec) result->graph = resolve(*spec, kLibrary, {}, result->diagnostics);
-  if (result->graph) result->plan = make_plan(*result->graph, result->diagnostics);
-  EXPECT_TRUE(result->plan) << render_text(result->diagnostics, result->sources, false);
-  return result;
-}
-
 /// "motor.theta -> motor.u 9/1000", a line for each pair; times in s.
-std::string ages(const AgedGraph& graph, const WayEnds& ends) {
+std::string ages(const GraphOfText& graph, const WayEnds& ends) {
   const DataAges found(*graph.plan, ends);
   std::string text;
   for (const DataAge& age : found.known()) {
@@ -67,7 +45,7 @@ constexpr const char* kCascade =
     "  - {from: speed.u, to: motor.u}\n";
 
 TEST(Ages, AreThoseOfTheEndsThatAreAskedFor) {
-  const auto graph = plan_of(kCascade);
+  const auto graph = graph_of_text(kCascade);
   EXPECT_EQ(usual_ends(*graph->graph), (WayEnds{false, false, true}));
   EXPECT_EQ(ages(*graph, {false, false, true}),
             "motor.theta -> motor.u 0.003\nmotor.theta_dot -> motor.u 0.001\n");
@@ -82,7 +60,7 @@ TEST(Ages, OfWaysAroundTheAgentAreThoseWithoutIt) {
   const std::string around = "  - {from: motor.theta, to: position.measured}\n";
   text.replace(text.find(around), around.size(),
                "  - {from: motor.theta, to: position.measured, delay: 30 ms}\n");
-  const auto graph = plan_of(text);
+  const auto graph = graph_of_text(text);
   EXPECT_EQ(ages(*graph, {false, false, true}),
             "motor.theta -> motor.u 0.011\nmotor.theta_dot -> motor.u 0.001\n")
       << "the agent's answer is fresher";
@@ -91,13 +69,14 @@ TEST(Ages, OfWaysAroundTheAgentAreThoseWithoutIt) {
 }
 
 /// A library: what is measured at 100 Hz goes through a controller at `rate_hz`.
-std::unique_ptr<AgedGraph> alone(const std::string& rate_hz, const std::string& settings) {
-  return plan_of("name: alone\nrate: 100\nnodes:\n  speed: {type: PidController, rate: " + rate_hz +
-                 ", config: {kp: 2, low: -6, high: 6}}\n"
-                 "actions: {angle: {space: {dtype: float32, shape: [1], low: -3, high: 3}}}\n"
-                 "observations: [voltage]\nconnections:\n"
-                 "  - {from: actions.angle, to: speed.measured" +
-                 settings + "}\n  - {from: speed.u, to: observations.voltage, skip: true}\n");
+std::unique_ptr<GraphOfText> alone(const std::string& rate_hz, const std::string& settings) {
+  return graph_of_text(
+      "name: alone\nrate: 100\nnodes:\n  speed: {type: PidController, rate: " + rate_hz +
+      ", config: {kp: 2, low: -6, high: 6}}\n"
+      "actions: {angle: {space: {dtype: float32, shape: [1], low: -3, high: 3}}}\n"
+      "observations: [voltage]\nconnections:\n"
+      "  - {from: actions.angle, to: speed.measured" +
+      settings + "}\n  - {from: speed.u, to: observations.voltage, skip: true}\n");
 }
 
 TEST(Ages, WithoutAnEngineAreCountedBetweenCallsOfStep) {
@@ -115,7 +94,7 @@ TEST(Ages, WithoutAnEngineAreCountedBetweenCallsOfStep) {
 TEST(Ages, UnknownConnectionsCountBetweenTheirEndsOnly) {
   std::string text = kCascade;
   text.replace(text.find("20 ms"), 5, "40000");
-  const auto graph = plan_of(text);
+  const auto graph = graph_of_text(text);
   const DataAges found(*graph->plan, {false, true, true});
   EXPECT_EQ(found.unknown().size(), 1U);
   EXPECT_EQ(found.unknown("motor.theta_dot", "observations.speed").size(), 1U);
@@ -125,7 +104,7 @@ TEST(Ages, UnknownConnectionsCountBetweenTheirEndsOnly) {
 }
 
 TEST(Ages, NamesOfEnds) {
-  const auto graph = plan_of(kCascade);
+  const auto graph = graph_of_text(kCascade);
   using Names = std::vector<std::string>;
   EXPECT_EQ(names_of_sources(*graph->graph, true), Names{"actions.angle"});
   EXPECT_EQ(names_of_destinations(*graph->graph, false), Names{"motor.u"});

@@ -1,35 +1,15 @@
 // What crosses the link between the two programs of a split graph.
 #include <gtest/gtest.h>
 
-#include <memory>
-
-#include "generator/plan/plan.hpp"
+#include "tests/unit/graph_of_text.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-struct PlannedGraph {
-  SourceMap sources;
-  Diagnostics diagnostics;
-  std::optional<Graph> graph;
-  std::optional<Plan> plan;
-};
-
-const Library& library() {
-  static SourceMap sources;
-  static Diagnostics diagnostics;
-  static const Library kLibrary = load_library({{std::string(EAGERX_SOURCE_DIR) + "/models", {}},
-                                                {std::string(EAGERX_SOURCE_DIR) + "/targets", {}}},
-                                               sources, diagnostics);
-  EXPECT_FALSE(diagnostics.has_errors());
-  return kLibrary;
-}
-
 /// Sensors at 60 Hz, a filter at `filter_hz`, an agent at 30 Hz.
-std::unique_ptr<PlannedGraph> planned(const std::string& placement,
-                                      const std::string& filter_hz = "30",
-                                      const std::string& to_filter = "actions.voltage") {
-  auto result = std::make_unique<PlannedGraph>();
+std::unique_ptr<GraphOfText> planned(const std::string& placement,
+                                     const std::string& filter_hz = "30",
+                                     const std::string& to_filter = "actions.voltage") {
   const std::string text =
       "name: tested\nrate: 30\nengine: {type: OdeEngine, rate: 60}\n"
       "objects:\n  arm: {type: Pendulum, sensors: {theta: {rate: 60}}}\n"
@@ -43,12 +23,7 @@ std::unique_ptr<PlannedGraph> planned(const std::string& placement,
       "  - {from: arm.theta, to: observations.angle}\n"
       "placement: {" +
       placement + ": mps2-an386}\n";
-  const YamlValue tree = read_yaml_text("graph.yaml", text, result->sources, result->diagnostics);
-  const auto spec = read_graph_spec(tree, "graph.yaml", result->diagnostics);
-  if (spec) result->graph = resolve(*spec, library(), {}, result->diagnostics);
-  if (result->graph) result->plan = make_plan(*result->graph, result->diagnostics);
-  EXPECT_TRUE(result->plan) << render_text(result->diagnostics, result->sources, false);
-  return result;
+  return graph_of_text(text);
 }
 
 std::vector<std::string> names(const Plan& plan, const std::vector<bool>& crosses) {

@@ -3,25 +3,26 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <eagerx/link/telemetry.hpp>
 #include <memory>
+
+#include "tests/unit/graph_of_text.hpp"
 
 namespace eagerx::gen {
 namespace {
 
+/// A graph whose plan is of telemetry.
 struct Planned {
-  SourceMap sources;
-  Diagnostics diagnostics;
-  std::optional<Graph> graph;
-  std::optional<Plan> plan;
+  std::unique_ptr<GraphOfText> made;
 
-  const TelemetryPlan& telemetry() const { return *plan->telemetry; }
+  const TelemetryPlan& telemetry() const { return *made->plan->telemetry; }
   /// By group: "60 Hz/2: a b"
   std::vector<std::string> groups() const {
     std::vector<std::string> result;
     for (const auto& group : telemetry().groups) {
-      std::string text =
-          plan->rates[group.rate].rate_hz.to_string() + " Hz/" + std::to_string(group.every) + ":";
+      std::string text = made->plan->rates[group.rate].rate_hz.to_string() + " Hz/" +
+                         std::to_string(group.every) + ":";
       for (const auto& place : group.channels)
         text += " " + place.port + "@" + std::to_string(place.offset);
       result.push_back(text);
@@ -30,19 +31,8 @@ struct Planned {
   }
 };
 
-const Library& library_of_telemetry() {
-  static SourceMap sources;
-  static Diagnostics diagnostics;
-  static const Library kLibrary = load_library({{std::string(EAGERX_SOURCE_DIR) + "/models", {}},
-                                                {std::string(EAGERX_SOURCE_DIR) + "/targets", {}}},
-                                               sources, diagnostics);
-  EXPECT_FALSE(diagnostics.has_errors());
-  return kLibrary;
-}
-
 /// Sensors at 600 and 60 Hz, a filter at 300 Hz, an agent at 30 Hz.
-std::unique_ptr<Planned> with_telemetry(const std::string& telemetry) {
-  auto result = std::make_unique<Planned>();
+Planned with_telemetry(const std::string& telemetry) {
   const std::string text =
       "name: tested\nrate: 30\nengine: {type: OdeEngine, rate: 600}\n"
       "objects:\n  arm: {type: Pendulum, sensors: {theta: {rate: 600}, theta_dot: {rate: 60}}}\n"
@@ -53,11 +43,7 @@ std::unique_ptr<Planned> with_telemetry(const std::string& telemetry) {
       "  - {from: arm.theta_dot, to: observations.speed}\n"
       "telemetry: {" +
       telemetry + "}\n";
-  const YamlValue tree = read_yaml_text("graph.yaml", text, result->sources, result->diagnostics);
-  const auto spec = read_graph_spec(tree, "graph.yaml", result->diagnostics);
-  if (spec) result->graph = resolve(*spec, library_of_telemetry(), {}, result->diagnostics);
-  if (result->graph) result->plan = make_plan(*result->graph, result->diagnostics);
-  return result;
+  return {read_graph_text(text)};
 }
 
 using Texts = std::vector<std::string>;
@@ -65,26 +51,26 @@ using Texts = std::vector<std::string>;
 TEST(PlanTelemetry, WhatFitsIsSentInFull) {
   const auto made = with_telemetry(
       "channels: [actions.voltage, arm.theta, engine.tick], share: 1, baud: 1000000");
-  ASSERT_TRUE(made->plan) << render_text(made->diagnostics, made->sources, false);
-  EXPECT_EQ(made->groups(),
+  ASSERT_TRUE(made.made->plan) << render_text(made.made->diagnostics, made.made->sources, false);
+  EXPECT_EQ(made.groups(),
             (Texts{"600 Hz/1: arm.theta@8 engine.tick@12", "30 Hz/1: actions.voltage@8"}));
-  EXPECT_EQ(made->telemetry().groups.front().bytes, 20U);
-  EXPECT_FALSE(made->telemetry().wanted_bytes_per_s);
+  EXPECT_EQ(made.telemetry().groups.front().bytes, 20U);
+  EXPECT_FALSE(made.telemetry().wanted_bytes_per_s);
   // Frames of 20 + 12 and 12 + 12 bytes, and a greeting of 28 + 12 once a second.
-  EXPECT_DOUBLE_EQ(made->telemetry().bytes_per_s, 600 * 32 + 30 * 24 + 40);
-  EXPECT_EQ(made->telemetry().greet_every, 630U);
-  EXPECT_EQ(made->telemetry().cells, 8U);
+  EXPECT_DOUBLE_EQ(made.telemetry().bytes_per_s, 600 * 32 + 30 * 24 + 40);
+  EXPECT_EQ(made.telemetry().greet_every, 630U);
+  EXPECT_EQ(made.telemetry().cells, 8U);
 }
 
 TEST(PlanTelemetry, TheFastestGiveWayFirst) {
   const auto made = with_telemetry(
       "channels: [arm.theta, smooth.filtered, arm.theta_dot, actions.voltage], baud: 76800");
-  ASSERT_TRUE(made->plan) << render_text(made->diagnostics, made->sources, false);
+  ASSERT_TRUE(made.made->plan) << render_text(made.made->diagnostics, made.made->sources, false);
   // All 990 messages of 24 bytes would be 23,760; 3,840 are allowed.
-  EXPECT_EQ(made->groups(), (Texts{"600 Hz/13: arm.theta@8", "300 Hz/7: smooth.filtered@8",
-                                   "60 Hz/2: arm.theta_dot@8", "30 Hz/1: actions.voltage@8"}));
-  EXPECT_LE(made->telemetry().bytes_per_s, 3840);
-  EXPECT_DOUBLE_EQ(*made->telemetry().wanted_bytes_per_s, 990 * 24 + 40);
+  EXPECT_EQ(made.groups(), (Texts{"600 Hz/13: arm.theta@8", "300 Hz/7: smooth.filtered@8",
+                                  "60 Hz/2: arm.theta_dot@8", "30 Hz/1: actions.voltage@8"}));
+  EXPECT_LE(made.telemetry().bytes_per_s, 3840);
+  EXPECT_DOUBLE_EQ(*made.telemetry().wanted_bytes_per_s, 990 * 24 + 40);
 }
 
 TEST(PlanTelemetry, ThereIsNoFasterRateThatFits) {
@@ -92,9 +78,9 @@ TEST(PlanTelemetry, ThereIsNoFasterRateThatFits) {
     const auto made = with_telemetry(
         "channels: [arm.theta, smooth.filtered, arm.theta_dot, actions.voltage], baud: " +
         std::to_string(baud));
-    ASSERT_TRUE(made->plan) << baud;
+    ASSERT_TRUE(made.made->plan) << baud;
     const double allowed = baud / 20.0;
-    EXPECT_LE(made->telemetry().bytes_per_s, allowed) << baud;
+    EXPECT_LE(made.telemetry().bytes_per_s, allowed) << baud;
     const auto of_first = [&](std::uint32_t n) {
       double bytes = 40;
       for (const double hz : {600.0, 300.0, 60.0, 30.0}) {
@@ -103,8 +89,8 @@ TEST(PlanTelemetry, ThereIsNoFasterRateThatFits) {
       }
       return bytes;
     };
-    const std::uint32_t every = made->telemetry().groups.front().every;
-    EXPECT_NEAR(of_first(every), made->telemetry().bytes_per_s, 1e-6) << baud;
+    const std::uint32_t every = made.telemetry().groups.front().every;
+    EXPECT_NEAR(of_first(every), made.telemetry().bytes_per_s, 1e-6) << baud;
     if (every > 1) {
       EXPECT_GT(of_first(every - 1), allowed) << baud;
     }
@@ -114,34 +100,34 @@ TEST(PlanTelemetry, ThereIsNoFasterRateThatFits) {
 TEST(PlanTelemetry, AMostRateIsKept) {
   const auto made =
       with_telemetry("channels: [arm.theta, actions.voltage], rate: 45, baud: 1000000");
-  ASSERT_TRUE(made->plan);
+  ASSERT_TRUE(made.made->plan);
   // 600 / 45 is 13.3.
-  EXPECT_EQ(made->groups(), (Texts{"600 Hz/14: arm.theta@8", "30 Hz/1: actions.voltage@8"}));
+  EXPECT_EQ(made.groups(), (Texts{"600 Hz/14: arm.theta@8", "30 Hz/1: actions.voltage@8"}));
 }
 
 TEST(PlanTelemetry, WhatIsSlowerThanAHertzIsSentInFull) {
   const auto made = with_telemetry("channels: [arm.theta], rate: 1/10, baud: 1200");
-  ASSERT_TRUE(made->plan) << render_text(made->diagnostics, made->sources, false);
-  EXPECT_EQ(made->groups(), (Texts{"600 Hz/6000: arm.theta@8"}));
+  ASSERT_TRUE(made.made->plan) << render_text(made.made->diagnostics, made.made->sources, false);
+  EXPECT_EQ(made.groups(), (Texts{"600 Hz/6000: arm.theta@8"}));
 }
 
 TEST(PlanTelemetry, TooMuchIsRefusedWithItsPlace) {
   const auto made =
       with_telemetry("channels: [arm.theta, actions.voltage], baud: 1200, share: 0.5");
-  EXPECT_FALSE(made->plan);
-  ASSERT_EQ(made->diagnostics.error_count(), 1U);
-  EXPECT_EQ(made->diagnostics.all().front().code, "E0426");
-  EXPECT_EQ(made->diagnostics.all().front().span.line, 15U);
+  EXPECT_FALSE(made.made->plan);
+  ASSERT_EQ(made.made->diagnostics.error_count(), 1U);
+  EXPECT_EQ(made.made->diagnostics.all().front().code, "E0426");
+  EXPECT_EQ(made.made->diagnostics.all().front().span.line, 15U);
 }
 
 TEST(PlanTelemetry, WhereInputsGoByTheClockEachChannelIsOnItsOwn) {
   // Their nodes may leave out messages, each its own.
   const auto made = with_telemetry("channels: [arm.theta, engine.tick], baud: 1000000");
-  ASSERT_TRUE(made->graph);
-  made->graph->asynchronous = true;
-  made->plan = make_plan(*made->graph, made->diagnostics);
-  ASSERT_TRUE(made->plan);
-  EXPECT_EQ(made->groups(), (Texts{"600 Hz/1: arm.theta@8", "600 Hz/1: engine.tick@8"}));
+  ASSERT_TRUE(made.made->graph);
+  made.made->graph->asynchronous = true;
+  made.made->plan = make_plan(*made.made->graph, made.made->diagnostics);
+  ASSERT_TRUE(made.made->plan);
+  EXPECT_EQ(made.groups(), (Texts{"600 Hz/1: arm.theta@8", "600 Hz/1: engine.tick@8"}));
 }
 
 TEST(PlanTelemetry, FramesAreAsLongAsThoseOfTheRuntime) {

@@ -1,0 +1,79 @@
+// What a graph's task sees and gives.
+#include <fmt/format.h>
+
+#include "generator/info/info.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::string weighted(const TaskExpression& term) {
+  return term.weight == 1.0 ? term.text : fmt::format("{} * ({})", term.weight, term.text);
+}
+
+std::string conditions_text(const char* what, const std::vector<TaskExpression>& conditions) {
+  std::string text;
+  for (const TaskExpression& condition : conditions) {
+    text += fmt::format("  {:<11} {}: {}\n", what, condition.name, condition.text);
+    what = "";
+  }
+  return text;
+}
+
+std::string in_seconds(std::uint64_t steps, const Graph& graph) {
+  const Rational seconds = Rational(static_cast<std::int64_t>(steps)) / graph.environment().rate_hz;
+  return fmt::format("{} step{}, {} s", steps, steps == 1 ? "" : "s", seconds.to_string());
+}
+
+Json conditions_json(const std::vector<TaskExpression>& conditions) {
+  Json json = Json::object();
+  for (const TaskExpression& condition : conditions) json[condition.name] = condition.text;
+  return json;
+}
+
+}  // namespace
+
+std::string task_text(const Graph& graph) {
+  if (!graph.task) return {};
+  const Task& task = *graph.task;
+  std::string text = "\ntask\n";
+  const char* what = "sees";
+  for (const Input& input : graph.nodes[task.node].inputs) {
+    text += fmt::format("  {:<11} {}: {}{}{}\n", what, input.name, name_of_source(graph, input),
+                        input.processor ? ", " + input.processor->names() : "",
+                        input.skip ? ", of the step that ends" : "");
+    what = "";
+  }
+  what = "reward";
+  for (const TaskExpression& term : task.terms) {
+    text += fmt::format("  {:<11} {}: {}\n", what, term.name, weighted(term));
+    what = "";
+  }
+  text += conditions_text("terminated", task.terminated);
+  text += conditions_text("truncated", task.truncated);
+  if (task.after > 0)
+    text += fmt::format("  {:<11} after {}\n", task.truncated.empty() ? "truncated" : "",
+                        in_seconds(task.after, graph));
+  text += conditions_text("success", task.success);
+  if (!task.success.empty())
+    text += fmt::format("  {:<11} over the last {}\n", "", in_seconds(task.over_last, graph));
+  return text;
+}
+
+Json task_json(const Graph& graph) {
+  const Task& task = *graph.task;
+  Json json;
+  json["inputs"] = Json::object();
+  for (const Input& input : graph.nodes[task.node].inputs)
+    json["inputs"][input.name] = name_of_source(graph, input);
+  json["reward"] = Json::object();
+  for (const TaskExpression& term : task.terms)
+    json["reward"][term.name] = Json{{"value", term.text}, {"weight", term.weight}};
+  json["terminated"] = conditions_json(task.terminated);
+  json["truncated"] = conditions_json(task.truncated);
+  json["success"] = conditions_json(task.success);
+  json["episode_steps"] = task.after;
+  json["success_steps"] = task.over_last;
+  return json;
+}
+
+}  // namespace eagerx::gen

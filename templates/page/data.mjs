@@ -1,0 +1,37 @@
+// What the generator has put into the page, and what is known of it, found fast. All of it comes from files of others:
+// it becomes text, never markup.
+import {parse} from "./numbers.mjs";
+
+export const data = JSON.parse(document.getElementById("data").textContent);
+
+export const nodes = data.nodes;
+nodes.forEach((node, number) => {
+  node.number = number;
+  node.rate_hz = parse(node.rate);
+  node.rings = [];
+  node.readers = node.outputs.map(() => []);
+  node.channels = node.outputs.map(() => null);
+});
+nodes.forEach((node) => node.inputs.forEach((input, i) => {
+  input.node = node.number;
+  input.number = i;
+  nodes[input.source[0]].readers[input.source[1]].push(input);
+}));
+data.rings.forEach((ring, number) => {
+  ring.number = number;
+  nodes[ring.node].rings.push(ring);
+});
+data.channels.forEach((channel, number) => {
+  nodes[channel.node].channels[channel.output] = number;
+});
+export const inputOf = new Map();  // by the name that ages use
+nodes.forEach((node) => node.inputs.forEach((input) => inputOf.set(input.written, input)));
+
+export function outputName(node, o) {
+  const output = nodes[node].outputs[o];
+  return output.sensor || (node === 0 ? `actions.${output.name}` : `${nodes[node].name}.${output.name}`);
+}
+
+export function ageWay(age) {
+  return age.way.map((hop) => inputOf.get(hop.input)).filter(Boolean);
+}

@@ -1,0 +1,37 @@
+// When nodes run, and what they have received by then: added up from what the generator counts.
+import {data, nodes} from "./data.mjs";
+
+export const order = data.schedule.order;
+export const rowOf = new Map(order.map((node, row) => [node, row]));
+export const quantum = data.schedule.quantum.seconds;
+
+/** In seconds; null if it is too long for numbers. */
+export const wholePeriod = data.schedule.hyperperiod && data.schedule.hyperperiod.seconds;
+
+export function periodOf(node) {
+  return data.schedule.rates[nodes[node].rate_class].period * quantum;
+}
+
+const known = new WeakMap();
+/** Sums of a list from its beginning on: one more than it has numbers. */
+function sumsOf(numbers) {
+  if (!known.has(numbers)) {
+    let sum = 0;
+    known.set(numbers, [0, ...numbers.map((number) => (sum += number))]);
+  }
+  return known.get(numbers);
+}
+
+/** How many messages a connection has received by tick n: `begin` at the first ticks, then `cycle` over and over. */
+export function receivedBy({begin, cycle}, n) {
+  const first = sumsOf(begin);
+  if (n < begin.length) return first[n + 1];
+  const later = n - begin.length, inCycle = sumsOf(cycle);
+  return first[begin.length] + Math.floor(later / cycle.length) * inCycle[cycle.length] +
+      inCycle[later % cycle.length + 1];
+}
+
+/** Number of the newest message that the node has at tick n; -1: none yet; null: not known. */
+export function newestAt(input, n) {
+  return input.received && receivedBy(input.received, n) - 1;
+}

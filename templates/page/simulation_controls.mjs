@@ -1,0 +1,156 @@
+// Sliders of the simulation: actions by hand, and the states that episodes begin with.
+import {breakable, card, el} from "./elements.mjs";
+import {short} from "./numbers.mjs";
+
+/** A row for each number of `fields`: {name, first, number} and its bounds. */
+export function numbersOf(fields, low, high, most = 64) {
+  const rows = fields.flatMap(
+      (field) => Array.from({length: field.numbers}, (_, i) => ({
+                                                       name: field.numbers > 1 ? `${field.name}[${i}]` : field.name,
+                                                       at: field.first + i,
+                                                       whole: !field.dtype.startsWith("float"),
+                                                       low: low[field.first + i],
+                                                       high: high[field.first + i]
+                                                     })));
+  return rows.slice(0, most);
+}
+
+/**
+   A slider and a field for one number. `changed(value)` when somebody moves it. Has `show(value)`. Without bounds there
+   is a slider if it is `tunable`: around the first number that is typed.
+ */
+function numberControl(row, changed) {
+  const bounded = Number.isFinite(row.high - row.low);
+  const step = row.whole ? 1 : "any";
+  const limits = {
+    min: Number.isFinite(row.low) ? row.low : undefined,
+    max: Number.isFinite(row.high) ? row.high : undefined
+  };
+  const label = {"aria-label": row.name};
+  const slider = bounded || row.tunable ? el("input", {type: "range", ...limits, step, ...label}) : null;
+  if (slider && !bounded) slider.style.visibility = "hidden";
+  const field = el("input", {type: "number", ...limits, step, ...label});
+  const around = (value) => {
+    slider.min = Math.max(row.low, Math.min(0, 3 * value));
+    slider.max = Math.min(row.high, Math.max(0, 3 * value));
+    slider.style.visibility = value === 0 ? "hidden" : "visible";
+  };
+  const take = (event) => {
+    const value = event.target.valueAsNumber;
+    if (Number.isNaN(value)) return;
+    const inside = Math.min(row.high, Math.max(row.low, value));
+    if (slider && !bounded && event.target !== slider) around(inside);
+    if (slider && event.target !== slider) slider.value = inside;
+    if (event.target !== field) field.value = short(inside, 5);
+    changed(inside);
+  };
+  for (const input of [slider, field])
+    if (input) input.addEventListener("input", take);
+  // What was typed may be outside.
+  field.addEventListener("change", () => {
+    if (slider && bounded && !Number.isNaN(field.valueAsNumber)) field.value = short(slider.valueAsNumber, 5);
+  });
+  return {
+    elements: [slider || el("span"), field],
+    show(value) {
+      if (slider) slider.value = value;
+      if (document.activeElement !== field) field.value = Number.isNaN(value) ? "" : short(value, 5);
+    }
+  };
+}
+
+/** Actions: they follow the agent until somebody moves one, which takes the wheel. */
+export class ActionControls {
+  constructor(simulation, taken) {
+    this.simulation = simulation;
+    const rows = numbersOf(simulation.about.actions, simulation.actionsLow, simulation.actionsHigh);
+    this.controls = rows.map((row) => ({
+                               row,
+                               ...numberControl(
+                                   row,
+                                   (value) => {
+                                     simulation.actions[row.at] = value;
+                                     taken();
+                                   })
+                             }));
+    this.element = rows.length ?
+        card(
+            "Actions",
+            el("div.numbers", {},
+               this.controls.map(
+                   ({row, elements}) => [el("span", {}, breakable(row.name)), el("span"), ...elements]))) :
+        null;
+  }
+
+  show() {
+    for (const {row, show} of this.controls) show(this.simulation.actions[row.at]);
+  }
+}
+
+/**
+   States, parameters and delays of the next episodes: drawn, or fixed where the box is ticked. Tunable parameters are
+   set at once, too: `step()` is the step before which, or null if no episode runs.
+ */
+export class StateControls {
+  constructor(simulation, step) {
+    this.simulation = simulation;
+    this.step = step;
+    /** Options of the program that do the same in the first episode. */
+    this.tuned = [];
+    const {about} = simulation;
+    const rows = about.states.flatMap(
+        (field) => numbersOf([field], simulation.statesLow, simulation.statesHigh)
+                       .map((row) => ({...row, field, tunable: about.tunable.includes(field.name)})));
+    this.controls = rows.slice(0, 64).map((row) => {
+      const box = el("input", {
+        type: "checkbox",
+        "aria-label": `set ${row.name}`,
+        onchange: () => this.set(row, box.checked ? this.simulation.states[row.at] : NaN)
+      });
+      const control = numberControl(row, (value) => {
+        box.checked = true;
+        this.set(row, value);
+      });
+      return {row, box, atReset: false, ...control};
+    });
+    this.element = rows.length ?
+        card(
+            "An episode begins with",
+            el("p.note", {},
+               "Drawn as the graph says; where the box is ticked, it is the value beside it from the next reset on" +
+                   (about.tunable.length ? ". What is tunable (bold) changes at once, too." : ".")),
+            el("div.numbers", {},
+               this.controls.map(
+                   ({row,
+                     box,
+                     elements}) => [el(row.tunable ? "b" : "span", {}, breakable(row.name)), box, ...elements]))) :
+        null;
+  }
+
+  /** NaN: drawn again. */
+  set(row, value) {
+    this.simulation.settings[row.at] = value;
+    const step = this.step();
+    if (!row.tunable || step === null || !this.simulation.tune()) return;
+    const {first, numbers, name} = row.field;
+    const values = Array.from(this.simulation.settings.subarray(first, first + numbers));
+    if (values.some(Number.isNaN)) return;
+    // Of several at one step the last one counts.
+    this.tuned = this.tuned.filter((option) => !option.startsWith(`--set ${name}=`) || !option.endsWith(`@${step}`));
+    this.tuned.push(`--set ${name}=${values.join(",")}@${step}`);
+  }
+
+  /** An episode has begun: what it began with, where nothing is set. */
+  show() {
+    this.tuned = [];
+    for (const control of this.controls) {
+      control.atReset = control.box.checked;
+      if (!control.box.checked) control.show(this.simulation.states[control.row.at]);
+    }
+  }
+
+  /** Whether the episode began with something that is not as the graph says. */
+  get any() {
+    return this.controls.some(({atReset}) => atReset);
+  }
+}

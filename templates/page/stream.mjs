@@ -1,0 +1,66 @@
+// What a run sends while it goes on: a client of Foxglove's WebSocket protocol, at the server that shows this page.
+
+const kStreamProtocol = "foxglove.websocket.v1";
+
+export class StreamClient {
+  /** `told(topic, message, time_ns)` of each message; `changed(text)` when the connection is another one. */
+  constructor(told, changed) {
+    this.told = told;
+    this.changed = changed;
+    this.wanted = new Set();      // topics
+    this.channels = new Map();    // topic: id
+    this.topics = new Map();      // id: topic
+    this.subscribed = new Set();  // ids
+    this.connect();
+  }
+
+  connect() {
+    // The key is the one of this page's own address.
+    this.socket = new WebSocket(`ws://${location.host}/${location.search}`, [kStreamProtocol]);
+    this.socket.binaryType = "arraybuffer";
+    this.socket.onmessage = ({data: bytes}) => (typeof bytes === "string" ? this.read(bytes) : this.readBytes(bytes));
+    this.socket.onopen = () => this.changed("");
+    this.socket.onclose = () => {
+      this.channels.clear();
+      this.topics.clear();
+      this.subscribed.clear();
+      this.changed("no connection: eagerx-gen does not run any more, or has a new address");
+    };
+  }
+
+  read(text) {
+    const said = JSON.parse(text);
+    if (said.op !== "advertise") return;
+    for (const {id, topic} of said.channels) {
+      this.channels.set(topic, id);
+      this.topics.set(id, topic);
+    }
+    this.subscribe();
+  }
+
+  readBytes(bytes) {
+    const view = new DataView(bytes);
+    if (view.byteLength < 13 || view.getUint8(0) !== 1) return;
+    const topic = this.topics.get(view.getUint32(1, true));
+    if (topic === undefined) return;
+    const message = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 13)));
+    this.told(topic, message, Number(view.getBigUint64(5, true)));
+  }
+
+  /** From now on, these topics and no others. */
+  want(topics) {
+    this.wanted = new Set(topics);
+    this.subscribe();
+  }
+
+  subscribe() {
+    if (this.socket.readyState !== WebSocket.OPEN) return;
+    const ids = new Set([...this.wanted].map((topic) => this.channels.get(topic)).filter((id) => id !== undefined));
+    const more = [...ids].filter((id) => !this.subscribed.has(id)),
+          less = [...this.subscribed].filter((id) => !ids.has(id));
+    const say = (message) => this.socket.send(JSON.stringify(message));
+    if (more.length) say({op: "subscribe", subscriptions: more.map((id) => ({id, channelId: id}))});
+    if (less.length) say({op: "unsubscribe", subscriptionIds: less});
+    this.subscribed = ids;
+  }
+}

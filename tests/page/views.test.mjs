@@ -1,0 +1,127 @@
+// Whole pages as the generator makes them, in a browser without layout: each view makes itself, everything can be
+// selected, and no text says `undefined`. tests/browser looks at them in a real one.
+import assert from "node:assert/strict";
+import test from "node:test";
+import vm from "node:vm";
+
+import {browserWith, passFrames} from "./dom.mjs";
+import {pageOf} from "./generator.mjs";
+
+/** A page that has been opened; `run` evaluates text within it. */
+function open(graph, ...options) {
+  const {data, script} = pageOf(graph, ...options), browser = browserWith(data);
+  const context = vm.createContext(
+      {...browser.globals, atob, performance, TextDecoder, setTimeout: (call) => browser.timers.push(call)});
+  context.window = context;
+  vm.runInContext(script, context, {filename: graph});
+  passFrames(browser.frames);
+  return {...browser, data, run: (text) => vm.runInContext(text, context)};
+}
+
+function readable(element, what) {
+  const wrong = /undefined|\bNaN\b|\[object|\bnull\b/.exec(element.textContent);
+  assert.ok(!wrong, `${what}: ${element.textContent.slice(Math.max(0, wrong?.index - 60), wrong?.index + 60)}`);
+}
+
+const kGraphs = [
+  ["examples/pendulum_swing_up/graph.yaml"], ["tests/golden/multi_rate/graph.yaml"], ["tests/compose/graphs/arm.yaml"],
+  ["examples/quadruped_trot/graph.yaml"], ["examples/pendulum_with_safety/graph.yaml"],
+  ["examples/pendulum_swing_up/controller.yaml"], ["tests/asynchronous/graph.yaml"], ["tests/page/odd_rates.yaml"]
+];
+for (const [graph, ...options] of kGraphs) {
+  test(`${graph}: every view, and everything selected`, () => {
+    const {data, run, document, frames} = open(graph, ...options);
+    assert.equal(document.getElementById("title").textContent, data.info.name);
+    const views = run("views.map((view) => view.id)");
+    for (const id of views) {
+      run(`showView(${JSON.stringify(id)})`);
+      passFrames(frames);
+      const panel = document.getElementById(`view-${id}`);
+      assert.ok(!panel.hidden && (id === "timetable" || panel.textContent.length > 10), `${id} is empty`);
+      if (id !== "source") readable(panel, id);  // the file may say anything
+    }
+    const inspector = document.getElementById("inspector");
+    const all = [
+      ...data.nodes.map((_, node) => ({node})), ...data.objects.map((_, object) => ({object})),
+      ...data.composites.map((_, composite) => ({composite})),
+      ...data.nodes.flatMap((node, n) => node.inputs.map((_, i) => ({input: [n, i]})))
+    ];
+    for (const selected of all) {
+      run(`select(${JSON.stringify(selected)}); showInGraph()`);
+      passFrames(frames);
+      readable(inspector, JSON.stringify(selected));
+      assert.ok(inspector.textContent.length > 10, JSON.stringify(selected));
+      assert.ok(
+          run("graphView.shown.boxElements.concat(graphView.shown.wireElements).some((element) => element.classList.contains('on'))"),
+          `${JSON.stringify(selected)} is not marked`);
+      run("showView('timetable')");
+      passFrames(frames);
+    }
+    run("select(null)");
+    assert.equal(inspector.textContent, "");
+  });
+}
+
+test("keys go from view to view and from box to box, and Enter opens composites", () => {
+  const {run, document, frames} = open("tests/compose/graphs/arm.yaml");
+  const press = (key, target = document.body) => (document.send("keydown", {key, target}), passFrames(frames));
+  press("2");
+  assert.equal(run("state.view.id"), "timetable");
+  press("1");
+  const graph = run("graphSvg");
+  for (const key of ["0", "+", "ArrowRight", "ArrowRight", "ArrowDown", "e", "e", "-"]) graph.send("keydown", {key});
+  passFrames(frames);
+  assert.notEqual(run("state.selected"), null);
+  const closed = run("graphView.shown.boxes.length");
+  graph.send("keydown", {key: "o"});
+  assert.ok(run("graphView.shown.boxes.length") > closed);
+  graph.send("keydown", {key: "o"});
+  assert.equal(run("graphView.shown.boxes.length"), closed);
+  press("Escape");
+  assert.equal(run("state.selected"), null);
+  press("?");
+  assert.ok(document.getElementById("help").open);
+});
+
+test("an open composite that is selected is marked with all that is in it, however deep", () => {
+  const {run, data, frames} = open("tests/compose/graphs/levels.yaml");
+  const deep = data.composites.findIndex(({name}) => name === "deep");
+  run(`showView('graph'); toggleAll(); select({composite: ${deep}})`);
+  passFrames(frames);
+  const isInside = (b) => {
+    const {around, composite} = run(`graphView.shown.boxes[${b}]`);
+    return composite === "deep" || (around !== undefined && isInside(around));
+  };
+  const boxes = [...Array(run("graphView.shown.boxes.length")).keys()], inside = boxes.filter(isInside);
+  assert.ok(inside.length > 4);
+  for (const b of inside) assert.ok(run(`graphView.shown.boxElements[${b}].classList.contains("on")`), `box ${b}`);
+  assert.ok(boxes.some((b) => !run(`graphView.shown.boxElements[${b}].classList.contains("on")`)));
+});
+
+test("the timetable says what a tick reads, and what is not known", () => {
+  const {run, document, data, frames} = open("tests/page/odd_rates.yaml");
+  run("showView('timetable')");
+  passFrames(frames);
+  const tip = (name) => {
+    const row = run("order").findIndex((node) => data.nodes[node].name === name);
+    run("timetable.canvas")
+        .parentElement.send("pointermove", {clientX: 300, clientY: run("kHead + kRow / 2") + row * run("kRow")});
+    return document.getElementById("tip").textContent;
+  };
+  assert.match(tip("a"), /^a, tick \d+.*actions\.u: message \d+, /);
+  assert.match(tip("d"), /c\.y: not known/);
+});
+
+test("search finds what has a name, the nearest first", () => {
+  const {run, document, frames} = open("examples/pendulum_swing_up/graph.yaml");
+  const box = document.getElementById("search"), found = document.getElementById("found");
+  box.value = "Smooth";
+  box.send("input");
+  assert.equal(found.children[0].textContent, "smoothnode");
+  box.send("keydown", {key: "Enter"});
+  passFrames(frames);
+  assert.equal(run("nodes[state.selected.node].name"), "smooth");
+  box.value = "there is no such thing";
+  box.send("input");
+  assert.equal(found.textContent, "nothing");
+});

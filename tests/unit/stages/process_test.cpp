@@ -1,0 +1,73 @@
+// Other programs.
+#include "generator/process/process.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/unit/stages/graphs.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+TEST(Process, ItsOutputAndExitCodeAreTold) {
+  const auto result = run_process({"sh", "-c", "echo out; echo err >&2; exit 7"});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->exit_code, 7);
+  EXPECT_EQ(result->output, "out\nerr\n");
+  EXPECT_EQ(run_process({"sh", "-c", "kill -9 $$"})->exit_code, -1) << "a signal";
+}
+
+TEST(Process, WhatIsNotThereIsNotStarted) {
+  EXPECT_FALSE(run_process({"there-is-no-such-program"}));
+  EXPECT_FALSE(run_process({"/no/such/program"}));
+  EXPECT_EQ(find_program("there-is-no-such-program"), "");
+  EXPECT_TRUE(find_program("sh").ends_with("/sh"));
+  EXPECT_EQ(find_program("/bin/sh"), "/bin/sh");
+  EXPECT_EQ(find_program("/tmp"), "") << "a folder";
+}
+
+TEST(Process, WordsAreNotReadByAShell) {
+  const auto result = run_process({"printf", "%s|", "a b", "$(id)", "'", "*"});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->output, "a b|$(id)|'|*|");
+}
+
+TEST(Process, HasNoInputAndTheCLocale) {
+  EXPECT_EQ(run_process({"cat"})->output, "");
+  EXPECT_EQ(
+      run_process({"sh", "-c", "echo $LC_ALL $MORE"}, {.environment = {{"MORE", "x"}}})->output,
+      "C x\n");
+}
+
+/// The lines of a program, and whether its output was kept besides.
+Lines lines_of(const std::string& script, int input = -1) {
+  Lines lines;
+  const auto result = run_process(
+      {"sh", "-c", script},
+      {.input = input, .line = [&](std::string_view line) { lines.emplace_back(line); }});
+  EXPECT_TRUE(result && result->output.empty());
+  return lines;
+}
+
+TEST(Process, LinesComeWhole) {
+  EXPECT_EQ(lines_of("printf 'one\\n\\nlast'; echo no >&2"), (Lines{"one", "", "last"}));
+  EXPECT_EQ(lines_of("true"), Lines{});
+  const Lines many = lines_of("seq 100000");  // longer than a pipe holds
+  ASSERT_EQ(many.size(), 100'000U);
+  EXPECT_EQ(many[54'320], "54321");
+  EXPECT_EQ(lines_of("head -c 300000 /dev/zero | tr '\\0' a").front().size(), 300'000U);
+}
+
+TEST(Process, ReadsWhatItIsGiven) {
+  const TestFolder folder;
+  const int input = open(folder.file("in", "b\na\n").c_str(), O_RDONLY);
+  ASSERT_GE(input, 0);
+  EXPECT_EQ(lines_of("sort", input), (Lines{"a", "b"}));
+  close(input);
+}
+
+}  // namespace
+}  // namespace eagerx::gen

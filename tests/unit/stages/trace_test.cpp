@@ -1,0 +1,164 @@
+// Traces: two of them compared, and one in the form of other tools.
+#include "generator/trace/trace.hpp"
+
+#include <algorithm>
+#include <runtime/host/trace/log_file.hpp>
+
+#include "generator/json/json.hpp"
+#include "generator/replay/compare.hpp"
+#include "generator/trace/axis.hpp"
+#include "generator/trace/bytes.hpp"
+#include "generator/trace/convert.hpp"
+#include "generator/trace/plot.hpp"
+#include "generator/trace/timeline.hpp"
+#include "tests/unit/stages/graphs.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+const std::string kHead =
+    "# eagerx trace 1\n# graph g\n# engine OdeEngine\n# seed 7\n# environment 0\n"
+    "# channel environment/u float32 2 30/1\n# channel pendulum/theta int8 1 15/1\n"
+    "episode,channel,seq,values\n";
+const std::string kRows =
+    "0,environment/u,0,0.5,nan\n0,pendulum/theta,0,-128\n0,environment/u,1,1.5,-2\n"
+    "1,pendulum/theta,0,5\n";
+const std::string kWhole = kHead + kRows + "# end 4 0x00000000000000ff\n";
+
+class LogsTest : public testing::Test {
+ protected:
+  Comparison compare(const std::string& first, const std::string& second) {
+    return compare_logs(folder_.file("first.log", first), folder_.file("second.log", second));
+  }
+  TraceResult convert(const std::string& text, TraceFormat format) {
+    return convert_log(folder_.file("a.log", text), format);
+  }
+  static trace_log::Log log(const std::string& text = kWhole) {
+    std::string problem;
+    auto log = trace_log::read_log("a.log", text, problem);
+    EXPECT_TRUE(log) << problem;
+    return std::move(*log);
+  }
+
+  const TestFolder folder_;
+};
+
+TEST_F(LogsTest, EqualLogsAreEqual) {
+  const Comparison same = compare(kWhole, kWhole);
+  EXPECT_TRUE(same.readable && same.equal);
+  EXPECT_EQ(same.text, "equal: 4 messages\n");
+}
+
+TEST_F(LogsTest, TheFirstDifferenceIsToldWithItsPlace) {
+  std::string other = kWhole;
+  other.replace(other.find("1.5,-2"), 6, "1.5,-3");
+  const Comparison different = compare(kWhole, other);
+  EXPECT_TRUE(different.readable);
+  EXPECT_FALSE(different.equal);
+  EXPECT_NE(different.text.find("tick 1 (0.033333 s), node `environment`, field `u`, element 1"),
+            std::string::npos)
+      << different.text;
+  EXPECT_NE(different.text.find("2 messages before, all equal"), std::string::npos)
+      << different.text;
+}
+
+TEST_F(LogsTest, WhatCannotBeComparedIsSaid) {
+  EXPECT_FALSE(compare("no log\n", kWhole).readable);
+  EXPECT_FALSE(compare_logs(folder_.path() + "/none", folder_.file("b", kWhole)).readable);
+  const Comparison early = compare(kHead + kRows, kWhole);
+  EXPECT_TRUE(early.equal);
+  EXPECT_NE(early.text.find("ends early"), std::string::npos) << early.text;
+}
+
+TEST_F(LogsTest, FormatsGoByTheNameOfTheFile) {
+  EXPECT_EQ(trace_format_of("a.b/run.csv"), TraceFormat::csv);
+  EXPECT_EQ(trace_format_of("run.mcap"), TraceFormat::mcap);
+  for (const char* path : {"", "csv", "run.CSV", "run.txt"})
+    EXPECT_FALSE(trace_format_of(path)) << path;
+}
+
+TEST_F(LogsTest, EachFormBeginsAsItsReadersWantIt) {
+  const TraceResult csv = convert(kWhole, TraceFormat::csv);
+  EXPECT_TRUE(csv.readable && csv.problem.empty());
+  EXPECT_EQ(csv.summary, "4 messages of 2 channels");
+  EXPECT_EQ(csv.bytes.substr(0, csv.bytes.find('\n')),
+            "episode,time_s,environment/u[0],environment/u[1],pendulum/theta");
+  EXPECT_TRUE(convert(kWhole, TraceFormat::mcap).bytes.starts_with("\x89MCAP0\r\n"));
+  EXPECT_TRUE(convert(kWhole, TraceFormat::npz).bytes.starts_with("PK\x03\x04"));
+  EXPECT_TRUE(parse_json(convert(kWhole, TraceFormat::json).bytes));
+}
+
+TEST_F(LogsTest, ALogThatEndsEarlyIsConvertedWithANote) {
+  const TraceResult early = convert(kHead + kRows, TraceFormat::csv);
+  EXPECT_TRUE(early.readable && early.problem.empty());
+  EXPECT_NE(early.note.find("ends early"), std::string::npos);
+  const TraceResult none = convert("x\n", TraceFormat::csv);
+  EXPECT_FALSE(none.readable);
+  EXPECT_FALSE(none.problem.empty());
+}
+
+TEST_F(LogsTest, ValuesHaveTheFewestDigitsAndNullForWhatIsNotFinite) {
+  const trace_log::Log read = log();
+  EXPECT_EQ(json_values(read, read.rows[0]), "[0.5,null]");
+  EXPECT_EQ(json_values(read, read.rows[1]), "-128");
+  EXPECT_EQ(quoted_json("a\"\n"), "\"a\\\"\\u000a\"");
+}
+
+TEST_F(LogsTest, AChannelIsNamedByPartsThatOnlyItHas) {
+  const trace_log::Log read = log();
+  std::string problem;
+  EXPECT_EQ(channel_named(read, "theta", problem), 1U);
+  EXPECT_EQ(channel_named(read, "pendulum/theta", problem), 1U);
+  EXPECT_FALSE(channel_named(read, "thetta", problem));
+  EXPECT_NE(problem.find("thetta"), std::string::npos);
+}
+
+TEST_F(LogsTest, WithoutStampsTimesAreThoseOfTicks) {
+  const Timeline times = timeline_of(log());
+  EXPECT_EQ(times.in_episode_ns, (std::vector<std::int64_t>{0, 0, 33'333'333, 0}));
+  ASSERT_EQ(times.in_log_ns.size(), 4U);
+  EXPECT_TRUE(std::ranges::is_sorted(times.in_log_ns)) << "no step back between episodes";
+}
+
+TEST_F(LogsTest, PlotsSayWhatIsNotThere) {
+  const std::string path = folder_.file("a.log", kWhole);
+  EXPECT_NE(plot_log_as_svg({path, {"theta"}, {}}).bytes.find("<svg"), std::string::npos);
+  EXPECT_NE(plot_log_as_svg({path, {"theta"}, 9}).problem.find("episodes are 0 to 1"),
+            std::string::npos);
+  EXPECT_NE(plot_log_as_text({path, {"no"}, {}}, 60, true).problem.find("error: "),
+            std::string::npos);
+  EXPECT_FALSE(plot_log_as_text({path, {"u"}, 0}, 60, false).bytes.empty());
+}
+
+TEST_F(LogsTest, ThinnedLinesKeepEveryPeak) {
+  PlotLine line;
+  for (int i = 0; i < 10'000; ++i) {
+    line.time_s.push_back(i);
+    line.value.push_back(i == 4'321 ? 99.0 : i % 7);
+  }
+  const auto kept = thinned(line, {0, 9'999}, 50);
+  EXPECT_LE(kept.size(), 4U * 51U);
+  EXPECT_TRUE(std::ranges::is_sorted(kept));
+  EXPECT_NE(std::ranges::find(kept, 4'321U), kept.end());
+}
+
+TEST_F(LogsTest, MarksAreRoundAndWithin) {
+  for (const PlotRange& range : {PlotRange{0, 1}, PlotRange{-3.7, 1e5}, PlotRange{1e-9, 3e-9}}) {
+    const auto marks = marks_of(range, 5);
+    ASSERT_GE(marks.size(), 2U);
+    for (const PlotMark& mark : marks)
+      EXPECT_TRUE(mark.value >= range.low - 1e-12 && mark.value <= range.high * (1 + 1e-9))
+          << mark.text;
+  }
+}
+
+TEST(Bytes, TheChecksumIsThatOfTheStandard) {
+  EXPECT_EQ(crc32_of("123456789"), 0xcbf43926U);
+  std::string bytes;
+  append(bytes, std::uint16_t{0x1234});
+  append(bytes, std::uint8_t{0xff});
+  EXPECT_EQ(bytes, "\x34\x12\xff");
+}
+
+}  // namespace
+}  // namespace eagerx::gen
