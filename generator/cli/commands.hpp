@@ -39,6 +39,8 @@ Command trace_command();
 Command plot_command();
 /// Watches the messages of a program.
 Command monitor_command();
+/// Serves an editor.
+Command lsp_command();
 /// Looks into weight files: `policy info`, `test`, `golden`, `compare`.
 Command policy_command();
 /// Writes `pages` below a folder.

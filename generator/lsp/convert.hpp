@@ -1,0 +1,27 @@
+// Between the server's values and LSP's JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/json/json.hpp"
+#include "generator/lsp/complete.hpp"
+#include "generator/lsp/outline.hpp"
+#include "generator/lsp/text.hpp"
+
+namespace eagerx::gen::lsp {
+
+Json range_of(std::string_view text, Bytes bytes);
+std::optional<Position> position_in(const Json* json);
+/// A diagnostic of a file with this text, without its notes.
+Json diagnostic_json(const Diagnostic& diagnostic, std::string_view text);
+Json completion_json(const Completion& completion, std::string_view text);
+/// The keys of a graph as an editor's outline shows them: sections, objects, nodes, connections.
+Json symbols_json(const OutlineNode& top, std::string_view text);
+/// The word that a help such as "did you mean `theta`?" would put in the place of the diagnostic;
+/// empty: it is none of these.
+std::string replacement_in(const Diagnostic& diagnostic);
+
+}  // namespace eagerx::gen::lsp
