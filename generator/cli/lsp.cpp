@@ -34,8 +34,8 @@ class Workshop final : public lsp::Analyst {
     options.graph = path;
     forget_files();  // every check is a run of its own
     check_text(run, options, text);
-    run.diagnostics.sort_by_place();
     run.diagnostics.drop_repeats();
+    run.diagnostics.sort_by_place();
     return {std::move(run.sources), std::move(run.diagnostics)};
   }
 

@@ -237,12 +237,15 @@ void Server::publish(Document& document) {
     list.push_back(std::move(one));
   }
   document.told.clear();
+  // The document's own come last: with its version everything is told.
+  auto own = lists.extract(document.uri);
   for (auto& [uri, list] : lists) {
     document.told.push_back(uri);
-    Json params{{"uri", uri}, {"diagnostics", std::move(list)}};
-    if (uri == document.uri) params["version"] = document.version;
-    send("textDocument/publishDiagnostics", std::move(params));
+    send("textDocument/publishDiagnostics", Json{{"uri", uri}, {"diagnostics", std::move(list)}});
   }
+  send("textDocument/publishDiagnostics", Json{{"uri", document.uri},
+                                               {"version", document.version},
+                                               {"diagnostics", std::move(own.mapped())}});
 }
 
 Json Server::completion(const Document& document, Position position) {
