@@ -13,7 +13,7 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/files/files.hpp"
 #include "generator/library/schema.hpp"
-#include "generator/lsp/outline.hpp"
+#include "generator/outline/outline.hpp"
 #include "generator/lsp/server.hpp"
 #include "generator/lsp/stream.hpp"
 
@@ -64,9 +64,9 @@ class Workshop final : public lsp::Analyst {
   /// The whole library of a graph, read once for all that have the same folders.
   const Known& library_of(const std::string& path, const std::string& text) {
     LibraryOptions options = options_;
-    const lsp::OutlineNode outline = lsp::outline_of(text);
-    if (const lsp::OutlineNode* const folders = outline.find("library")) {
-      for (const lsp::OutlineEntry& each : folders->entries) {
+    const OutlineNode outline = outline_of(text);
+    if (const OutlineNode* const folders = outline.find("library")) {
+      for (const OutlineEntry& each : folders->entries) {
         std::error_code ignored;
         const fs::path folder = fs::path(path).parent_path() / each.value.text;
         if (!each.value.text.empty() && fs::is_directory(folder, ignored))

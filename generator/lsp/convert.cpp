@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "generator/outline/lines.hpp"
+
 namespace eagerx::gen::lsp {
 namespace {
 
@@ -59,10 +61,9 @@ Json diagnostic_json(const Diagnostic& diagnostic, std::string_view text) {
   std::string message = diagnostic.message;
   if (!diagnostic.label.empty()) message += ": " + diagnostic.label;
   if (!diagnostic.help.empty()) message += "\nhelp: " + diagnostic.help;
-  const Span& span = diagnostic.span;
   const bool is_error = diagnostic.severity == Severity::error;
   const bool is_warning = diagnostic.severity == Severity::warning;
-  return Json{{"range", range_of(text, bytes_of(text, span.line, span.column, span.length))},
+  return Json{{"range", range_of(text, bytes_of(text, diagnostic.span))},
               {"severity", is_error ? kError : is_warning ? kWarning : kInformation},
               {"code", diagnostic.code},
               {"source", "eagerx-gen"},
@@ -107,13 +108,13 @@ Json symbols_json(const OutlineNode& top, std::string_view text) {
   return result;
 }
 
-std::string replacement_in(const Diagnostic& diagnostic) {
-  constexpr std::string_view kBegin = "did you mean `";
-  const std::size_t found = diagnostic.help.find(kBegin);
-  if (found == std::string::npos || diagnostic.span.length == 0) return {};
-  const std::size_t begin = found + kBegin.size();
-  const std::size_t end = diagnostic.help.find('`', begin);
-  return end == std::string::npos ? std::string() : diagnostic.help.substr(begin, end - begin);
+Json edit_json(const Edit& edit, const std::string& uri, std::string_view text) {
+  Json edits = Json::list();
+  for (const Splice& splice : edit.splices)
+    edits.push_back(Json{{"range", range_of(text, splice.place)}, {"newText", splice.text}});
+  Json changes = Json::object();
+  changes[uri] = std::move(edits);
+  return Json{{"changes", std::move(changes)}};
 }
 
 }  // namespace eagerx::gen::lsp

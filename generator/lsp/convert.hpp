@@ -6,9 +6,10 @@
 #include <string_view>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/edit/edit.hpp"
 #include "generator/json/json.hpp"
 #include "generator/lsp/complete.hpp"
-#include "generator/lsp/outline.hpp"
+#include "generator/outline/outline.hpp"
 #include "generator/lsp/text.hpp"
 
 namespace eagerx::gen::lsp {
@@ -20,8 +21,6 @@ Json diagnostic_json(const Diagnostic& diagnostic, std::string_view text);
 Json completion_json(const Completion& completion, std::string_view text);
 /// The keys of a graph as an editor's outline shows them: sections, objects, nodes, connections.
 Json symbols_json(const OutlineNode& top, std::string_view text);
-/// The word that a help such as "did you mean `theta`?" would put in the place of the diagnostic;
-/// empty: it is none of these.
-std::string replacement_in(const Diagnostic& diagnostic);
-
+/// A change of one document.
+Json edit_json(const Edit& edit, const std::string& uri, std::string_view text);
 }  // namespace eagerx::gen::lsp

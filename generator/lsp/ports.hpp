@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/lsp/outline.hpp"
+#include "generator/outline/outline.hpp"
 #include "generator/lsp/schema_view.hpp"
 
 namespace eagerx::gen::lsp {

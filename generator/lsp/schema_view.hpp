@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/json/json.hpp"
-#include "generator/lsp/outline.hpp"
+#include "generator/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

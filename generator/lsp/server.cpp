@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include "generator/edit/edit.hpp"
 #include "generator/lsp/convert.hpp"
+#include "generator/outline/lines.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {
@@ -99,10 +102,15 @@ Server::Answer Server::answer(const std::string& method, const Json& params) {
   if (method == "textDocument/documentSymbol") return {symbols(*document)};
   if (method == "textDocument/codeAction") return {actions(*document, params)};
   const auto position = position_in(member(&params, "position"));
-  const bool is_known = method == "textDocument/completion" || method == "textDocument/hover" ||
-                        method == "textDocument/definition";
-  if (!is_known) return {{}, kMethodNotFound, fmt::format("there is no `{}`", method)};
+  constexpr std::array kAtPositions = {"textDocument/completion",    "textDocument/hover",
+                                       "textDocument/definition",    "textDocument/references",
+                                       "textDocument/prepareRename", "textDocument/rename"};
+  if (std::ranges::find(kAtPositions, method) == kAtPositions.end()) return {{}, kMethodNotFound, fmt::format("there is no `{}`", method)};
   if (!position) return {{}, kInvalidParams, "`position` is none"};
+  if (method == "textDocument/references") return {references(*document, *position)};
+  if (method == "textDocument/prepareRename") return {prepare_rename(*document, *position)};
+  if (method == "textDocument/rename")
+    return renamed(*document, *position, text_of(member(&params, "newName")));
   if (method == "textDocument/completion") return {completion(*document, *position)};
   if (method == "textDocument/hover") return {hover_text(*document, *position)};
   return {definition(*document, *position)};
@@ -116,6 +124,8 @@ Json Server::initialize() {
        Json{{"triggerCharacters", std::vector<std::string>{":", ".", " ", "{", "[", ","}}}},
       {"hoverProvider", true},
       {"definitionProvider", true},
+      {"referencesProvider", true},
+      {"renameProvider", Json{{"prepareProvider", true}}},
       {"documentSymbolProvider", true},
       {"codeActionProvider", Json{{"codeActionKinds", std::vector<std::string>{"quickfix"}}}}};
   return Json{{"capabilities", std::move(capabilities)},
@@ -228,8 +238,7 @@ void Server::publish(Document& document) {
           other == document.path ? document.text : document.sources.text(note.span.file);
       related.push_back(
           Json{{"location", location(other == document.path ? document.uri : uri_of_path(other),
-                                     text, bytes_of(text, note.span.line, note.span.column,
-                                                    note.span.length))},
+                                     text, bytes_of(text, note.span))},
                {"message", note.message.empty() ? note.label : note.message}});
     }
     one["relatedInformation"] = std::move(related);
@@ -278,6 +287,40 @@ Json Server::definition(const Document& document, Position position) {
   return nullptr;
 }
 
+Json Server::references(const Document& document, Position position) {
+  Json result = Json::list();
+  const std::string name = name_at(document.text, byte_at(document.text, position));
+  for (const Bytes& use : uses_of(document.text, name))
+    result.push_back(location(document.uri, document.text, use));
+  return result;
+}
+
+Json Server::prepare_rename(const Document& document, Position position) {
+  const std::size_t at = byte_at(document.text, position);
+  const std::string name = name_at(document.text, at);
+  for (const Bytes& use : uses_of(document.text, name)) {
+    if (use.begin <= at && at <= use.end)
+      return Json{{"range", range_of(document.text, use)}, {"placeholder", name}};
+  }
+  return nullptr;
+}
+
+Server::Answer Server::renamed(const Document& document, Position position, const std::string& to) {
+  const std::string name = name_at(document.text, byte_at(document.text, position));
+  const auto edit = rename(document.text, name, to);
+  if (name.empty())
+    return {{}, kInvalidParams, "no object and no node is named here"};
+  if (!edit) return {{}, kInvalidParams, fmt::format("`{}` is taken, or cannot be a name", to)};
+  // A name that is written where nobody looked for it is an error now.
+  const auto now = analyst_.check(document.path, applied(document.text, edit->splices));
+  const auto before = analyst_.check(document.path, document.text);
+  if (now.diagnostics.error_count() > before.diagnostics.error_count()) {
+    const auto& first = now.diagnostics.all().front();
+    return {{}, kInvalidParams, fmt::format("the graph would have an error: {}", first.message)};
+  }
+  return {edit_json(*edit, document.uri, document.text)};
+}
+
 Json Server::symbols(const Document& document) {
   return symbols_json(outline_of(document.text), document.text);
 }
@@ -288,25 +331,20 @@ Json Server::actions(const Document& document, const Json& params) {
   const auto end = position_in(member(member(&params, "range"), "end"));
   if (!start || !end || document.changed) return result;
   for (const Diagnostic& each : document.diagnostics.all()) {
-    const std::string word = replacement_in(each);
     const FileId file = each.span.file;
-    if (word.empty() || file == FileId::none || document.sources.name(file) != document.path)
-      continue;
-    const Bytes place =
-        bytes_of(document.text, each.span.line, each.span.column, each.span.length);
+    if (file == FileId::none || document.sources.name(file) != document.path) continue;
+    const auto fix = fix_of(each, document.text);
+    if (!fix) continue;
+    const Bytes place = fix->splices.front().place;
     if (place.end < byte_at(document.text, *start) || place.begin > byte_at(document.text, *end))
       continue;
-    Json changes = Json::object();
-    Json edits = Json::list();
-    edits.push_back(Json{{"range", range_of(document.text, place)}, {"newText", word}});
-    changes[document.uri] = std::move(edits);
     Json diagnostics = Json::list();
     diagnostics.push_back(diagnostic_json(each, document.text));
-    result.push_back(Json{{"title", fmt::format("Change to `{}`", word)},
+    result.push_back(Json{{"title", fix->reason},
                           {"kind", "quickfix"},
                           {"isPreferred", true},
                           {"diagnostics", std::move(diagnostics)},
-                          {"edit", Json{{"changes", std::move(changes)}}}});
+                          {"edit", edit_json(*fix, document.uri, document.text)}});
   }
   return result;
 }

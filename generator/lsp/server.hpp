@@ -83,6 +83,9 @@ class Server {
   Json completion(const Document& document, Position position);
   Json hover_text(const Document& document, Position position);
   Json definition(const Document& document, Position position);
+  static Json references(const Document& document, Position position);
+  static Json prepare_rename(const Document& document, Position position);
+  Answer renamed(const Document& document, Position position, const std::string& to);
   static Json symbols(const Document& document);
   static Json actions(const Document& document, const Json& params);
   void check(Document& document);

@@ -6,20 +6,10 @@
 #include <charconv>
 
 #include "generator/diagnostics/utf8.hpp"
+#include "generator/outline/lines.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {
-
-/// Where line `line` (from 0) begins and ends, without its newline.
-Bytes line_of(std::string_view text, std::uint32_t line) {
-  std::size_t begin = 0;
-  for (; line > 0; --line) {
-    const std::size_t newline = text.find('\n', begin);
-    if (newline == std::string_view::npos) return {text.size(), text.size()};
-    begin = newline + 1;
-  }
-  return {begin, std::min(text.find('\n', begin), text.size())};
-}
 
 /// 2 for what UTF-16 writes as two surrogates.
 std::uint32_t units_of(char32_t code_point) {
@@ -53,18 +43,6 @@ Position position_at(std::string_view text, std::size_t byte) {
     at += next.size;
   }
   return position;
-}
-
-Bytes bytes_of(std::string_view text, std::uint32_t line, std::uint32_t column,
-               std::uint32_t length) {
-  const Bytes whole = line_of(text, std::max(line, 1U) - 1);
-  if (line == 0) return whole;
-  const auto skip = [&](std::size_t from, std::uint32_t count) {
-    for (; count > 0 && from < whole.end; --count) from += decode_utf8(text, from).size;
-    return from;
-  };
-  const std::size_t begin = skip(whole.begin, std::max(column, 1U) - 1);
-  return {begin, skip(begin, length)};
 }
 
 std::string path_of_uri(std::string_view uri) {

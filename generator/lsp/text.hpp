@@ -6,8 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "generator/lsp/outline.hpp"
-
 namespace eagerx::gen::lsp {
 
 struct Position {
@@ -17,11 +15,6 @@ struct Position {
 /// The byte at a position. Behind the end of its line: that end; behind the last line: the end.
 std::size_t byte_at(std::string_view text, Position position);
 Position position_at(std::string_view text, std::size_t byte);
-
-/// The bytes of `length` code points from a line and a column that count from 1, as diagnostics do;
-/// line 0: the first line.
-Bytes bytes_of(std::string_view text, std::uint32_t line, std::uint32_t column,
-               std::uint32_t length);
 
 /// The path of a `file:` URI, or nothing ("untitled:" and the like have none).
 std::string path_of_uri(std::string_view uri);

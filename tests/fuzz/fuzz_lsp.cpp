@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const std::string text(input);
   const std::size_t at = size == 0 ? 0 : data[size - 1] * size / 255;
-  const lsp::Cursor cursor = lsp::cursor_at(text, at);
+  const Cursor cursor = cursor_at(text, at);
   if (cursor.word.begin > at || cursor.word.end < at || cursor.word.end > size) std::abort();
   lsp::complete(nobody.graph_schema({}, {}), text, at);
   lsp::hover(nobody.graph_schema({}, {}), text, at);

@@ -48,9 +48,6 @@ TEST(LspText, CountsUnitsOfUtf16) {
     const Position position = position_at(text, byte);
     EXPECT_EQ(byte_at(text, position), byte) << byte;
   }
-  const Bytes word = bytes_of(text, 1, 2, 2);  // in code points, from 1
-  EXPECT_EQ(text.substr(word.begin, word.end - word.begin), "\xF0\x9F\xA4\x96" "b");
-  EXPECT_EQ(bytes_of("ab\ncd", 0, 0, 0).end, 2U);
 }
 
 TEST(LspText, NamesFiles) {

@@ -1,13 +1,25 @@
-#include "generator/lsp/outline.hpp"
+#include "generator/outline/outline.hpp"
 
 #include <algorithm>
 #include <optional>
 
-namespace eagerx::gen::lsp {
+namespace eagerx::gen {
 namespace {
 
 constexpr int kMostDepth = 64;
 constexpr char kMark = '\x01';  // in YAML no character may be this one
+
+OutlineNode node_of(OutlineNode::Kind kind, bool is_flow = false) {
+  OutlineNode node;
+  node.kind = kind;
+  node.flow = is_flow;
+  return node;
+}
+OutlineNode scalar_from(std::size_t begin, std::size_t end) {
+  OutlineNode node = node_of(OutlineNode::Kind::scalar);
+  node.place = {begin, end};
+  return node;
+}
 
 /// One pass over the text. `at_` is always at the next byte that nobody has taken.
 class Scanner {
@@ -80,7 +92,7 @@ class Scanner {
   }
 
   OutlineNode list(std::size_t indent, int depth) {
-    OutlineNode node{.kind = OutlineNode::Kind::list};
+    OutlineNode node = node_of(OutlineNode::Kind::list);
     while (next_line() && column() == indent && at_item()) {
       OutlineEntry item;
       item.whole.begin = at_++;
@@ -113,7 +125,7 @@ class Scanner {
   }
 
   OutlineNode map(std::size_t indent, int depth) {
-    OutlineNode node{.kind = OutlineNode::Kind::map};
+    OutlineNode node = node_of(OutlineNode::Kind::map);
     while (next_line() && column() == indent && !at_item()) {
       OutlineEntry entry;
       entry.whole.begin = at_;
@@ -143,7 +155,7 @@ class Scanner {
     }
     if (here() == '{' || here() == '[') return rest_of(flow(indent, depth + 1), indent);
     if (here() == '|' || here() == '>') {
-      OutlineNode text{.kind = OutlineNode::Kind::scalar, .place = {at_, at_ + 1}};
+      OutlineNode text = scalar_from(at_, at_ + 1);
       skip_line();
       skip_deeper(indent);
       return text;
@@ -188,7 +200,7 @@ class Scanner {
 
   OutlineNode quoted() {
     const char quote = here();
-    OutlineNode node{.kind = OutlineNode::Kind::scalar, .place = {at_, 0}};
+    OutlineNode node = scalar_from(at_, at_);
     ++at_;
     while (!ended() && here() != '\n' && here() != quote) node.text += text_[at_++];
     if (here() == quote) ++at_;
@@ -210,7 +222,7 @@ class Scanner {
   }
   template <class Ends>
   OutlineNode plain(const Ends& ends) {
-    OutlineNode node{.kind = OutlineNode::Kind::scalar, .place = {at_, at_}};
+    OutlineNode node = scalar_from(at_, at_);
     for (; !ended() && here() != '\n' && !ends(at_); ++at_) {
       if (here() == '#' && at_ > node.place.begin && is_blank(text_[at_ - 1])) break;
       if (!is_blank(here())) node.place.end = at_ + 1;
@@ -242,8 +254,7 @@ class Scanner {
 
   OutlineNode flow(std::size_t indent, int depth) {
     const bool is_map = here() == '{';
-    OutlineNode node{.kind = is_map ? OutlineNode::Kind::map : OutlineNode::Kind::list,
-                     .flow = true};
+    OutlineNode node = node_of(is_map ? OutlineNode::Kind::map : OutlineNode::Kind::list, true);
     ++at_;
     while (depth <= kMostDepth && next_in_flow(indent)) {
       if (here() == '}' || here() == ']') {
@@ -359,7 +370,8 @@ Cursor cursor_at(std::string_view text, std::size_t at) {
   marked.insert(at, 1, kMark);
   const OutlineNode top = outline_of(marked);
   OutlinePath path;
-  Cursor cursor{.word = {at, at}};
+  Cursor cursor;
+  cursor.word = {at, at};
   if (top.kind == OutlineNode::Kind::scalar) {
     cursor.is_key = true;
     cursor.typed = top.text.substr(0, top.text.find(kMark));
@@ -383,4 +395,4 @@ Cursor cursor_at(std::string_view text, std::size_t at) {
   return cursor;
 }
 
-}  // namespace eagerx::gen::lsp
+}  // namespace eagerx::gen

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "generator/lsp/outline.hpp"
+#include "generator/outline/outline.hpp"
 
-namespace eagerx::gen::lsp {
+namespace eagerx::gen {
 namespace {
 
 /// The outline as JSON without quotes, which is easy to compare. `~`: nothing.
@@ -22,7 +22,7 @@ std::string outline(std::string_view text) {
   return shown(outline_of(text));
 }
 
-TEST(LspOutline, HasWhatAFileHas) {
+TEST(Outline, HasWhatAFileHas) {
   EXPECT_EQ(outline("a: 1\nb:\n  c: x y # no\n  d: [1, {e: 2}]\n"), "{a: 1, b: {c: x y, d: [1, {e: 2}]}}");
   EXPECT_EQ(outline("---\n# c\n- a: 1\n  b: 2\n- - 3\n  - 4\n-\n  c: 5\n"), "[{a: 1, b: 2}, [3, 4], {c: 5}]");
   EXPECT_EQ(outline("k:\n- 1\n- 2\nl: 3\n"), "{k: [1, 2], l: 3}");
@@ -34,7 +34,7 @@ TEST(LspOutline, HasWhatAFileHas) {
   EXPECT_EQ(outline("a: 1\r\nb: 2\r\n"), "{a: 1, b: 2}");
 }
 
-TEST(LspOutline, GoesOnBehindWhatIsWrong) {
+TEST(Outline, GoesOnBehindWhatIsWrong) {
   EXPECT_EQ(outline("a: {b: 1, c\nd: 2\n"), "{a: {b: 1, c}, d: 2}");
   EXPECT_EQ(outline("a: [1, 2\n  - x\nb: 3\n"), "{a: [1, 2, - x], b: 3}");
   EXPECT_EQ(outline("a:\n  b: 1\n  half\n  c: 2\nd\n"), "{a: {b: 1, half, c: 2}, d}");
@@ -44,7 +44,7 @@ TEST(LspOutline, GoesOnBehindWhatIsWrong) {
   EXPECT_EQ(outline("}\na: 1\n]:\n"), "{}, a: 1, ]: ~}");
 }
 
-TEST(LspOutline, StaysShallow) {
+TEST(Outline, StaysShallow) {
   std::string deep;
   for (int i = 0; i < 5000; ++i) deep += "[{a: ";
   outline_of(deep);
@@ -67,7 +67,7 @@ std::string cursor(std::string text) {
          text.substr(cursor.word.begin, cursor.word.end - cursor.word.begin) + "`";
 }
 
-TEST(LspCursor, KnowsWhatIsTyped) {
+TEST(OutlineCursor, KnowsWhatIsTyped) {
   EXPECT_EQ(cursor("a: 1\nb|"), " key `b` of `b`");
   EXPECT_EQ(cursor("|"), " key `` of ``");
   EXPECT_EQ(cursor("a:\n  b: 1\n  |\nc: 2\n"), "a/ key `` of ``");
@@ -84,4 +84,4 @@ TEST(LspCursor, KnowsWhatIsTyped) {
 }
 
 }  // namespace
-}  // namespace eagerx::gen::lsp
+}  // namespace eagerx::gen

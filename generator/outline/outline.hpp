@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace eagerx::gen::lsp {
+namespace eagerx::gen {
 
 /// Bytes of a text: [begin, end).
 struct Bytes {
@@ -21,10 +21,10 @@ struct OutlineEntry;
 struct OutlineNode {
   enum class Kind : unsigned char { nothing, map, list, scalar };
   Kind kind = Kind::nothing;
-  std::string text = {};              // of a scalar, without quotes
-  Bytes place = {};                   // of a scalar, with quotes
+  std::string text;                   // of a scalar, without quotes
+  Bytes place;                        // of a scalar, with quotes
   bool flow = false;                  // of a map or list: in braces or brackets
-  std::vector<OutlineEntry> entries = {};  // of a map or list, as they stand
+  std::vector<OutlineEntry> entries;  // of a map or list, as they stand
 
   /// The value of a key, or nullptr.
   [[nodiscard]] const OutlineNode* find(std::string_view key) const;
@@ -60,4 +60,4 @@ struct Cursor {
 /// The place of the word at byte `at`, also where there is none yet.
 Cursor cursor_at(std::string_view text, std::size_t at);
 
-}  // namespace eagerx::gen::lsp
+}  // namespace eagerx::gen
