@@ -73,7 +73,7 @@ class Completer {
     std::vector<SchemaKey> missing = keys_in(schemas_at(schema_, top_, cursor_.path));
     // People write keys in the order of the format: what comes next is what the last one is before.
     const auto last = std::ranges::find(missing, key_before(map), &SchemaKey::name);
-    if (last != missing.end()) std::ranges::rotate(missing, std::next(last));
+    if (last != missing.end()) std::rotate(missing.begin(), std::next(last), missing.end());
     std::erase_if(missing, [&](const SchemaKey& key) { return is_written(map, key.name); });
     if (!cursor_.path.empty())
       std::ranges::stable_sort(missing, std::greater{}, &SchemaKey::required);
