@@ -1,7 +1,9 @@
 #include "generator/outline/outline.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace eagerx::gen {
 namespace {
@@ -372,25 +374,20 @@ Cursor cursor_at(std::string_view text, std::size_t at) {
   OutlinePath path;
   Cursor cursor;
   cursor.word = {at, at};
-  if (top.kind == OutlineNode::Kind::scalar) {
-    cursor.is_key = true;
-    cursor.typed = top.text.substr(0, top.text.find(kMark));
-    cursor.word = {at - cursor.typed.size(), top.place.end - 1};
-    return cursor;
-  }
-  const auto found = find_mark(top, path);
+  std::optional<Found> found = find_mark(top, path);
+  // A text of one word: the beginning of its first key.
+  if (top.text.find(kMark) != std::string::npos) found = Found{{}, true, &top, nullptr};
   if (!found) return cursor;
-  cursor.path = found->path;
+  const bool is_entry = found->scalar == nullptr;
+  const std::string& word = is_entry ? found->entry->key : found->scalar->text;
+  const Bytes place = is_entry ? found->entry->key_place : found->scalar->place;
+  cursor.path = std::move(found->path);
   cursor.is_key = found->is_key;
-  const std::string& word = found->is_key ? found->entry->key : found->scalar->text;
-  Bytes place = found->is_key ? found->entry->key_place : found->scalar->place;
   cursor.typed = word.substr(0, word.find(kMark));
-  place.end -= 1;  // the mark
-  cursor.word = {std::min(place.begin, at), std::max(place.end, at)};
-  if (cursor.word.begin < at && (text[cursor.word.begin] == '"' || text[cursor.word.begin] == '\''))
-    ++cursor.word.begin;
-  if (cursor.word.end > at && (text[cursor.word.end - 1] == '"' || text[cursor.word.end - 1] == '\''))
-    --cursor.word.end;
+  cursor.word = {std::min(place.begin, at), std::max(place.end - 1, at)};  // without the mark
+  const auto is_quote = [&](std::size_t i) { return text[i] == '"' || text[i] == '\''; };
+  if (cursor.word.begin < at && is_quote(cursor.word.begin)) ++cursor.word.begin;
+  if (cursor.word.end > at && is_quote(cursor.word.end - 1)) --cursor.word.end;
   cursor.may_be_key = !cursor.is_key && begins_line(text, cursor.word.begin);
   return cursor;
 }

@@ -81,6 +81,8 @@ TEST(OutlineCursor, KnowsWhatIsTyped) {
   EXPECT_EQ(cursor("l: [x, y|]"), "l/1/ value `y` of `y`");
   EXPECT_EQ(cursor("l:\n  - from: \"a.|b\"\n"), "l/0/from/ value `a.` of `a.b`");
   EXPECT_EQ(cursor("k|ey: 1\n"), " key `k` of `key`");
+  EXPECT_EQ(cursor("# in a comm|ent\nword\n"), " value `` of ``");
+  EXPECT_EQ(cursor("  \"qu|oted\" word\n"), " key `qu` of `quoted`");
 }
 
 }  // namespace
