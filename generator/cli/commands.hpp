@@ -39,6 +39,12 @@ Command trace_command();
 Command plot_command();
 /// Watches the messages of a program.
 Command monitor_command();
+/// Changes the text of a graph as the help of its errors says.
+Command fix_command();
+/// Gives an object or a node another name.
+Command rename_command();
+/// Serves an editor.
+Command lsp_command();
 /// Looks into weight files: `policy info`, `test`, `golden`, `compare`.
 Command policy_command();
 /// Opens the reference.

@@ -23,7 +23,8 @@ CommandLine command_line() {
                            import_command(),   schema_command(),    new_command(),
                            size_command(),     replay_command(),    identify_command(),
                            trace_command(),    plot_command(),      monitor_command(),
-                           policy_command(),   docs_command(),      pages_command(pages)}},
+                           policy_command(),   docs_command(),      fix_command(),
+                           rename_command(),   lsp_command(),       pages_command(pages)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"

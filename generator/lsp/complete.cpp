@@ -1,0 +1,188 @@
+#include "generator/lsp/complete.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <utility>
+
+#include "generator/lsp/ports.hpp"
+#include "generator/lsp/schema_view.hpp"
+
+namespace eagerx::gen::lsp {
+namespace {
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// 0: begins with what was typed; 1: contains it; 2: neither.
+int distance(const std::string& label, const std::string& typed) {
+  const std::string word = lower(label), part = lower(typed);
+  if (word.starts_with(part)) return 0;
+  return word.find(part) == std::string::npos ? 2 : 1;
+}
+
+std::string key_of(const OutlinePath& path, std::size_t from_end) {
+  if (path.size() < from_end) return {};
+  const auto* const key = std::get_if<std::string>(&path[path.size() - from_end]);
+  return key != nullptr ? *key : std::string();
+}
+
+/// One begins with the other's first letters, or contains it.
+bool are_alike(const std::string& type, const std::string& name) {
+  constexpr std::size_t kLetters = 4;
+  const std::string a = lower(type), b = lower(name);
+  if (a.empty() || b.empty()) return false;
+  return a.starts_with(b.substr(0, kLetters)) || a.find(b) != std::string::npos ||
+         b.find(a) != std::string::npos;
+}
+
+/// The ids of entities in a graph.
+std::vector<std::string> types_in(const OutlineNode& node) {
+  std::vector<std::string> types;
+  if (const OutlineNode* const type = node.find("type"); type != nullptr && !type->text.empty())
+    types.push_back(type->text);
+  for (const OutlineEntry& entry : node.entries) {
+    for (std::string& type : types_in(entry.value)) types.push_back(std::move(type));
+  }
+  return types;
+}
+
+class Completer {
+ public:
+  Completer(const Json& schema, std::string_view text, std::size_t at)
+      : schema_(schema), text_(text), top_(outline_of(text)), cursor_(cursor_at(text, at)) {}
+
+  Completion all() {
+    if (cursor_.is_key || cursor_.may_be_key) keys();
+    if (!cursor_.is_key) {
+      if (!ports()) values();
+    }
+    const auto distance_of = [&](const Proposal& each) {
+      return distance(each.label, cursor_.typed);
+    };
+    std::ranges::stable_sort(proposals_, std::less{}, distance_of);
+    std::erase_if(proposals_, [&](const Proposal& each) { return distance_of(each) == 2; });
+    return {cursor_.word, std::move(proposals_)};
+  }
+
+ private:
+  void keys() {
+    const OutlineNode* const map = node_at(top_, cursor_.path);
+    std::vector<SchemaKey> missing = keys_in(schemas_at(schema_, top_, cursor_.path));
+    // People write keys in the order of the format: what comes next is what the last one is before.
+    const auto last = std::ranges::find(missing, key_before(map), &SchemaKey::name);
+    if (last != missing.end()) std::rotate(missing.begin(), std::next(last), missing.end());
+    std::erase_if(missing, [&](const SchemaKey& key) { return is_written(map, key.name); });
+    if (!cursor_.path.empty())
+      std::ranges::stable_sort(missing, std::greater{}, &SchemaKey::required);
+    for (SchemaKey& key : missing) {
+      std::string insert = key.name + (has_colon() ? "" : ": ");
+      proposals_.push_back(
+          {std::move(key.name), std::move(insert), std::move(key.about), Proposal::Kind::key});
+    }
+  }
+  [[nodiscard]] std::string key_before(const OutlineNode* map) const {
+    std::string key;
+    if (map == nullptr) return key;
+    for (const OutlineEntry& entry : map->entries) {
+      if (entry.has_colon && entry.key_place.end < cursor_.word.begin) key = entry.key;
+    }
+    return key;
+  }
+  /// Elsewhere than under the cursor.
+  [[nodiscard]] bool is_written(const OutlineNode* map, const std::string& key) const {
+    return map != nullptr && map->kind == OutlineNode::Kind::map &&
+           std::ranges::any_of(map->entries, [&](const OutlineEntry& entry) {
+             return entry.key == key && (entry.key_place.end < cursor_.word.begin ||
+                                         entry.key_place.begin > cursor_.word.end);
+           });
+  }
+  [[nodiscard]] bool has_colon() const {
+    const std::size_t next = text_.find_first_not_of(' ', cursor_.word.end);
+    return next != std::string_view::npos && text_[next] == ':';
+  }
+
+  void values() {
+    std::vector<SchemaValue> values = values_in(schemas_at(schema_, top_, cursor_.path));
+    if (key_of(cursor_.path, 1) == "type") {
+      // `course: {type: Course}`; then what the graph has already.
+      const std::string owner = key_of(cursor_.path, 2);
+      const std::vector<std::string> used = types_in(top_);
+      std::ranges::stable_sort(values, std::less{}, [&](const SchemaValue& value) {
+        if (are_alike(value.text, owner)) return 0;
+        return std::ranges::find(used, value.text) != used.end() ? 1 : 2;
+      });
+    }
+    for (SchemaValue& value : values) {
+      std::string insert = value.text;
+      proposals_.push_back({std::move(value.text), std::move(insert), std::move(value.about),
+                            Proposal::Kind::value});
+    }
+  }
+
+  /// False: no name of a port stands here.
+  bool ports() {
+    const std::string key = key_of(cursor_.path, 1);
+    const bool in_connection = key_of(cursor_.path, 3) == "connections" && cursor_.path.size() == 3;
+    if (in_connection && (key == "from" || key == "to")) {
+      add_ports(key == "from" ? PortSide::sends : PortSide::receives);
+      return true;
+    }
+    if (key == "like" && key_of(cursor_.path, 2) == "space") {
+      add_ports(PortSide::receives);
+      add_ports(PortSide::sends);
+      return true;
+    }
+    return false;
+  }
+  void add_ports(PortSide side) {
+    std::vector<NamedPort> ports = ports_of(schema_, top_);
+    std::erase_if(ports, [&](const NamedPort& port) { return port.side != side; });
+    // First what is in no connection yet, and what the graph has chosen to have.
+    const auto taken = connected(top_, side);
+    std::ranges::stable_sort(ports, std::less{}, [&](const NamedPort& port) {
+      const bool is_taken = std::ranges::find(taken, port.name) != taken.end();
+      return (is_taken ? 2 : 0) + (port.is_chosen ? 0 : 1);
+    });
+    for (NamedPort& port : ports)
+      proposals_.push_back({port.name, port.name, std::move(port.about), Proposal::Kind::port});
+  }
+
+  const Json& schema_;
+  std::string_view text_;
+  OutlineNode top_;
+  Cursor cursor_;
+  std::vector<Proposal> proposals_;
+};
+
+}  // namespace
+
+Completion complete(const Json& schema, std::string_view text, std::size_t at) {
+  return Completer(schema, text, at).all();
+}
+
+Hover hover(const Json& schema, std::string_view text, std::size_t at) {
+  const OutlineNode top = outline_of(text);
+  const Cursor cursor = cursor_at(text, at);
+  const std::string word(text.substr(cursor.word.begin, cursor.word.end - cursor.word.begin));
+  if (word.empty()) return {};
+  if (cursor.is_key) {
+    OutlinePath path = cursor.path;
+    path.emplace_back(word);
+    const std::string said = about(schemas_at(schema, top, path));
+    return {cursor.word, said.empty() ? "" : "**" + word + "**: " + said};
+  }
+  for (const SchemaValue& value : values_in(schemas_at(schema, top, cursor.path))) {
+    if (value.text == word && !value.about.empty())
+      return {cursor.word, "**" + word + "**: " + value.about};
+  }
+  for (const NamedPort& port : ports_of(schema, top)) {
+    if (port.name == word && !port.about.empty())
+      return {cursor.word, "**" + word + "**: " + port.about};
+  }
+  return {};
+}
+
+}  // namespace eagerx::gen::lsp

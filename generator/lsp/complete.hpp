@@ -1,0 +1,39 @@
+// What can stand where somebody types.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/json/json.hpp"
+#include "generator/outline/outline.hpp"
+
+namespace eagerx::gen::lsp {
+
+struct Proposal {
+  enum class Kind : std::uint8_t { key, value, port };
+  std::string label;   // the word itself
+  std::string insert;  // with what comes behind it: `rate: `
+  std::string about;
+  Kind kind = Kind::key;
+};
+
+struct Completion {
+  Bytes word;  // what is replaced
+  std::vector<Proposal> proposals;
+};
+
+/// The keys, ids, parameters, ports and values of `schema` that fit at byte `at`, the likeliest
+/// first: what is required and missing, ports that nothing is connected to yet. Those that begin
+/// with what was typed come before those that only contain it.
+Completion complete(const Json& schema, std::string_view text, std::size_t at);
+
+/// What is said of the key or value at byte `at`, in Markdown; empty: nothing.
+struct Hover {
+  Bytes word;
+  std::string text;
+};
+Hover hover(const Json& schema, std::string_view text, std::size_t at);
+
+}  // namespace eagerx::gen::lsp

@@ -1,0 +1,26 @@
+// Between the server's values and LSP's JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/edit/edit.hpp"
+#include "generator/json/json.hpp"
+#include "generator/lsp/complete.hpp"
+#include "generator/outline/outline.hpp"
+#include "generator/lsp/text.hpp"
+
+namespace eagerx::gen::lsp {
+
+Json range_of(std::string_view text, Bytes bytes);
+std::optional<Position> position_in(const Json* json);
+/// A diagnostic of a file with this text, without its notes.
+Json diagnostic_json(const Diagnostic& diagnostic, std::string_view text);
+Json completion_json(const Completion& completion, std::string_view text);
+/// The keys of a graph as an editor's outline shows them: sections, objects, nodes, connections.
+Json symbols_json(const OutlineNode& top, std::string_view text);
+/// A change of one document.
+Json edit_json(const Edit& edit, const std::string& uri, std::string_view text);
+}  // namespace eagerx::gen::lsp

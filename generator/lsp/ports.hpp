@@ -1,0 +1,28 @@
+// The ports of a graph that may be half written: what its connections can name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/outline/outline.hpp"
+#include "generator/lsp/schema_view.hpp"
+
+namespace eagerx::gen::lsp {
+
+enum class PortSide : unsigned char { sends, receives };
+
+struct NamedPort {
+  std::string name;  // as a connection writes it: "pendulum.theta", "actions.voltage"
+  std::string about;
+  PortSide side = PortSide::sends;
+  bool is_chosen = false;  // the graph names it where it is, or all that there are
+};
+
+/// Ports of the objects and nodes that have a type, of the agent, and of nodes with a policy whose
+/// ports are written in the graph. One that the graph has not chosen can be meant, too.
+std::vector<NamedPort> ports_of(const Json& schema, const OutlineNode& graph);
+
+/// The ports of one side that the connections of the graph name already.
+std::vector<std::string> connected(const OutlineNode& graph, PortSide side);
+
+}  // namespace eagerx::gen::lsp
