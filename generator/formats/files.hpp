@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/common/read_context.hpp"
 
 namespace eagerx::gen {

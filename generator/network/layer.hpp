@@ -114,6 +114,9 @@ struct Reduction {
 };
 const char* to_string(Reduction::Kind kind);
 
+using LayerForm = std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder,
+                               Combination, Function, Reduction>;
+
 /// y = activation(norm(W x + b)), or what `form` says in place of W x + b.
 struct Layer {
   std::uint32_t inputs = 0;
@@ -123,9 +126,7 @@ struct Layer {
   Activation activation = Activation::identity;
   float slope = 0.0F;  // elu: its alpha; leaky relu: its negative slope
   std::optional<LayerNorm> norm{};
-  std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder, Combination, Function,
-               Reduction>
-      form{};
+  LayerForm form{};
   std::vector<std::int8_t> rounded{};  // as weights, in place of them; empty: float32
   std::vector<float> scales{};         // as bias: a weight is rounded times this
   /// What it takes: -1 the observation, i the result of layer i. Empty: the result of the layer

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "generator/formats/actor/actor.hpp"
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/statistics.hpp"
 #include "generator/formats/tensors/pickle.hpp"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/common/read_context.hpp"
 #include "generator/formats/tensors/tensor.hpp"
 #include "generator/network/network.hpp"

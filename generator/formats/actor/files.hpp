@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/common/read_context.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/network/network.hpp"

@@ -1,7 +1,7 @@
 // Values that lie in files beside an ONNX file ("external data"). Inside formats/onnx only.
 #pragma once
 
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/common/read_context.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
 

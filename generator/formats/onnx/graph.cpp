@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "generator/formats/onnx/operators/tensor.hpp"
+#include "generator/network/graph/tensor.hpp"
 
 namespace eagerx::gen {
 namespace {

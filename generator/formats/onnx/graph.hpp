@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
 
 namespace eagerx::gen {

@@ -53,7 +53,7 @@ std::optional<Dims> input_shape(const onnx::ValueInfoProto& input, bool has_memo
     if (!batch && !time && dim.dim_value() < 1) return fail("of unknown size");
     shape.push_back(batch || time ? 1 : dim.dim_value());
   }
-  if (rank > static_cast<int>(kMaxOnnxRank) ||
+  if (rank > static_cast<int>(kMaxRank) ||
       element_count(shape).value_or(kMaxElements) > kMaxValues) {
     return fail("of an impossible size");
   }
@@ -65,7 +65,7 @@ bool is_sequence(const onnx::ValueInfoProto& input) {
   return shape.dim_size() == 3 && !shape.dim(0).has_dim_value() && !shape.dim(1).has_dim_value();
 }
 
-std::optional<OnnxValue> state_value(const onnx::ValueInfoProto& input, PolicyProblem& problem) {
+std::optional<NetValue> state_value(const onnx::ValueInfoProto& input, PolicyProblem& problem) {
   const onnx::TensorShapeProto& shape = input.type().tensor_type().shape();
   const auto size = [&](int i) { return shape.dim(i).dim_value(); };
   const bool fits = shape.dim_size() == 3 && size(0) >= 1 && size(0) <= kMaxStateLayers &&
@@ -76,8 +76,8 @@ std::optional<OnnxValue> state_value(const onnx::ValueInfoProto& input, PolicyPr
                               printable(input.name())),
                   "export the actor with the observation first, then its states");
   }
-  OnnxValue value;
-  value.kind = OnnxValue::Kind::state;
+  NetValue value;
+  value.kind = NetValue::Kind::state;
   value.shape = Dims{size(0), 1, size(2)};
   value.state.name = input.name();
   value.slots = size(0);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "generator/formats/onnx/onnx.pb.h"
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/value.hpp"
 
 namespace eagerx::gen {
 
@@ -21,6 +21,6 @@ std::optional<Dims> input_shape(const onnx::ValueInfoProto& input, bool has_memo
 bool is_sequence(const onnx::ValueInfoProto& input);
 
 /// The state of the layers of a GRU or LSTM: [layers, 1, values]. E0608.
-std::optional<OnnxValue> state_value(const onnx::ValueInfoProto& input, PolicyProblem& problem);
+std::optional<NetValue> state_value(const onnx::ValueInfoProto& input, PolicyProblem& problem);
 
 }  // namespace eagerx::gen

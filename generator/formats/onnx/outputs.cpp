@@ -12,7 +12,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "generator/formats/common/shape.hpp"
+#include "generator/network/shape.hpp"
 #include "generator/formats/onnx/inputs.hpp"
 
 namespace eagerx::gen {

@@ -17,16 +17,18 @@
 #include "generator/formats/onnx/graph.hpp"
 #include "generator/formats/onnx/guard.hpp"
 #include "generator/formats/onnx/inputs.hpp"
-#include "generator/formats/onnx/network.hpp"
+#include "generator/formats/onnx/node.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
-#include "generator/formats/onnx/operators/value.hpp"
 #include "generator/formats/onnx/outputs.hpp"
+#include "generator/network/graph/evaluate.hpp"
+#include "generator/network/graph/lower.hpp"
+#include "generator/network/graph/operators.hpp"
 #include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
+using Kind = NetValue::Kind;
 
 // Between these versions none of the supported operators changed its meaning.
 constexpr std::int64_t kOldestOpset = 9;
@@ -103,34 +105,29 @@ std::optional<GraphInputs> find_observation(const onnx::GraphProto& graph,
 /// Every value that is computed or given, by name.
 class ValueTable {
  public:
-  explicit ValueTable(const OnnxNames& names) : names_(names) {}
-  void set(std::string_view name, OnnxValue value) { values_[name] = std::move(value); }
+  ValueTable(const OnnxNames& names, std::deque<NetTensor>& made) : names_(names), made_(made) {}
+  void set(std::string_view name, NetValue value) { values_[name] = std::move(value); }
   /// The value of `name`; tensors of the file are looked at when they are first asked for.
-  const OnnxValue* get(std::string_view name) {
+  const NetValue* get(std::string_view name) {
     const auto [place, fresh] = values_.try_emplace(name);
     const auto tensor = names_.tensors.find(name);
     if (fresh && !name.empty() && tensor != names_.tensors.end()) {
-      OnnxValue& value = place->second;
-      const auto constant = make_constant(*tensor->second, value.problem);
-      value.kind = constant ? Kind::constant : Kind::other;
-      if (constant) {
-        value.shape = constant->dims;
-        value.constant = *constant;
-      }
+      place->second = tensor_value(*tensor->second, made_);
     }
     return &place->second;
   }
 
  private:
   const OnnxNames& names_;
-  std::unordered_map<std::string_view, OnnxValue> values_;  // its elements never move
+  std::deque<NetTensor>& made_;
+  std::unordered_map<std::string_view, NetValue> values_;  // its elements never move
 };
 
 /// Sets the inputs of an observation of several parts, which come one after the other.
-bool set_parts(const GraphInputs& inputs, OnnxCall::State& state, ValueTable& values,
+bool set_parts(const GraphInputs& inputs, NetCall::State& state, ValueTable& values,
                Network& network, PolicyProblem& problem) {
   for (const onnx::ValueInfoProto* input : inputs) {
-    OnnxValue part;
+    NetValue part;
     part.kind = Kind::data;
     part.shape = input_shape(*input, false, problem);
     if (!part.shape) return false;
@@ -145,7 +142,7 @@ bool set_parts(const GraphInputs& inputs, OnnxCall::State& state, ValueTable& va
     }
     state.observed += count;
     part.step = static_cast<std::int32_t>(state.steps.size());
-    state.steps.push_back({-1, std::move(order), printable(input->name()), count});
+    state.steps.push_back({-1, NetLayer{std::move(order)}, printable(input->name()), count});
     values.set(input->name(), std::move(part));
     network.contract.observations.push_back(
         {printable(input->name()), static_cast<std::uint64_t>(count)});
@@ -172,15 +169,16 @@ bool set_states(const onnx::GraphProto& graph, const OnnxNames& names,
   return true;
 }
 
-void evaluate_nodes(const OnnxDependencies& needed, OnnxCall::State& state, ValueTable& values,
+void evaluate_nodes(const OnnxDependencies& needed, NetCall::State& state, ValueTable& values,
                     std::unordered_set<const onnx::NodeProto*>& done) {
   for (const onnx::NodeProto* node : needed.nodes) {
     if (!done.insert(node).second) continue;
-    std::vector<const OnnxValue*> inputs;
+    std::vector<const NetValue*> inputs;
     for (const std::string& input : node->input()) inputs.push_back(values.get(input));
-    const OnnxCall call(*node, std::move(inputs), state);
     if (node->output_size() == 0) continue;
-    const OnnxValue first = evaluate(call);
+    const NetNode used = node_of(*node, state.made);
+    const NetCall call(used, std::move(inputs), state);
+    const NetValue first = evaluate(call);
     for (int i = 0; i < node->output_size(); ++i) {
       if (node->output(i).empty()) continue;
       values.set(node->output(i), i == 0 ? first : later_output(call, first, i));
@@ -189,12 +187,12 @@ void evaluate_nodes(const OnnxDependencies& needed, OnnxCall::State& state, Valu
 }
 
 /// Whether `output` is the new state for input `source`, which layer `step` takes as its own.
-bool gives_back(const OnnxValue& output, const OnnxStateSource& source, bool is_cell,
-                const std::vector<OnnxStep>& steps) {
+bool gives_back(const NetValue& output, const NetStateSource& source, bool is_cell,
+                const std::vector<NetStep>& steps) {
   for (std::size_t slot = 0; slot < output.remembered.size(); ++slot) {
-    const OnnxRemembered& part = output.remembered[slot];
+    const NetRemembered& part = output.remembered[slot];
     const auto* work =
-        std::get_if<OnnxRecurrence>(&steps[static_cast<std::size_t>(part.step)].what);
+        std::get_if<NetRecurrence>(&steps[static_cast<std::size_t>(part.step)].what);
     const auto& from = is_cell ? work->c : work->h;
     if (part.is_cell != is_cell || !from || from->name != source.name ||
         from->slot != static_cast<std::int64_t>(slot)) {
@@ -205,18 +203,18 @@ bool gives_back(const OnnxValue& output, const OnnxStateSource& source, bool is_
 }
 
 /// Every state on the way to the action comes back as an output, layer by layer: E0641.
-bool check_states(const std::vector<OnnxStep>& steps, std::int32_t last,
-                  const std::vector<const OnnxValue*>& outputs, PolicyProblem& problem) {
+bool check_states(const std::vector<NetStep>& steps, std::int32_t last,
+                  const std::vector<const NetValue*>& outputs, PolicyProblem& problem) {
   std::unordered_set<std::string> taken;
   const auto path = steps_to(steps, last, problem);
   if (!path) return false;
   for (const std::int32_t at : *path) {
-    const auto* work = std::get_if<OnnxRecurrence>(&steps[static_cast<std::size_t>(at)].what);
+    const auto* work = std::get_if<NetRecurrence>(&steps[static_cast<std::size_t>(at)].what);
     if (work == nullptr) continue;
     for (const bool is_cell : {false, true}) {
       const auto& source = is_cell ? work->c : work->h;
       if (!source) continue;
-      const bool found = std::any_of(outputs.begin(), outputs.end(), [&](const OnnxValue* output) {
+      const bool found = std::any_of(outputs.begin(), outputs.end(), [&](const NetValue* output) {
         return gives_back(*output, *source, is_cell, steps);
       });
       const std::string key = fmt::format("{}/{}", source->name, source->slot);
@@ -236,8 +234,9 @@ bool check_states(const std::vector<OnnxStep>& steps, std::int32_t last,
 
 /// Other outputs, inputs and tensors that have no part in the action.
 std::vector<std::string> ignored_parts(const onnx::GraphProto& graph, const OnnxAction& chosen,
-                                       const std::unordered_set<const onnx::TensorProto*>& used,
-                                       const std::vector<const OnnxValue*>& others) {
+                                       const std::unordered_set<const NetTensor*>& used,
+                                       const std::vector<const NetValue*>& others,
+                                       ValueTable& values) {
   std::vector<std::string> ignored;
   for (int i = 0; i < graph.output_size(); ++i) {
     if (i == chosen.output) continue;
@@ -248,7 +247,7 @@ std::vector<std::string> ignored_parts(const onnx::GraphProto& graph, const Onnx
   std::unordered_set<std::string_view> tensors;
   for (const onnx::TensorProto& tensor : graph.initializer()) {
     tensors.insert(tensor.name());
-    if (used.contains(&tensor)) continue;
+    if (used.contains(values.get(tensor.name())->constant.tensor)) continue;
     const Dims dims(tensor.dims().begin(), tensor.dims().end());
     ignored.push_back(fmt::format("tensor `{}` {}", printable(tensor.name()), show(dims)));
   }
@@ -319,10 +318,10 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   if (!observation) return std::nullopt;
 
   Network network;
-  OnnxCall::State state;
+  NetCall::State state;
   state.opset = *opset;
   state.is_sequence = is_sequence(*observation->front());
-  ValueTable values(*names);
+  ValueTable values(*names, state.made);
   const bool has_memory = std::any_of(needed->nodes.begin(), needed->nodes.end(),
                                       [](const auto* node) { return is_recurrent(*node); });
   std::optional<Dims> observed;
@@ -333,7 +332,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
     observed = input_shape(*observation->front(), has_memory, problem);
     if (!observed) return std::nullopt;
     state.observed = element_count(*observed).value_or(0);
-    OnnxValue first;
+    NetValue first;
     first.kind = Kind::data;
     first.shape = observed;
     state.follows_time = has_memory && state.is_sequence && needed->inputs.size() == 1;
@@ -345,9 +344,9 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   }
   std::unordered_set<const onnx::NodeProto*> done;
   evaluate_nodes(*needed, state, values, done);
-  OnnxValue result = *values.get(action);
+  NetValue result = *values.get(action);
   if (const auto exact = exact_of(result)) result = *exact;
-  if (result.kind == Kind::other && result.part.role == OnnxPart::Role::choice) {
+  if (result.kind == Kind::other && result.part.role == NetPart::Role::choice) {
     network.action = ActionKind::argmax;
     result.kind = Kind::data;
     result.step = result.part.of;
@@ -358,7 +357,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
                   : PolicyProblem{"E0620", "has an action that is constant", kExportActor};
     return std::nullopt;
   }
-  std::vector<const OnnxValue*> others;
+  std::vector<const NetValue*> others;
   for (int i = 0; has_memory && i < graph.output_size(); ++i) {
     if (i == chosen->output) continue;
     constexpr std::int64_t kSteps = 16;  // of the budget, for each node that is walked over
@@ -372,7 +371,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
     others.push_back(values.get(graph.output(i).name()));
   }
   if (!check_states(state.steps, result.step, others, problem)) return std::nullopt;
-  std::unordered_set<const onnx::TensorProto*> used;
+  std::unordered_set<const NetTensor*> used;
   const auto inputs = static_cast<std::uint32_t>(state.observed);
   std::optional<std::vector<Layer>> layers =
       make_layers(state.steps, result.step, inputs, used, problem);
@@ -382,7 +381,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   if (!read_rate(*model, network.contract.rate_hz, problem)) return std::nullopt;
   network.format = describe(*model, *opset);
   network.layers = std::move(*layers);
-  network.ignored = ignored_parts(graph, *chosen, used, others);
+  network.ignored = ignored_parts(graph, *chosen, used, others, values);
   if (std::any_of(network.layers.begin(), network.layers.end(),
                   [](const Layer& layer) { return layer.depends_on_shape(); })) {
     network.input_shape.assign(observed->begin() + (observed->size() > 1 ? 1 : 0), observed->end());

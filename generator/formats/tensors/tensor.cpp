@@ -2,59 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <limits>
-
 namespace eagerx::gen {
 namespace {
 
-static_assert(std::endian::native == std::endian::little,
-              "values are read as they lie in the file");
-
 constexpr std::size_t kMaxTensors = 100'000;
 constexpr std::size_t kMaxTensorRank = 16;
-
-template <class T>
-double read(const char* from) {
-  T value;
-  std::memcpy(&value, from, sizeof value);
-  return static_cast<double>(value);
-}
-
-double value_at(ElementType type, const char* from) {
-  std::uint16_t bits = 0;
-  switch (type) {
-    case ElementType::float16:
-      std::memcpy(&bits, from, sizeof bits);
-      return half(bits);
-    case ElementType::bfloat16:
-      std::memcpy(&bits, from, sizeof bits);
-      return static_cast<double>(std::bit_cast<float>(std::uint32_t{bits} << 16U));
-    case ElementType::float32:
-      return read<float>(from);
-    case ElementType::float64:
-      return read<double>(from);
-    case ElementType::int8:
-      return read<std::int8_t>(from);
-    case ElementType::uint8:
-    case ElementType::boolean:
-      return read<std::uint8_t>(from);
-    case ElementType::int16:
-      return read<std::int16_t>(from);
-    case ElementType::int32:
-      return read<std::int32_t>(from);
-    case ElementType::int64:
-      return read<std::int64_t>(from);
-  }
-  return 0.0;
-}
-
-bool is_floating(ElementType type) {
-  return type == ElementType::float16 || type == ElementType::bfloat16 ||
-         type == ElementType::float32 || type == ElementType::float64;
-}
 
 /// Elements from the first to the last one, plus one; nothing if a stride is negative or huge.
 std::optional<std::int64_t> extent(const StoredTensor& tensor) {
@@ -115,20 +67,13 @@ std::optional<std::vector<double>> finite_values_of(const std::string& name,
                                                     const StoredTensor& tensor,
                                                     PolicyProblem& problem) {
   std::vector<double> values = values_of(tensor);
-  for (const double value : values) {
-    if (std::isfinite(value)) continue;
-    problem = {"E0616",
-               fmt::format("has {} in tensor `{}`", std::isnan(value) ? "NaN" : "infinity",
-                           printable(name)),
-               "the training diverged: save a policy that works"};
-    return std::nullopt;
-  }
+  if (!all_finite(values, name, "save", problem)) return std::nullopt;
   return values;
 }
 
 std::optional<std::vector<float>> floats_of(const std::string& name, const StoredTensor& tensor,
                                             PolicyProblem& problem) {
-  if (!is_floating(tensor.type)) {
+  if (!is_real(tensor.type)) {
     problem = {"E0615",
                fmt::format("has weights that are integers in tensor `{}`", printable(name)),
                "save the actor in float32"};
@@ -136,22 +81,7 @@ std::optional<std::vector<float>> floats_of(const std::string& name, const Store
   }
   const auto values = finite_values_of(name, tensor, problem);
   if (!values) return std::nullopt;
-  std::vector<float> result(values->size());
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const double value = (*values)[i];
-    // Out of float's range the conversion itself would be undefined.
-    const bool in_range =
-        std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
-    result[i] = in_range ? static_cast<float>(value) : 0.0F;
-    if (!in_range || static_cast<double>(result[i]) != value) {
-      problem = {"E0615",
-                 fmt::format("has float64 values in tensor `{}` that float32 cannot hold",
-                             printable(name)),
-                 "convert the actor with `.float()` before saving it"};
-      return std::nullopt;
-    }
-  }
-  return result;
+  return exact_floats(*values, name, "saving", problem);
 }
 
 bool TensorTable::add(const std::string& name, StoredTensor tensor, PolicyProblem& problem) {

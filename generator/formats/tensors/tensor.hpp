@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/formats/common/problem.hpp"
-#include "generator/formats/common/shape.hpp"
-#include "generator/formats/tensors/element_type.hpp"
+#include "generator/network/problem.hpp"
+#include "generator/network/shape.hpp"
+#include "generator/network/element_type.hpp"
 
 namespace eagerx::gen {
 

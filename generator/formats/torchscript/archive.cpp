@@ -58,15 +58,15 @@ std::optional<std::string_view> TorchArchive::storage(int which, std::string_vie
   return bytes;
 }
 
-const OnnxValue* TorchArchive::tensor(int which, std::uint32_t index, const std::string& name,
+const NetValue* TorchArchive::tensor(int which, std::uint32_t index, const std::string& name,
                                       PolicyProblem& problem) {
   const auto [place, fresh] = known_.try_emplace({which, index});
-  OnnxValue& value = place->second;
+  NetValue& value = place->second;
   if (!fresh) {
-    if (value.kind == OnnxValue::Kind::other) problem = value.problem;
-    return value.kind == OnnxValue::Kind::other ? nullptr : &value;
+    if (value.kind == NetValue::Kind::other) problem = value.problem;
+    return value.kind == NetValue::Kind::other ? nullptr : &value;
   }
-  value.kind = OnnxValue::Kind::other;
+  value.kind = NetValue::Kind::other;
   const auto stored = rebuilt_tensor(
       pickle(which), pickle(which).at(index), name,
       [&](std::string_view key) { return storage(which, key, value.problem); }, value.problem);
@@ -89,14 +89,7 @@ const OnnxValue* TorchArchive::tensor(int which, std::uint32_t index, const std:
     }
   }
   if (numbers) {
-    onnx::TensorProto& made = tensors_.emplace_back();
-    made.set_name(name);
-    made.set_data_type(onnx::TensorProto::FLOAT);
-    for (const std::int64_t dim : stored->shape) made.add_dims(dim);
-    made.mutable_float_data()->Add(numbers->begin(), numbers->end());
-    value.kind = OnnxValue::Kind::constant;
-    value.shape = stored->shape;
-    value.constant = {&made, stored->shape, false};
+    value = constant_value(made_tensor(tensors_, name, *numbers, stored->shape));
     return &value;
   }
   problem = value.problem;

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/formats/tensors/containers.hpp"
 #include "generator/formats/tensors/pickle.hpp"
@@ -30,7 +30,7 @@ class TorchArchive {
   }
 
   /// A tensor of `pickle(which)` as a constant. E0614 to E0616, E0621, E0623.
-  const OnnxValue* tensor(int which, std::uint32_t index, const std::string& name,
+  const NetValue* tensor(int which, std::uint32_t index, const std::string& name,
                           PolicyProblem& problem);
 
   /// Function "Linear.forward" or "elu" of module "__torch__.torch.nn.functional"; nullptr, and
@@ -38,8 +38,6 @@ class TorchArchive {
   const TorchFunction* function(const std::string& module, const std::string& name,
                                 PolicyProblem& problem);
 
-  /// Tensors of the file that were used.
-  [[nodiscard]] const std::deque<onnx::TensorProto>& used() const { return tensors_; }
   /// Sizes that an observation may have: those of the file's tensors.
   [[nodiscard]] std::vector<std::int64_t> sizes() const;
 
@@ -54,8 +52,8 @@ class TorchArchive {
   std::map<std::string, std::string_view, std::less<>> storages_;
   std::size_t unpacked_ = 0;
   std::map<std::string, TorchFunctions, std::less<>> codes_;
-  std::map<std::pair<int, std::uint32_t>, OnnxValue> known_;
-  std::deque<onnx::TensorProto> tensors_;
+  std::map<std::pair<int, std::uint32_t>, NetValue> known_;
+  std::deque<NetTensor> tensors_;
   std::size_t numbers_ = 0;
 };
 

@@ -3,29 +3,12 @@
 #include <utility>
 
 #include "generator/formats/torchscript/value.hpp"
+#include "generator/network/graph/evaluate.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 const TorchValue kNoValue;
-
-void set_attribute(onnx::NodeProto& node, const TorchCall::Attribute& attribute) {
-  onnx::AttributeProto& made = *node.add_attribute();
-  made.set_name(std::string(attribute.name));
-  if (attribute.whole) {
-    made.set_type(onnx::AttributeProto::INT);
-    made.set_i(*attribute.whole);
-  } else if (attribute.real) {
-    made.set_type(onnx::AttributeProto::FLOAT);
-    made.set_f(static_cast<float>(*attribute.real));
-  } else if (attribute.list) {
-    made.set_type(onnx::AttributeProto::INTS);
-    for (const std::int64_t value : *attribute.list) made.add_ints(value);
-  } else {
-    made.set_type(onnx::AttributeProto::STRING);
-    made.set_s(std::string(attribute.text));
-  }
-}
 
 }  // namespace
 
@@ -37,7 +20,7 @@ const TorchValue& TorchCall::argument(std::size_t i, std::string_view name) cons
   return kNoValue;
 }
 
-std::optional<OnnxValue> TorchCall::tensor(std::size_t i, std::string_view name) const {
+std::optional<NetValue> TorchCall::tensor(std::size_t i, std::string_view name) const {
   const TorchValue& value = argument(i, name);
   if (value.is_tensor()) return value.tensor->value;
   const auto number = value.number();
@@ -74,35 +57,29 @@ std::optional<Integers> TorchCall::list(std::size_t i, std::string_view name) co
   return result;
 }
 
-OnnxValue TorchCall::node(const char* type, const std::vector<OnnxValue>& inputs,
-                          const std::vector<Attribute>& attributes, int output) const {
-  onnx::NodeProto node;
-  node.set_op_type(type);
-  node.set_name(where_);
-  for (int i = 0; i <= output; ++i) node.add_output(fmt::format("{}:{}", name_, i));
-  for (const Attribute& attribute : attributes) set_attribute(node, attribute);
-  std::vector<const OnnxValue*> given;
+NetValue TorchCall::node(const char* type, const std::vector<NetValue>& inputs,
+                         std::vector<NetAttribute> attributes, int output) const {
+  const std::string result = fmt::format("{}:0", name_);
+  const NetNode node{type, where_, {}, result, output + 1, std::move(attributes)};
+  std::vector<const NetValue*> given;
   given.reserve(inputs.size());
-  for (const OnnxValue& input : inputs) given.push_back(&input);
-  const OnnxCall call(node, std::move(given), state_);
-  OnnxValue first = evaluate(call);
+  for (const NetValue& input : inputs) given.push_back(&input);
+  const NetCall call(node, std::move(given), state_);
+  NetValue first = evaluate(call);
   return output == 0 ? first : later_output(call, first, output);
 }
 
-std::optional<OnnxValue> TorchCall::node_of_two(const char* type) const {
+std::optional<NetValue> TorchCall::node_of_two(const char* type) const {
   const auto a = tensor(0);
   const auto b = tensor(1, "other");
   return a && b ? std::optional(node(type, {*a, *b})) : std::nullopt;
 }
 
-OnnxValue TorchCall::constant(const std::vector<float>& numbers, const Dims& dims) const {
-  onnx::NodeProto node;
-  node.set_op_type("Constant");
-  node.add_output(std::string(name_));
-  return made_constant(OnnxCall(node, {}, state_), numbers, dims);
+NetValue TorchCall::constant(const std::vector<float>& numbers, const Dims& dims) const {
+  return constant_value(made_tensor(state_.made, name_, numbers, dims));
 }
 
-OnnxValue TorchCall::integers(const Integers& values) const {
+NetValue TorchCall::integers(const Integers& values) const {
   return integers_value(values);
 }
 

@@ -30,12 +30,9 @@ bool is_whole_slice(const std::vector<TorchValue>& arguments) {
   return given(2, 0) == 0 && given(3, size) >= size && given(4, 1) == 1;
 }
 
-/// Whether the result lies in the memory of the first argument.
-bool is_view(const std::string& name) {
-  constexpr std::array kViews = {"slice",     "select",  "narrow",  "view",     "reshape",
-                                 "flatten",   "squeeze", "expand",  "t",        "unsqueeze",
-                                 "transpose", "permute", "numpy_T", "expand_as"};
-  return std::ranges::find(kViews, name) != kViews.end();
+bool is_view(std::string_view name) {
+  const TorchRow* row = torch_row(name);
+  return row != nullptr && row->is_view;
 }
 
 /// Whether the result is the first argument.
@@ -49,7 +46,7 @@ bool is_same(const std::string& name) {
 /// A condition that was made a number; anything else is itself.
 TorchValue as_number(const TorchValue& x) {
   if (!x.tensor->value.is_condition) return x;
-  OnnxValue value = x.tensor->value;
+  NetValue value = x.tensor->value;
   value.is_condition = false;
   return TorchValue::of(std::move(value));
 }
@@ -231,7 +228,7 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
   const bool has_tensor = !arguments.empty() && arguments.front().is_tensor();
   if (auto plain = run_plain_operator(name, arguments)) return plain;
   const bool has_places =
-      has_tensor && arguments.front().tensor->value.kind == OnnxValue::Kind::integers;
+      has_tensor && arguments.front().tensor->value.kind == NetValue::Kind::integers;
   if (name == "to" && has_places) return arguments.front();
   if (name == "to" && has_tensor) {
     constexpr std::int64_t kFloat32 = 6;
@@ -278,7 +275,7 @@ std::optional<TorchValue> TorchInterpreter::in_place(const std::string& name,
                                                      Named named) {
   const TorchValue target = arguments.front();
   if (target.tensor->is_part) return fail("changes a part of a tensor");
-  OnnxValue value;
+  NetValue value;
   if (name == "copy_") {
     const bool fits = arguments.size() > 1 && arguments[1].is_tensor() &&
                       arguments[1].tensor->value.shape == target.tensor->value.shape;

@@ -1,6 +1,5 @@
 // torch's convolutions, pools and padding.
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "generator/formats/torchscript/value.hpp"
@@ -9,10 +8,10 @@ namespace eagerx::gen {
 namespace {
 
 using Torch = TorchCall;
-using Result = std::optional<OnnxValue>;
+using Result = std::optional<NetValue>;
 
 /// How many axes an image or a sequence of numbers has besides batch and channels.
-std::size_t places_of(const OnnxValue& x) {
+std::size_t places_of(const NetValue& x) {
   const auto rank = static_cast<std::size_t>(torch_rank(x));
   return rank == 3 || rank == 4 ? rank - 2 : 0;
 }
@@ -53,7 +52,7 @@ Result convolved(const Torch& call, const Places& at) {
   const auto dilations = for_each(call, at.dilation, "dilation", axes, Integers(axes, 1));
   const auto groups = call.whole(at.groups, "groups", 1);
   if (!strides || !padding || !dilations || !groups) return std::nullopt;
-  std::vector<OnnxValue> inputs = {*x, *weight};
+  std::vector<NetValue> inputs = {*x, *weight};
   if (!call.argument(2, "bias").is_none()) {
     const auto bias = call.tensor(2, "bias");
     if (!bias) return std::nullopt;
@@ -77,7 +76,7 @@ Result traced_convolution(const Torch& call) {
 
 /// What the pools have in common: a window of `kernel` numbers that moves by `strides`.
 struct Windows {
-  OnnxValue x;
+  NetValue x;
   std::size_t axes = 0;
   Integers kernel, strides, padding;
 };
@@ -163,21 +162,18 @@ Result pad(const Torch& call) {
 
 }  // namespace
 
-TorchOperator torch_image_operator(std::string_view name) {
-  static const std::map<std::string_view, TorchOperator> kTable = {
-      {"conv1d", convolution},
-      {"conv2d", convolution},
-      {"_convolution", traced_convolution},
-      {"max_pool1d", max_pool},
-      {"max_pool2d", max_pool},
-      {"avg_pool1d", average_pool},
-      {"avg_pool2d", average_pool},
-      {"adaptive_avg_pool1d", adaptive_average_pool},
-      {"adaptive_avg_pool2d", adaptive_average_pool},
-      {"pad", pad},
-      {"constant_pad_nd", pad}};
-  const auto found = kTable.find(name);
-  return found == kTable.end() ? nullptr : found->second;
+std::vector<TorchRow> torch_image_rows() {
+  return {{"conv1d", convolution},
+          {"conv2d", convolution},
+          {"_convolution", traced_convolution},
+          {"max_pool1d", max_pool},
+          {"max_pool2d", max_pool},
+          {"avg_pool1d", average_pool},
+          {"avg_pool2d", average_pool},
+          {"adaptive_avg_pool1d", adaptive_average_pool},
+          {"adaptive_avg_pool2d", adaptive_average_pool},
+          {"pad", pad},
+          {"constant_pad_nd", pad}};
 }
 
 }  // namespace eagerx::gen

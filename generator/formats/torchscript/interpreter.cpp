@@ -28,11 +28,11 @@ std::nullopt_t TorchInterpreter::fail(const std::string& what) {
                 kExportOnnx);
 }
 
-std::optional<TorchValue> TorchInterpreter::run(const std::vector<OnnxValue>& inputs) {
+std::optional<TorchValue> TorchInterpreter::run(const std::vector<NetValue>& inputs) {
   const TorchValue module = TorchValue::with(Held::module, archive_.pickle(0).root);
   std::vector<TorchValue> arguments;
   arguments.reserve(inputs.size());
-  for (const OnnxValue& input : inputs) arguments.push_back(TorchValue::of(input));
+  for (const NetValue& input : inputs) arguments.push_back(TorchValue::of(input));
   return method(module, "forward", std::move(arguments), {});
 }
 
@@ -191,7 +191,7 @@ std::optional<TorchValue> TorchInterpreter::value_of(int pickle, std::uint32_t i
       value.tensor = known->second;
       return value;
     }
-    const OnnxValue* tensor = archive_.tensor(pickle, index, name, problem_);
+    const NetValue* tensor = archive_.tensor(pickle, index, name, problem_);
     if (tensor == nullptr) return std::nullopt;
     value.tensor = std::make_shared<TorchTensor>();
     value.tensor->value = *tensor;

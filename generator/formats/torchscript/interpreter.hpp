@@ -16,12 +16,12 @@ namespace eagerx::gen {
 class TorchInterpreter {
  public:
   /// At most `*budget` statements; what is used is taken from it.
-  TorchInterpreter(TorchArchive& archive, OnnxCall::State& state, std::int64_t& budget,
+  TorchInterpreter(TorchArchive& archive, NetCall::State& state, std::int64_t& budget,
                    PolicyProblem& problem)
       : archive_(archive), state_(state), budget_(budget), problem_(problem) {}
 
   /// What `forward` of the whole module returns for tensors.
-  std::optional<TorchValue> run(const std::vector<OnnxValue>& inputs);
+  std::optional<TorchValue> run(const std::vector<NetValue>& inputs);
   /// Statements that were followed.
   [[nodiscard]] std::int64_t followed() const { return followed_; }
   /// Tensors of modules that were looked at.
@@ -58,7 +58,7 @@ class TorchInterpreter {
   [[nodiscard]] std::string where() const;
 
   TorchArchive& archive_;
-  OnnxCall::State& state_;
+  NetCall::State& state_;
   std::int64_t& budget_;
   PolicyProblem& problem_;
   std::map<std::uint32_t, std::shared_ptr<TorchTensor>> cells_;

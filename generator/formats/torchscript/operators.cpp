@@ -12,30 +12,7 @@ namespace eagerx::gen {
 namespace {
 
 using Torch = TorchCall;
-using Result = std::optional<OnnxValue>;
-
-/// With one input, as ONNX has it.
-template <const char* (*Name)()>
-Result same(const Torch& call) {
-  const auto x = call.tensor(0);
-  return x ? Result(call.node(Name(), {*x})) : std::nullopt;
-}
-#define EAGERX_SAME(function, type) \
-  const char* function##_name() {   \
-    return type;                    \
-  }
-
-EAGERX_SAME(relu, "Relu")
-EAGERX_SAME(tanh, "Tanh")
-EAGERX_SAME(sigmoid, "Sigmoid")
-EAGERX_SAME(selu, "Selu")
-EAGERX_SAME(sin, "Sin")
-EAGERX_SAME(cos, "Cos")
-EAGERX_SAME(exp, "Exp")
-EAGERX_SAME(abs, "Abs")
-EAGERX_SAME(sqrt, "Sqrt")
-EAGERX_SAME(neg, "Neg")
-#undef EAGERX_SAME
+using Result = std::optional<NetValue>;
 
 Result with_factor(const Torch& call, const char* type) {
   const auto a = call.tensor(0);
@@ -58,9 +35,6 @@ Result subtract_from(const Torch& call) {  // rsub(a, b): b - a
   const auto b = call.tensor(1, "other");
   if (!a || !b || call.number(2, "alpha", 1.0) != 1.0) return std::nullopt;
   return call.node("Sub", {*b, *a});
-}
-Result multiply(const Torch& call) {
-  return call.node_of_two("Mul");
 }
 Result divide(const Torch& call) {
   if (!call.argument(2, "rounding_mode").is_none()) return std::nullopt;
@@ -90,7 +64,7 @@ Result power(const Torch& call) {
   return call.node("Pow", {*x, call.constant({static_cast<float>(*exponent)}, {})});
 }
 
-OnnxValue turned(const Torch& call, const OnnxValue& matrix) {
+NetValue turned(const Torch& call, const NetValue& matrix) {
   return call.node("Transpose", {matrix}, {{"perm", {}, {}, Integers{1, 0}}});
 }
 Result linear(const Torch& call) {
@@ -101,7 +75,7 @@ Result linear(const Torch& call) {
   if (bias && torch_rank(*x) == 2) {
     return call.node("Gemm", {*x, *weight, *bias}, {{"transB", 1}});
   }
-  const OnnxValue product = call.node("MatMul", {*x, turned(call, *weight)});
+  const NetValue product = call.node("MatMul", {*x, turned(call, *weight)});
   if (call.argument(2, "bias").is_none()) return product;
   return bias ? Result(call.node("Add", {product, *bias})) : std::nullopt;
 }
@@ -114,10 +88,6 @@ Result addmm(const Torch& call) {  // addmm(b, x, w): beta b + alpha x w
   if (!bias || !x || !weight || !beta || !alpha) return std::nullopt;
   return call.node("Gemm", {*x, *weight, *bias}, {{"alpha", {}, alpha}, {"beta", {}, beta}});
 }
-Result matmul(const Torch& call) {
-  return call.node_of_two("MatMul");
-}
-
 Result elu(const Torch& call) {
   const auto x = call.tensor(0);
   const auto alpha = call.number(1, "alpha", 1.0);
@@ -164,7 +134,7 @@ Result arg_max(const Torch& call) {
 Result clamped(const Torch& call, const TorchValue& low, const TorchValue& high) {
   const auto x = call.tensor(0);
   if (!x) return std::nullopt;
-  OnnxValue value = *x;
+  NetValue value = *x;
   for (const auto& [bound, type] : {std::pair{&low, "Max"}, std::pair{&high, "Min"}}) {
     if (bound->is_none()) continue;
     const auto number = bound->number();
@@ -209,7 +179,7 @@ Result layer_norm(const Torch& call) {
   };
   const auto gamma = call.tensor(2, "weight");
   const auto beta = call.tensor(3, "bias");
-  std::vector<OnnxValue> inputs = {*x, gamma ? *gamma : ones()};
+  std::vector<NetValue> inputs = {*x, gamma ? *gamma : ones()};
   if (beta) inputs.push_back(*beta);
   return call.node("LayerNormalization", inputs, {{"axis", -1}, {"epsilon", {}, epsilon}});
 }
@@ -244,7 +214,7 @@ Result norm(const Torch& call) {
 }
 
 Result cat(const Torch& call) {
-  std::vector<OnnxValue> parts;
+  std::vector<NetValue> parts;
   for (const TorchValue& item : call.argument(0).items) {
     if (!item.is_tensor()) return std::nullopt;
     parts.push_back(item.tensor->value);
@@ -261,7 +231,7 @@ Result zeros(const Torch& call) {
   const auto shape = is_like ? (like ? like->shape : std::nullopt) : call.list(0, "size");
   const std::int64_t count =
       shape ? element_count(*shape).value_or(kMaxValues + 1) : kMaxValues + 1;
-  if (count > kMaxValues || !OnnxCall(onnx::NodeProto(), {}, call.state()).spend(count)) {
+  if (count > kMaxValues || !call.state().spend(count)) {
     return std::nullopt;
   }
   const float value = call.name().starts_with("ones") ? 1.0F : 0.0F;
@@ -271,63 +241,75 @@ Result number(const Torch& call) {
   return call.tensor(0);
 }
 
-const std::map<std::string_view, TorchOperator>& operators() {
-  static const std::map<std::string_view, TorchOperator> kTable = {{"relu", same<relu_name>},
-                                                                   {"tanh", same<tanh_name>},
-                                                                   {"sigmoid", same<sigmoid_name>},
-                                                                   {"selu", same<selu_name>},
-                                                                   {"sin", same<sin_name>},
-                                                                   {"cos", same<cos_name>},
-                                                                   {"exp", same<exp_name>},
-                                                                   {"abs", same<abs_name>},
-                                                                   {"sqrt", same<sqrt_name>},
-                                                                   {"neg", same<neg_name>},
-                                                                   {"add", add},
-                                                                   {"sub", subtract},
-                                                                   {"rsub", subtract_from},
-                                                                   {"mul", multiply},
-                                                                   {"div", divide},
-                                                                   {"maximum", maximum},
-                                                                   {"max", maximum},
-                                                                   {"min", minimum},
-                                                                   {"minimum", minimum},
-                                                                   {"reciprocal", reciprocal},
-                                                                   {"rsqrt", inverse_root},
-                                                                   {"pow", power},
-                                                                   {"square", power},
-                                                                   {"linear", linear},
-                                                                   {"addmm", addmm},
-                                                                   {"matmul", matmul},
-                                                                   {"mm", matmul},
-                                                                   {"elu", elu},
-                                                                   {"leaky_relu", leaky_relu},
-                                                                   {"silu", silu},
-                                                                   {"gelu", gelu},
-                                                                   {"softplus", softplus},
-                                                                   {"softmax", softmax},
-                                                                   {"argmax", arg_max},
-                                                                   {"clamp", clamp},
-                                                                   {"clip", clamp},
-                                                                   {"clamp_min", clamp_min},
-                                                                   {"clamp_max", clamp_max},
-                                                                   {"hardtanh", hard_tanh},
-                                                                   {"relu6", relu6},
-                                                                   {"layer_norm", layer_norm},
-                                                                   {"batch_norm", batch_norm},
-                                                                   {"mean", mean},
-                                                                   {"norm", norm},
-                                                                   {"linalg_vector_norm", norm},
-                                                                   {"cat", cat},
-                                                                   {"concat", cat},
-                                                                   {"zeros", zeros},
-                                                                   {"ones", zeros},
-                                                                   {"zeros_like", zeros},
-                                                                   {"ones_like", zeros},
-                                                                   {"tensor", number}};
-  return kTable;
+}  // namespace
+
+std::vector<TorchRow> torch_plain_rows() {
+  return {{"relu", torch_of_one<"Relu">},
+          {"tanh", torch_of_one<"Tanh">},
+          {"sigmoid", torch_of_one<"Sigmoid">},
+          {"selu", torch_of_one<"Selu">},
+          {"sin", torch_of_one<"Sin">},
+          {"cos", torch_of_one<"Cos">},
+          {"exp", torch_of_one<"Exp">},
+          {"abs", torch_of_one<"Abs">},
+          {"sqrt", torch_of_one<"Sqrt">},
+          {"neg", torch_of_one<"Neg">},
+          {"add", add},
+          {"sub", subtract},
+          {"rsub", subtract_from},
+          {"mul", torch_of_two<"Mul">},
+          {"div", divide},
+          {"maximum", maximum},
+          {"max", maximum},
+          {"min", minimum},
+          {"minimum", minimum},
+          {"reciprocal", reciprocal},
+          {"rsqrt", inverse_root},
+          {"pow", power},
+          {"square", power},
+          {"linear", linear},
+          {"addmm", addmm},
+          {"matmul", torch_of_two<"MatMul">},
+          {"mm", torch_of_two<"MatMul">},
+          {"elu", elu},
+          {"leaky_relu", leaky_relu},
+          {"silu", silu},
+          {"gelu", gelu},
+          {"softplus", softplus},
+          {"softmax", softmax},
+          {"argmax", arg_max},
+          {"clamp", clamp},
+          {"clip", clamp},
+          {"clamp_min", clamp_min},
+          {"clamp_max", clamp_max},
+          {"hardtanh", hard_tanh},
+          {"relu6", relu6},
+          {"layer_norm", layer_norm},
+          {"batch_norm", batch_norm},
+          {"mean", mean},
+          {"norm", norm},
+          {"linalg_vector_norm", norm},
+          {"cat", cat},
+          {"concat", cat},
+          {"zeros", zeros},
+          {"ones", zeros},
+          {"zeros_like", zeros},
+          {"ones_like", zeros},
+          {"tensor", number}};
 }
 
-}  // namespace
+const TorchRow* torch_row(std::string_view name) {
+  static const auto kTable = [] {
+    std::map<std::string_view, TorchRow> table;
+    for (const auto& part :
+         {torch_plain_rows(), torch_shape_rows(), torch_image_rows(), torch_condition_rows()}) {
+      for (const TorchRow& row : part) table.emplace(row.name, row);
+    }
+    return table;
+  }();
+  const auto found = kTable.find(name);
+  return found == kTable.end() ? nullptr : &found->second;
+}
 
 std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProblem& problem) {
   const std::string_view name = call.name();
@@ -337,18 +319,15 @@ std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProble
     if (!parts) problem = call.misused("with sizes that are not those of the value");
     return parts;
   }
-  const auto own = operators().find(name);
-  TorchOperator run = own != operators().end() ? own->second : torch_shape_operator(name);
-  if (run == nullptr) run = torch_image_operator(name);
-  if (run == nullptr) run = torch_condition_operator(name);
-  if (run == nullptr) {
+  const TorchRow* row = torch_row(name);
+  if (row == nullptr) {
     problem = {
         "E0754",
         fmt::format("calls `{}`, which is not supported ({})", printable(name), call.where()),
         "export the actor alone, or export it to ONNX with `torch.onnx.export`"};
     return std::nullopt;
   }
-  auto value = run(call);
+  auto value = row->run(call);
   if (value) return TorchValue::of(std::move(*value));
   problem = call.misused("in a way that is not supported");
   return std::nullopt;

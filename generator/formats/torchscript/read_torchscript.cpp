@@ -9,7 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "generator/formats/onnx/network.hpp"
+#include "generator/network/graph/lower.hpp"
 #include "generator/formats/torchscript/interpreter.hpp"
 
 namespace eagerx::gen {
@@ -24,9 +24,9 @@ constexpr std::int64_t kOpset = 17;
 
 /// One try.
 struct TorchTry {
-  OnnxCall::State state;
+  NetCall::State state;
   std::optional<TorchInterpreter> interpreter;
-  OnnxValue result;
+  NetValue result;
   std::vector<std::string> others;  // results that are not the action, for people
   PolicyProblem problem;
   bool passed = false;
@@ -76,10 +76,10 @@ class TorchReading {
       network.contract.observations.push_back(
           {printable((*names)[i]), static_cast<std::uint64_t>(sizes[i])});
     }
-    if (found.result.kind == OnnxValue::Kind::other) network.action = ActionKind::argmax;
+    if (found.result.kind == NetValue::Kind::other) network.action = ActionKind::argmax;
     const std::int32_t step =
-        found.result.kind == OnnxValue::Kind::other ? found.result.part.of : found.result.step;
-    std::unordered_set<const onnx::TensorProto*> used;
+        found.result.kind == NetValue::Kind::other ? found.result.part.of : found.result.step;
+    std::unordered_set<const NetTensor*> used;
     auto layers = make_layers(found.state.steps, step, observed, used, problem_);
     if (!layers) return std::nullopt;
     network.layers = std::move(*layers);
@@ -130,11 +130,12 @@ class TorchReading {
 
   void follow(const std::vector<std::int64_t>& sizes, TorchTry& made) {
     made.state.opset = kOpset;
+    made.state.has_gates_of_onnx = false;
     made.state.budget = values_;
-    std::vector<OnnxValue> inputs;
+    std::vector<NetValue> inputs;
     for (const std::int64_t size : sizes) {
-      OnnxValue input;
-      input.kind = OnnxValue::Kind::data;
+      NetValue input;
+      input.kind = NetValue::Kind::data;
       input.shape = Dims{1, size};
       if (sizes.size() > 1) {
         Reorder order;
@@ -142,7 +143,7 @@ class TorchReading {
           order.from.push_back(static_cast<std::uint32_t>(made.state.observed + i));
         }
         input.step = static_cast<std::int32_t>(made.state.steps.size());
-        made.state.steps.push_back({-1, std::move(order), "observation", size, {}});
+        made.state.steps.push_back({-1, NetLayer{std::move(order)}, "observation", size, {}});
       }
       made.state.observed += size;
       inputs.push_back(std::move(input));
@@ -154,12 +155,12 @@ class TorchReading {
     if (action == nullptr) return;
     made.result = action->tensor->value;
     if (const auto exact = exact_of(made.result)) made.result = *exact;
-    const bool is_choice = made.result.part.role == OnnxPart::Role::choice;
-    made.passed = made.result.kind == OnnxValue::Kind::data ||
-                  (made.result.kind == OnnxValue::Kind::other && is_choice);
+    const bool is_choice = made.result.part.role == NetPart::Role::choice;
+    made.passed = made.result.kind == NetValue::Kind::data ||
+                  (made.result.kind == NetValue::Kind::other && is_choice);
     if (made.passed) return;
     made.problem =
-        made.result.kind == OnnxValue::Kind::other
+        made.result.kind == NetValue::Kind::other
             ? made.result.problem
             : PolicyProblem{"E0620", "has an action that is constant", "export the actor"};
   }
@@ -263,17 +264,17 @@ class TorchReading {
       return false;
     };
     PolicyProblem ignored;
-    const std::vector<OnnxStep>& steps = made.state.steps;
+    const std::vector<NetStep>& steps = made.state.steps;
     std::set<const char*> kept;  // names of buffers, each its own text
     for (const auto& [index, cell] : made.interpreter->cells()) {
       if (!cell->is_written) continue;
-      const std::vector<OnnxRemembered>& parts = cell->value.remembered;
+      const std::vector<NetRemembered>& parts = cell->value.remembered;
       if (parts.empty())
         return fail(std::string(cell->buffer),
                     "that is changed, and is not the state of a GRU or LSTM");
       for (std::size_t slot = 0; slot < parts.size(); ++slot) {
         const auto& work =
-            std::get<OnnxRecurrence>(steps[static_cast<std::size_t>(parts[slot].step)].what);
+            std::get<NetRecurrence>(steps[static_cast<std::size_t>(parts[slot].step)].what);
         const auto& from = parts[slot].is_cell ? work.c : work.h;
         const bool is_own = from && from->name.data() == cell->buffer.data() &&
                             from->slot == static_cast<std::int64_t>(slot);
@@ -281,7 +282,7 @@ class TorchReading {
           return fail(std::string(cell->buffer), "that does not come back to the layer it is of");
         }
       }
-      const OnnxValue* start = archive_.tensor(0, index, std::string(cell->buffer), ignored);
+      const NetValue* start = archive_.tensor(0, index, std::string(cell->buffer), ignored);
       const auto numbers = start != nullptr ? read_floats(start->constant, ignored) : std::nullopt;
       if (!numbers || std::ranges::any_of(*numbers, [](float x) { return x != 0.0F; })) {
         return fail(std::string(cell->buffer),
@@ -289,8 +290,8 @@ class TorchReading {
       }
       kept.insert(cell->buffer.data());
     }
-    for (const OnnxStep& step : steps) {
-      const auto* work = std::get_if<OnnxRecurrence>(&step.what);
+    for (const NetStep& step : steps) {
+      const auto* work = std::get_if<NetRecurrence>(&step.what);
       for (int i = 0; work != nullptr && i < 2; ++i) {
         const auto& from = i == 0 ? work->h : work->c;
         if (from && !kept.contains(from->name.data())) {
@@ -306,7 +307,7 @@ class TorchReading {
   std::string output_;
   PolicyProblem& problem_;
   std::int64_t statements_ = kMostStatements;
-  std::int64_t values_ = OnnxCall::State().budget;
+  std::int64_t values_ = NetCall::State().budget;
 };
 
 }  // namespace

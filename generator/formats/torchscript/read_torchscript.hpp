@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/network/network.hpp"
 

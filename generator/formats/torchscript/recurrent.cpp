@@ -1,4 +1,4 @@
-// LSTM and GRU with torch's weights, layer by layer, as ONNX's operators.
+// LSTM and GRU with torch's weights, layer by layer.
 #include <fmt/core.h>
 
 #include <array>
@@ -11,22 +11,6 @@ namespace {
 
 constexpr std::size_t kMostArguments = 9;
 constexpr std::int64_t kMostRecurrentLayers = 16;
-
-/// torch's gates in ONNX's order: i, f, g, o as i, o, f, g; r, z, n as z, r, n.
-std::vector<float> with_gates_of_onnx(const std::vector<float>& values, bool is_lstm) {
-  constexpr std::array<std::size_t, 4> kLstm = {0, 3, 1, 2};
-  constexpr std::array<std::size_t, 4> kGru = {1, 0, 2, 0};
-  const std::size_t gates = is_lstm ? 4 : 3;
-  const std::size_t size = values.size() / gates;
-  std::vector<float> result;
-  result.reserve(values.size());
-  for (std::size_t gate = 0; gate < gates; ++gate) {
-    const std::size_t from = is_lstm ? kLstm.at(gate) : kGru.at(gate);
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(from * size);
-    result.insert(result.end(), first, first + static_cast<std::ptrdiff_t>(size));
-  }
-  return result;
-}
 
 class Recurrent {
  public:
@@ -51,18 +35,18 @@ class Recurrent {
     if (weights.size() != each * static_cast<std::size_t>(*layers)) {
       return fail("with projections, or without all weights");
     }
-    std::vector<OnnxValue> new_h, new_c;
+    std::vector<NetValue> new_h, new_c;
     for (std::int64_t layer = 0; layer < *layers; ++layer) {
       const auto inputs = inputs_of(*x, weights, each, layer, *layers);
       if (!inputs) return std::nullopt;
-      const std::vector<TorchCall::Attribute> reset = {{"linear_before_reset", 1}};
+      const std::vector<NetAttribute> reset = {{"linear_before_reset", 1}};
       const char* type = is_lstm_ ? "LSTM" : "GRU";
-      const auto attributes = is_lstm_ ? std::vector<TorchCall::Attribute>() : reset;
-      std::array<OnnxValue, 3> made;
+      const auto attributes = is_lstm_ ? std::vector<NetAttribute>() : reset;
+      std::array<NetValue, 3> made;
       std::size_t count = is_lstm_ ? 3 : 2;
       // One cell, whose outputs are asked for one by one: only the first call makes a step.
       make(type, *inputs, attributes, count, made);
-      if (made[0].kind != OnnxValue::Kind::data) {
+      if (made[0].kind != NetValue::Kind::data) {
         problem_ = made[0].problem;
         return std::nullopt;
       }
@@ -80,66 +64,67 @@ class Recurrent {
     problem_ = call_.misused(how);
     return std::nullopt;
   }
-  static bool is_one_step(const OnnxValue& x) {
+  static bool is_one_step(const NetValue& x) {
     return x.shape && x.shape->size() == 3 && (*x.shape)[0] == 1 && (*x.shape)[1] == 1;
   }
 
-  void make(const char* type, const std::vector<OnnxValue>& inputs,
-            const std::vector<TorchCall::Attribute>& attributes, std::size_t count,
-            std::array<OnnxValue, 3>& made) {
+  void make(const char* type, const std::vector<NetValue>& inputs,
+            const std::vector<NetAttribute>& attributes, std::size_t count,
+            std::array<NetValue, 3>& made) {
     made[0] = call_.node(type, inputs, attributes);
     for (std::size_t i = 1; i < count; ++i) {
       made.at(i) = made[0];
       made.at(i).shape = Dims{1, 1, made[0].shape ? made[0].shape->back() : 0};
       made.at(i).remembered = {{made[0].step, i == 2}};
-      if (i == 2) made[2].kind = OnnxValue::Kind::other;
+      if (i == 2) made[2].kind = NetValue::Kind::other;
       if (i == 2) made[2].problem = call_.misused("and takes its cell state for something else");
     }
   }
 
   /// The new states of all layers.
-  OnnxValue stacked(const std::vector<OnnxValue>& parts) {
+  NetValue stacked(const std::vector<NetValue>& parts) {
     if (parts.size() == 1) return parts.front();
-    OnnxValue all = parts.front();
+    NetValue all = parts.front();
     all.remembered.clear();
-    for (const OnnxValue& part : parts) all.remembered.push_back(part.remembered.front());
-    all.kind = OnnxValue::Kind::other;
+    for (const NetValue& part : parts) all.remembered.push_back(part.remembered.front());
+    all.kind = NetValue::Kind::other;
     all.problem = call_.misused("and takes the states of several layers for something else");
     all.shape = Dims{static_cast<std::int64_t>(parts.size()), 1, parts.front().shape->back()};
     return all;
   }
 
-  /// x, weights, hidden weights, biases, no lengths, h, c: as ONNX takes them.
-  std::optional<std::vector<OnnxValue>> inputs_of(const OnnxValue& x,
+  /// x, weights, hidden weights, biases, no lengths, h, c.
+  std::optional<std::vector<NetValue>> inputs_of(const NetValue& x,
                                                   const std::vector<TorchValue>& weights,
                                                   std::size_t each, std::int64_t layer,
                                                   std::int64_t layers) {
-    std::vector<OnnxValue> inputs = {x};
+    std::vector<NetValue> inputs = {x};
     std::vector<float> bias;
     for (std::size_t i = 0; i < each; ++i) {
       const TorchValue& weight = weights[each * static_cast<std::size_t>(layer) + i];
-      if (!weight.is_tensor() || weight.tensor->value.kind != OnnxValue::Kind::constant) {
+      if (!weight.is_tensor() || weight.tensor->value.kind != NetValue::Kind::constant) {
         problem_ = call_.misused("with weights that are computed");
         return std::nullopt;
       }
-      const OnnxConstant& constant = weight.tensor->value.constant;
-      auto numbers = read_floats(constant, problem_);
-      if (!numbers) return std::nullopt;
-      const std::size_t gates = is_lstm_ ? 4 : 3;
-      if (constant.dims.empty() || constant.transposed || numbers->size() % gates != 0) {
+      const NetConstant& constant = weight.tensor->value.constant;
+      const std::int64_t gates = is_lstm_ ? 4 : 3;
+      const std::int64_t count = element_count(constant.dims).value_or(0);
+      if (constant.dims.empty() || constant.transposed || count % gates != 0) {
         problem_ = call_.misused("with weights of an impossible size");
         return std::nullopt;
       }
-      const auto ordered = with_gates_of_onnx(*numbers, is_lstm_);
       if (i >= 2) {
-        bias.insert(bias.end(), ordered.begin(), ordered.end());
+        const auto numbers = read_floats(constant, problem_);
+        if (!numbers) return std::nullopt;
+        bias.insert(bias.end(), numbers->begin(), numbers->end());
         continue;
       }
-      Dims dims = constant.dims;
+      inputs.push_back(weight.tensor->value);
+      Dims& dims = inputs.back().constant.dims;
       dims.insert(dims.begin(), 1);
-      inputs.push_back(call_.constant(ordered, dims));
+      inputs.back().shape = dims;
     }
-    OnnxValue none;
+    NetValue none;
     inputs.push_back(none);
     if (each == 4) {
       inputs[3] = call_.constant(bias, {1, static_cast<std::int64_t>(bias.size())});
@@ -158,14 +143,14 @@ class Recurrent {
   }
 
   /// A buffer of a module is what the cell remembers.
-  static OnnxValue state_of(const TorchTensor& tensor, std::int64_t layer, std::int64_t layers) {
-    const OnnxValue& value = tensor.value;
+  static NetValue state_of(const TorchTensor& tensor, std::int64_t layer, std::int64_t layers) {
+    const NetValue& value = tensor.value;
     const bool is_buffer = !tensor.buffer.empty() && !tensor.is_written &&
-                           value.kind == OnnxValue::Kind::constant && value.shape &&
+                           value.kind == NetValue::Kind::constant && value.shape &&
                            value.shape->size() == 3 && value.shape->front() == layers;
     if (!is_buffer) return value;
-    OnnxValue state;
-    state.kind = OnnxValue::Kind::state;
+    NetValue state;
+    state.kind = NetValue::Kind::state;
     state.shape = Dims{1, (*value.shape)[1], (*value.shape)[2]};
     state.state = {tensor.buffer, layer};
     state.slots = 1;

@@ -1,7 +1,6 @@
 // torch's operators that shape, pick and reorder.
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -9,10 +8,10 @@
 
 namespace eagerx::gen {
 
-std::int64_t torch_rank(const OnnxValue& x) {
+std::int64_t torch_rank(const NetValue& x) {
   return static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
 }
-std::optional<std::int64_t> torch_axis(const OnnxValue& x, std::optional<std::int64_t> axis) {
+std::optional<std::int64_t> torch_axis(const NetValue& x, std::optional<std::int64_t> axis) {
   if (!axis || !x.shape) return std::nullopt;
   const std::int64_t place = *axis < 0 ? *axis + torch_rank(x) : *axis;
   return place >= 0 && place < torch_rank(x) ? std::optional(place) : std::nullopt;
@@ -21,7 +20,7 @@ std::optional<std::int64_t> torch_axis(const OnnxValue& x, std::optional<std::in
 namespace {
 
 using Torch = TorchCall;
-using Result = std::optional<OnnxValue>;
+using Result = std::optional<NetValue>;
 
 Result transpose(const Torch& call) {
   const auto x = call.tensor(0);
@@ -95,7 +94,7 @@ Result expand(const Torch& call) {
   return call.node("Expand", {*x}, {{"shape", {}, {}, shape}});
 }
 
-OnnxValue part(const Torch& call, const OnnxValue& x, std::int64_t axis, std::int64_t first,
+NetValue part(const Torch& call, const NetValue& x, std::int64_t axis, std::int64_t first,
                std::int64_t last, std::int64_t step = 1) {
   return call.node("Slice", {x},
                    {{"starts", {}, {}, Integers{first}},
@@ -131,7 +130,7 @@ Result select(const Torch& call) {
   return call.node("Gather", {*x, integers_value({*index}, {})}, {{"axis", axis}});
 }
 
-Result chosen(const Torch& call, const OnnxValue& x, std::int64_t axis, const OnnxValue& places) {
+Result chosen(const Torch& call, const NetValue& x, std::int64_t axis, const NetValue& places) {
   return call.node("Gather", {x, places}, {{"axis", axis}});
 }
 Result index_select(const Torch& call) {
@@ -159,28 +158,27 @@ Result index(const Torch& call) {
 }
 /// `x[places[i]] = values[i]` where x is data: from x and the values beside each other, each number
 /// of x or the one that takes its place.
-Result put_into_data(const Torch& call, const OnnxValue& x, std::int64_t axis,
-                     const OnnxValue& values, const Integers& places) {
+Result put_into_data(const Torch& call, const NetValue& x, std::int64_t axis,
+                     const NetValue& values, const Integers& places) {
   Integers from(static_cast<std::size_t>((*x.shape)[static_cast<std::size_t>(axis)]));
   std::iota(from.begin(), from.end(), std::int64_t{0});
   const auto size = static_cast<std::int64_t>(from.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     from[static_cast<std::size_t>(places[i])] = size + static_cast<std::int64_t>(i);
   }
-  const OnnxValue both = call.node("Concat", {x, values}, {{"axis", axis}});
+  const NetValue both = call.node("Concat", {x, values}, {{"axis", axis}});
   return chosen(call, both, axis, integers_value(std::move(from), {size}));
 }
 /// The same where x is a row of constants: a matrix of zeros and ones puts the values there, and
 /// what is left of x is its bias.
-Result put_into_constant(const Torch& call, const OnnxValue& x, const OnnxValue& values,
+Result put_into_constant(const Torch& call, const NetValue& x, const NetValue& values,
                          const Integers& places) {
   PolicyProblem problem;
   auto rest = read_floats(x.constant, problem);
   if (!rest) return std::nullopt;
   const auto size = static_cast<std::int64_t>(rest->size());
   const auto count = static_cast<std::int64_t>(places.size());
-  const OnnxCall budget(onnx::NodeProto(), {}, call.state());
-  if (size > kMaxValues / count || !budget.spend(size * count)) return std::nullopt;
+  if (size > kMaxValues / count || !call.state().spend(size * count)) return std::nullopt;
   std::vector<float> matrix(static_cast<std::size_t>(size * count), 0.0F);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto place = static_cast<std::size_t>(places[i]);
@@ -188,9 +186,9 @@ Result put_into_constant(const Torch& call, const OnnxValue& x, const OnnxValue&
     matrix[i * rest->size() + place] = 1.0F;
     (*rest)[place] = 0.0F;
   }
-  const OnnxValue row =
+  const NetValue row =
       call.node("Reshape", {values}, {{"shape", {}, {}, Integers{1, count}}, {"allowzero", 1}});
-  const OnnxValue all =
+  const NetValue all =
       call.node("Gemm", {row, call.constant(matrix, {count, size}), call.constant(*rest, {size})});
   return call.node("Reshape", {all}, {{"shape", {}, {}, *x.shape}, {"allowzero", 1}});
 }
@@ -203,7 +201,7 @@ Result index_put(const Torch& call) {
   const TorchValue& adds = call.argument(3, "accumulate");
   if (!x || !x->shape || !values || !axis || *axis >= x->shape->size()) return std::nullopt;
   if (!adds.is_none() && adds.whole() != 0) return std::nullopt;
-  const OnnxValue& where = by[*axis].tensor->value;
+  const NetValue& where = by[*axis].tensor->value;
   auto places = integers_of(where);
   if (!places || places->empty() || !where.shape || where.shape->size() != 1) return std::nullopt;
   const std::int64_t size = (*x->shape)[*axis];
@@ -213,35 +211,33 @@ Result index_put(const Torch& call) {
   }
   Dims shape = *x->shape;
   shape[*axis] = static_cast<std::int64_t>(places->size());
-  const OnnxValue put = call.node("Expand", {*values}, {{"shape", {}, {}, shape}});
-  if (x->kind == OnnxValue::Kind::data) {
+  const NetValue put = call.node("Expand", {*values}, {{"shape", {}, {}, shape}});
+  if (x->kind == NetValue::Kind::data) {
     return put_into_data(call, *x, static_cast<std::int64_t>(*axis), put, *places);
   }
-  const bool is_row = x->kind == OnnxValue::Kind::constant && element_count(*x->shape) == size;
+  const bool is_row = x->kind == NetValue::Kind::constant && element_count(*x->shape) == size;
   return is_row ? put_into_constant(call, *x, put, *places) : std::nullopt;
 }
 }  // namespace
 
-TorchOperator torch_shape_operator(std::string_view name) {
-  static const std::map<std::string_view, TorchOperator> kTable = {{"t", transpose},
-                                                                   {"numpy_T", transpose},
-                                                                   {"transpose", transpose},
-                                                                   {"permute", permute},
-                                                                   {"reshape", reshape},
-                                                                   {"view", reshape},
-                                                                   {"flatten", flatten},
-                                                                   {"unsqueeze", unsqueeze},
-                                                                   {"squeeze", squeeze},
-                                                                   {"expand", expand},
-                                                                   {"expand_as", expand},
-                                                                   {"slice", slice},
-                                                                   {"narrow", narrow},
-                                                                   {"select", select},
-                                                                   {"index", index},
-                                                                   {"index_put", index_put},
-                                                                   {"index_select", index_select}};
-  const auto found = kTable.find(name);
-  return found == kTable.end() ? nullptr : found->second;
+std::vector<TorchRow> torch_shape_rows() {
+  return {{"t", transpose, true},
+          {"numpy_T", transpose, true},
+          {"transpose", transpose, true},
+          {"permute", permute, true},
+          {"reshape", reshape, true},
+          {"view", reshape, true},
+          {"flatten", flatten, true},
+          {"unsqueeze", unsqueeze, true},
+          {"squeeze", squeeze, true},
+          {"expand", expand, true},
+          {"expand_as", expand, true},
+          {"slice", slice, true},
+          {"narrow", narrow, true},
+          {"select", select, true},
+          {"index", index},
+          {"index_put", index_put},
+          {"index_select", index_select}};
 }
 
 std::optional<TorchValue> torch_parts(const Torch& call) {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 

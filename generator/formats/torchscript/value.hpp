@@ -2,6 +2,8 @@
 // values.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,13 +11,13 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 
 /// A tensor. Variables share it, so that what changes it in place changes it for all.
 struct TorchTensor {
-  OnnxValue value;
+  NetValue value;
   std::string_view buffer{};  // of a module: its name, which the interpreter holds
   bool is_written = false;    // a buffer that has been given another value
   bool is_part = false;       // lies in the memory of another tensor, or another in its
@@ -48,7 +50,7 @@ struct TorchValue {
     result.real = value;
     return result;
   }
-  static TorchValue of(OnnxValue value) {
+  static TorchValue of(NetValue value) {
     TorchValue result = with(Kind::tensor, 0);
     result.tensor = std::make_shared<TorchTensor>();
     result.tensor->value = std::move(value);
@@ -78,12 +80,12 @@ struct TorchValue {
   }
 };
 
-/// A call of an operator: "add" of `torch.add(a, b, alpha=1)`. It becomes calls of ONNX's
-/// operators, as torch's own exporter does it.
+/// A call of an operator: "add" of `torch.add(a, b, alpha=1)`. It becomes calls of
+/// operators of the network's graph, as torch's own exporter does it.
 class TorchCall {
  public:
   TorchCall(std::string_view name, std::string where, std::vector<TorchValue> arguments,
-            std::vector<std::pair<std::string, TorchValue>> named, OnnxCall::State& state)
+            std::vector<std::pair<std::string, TorchValue>> named, NetCall::State& state)
       : name_(name),
         where_(std::move(where)),
         arguments_(std::move(arguments)),
@@ -95,7 +97,7 @@ class TorchCall {
   /// Argument `i`, or the one of that name; none if there is neither.
   [[nodiscard]] const TorchValue& argument(std::size_t i, std::string_view name = {}) const;
   /// The tensor of argument `i`; a number becomes a constant.
-  [[nodiscard]] std::optional<OnnxValue> tensor(std::size_t i, std::string_view name = {}) const;
+  [[nodiscard]] std::optional<NetValue> tensor(std::size_t i, std::string_view name = {}) const;
   [[nodiscard]] std::optional<std::int64_t> whole(std::size_t i, std::string_view name,
                                                   std::optional<std::int64_t> otherwise) const;
   [[nodiscard]] std::optional<double> number(std::size_t i, std::string_view name,
@@ -103,21 +105,14 @@ class TorchCall {
   /// A list of whole numbers, or one alone.
   [[nodiscard]] std::optional<Integers> list(std::size_t i, std::string_view name = {}) const;
 
-  struct Attribute {
-    std::string_view name;
-    std::optional<std::int64_t> whole{};
-    std::optional<double> real{};
-    std::optional<Integers> list{};
-    std::string_view text{};
-  };
-  /// ONNX's operator `type`: its output `output`.
-  [[nodiscard]] OnnxValue node(const char* type, const std::vector<OnnxValue>& inputs,
-                               const std::vector<Attribute>& attributes = {}, int output = 0) const;
+  /// The operator that ONNX calls `type`: its output `output`.
+  [[nodiscard]] NetValue node(const char* type, const std::vector<NetValue>& inputs,
+                               std::vector<NetAttribute> attributes = {}, int output = 0) const;
   /// The same of the arguments 0 and `other`; nothing if one of them is no tensor.
-  [[nodiscard]] std::optional<OnnxValue> node_of_two(const char* type) const;
-  [[nodiscard]] OnnxValue constant(const std::vector<float>& numbers, const Dims& dims) const;
-  [[nodiscard]] OnnxValue integers(const Integers& values) const;
-  [[nodiscard]] OnnxCall::State& state() const { return state_; }
+  [[nodiscard]] std::optional<NetValue> node_of_two(const char* type) const;
+  [[nodiscard]] NetValue constant(const std::vector<float>& numbers, const Dims& dims) const;
+  [[nodiscard]] NetValue integers(const Integers& values) const;
+  [[nodiscard]] NetCall::State& state() const { return state_; }
   [[nodiscard]] const std::string& where() const { return where_; }
 
   /// E0754: the operator is known, but not used like this.
@@ -128,23 +123,49 @@ class TorchCall {
   std::string where_;  // "line 7 of code/__torch__.py"
   std::vector<TorchValue> arguments_;
   std::vector<std::pair<std::string, TorchValue>> named_;
-  OnnxCall::State& state_;
+  NetCall::State& state_;
 };
 
 /// The result of an operator; nothing, and a problem, if it is not known or not used as it can be.
 std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProblem& problem);
 
-using TorchOperator = std::optional<OnnxValue> (*)(const TorchCall& call);
-/// Operators that shape, pick and reorder (shapes.cpp); nullptr for others.
-TorchOperator torch_shape_operator(std::string_view name);
-/// … over images and sequences (images.cpp), that compare and pick (conditions.cpp).
-TorchOperator torch_image_operator(std::string_view name);
-TorchOperator torch_condition_operator(std::string_view name);
+/// All there is to say of one operator.
+struct TorchRow {
+  std::string_view name;
+  std::optional<NetValue> (*run)(const TorchCall&);
+  bool is_view = false;  // the result lies in the memory of the first argument
+};
+/// Operators that compute (operators.cpp), that shape, pick and reorder (shapes.cpp), over images
+/// and sequences (images.cpp), that compare and pick (conditions.cpp).
+std::vector<TorchRow> torch_plain_rows();
+std::vector<TorchRow> torch_shape_rows();
+std::vector<TorchRow> torch_image_rows();
+std::vector<TorchRow> torch_condition_rows();
+/// The row of `name`; nullptr for others, and for those with several results.
+const TorchRow* torch_row(std::string_view name);
+
+/// ONNX's operator `Type` of one argument or of two.
+template <std::size_t Size>
+struct TorchName {
+  // NOLINTNEXTLINE(google-explicit-constructor): a text is the name
+  consteval TorchName(const char (&name)[Size]) { std::copy_n(name, Size, text.begin()); }
+  std::array<char, Size> text{};
+};
+template <TorchName Type>
+std::optional<NetValue> torch_of_one(const TorchCall& call) {
+  const auto x = call.tensor(0);
+  return x ? std::optional(call.node(Type.text.data(), {*x})) : std::nullopt;
+}
+template <TorchName Type>
+std::optional<NetValue> torch_of_two(const TorchCall& call) {
+  return call.node_of_two(Type.text.data());
+}
+
 /// Neighbouring parts along an axis, as a list: split and chunk.
 std::optional<TorchValue> torch_parts(const TorchCall& call);
 /// How many axes a value has, and one of them counted from the front.
-std::int64_t torch_rank(const OnnxValue& x);
-std::optional<std::int64_t> torch_axis(const OnnxValue& x, std::optional<std::int64_t> axis);
+std::int64_t torch_rank(const NetValue& x);
+std::optional<std::int64_t> torch_axis(const NetValue& x, std::optional<std::int64_t> axis);
 
 /// LSTM and GRU (recurrent.cpp).
 std::optional<TorchValue> torch_recurrence(const TorchCall& call, PolicyProblem& problem);

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/read.hpp"
 #include "generator/formats/statistics.hpp"
 #include "generator/json/json.hpp"

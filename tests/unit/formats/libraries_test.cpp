@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "generator/formats/actor/actor.hpp"
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/golden.hpp"
 #include "generator/formats/read.hpp"
 #include "generator/formats/tensors/archive.hpp"

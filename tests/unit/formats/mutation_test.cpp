@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 #include "generator/formats/read.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/network/cost.hpp"

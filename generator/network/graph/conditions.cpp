@@ -5,25 +5,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
+using Kind = NetValue::Kind;
 using Operation = Elementwise::Operation;
-using Result = std::optional<OnnxValue>;
+using Result = std::optional<NetValue>;
 
-std::optional<Dims> common_shape(const OnnxCall& call) {
-  std::optional<Dims> shape = Dims{};
-  for (std::size_t i = 0; i < call.input_count(); ++i) {
-    shape = broadcast(shape, call.input(i).shape);
-  }
-  return shape;
-}
-
-OnnxValue unknown(const OnnxCall& call) {
-  return call.misused("that is not of the observation and of shapes that fit", common_shape(call));
+NetValue unknown(const NetCall& call) {
+  return call.misused("that is not of the observation and of shapes that fit", call.common_shape());
 }
 
 Result as_condition(Result value) {
@@ -31,53 +23,53 @@ Result as_condition(Result value) {
   return value;
 }
 
-Result step(const OnnxCall& call, const Result& x, Operation operation, float number) {
+Result step(const NetCall& call, const Result& x, Operation operation, float number) {
   return x ? elementwise_step(call, *x, operation, made_constant(call, number)) : std::nullopt;
 }
 
-Result function(const OnnxCall& call, const Result& x, Function::Kind kind) {
+Result function(const NetCall& call, const Result& x, Function::Kind kind) {
   if (!x || x->kind != Kind::data) return std::nullopt;
-  return call.data_after(x->step, Function{kind}, *x->shape);
+  return call.layer_after(x->step, Function{kind}, *x->shape);
 }
 
 /// a - b: rounding never changes whether it is above, below or at zero.
-Result difference(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b) {
+Result difference(const NetCall& call, const NetValue& a, const NetValue& b) {
   if (auto value = combined(call, a, b, Combination::Operation::difference)) return value;
   if (a.kind == Kind::data) return elementwise_step(call, a, Operation::subtract, b);
   const Result negative = step(call, b, Operation::multiply, -1.0F);
   return negative ? elementwise_step(call, *negative, Operation::add, a) : std::nullopt;
 }
 
-Result above(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b) {
+Result above(const NetCall& call, const NetValue& a, const NetValue& b) {
   return as_condition(function(call, difference(call, a, b), Function::Kind::above_zero));
 }
 
 /// 1 - c.
-Result opposite(const OnnxCall& call, const Result& condition) {
+Result opposite(const NetCall& call, const Result& condition) {
   const Result negative = step(call, condition, Operation::multiply, -1.0F);
   return as_condition(step(call, negative, Operation::add, 1.0F));
 }
 
-Result is_not_zero(const OnnxCall& call, const OnnxValue& x) {
+Result is_not_zero(const NetCall& call, const NetValue& x) {
   if (x.is_condition) return x;
   const Result size = function(call, x, Function::Kind::abs);
   return as_condition(function(call, size, Function::Kind::above_zero));
 }
 
-OnnxValue or_unknown(const OnnxCall& call, const Result& value) {
+NetValue or_unknown(const NetCall& call, const Result& value) {
   return value ? *value : unknown(call);
 }
 
-OnnxValue greater(const OnnxCall& call) {
+NetValue greater(const NetCall& call) {
   return or_unknown(call, above(call, call.input(0), call.input(1)));
 }
-OnnxValue less(const OnnxCall& call) {
+NetValue less(const NetCall& call) {
   return or_unknown(call, above(call, call.input(1), call.input(0)));
 }
-OnnxValue greater_or_equal(const OnnxCall& call) {
+NetValue greater_or_equal(const NetCall& call) {
   return or_unknown(call, opposite(call, above(call, call.input(1), call.input(0))));
 }
-OnnxValue less_or_equal(const OnnxCall& call) {
+NetValue less_or_equal(const NetCall& call) {
   return or_unknown(call, opposite(call, above(call, call.input(0), call.input(1))));
 }
 
@@ -90,7 +82,7 @@ std::int64_t at(const Integers& values, std::size_t i) {
 }
 
 /// Of sizes: exporters compare a shape with -1.
-Result of_integers(const OnnxCall& call,
+Result of_integers(const NetCall& call,
                    std::int64_t (*pick)(const std::vector<std::int64_t>& given)) {
   std::vector<std::optional<Integers>> inputs;
   std::size_t count = 1;
@@ -98,9 +90,9 @@ Result of_integers(const OnnxCall& call,
     inputs.push_back(integers_of(call.input(i)));
     if (inputs.back()) count = std::max(count, inputs.back()->size());
   }
-  const auto shape = common_shape(call);
+  const auto shape = call.common_shape();
   const bool known = shape && element_count(*shape) == static_cast<std::int64_t>(count) &&
-                     count <= kMaxOnnxRank &&
+                     count <= kMaxRank &&
                      std::ranges::all_of(inputs, [&](const auto& one) { return fits(one, count); });
   if (!known) return std::nullopt;
   Integers result;
@@ -113,7 +105,7 @@ Result of_integers(const OnnxCall& call,
   return integers_value(std::move(result), *shape);
 }
 
-OnnxValue equal(const OnnxCall& call) {
+NetValue equal(const NetCall& call) {
   const auto same = [](const std::vector<std::int64_t>& x) -> std::int64_t { return x[0] == x[1]; };
   if (call.input_count() != 2) return unknown(call);
   if (const auto sizes = of_integers(call, same)) return *sizes;
@@ -122,37 +114,37 @@ OnnxValue equal(const OnnxCall& call) {
 }
 
 /// (x > 0) - (0 > x).
-OnnxValue sign(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
-  const OnnxValue zero = made_constant(call, 0.0F);
+NetValue sign(const NetCall& call) {
+  const NetValue& x = call.input(0);
+  const NetValue zero = made_constant(call, 0.0F);
   const Result up = above(call, x, zero);
   const Result down = above(call, zero, x);
   return or_unknown(
       call, up && down ? combined(call, *up, *down, Combination::Operation::difference) : up);
 }
 
-OnnxValue negation(const OnnxCall& call) {
+NetValue negation(const NetCall& call) {
   return or_unknown(call, opposite(call, is_not_zero(call, call.input(0))));
 }
 
-Result both(const OnnxCall& call, const Result& a, const Result& b) {
+Result both(const NetCall& call, const Result& a, const Result& b) {
   if (!a || !b) return std::nullopt;
   return as_condition(combined(call, *a, *b, Combination::Operation::product));
 }
-OnnxValue conjunction(const OnnxCall& call) {
+NetValue conjunction(const NetCall& call) {
   return or_unknown(call,
                     both(call, is_not_zero(call, call.input(0)), is_not_zero(call, call.input(1))));
 }
-OnnxValue disjunction(const OnnxCall& call) {
+NetValue disjunction(const NetCall& call) {
   const Result neither = both(call, opposite(call, is_not_zero(call, call.input(0))),
                               opposite(call, is_not_zero(call, call.input(1))));
   return or_unknown(call, opposite(call, neither));
 }
 
 /// The constant as what comes of a condition: 0 c + constant.
-Result as_data(const OnnxCall& call, const OnnxValue& condition, const OnnxValue& value) {
+Result as_data(const NetCall& call, const NetValue& condition, const NetValue& value) {
   if (value.kind != Kind::constant) return value;
-  OnnxValue base = condition;
+  NetValue base = condition;
   const std::int64_t count = element_count(value.constant.dims).value_or(0);
   if (count > 1 && element_count(*condition.shape) == 1) {
     if (count > kMaxValues || !call.spend(count)) return call.too_much();
@@ -165,14 +157,14 @@ Result as_data(const OnnxCall& call, const OnnxValue& condition, const OnnxValue
 }
 
 /// `select` of three values that the program knows only when it runs.
-Result chosen(const OnnxCall& call, const OnnxValue& condition, const OnnxValue& a,
-              const OnnxValue& b) {
+Result chosen(const NetCall& call, const NetValue& condition, const NetValue& a,
+              const NetValue& b) {
   const auto shape = broadcast(broadcast(condition.shape, a.shape), b.shape);
   if (!shape || condition.kind != Kind::data) return std::nullopt;
   const Result first = as_data(call, condition, a);
   const Result second = as_data(call, condition, b);
   if (!first || !second) return std::nullopt;
-  for (const OnnxValue* value : {&condition, &*first, &*second}) {
+  for (const NetValue* value : {&condition, &*first, &*second}) {
     if (value->kind != Kind::data)
       return value->kind == Kind::other ? Result(*value) : std::nullopt;
     const auto own = element_count(*value->shape);
@@ -181,46 +173,46 @@ Result chosen(const OnnxCall& call, const OnnxValue& condition, const OnnxValue&
   return call.data_of({condition, *first, *second}, Combination::Operation::select, *shape);
 }
 
-OnnxValue where(const OnnxCall& call) {
+NetValue where(const NetCall& call) {
   const auto pick = [](const std::vector<std::int64_t>& x) { return x[0] != 0 ? x[1] : x[2]; };
   if (call.input_count() != 3) return unknown(call);
   if (const auto sizes = of_integers(call, pick)) return *sizes;
   for (std::size_t i = 1; i < 3; ++i) {
     PolicyProblem problem;
-    const OnnxValue& value = call.input(i);
+    const NetValue& value = call.input(i);
     if (value.kind != Kind::constant || read_floats(value.constant, problem)) continue;
-    return call.other(problem, common_shape(call));
+    return call.other(problem, call.common_shape());
   }
   return or_unknown(call, chosen(call, call.input(0), call.input(1), call.input(2)));
 }
 
 }  // namespace
 
-std::optional<OnnxValue> larger_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b) {
+std::optional<NetValue> larger_of(const NetCall& call, const NetValue& a, const NetValue& b) {
   const Result condition = above(call, a, b);
   return condition ? chosen(call, *condition, a, b) : std::nullopt;
 }
 
-std::optional<OnnxValue> smaller_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b) {
+std::optional<NetValue> smaller_of(const NetCall& call, const NetValue& a, const NetValue& b) {
   const Result condition = above(call, b, a);
   return condition ? chosen(call, *condition, a, b) : std::nullopt;
 }
 
-std::optional<OnnxValue> condition_of(const OnnxCall& call, const OnnxValue& x) {
+std::optional<NetValue> condition_of(const NetCall& call, const NetValue& x) {
   return is_not_zero(call, x);
 }
 
-std::vector<OnnxOperatorEntry> condition_operators() {
-  return {{"Greater", greater},
-          {"Less", less},
-          {"GreaterOrEqual", greater_or_equal},
-          {"LessOrEqual", less_or_equal},
-          {"Equal", equal},
-          {"Sign", sign},
-          {"Not", negation},
-          {"And", conjunction},
-          {"Or", disjunction},
-          {"Where", where}};
+std::vector<NetOperator> condition_operators() {
+  return {{"Greater", greater, time_of_each},
+          {"Less", less, time_of_each},
+          {"GreaterOrEqual", greater_or_equal, time_of_each},
+          {"LessOrEqual", less_or_equal, time_of_each},
+          {"Equal", equal, time_of_each},
+          {"Sign", sign, time_of_each},
+          {"Not", negation, time_of_each},
+          {"And", conjunction, time_of_each},
+          {"Or", disjunction, time_of_each},
+          {"Where", where, time_of_each}};
 }
 
 }  // namespace eagerx::gen

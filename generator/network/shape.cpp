@@ -1,4 +1,4 @@
-#include "generator/formats/common/shape.hpp"
+#include "generator/network/shape.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

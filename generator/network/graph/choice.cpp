@@ -2,16 +2,16 @@
 // of the best one changes the scores, but not their order.
 #include <fmt/core.h>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
-using Role = OnnxPart::Role;
+using Kind = NetValue::Kind;
+using Role = NetPart::Role;
 
 /// Scores x, or what has the order of x: the step of x.
-std::optional<std::int32_t> scores_of(const OnnxValue& value) {
+std::optional<std::int32_t> scores_of(const NetValue& value) {
   if (value.kind == Kind::data) return value.step;
   const bool ordered = value.kind == Kind::other &&
                        (value.part.role == Role::ordered || value.part.role == Role::centred);
@@ -19,20 +19,16 @@ std::optional<std::int32_t> scores_of(const OnnxValue& value) {
 }
 
 /// Axis of the call, counted from the front, if it holds all values of `x`.
-std::optional<std::size_t> whole_axis(const OnnxCall& call, const OnnxValue& x,
+std::optional<std::size_t> whole_axis(const NetCall& call, const NetValue& x,
                                       std::int64_t otherwise) {
-  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
-  std::int64_t axis = call.integer("axis", otherwise);
-  if (axis < 0) axis += rank;
-  if (axis < 0 || axis >= rank) return std::nullopt;
-  const auto place = static_cast<std::size_t>(axis);
-  if ((*x.shape)[place] != element_count(*x.shape)) return std::nullopt;
+  const auto place = call.axis(x.shape ? x.shape->size() : 0, otherwise);
+  if (place && (*x.shape)[*place] != element_count(*x.shape)) return std::nullopt;
   return place;
 }
 
-OnnxValue in_order_of(const OnnxCall& call, std::int32_t step, const std::optional<Dims>& shape,
+NetValue in_order_of(const NetCall& call, std::int32_t step, const std::optional<Dims>& shape,
                       Role role, const char* how) {
-  OnnxValue value = call.misused(how, shape);
+  NetValue value = call.misused(how, shape);
   value.problem = {"E0613", fmt::format("has {} {}", call.who(), how),
                    "export the network's outputs, or the index of the largest (ArgMax)"};
   value.part = {role, step, false, 0.0F};
@@ -40,8 +36,8 @@ OnnxValue in_order_of(const OnnxCall& call, std::int32_t step, const std::option
 }
 
 /// exp(x) / sum(exp(x)), or its logarithm.
-OnnxValue softmax(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue softmax(const NetCall& call) {
+  const NetValue& x = call.input(0);
   const auto step = scores_of(x);
   constexpr std::int64_t kLastAxisIsDefault = 13;
   const bool whole = whole_axis(call, x, call.opset() < kLastAxisIsDefault ? 1 : -1).has_value();
@@ -50,8 +46,8 @@ OnnxValue softmax(const OnnxCall& call) {
                      "on the way to the action, without an ArgMax behind it");
 }
 
-OnnxValue arg_max(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue arg_max(const NetCall& call) {
+  const NetValue& x = call.input(0);
   const auto step = scores_of(x);
   const auto axis = whole_axis(call, x, 0);
   if (!step || !axis || call.integer("select_last_index", 0) != 0) {
@@ -67,8 +63,8 @@ OnnxValue arg_max(const OnnxCall& call) {
 }
 
 /// Its value is not needed, but its shape is: one number.
-OnnxValue reduction(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue reduction(const NetCall& call) {
+  const NetValue& x = call.input(0);
   const auto axes = call.integers(1, "axes");
   if (!x.shape || call.is_unreadable(1)) return call.misused("on the way to the action");
   const auto rank = static_cast<std::int64_t>(x.shape->size());
@@ -83,22 +79,35 @@ OnnxValue reduction(const OnnxCall& call) {
   return call.misused("on the way to the action", shape);
 }
 
+std::optional<TimeMask> time_of_softmax(const NetCall& call, const NetValue& /*result*/) {
+  const NetValue& x = call.input(0);
+  constexpr std::int64_t kOneAxis = 13;  // before, also all behind it
+  const bool old = call.opset() < kOneAxis;
+  const std::int64_t axis = from_front(call.integer("axis", old ? 1 : -1), rank_of(x));
+  if (old && x.time >= time_bit(axis)) return std::nullopt;
+  return time_unless(x, axis);
+}
+std::optional<TimeMask> time_of_arg_max(const NetCall& call, const NetValue& /*result*/) {
+  const NetValue& x = call.input(0);
+  const std::int64_t axis = from_front(call.integer("axis", 0), rank_of(x));
+  if (has_time(x.time, axis)) return std::nullopt;
+  return call.integer("keepdims", 1) != 0 ? x.time : without_axis(x.time, axis);
+}
+
 }  // namespace
 
-std::optional<OnnxValue> same_order(const OnnxCall& call) {
-  const bool adds = call.node().op_type() == "Add";
-  if (!adds && call.node().op_type() != "Sub") return std::nullopt;
-  const auto one = [](const OnnxValue& value) {
+std::optional<NetValue> same_order(const NetCall& call, bool adds) {
+  const auto one = [](const NetValue& value) {
     return value.shape && element_count(*value.shape) == 1;
   };
   for (const auto& [i, k] : {std::pair{0, 1}, std::pair{1, 0}}) {
-    const OnnxValue& x = call.input(static_cast<std::size_t>(i));
-    const OnnxValue& offset = call.input(static_cast<std::size_t>(k));
+    const NetValue& x = call.input(static_cast<std::size_t>(i));
+    const NetValue& offset = call.input(static_cast<std::size_t>(k));
     const auto step = scores_of(x);
     if (!step || one(x) || !one(offset) || offset.kind == Kind::constant || (i == 1 && !adds)) {
       continue;
     }
-    OnnxValue value = in_order_of(call, *step, broadcast(x.shape, offset.shape), Role::ordered,
+    NetValue value = in_order_of(call, *step, broadcast(x.shape, offset.shape), Role::ordered,
                                   "of a value that is not constant");
     const auto operation = adds ? Combination::Operation::sum : Combination::Operation::difference;
     const auto exact = combined(call, call.input(0), call.input(1), operation);
@@ -108,11 +117,11 @@ std::optional<OnnxValue> same_order(const OnnxCall& call) {
   return std::nullopt;
 }
 
-std::optional<OnnxValue> exact_of(const OnnxValue& value) {
+std::optional<NetValue> exact_of(const NetValue& value) {
   if (value.kind != Kind::other || value.part.role != Role::ordered || value.part.exact < 0) {
     return std::nullopt;
   }
-  OnnxValue exact;
+  NetValue exact;
   exact.kind = Kind::data;
   exact.step = value.part.exact;
   exact.shape = value.shape;
@@ -120,10 +129,13 @@ std::optional<OnnxValue> exact_of(const OnnxValue& value) {
   return exact;
 }
 
-std::vector<OnnxOperatorEntry> choice_operators() {
-  return {{"ArgMax", arg_max},      {"Softmax", softmax},
-          {"LogSoftmax", softmax},  {"ReduceLogSumExp", reduction},
-          {"ReduceMax", reduction}, {"ReduceSum", reduction}};
+std::vector<NetOperator> choice_operators() {
+  return {{"ArgMax", arg_max, time_of_arg_max},
+          {"Softmax", softmax, time_of_softmax, {}, true},
+          {"LogSoftmax", softmax, time_of_softmax},
+          {"ReduceLogSumExp", reduction, time_of_reduce},
+          {"ReduceMax", reduction, time_of_reduce},
+          {"ReduceSum", reduction, time_of_reduce}};
 }
 
 }  // namespace eagerx::gen

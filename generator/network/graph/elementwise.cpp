@@ -8,16 +8,16 @@
 #include <tuple>
 #include <utility>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
+using Kind = NetValue::Kind;
 using Operation = Elementwise::Operation;
 
 /// True if every value of the (small) constant is zero.
-bool is_all_zero(const OnnxConstant& constant) {
+bool is_all_zero(const NetConstant& constant) {
   PolicyProblem ignored;
   const auto values = read_floats(constant, ignored);
   return values && std::all_of(values->begin(), values->end(), [](float v) { return v == 0.0F; });
@@ -25,20 +25,20 @@ bool is_all_zero(const OnnxConstant& constant) {
 
 /// The data and the constant of an operator of two inputs; nothing if it has others.
 struct Operands {
-  const OnnxValue& data;
-  const OnnxValue& constant;
+  const NetValue& data;
+  const NetValue& constant;
   bool data_left;
 };
 
-std::optional<Operands> operands_of(const OnnxCall& call) {
-  const OnnxValue& a = call.input(0);
-  const OnnxValue& b = call.input(1);
+std::optional<Operands> operands_of(const NetCall& call) {
+  const NetValue& a = call.input(0);
+  const NetValue& b = call.input(1);
   if (a.kind == Kind::data && b.kind == Kind::constant) return Operands{a, b, true};
   if (a.kind == Kind::constant && b.kind == Kind::data) return Operands{b, a, false};
   return std::nullopt;
 }
 
-OnnxValue with_constant(const OnnxCall& call, Operation operation) {
+NetValue with_constant(const NetCall& call, Operation operation) {
   const std::optional<Dims> shape = broadcast(call.input(0).shape, call.input(1).shape);
   const auto operands = operands_of(call);
   if (!operands) return call.misused("that is not of a layer and a constant", shape);
@@ -50,44 +50,48 @@ OnnxValue with_constant(const OnnxCall& call, Operation operation) {
 }
 
 /// A bias of the product before, or a constant that is added.
-OnnxValue add(const OnnxCall& call) {
-  if (const auto part = part_of_formula(call)) return *part;
+NetValue added(const NetCall& call) {
   const auto operands = operands_of(call);
   const std::optional<Dims> sum = broadcast(call.input(0).shape, call.input(1).shape);
   if (!operands) {
-    if (auto value = same_order(call)) return *value;
     if (auto value = combined(call, call.input(0), call.input(1), Combination::Operation::sum)) {
       return *value;
     }
   }
   if (!operands || !sum) return call.misused("that does not add a constant to a layer", sum);
-  const OnnxValue& data = operands->data;
+  const NetValue& data = operands->data;
   const std::int64_t outputs = element_count(*data.shape).value_or(0);
   if (!call.spend(element_count(operands->constant.constant.dims).value_or(0))) {
     return call.too_much();
   }
   if (element_count(*sum) == outputs && is_all_zero(operands->constant.constant)) {
-    OnnxValue same = data;
+    NetValue same = data;
     same.shape = sum;
     return same;
   }
-  if (data.step >= 0 && fits_as_bias(operands->constant, *data.shape, outputs)) {
-    // Not copied whole: it may be a Reorder of millions.
-    const OnnxStep& step = call.state().steps[static_cast<std::size_t>(data.step)];
-    if (const auto* dense = std::get_if<OnnxDense>(&step.what); dense != nullptr && !dense->bias) {
-      OnnxDense biased = *dense;
-      biased.bias = operands->constant.constant;
-      return call.data_after(std::int32_t{step.before}, std::move(biased), *sum);
-    }
+  const NetStep* step = call.step_of(data);
+  if (step != nullptr && step->form<Dense>() != nullptr && !std::get<NetLayer>(step->what).bias &&
+      fits_as_bias(operands->constant, *data.shape, outputs)) {
+    auto biased = std::get<NetLayer>(step->what);
+    biased.bias = operands->constant.constant;
+    return call.data_after(std::int32_t{step->before}, std::move(biased), *sum);
   }
   return with_constant(call, Operation::add);
 }
 
-OnnxValue subtract(const OnnxCall& call) {
-  if (const auto part = part_of_formula(call)) return *part;
+NetValue add(const NetCall& call) {
+  if (const auto part = part_of_formula(call, NetFormula::sum)) return *part;
+  if (!operands_of(call)) {
+    if (auto value = same_order(call, true)) return *value;
+  }
+  return added(call);
+}
+
+NetValue subtract(const NetCall& call) {
+  if (const auto part = part_of_formula(call, NetFormula::difference)) return *part;
   const auto operands = operands_of(call);
   if (!operands) {
-    if (auto value = same_order(call)) return *value;
+    if (auto value = same_order(call, false)) return *value;
     if (auto value =
             combined(call, call.input(0), call.input(1), Combination::Operation::difference)) {
       return *value;
@@ -103,8 +107,8 @@ OnnxValue subtract(const OnnxCall& call) {
   return value ? *value : call.misused("on shapes that do not fit");
 }
 
-OnnxValue divide(const OnnxCall& call) {
-  if (const auto part = part_of_formula(call)) return *part;
+NetValue divide(const NetCall& call) {
+  if (const auto part = part_of_formula(call, NetFormula::quotient)) return *part;
   const auto operands = operands_of(call);
   if (operands && !operands->data_left) return call.misused("of a constant by a layer");
   if (auto value = combined(call, call.input(0), call.input(1), Combination::Operation::quotient)) {
@@ -113,27 +117,26 @@ OnnxValue divide(const OnnxCall& call) {
   return with_constant(call, Operation::divide);
 }
 
-OnnxValue negate(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue negate(const NetCall& call) {
+  const NetValue& x = call.input(0);
   if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
   const auto value = elementwise_step(call, x, Operation::multiply, made_constant(call, -1.0F));
   return value ? *value : call.misused("on an unknown shape", x.shape);
 }
 
 /// x sigmoid(x), as torch exports SiLU; parts of formulas; a factor.
-OnnxValue multiply(const OnnxCall& call) {
-  if (const auto part = part_of_formula(call)) return *part;
-  const OnnxValue& a = call.input(0);
-  const OnnxValue& b = call.input(1);
+NetValue multiply(const NetCall& call) {
+  if (const auto part = part_of_formula(call, NetFormula::product)) return *part;
+  const NetValue& a = call.input(0);
+  const NetValue& b = call.input(1);
   if (a.kind != Kind::data || b.kind != Kind::data) return with_constant(call, Operation::multiply);
   const auto shape = broadcast(a.shape, b.shape);
   const bool each = shape && element_count(*shape) == element_count(*a.shape);  // no outer product
   for (const auto& [x, gate] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
-    if (gate->step < 0 || !each) continue;
-    const OnnxStep& step = call.state().steps[static_cast<std::size_t>(gate->step)];
-    const auto* work = std::get_if<OnnxActivation>(&step.what);
-    if (work != nullptr && work->kind == Activation::sigmoid && step.before == x->step) {
-      return call.data_after(x->step, OnnxActivation{Activation::silu}, *shape);
+    const NetStep* step = call.step_of(*gate);
+    const auto* work = step != nullptr && each ? std::get_if<NetActivation>(&step->what) : nullptr;
+    if (work != nullptr && work->kind == Activation::sigmoid && step->before == x->step) {
+      return call.data_after(x->step, NetActivation{Activation::silu}, *shape);
     }
   }
   if (auto value = combined(call, a, b, Combination::Operation::product)) return *value;
@@ -147,13 +150,13 @@ struct Bound {
   bool known = true;
 };
 
-Bound bound_of(const OnnxCall& call, std::size_t i, std::string_view name) {
+Bound bound_of(const NetCall& call, std::size_t i, std::string_view name) {
   constexpr std::int64_t kBoundsAreInputs = 11;
   if (call.opset() < kBoundsAreInputs) {
-    const onnx::AttributeProto* found = call.attribute(name);
-    return {found != nullptr ? std::optional<float>(found->f()) : std::nullopt, true};
+    if (call.attribute(name) == nullptr) return {};
+    return {call.real(name, 0.0F), true};
   }
-  const OnnxValue& input = call.input(i);
+  const NetValue& input = call.input(i);
   if (input.kind == Kind::absent) return {};
   PolicyProblem ignored;
   if (input.kind != Kind::constant || element_count(input.constant.dims) != 1) return {{}, false};
@@ -162,9 +165,9 @@ Bound bound_of(const OnnxCall& call, std::size_t i, std::string_view name) {
   return values ? Bound{values->front(), true} : Bound{{}, false};
 }
 
-OnnxValue clip(const OnnxCall& call) {
+NetValue clip(const NetCall& call) {
   constexpr float kLargest = std::numeric_limits<float>::max();
-  const OnnxValue& x = call.input(0);
+  const NetValue& x = call.input(0);
   const Bound low = bound_of(call, 1, "min");
   const Bound high = bound_of(call, 2, "max");
   if (x.kind != Kind::data || !low.known || !high.known) {
@@ -173,9 +176,9 @@ OnnxValue clip(const OnnxCall& call) {
   const bool no_high = !high.value || *high.value >= kLargest;
   const bool no_low = !low.value || *low.value <= -kLargest;
   if (no_high && !no_low && *low.value == 0.0F) {
-    return call.data_after(x.step, OnnxActivation{Activation::relu}, *x.shape);
+    return call.data_after(x.step, NetActivation{Activation::relu}, *x.shape);
   }
-  OnnxValue value = x;
+  NetValue value = x;
   for (const auto& [skip, operation, bound] :
        {std::tuple{no_low, Operation::at_least, low.value},
         std::tuple{no_high, Operation::at_most, high.value}}) {
@@ -187,54 +190,47 @@ OnnxValue clip(const OnnxCall& call) {
   return value;
 }
 
-OnnxValue maximum(const OnnxCall& call) {
+template <Operation What>
+NetValue limit(const NetCall& call) {
   if (call.input_count() == 1) return call.input(0);
   if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
-  const OnnxValue& a = call.input(0);
-  const OnnxValue& b = call.input(1);
+  const NetValue& a = call.input(0);
+  const NetValue& b = call.input(1);
   if (a.kind == Kind::data && b.kind == Kind::data) {
-    if (auto value = larger_of(call, a, b)) return *value;
+    const auto value = What == Operation::at_least ? larger_of(call, a, b) : smaller_of(call, a, b);
+    if (value) return *value;
   }
-  return with_constant(call, Operation::at_least);
-}
-OnnxValue minimum(const OnnxCall& call) {
-  if (call.input_count() == 1) return call.input(0);
-  if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
-  const OnnxValue& a = call.input(0);
-  const OnnxValue& b = call.input(1);
-  if (a.kind == Kind::data && b.kind == Kind::data) {
-    if (auto value = smaller_of(call, a, b)) return *value;
-  }
-  return with_constant(call, Operation::at_most);
+  return with_constant(call, What);
 }
 
 /// Of two inputs.
-OnnxValue sum(const OnnxCall& call) {
+NetValue sum(const NetCall& call) {
   if (call.input_count() == 1) return call.input(0);
   if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
-  return add(call);
+  return added(call);
 }
 
 /// gamma elu(x).
-OnnxValue selu(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue selu(const NetCall& call) {
+  const NetValue& x = call.input(0);
   if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
-  const OnnxActivation elu{Activation::elu, call.real("alpha", 1.67326319F)};
-  const OnnxValue curve = call.data_after(x.step, elu, *x.shape);
+  const NetActivation elu{Activation::elu, call.real("alpha", 1.67326319F)};
+  const NetValue curve = call.data_after(x.step, elu, *x.shape);
   const auto value = elementwise_step(call, curve, Operation::multiply,
                                       made_constant(call, call.real("gamma", 1.05070102F)));
   return value ? *value : call.misused("on an unknown shape", x.shape);
 }
 
-OnnxValue formula_only(const OnnxCall& call) {
-  const auto part = part_of_formula(call);
+template <NetFormula Next>
+NetValue formula_only(const NetCall& call) {
+  const auto part = part_of_formula(call, Next);
   return part ? *part
               : call.misused("that is not a part of a LayerNorm or a gelu", call.input(0).shape);
 }
 
 /// (x - mean) * (scale / sqrt(variance + epsilon)) + offset, of a trained layer.
-OnnxValue batch_normalization(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue batch_normalization(const NetCall& call) {
+  const NetValue& x = call.input(0);
   if (x.kind != Kind::data || call.integer("training_mode", 0) != 0 || x.shape->size() < 2) {
     return call.misused("that is not of a layer", x.shape);
   }
@@ -242,7 +238,7 @@ OnnxValue batch_normalization(const OnnxCall& call) {
   std::array<std::vector<float>, 4> parts;  // scale, offset, mean, variance
   for (std::size_t i = 0; i < parts.size(); ++i) {
     PolicyProblem problem;
-    const OnnxValue& part = call.input(i + 1);
+    const NetValue& part = call.input(i + 1);
     if (part.kind != Kind::constant) return call.misused("without constant statistics", x.shape);
     if (part.constant.dims != Dims{(*x.shape)[1]}) {
       return call.misused("with statistics of another size", x.shape);
@@ -258,7 +254,7 @@ OnnxValue batch_normalization(const OnnxCall& call) {
         static_cast<double>(parts[0][i]) / std::sqrt(static_cast<double>(parts[3][i]) + epsilon);
     factors.push_back(static_cast<float>(factor));
   }
-  OnnxValue value = x;
+  NetValue value = x;
   const std::array<std::pair<Operation, const std::vector<float>*>, 3> steps = {
       std::pair{Operation::subtract, &parts[2]}, std::pair{Operation::multiply, &factors},
       std::pair{Operation::add, &parts[1]}};
@@ -276,50 +272,57 @@ OnnxValue batch_normalization(const OnnxCall& call) {
 
 }  // namespace
 
-OnnxValue made_constant(const OnnxCall& call, const std::vector<float>& numbers,
+NetValue made_constant(const NetCall& call, const std::vector<float>& numbers,
                         const Dims& shape) {
-  onnx::TensorProto tensor;
-  tensor.set_name(call.node().output_size() > 0 ? call.node().output(0) : "");
-  tensor.set_data_type(onnx::TensorProto::FLOAT);
-  for (const std::int64_t dim : shape) tensor.add_dims(dim);
-  for (const float number : numbers) tensor.add_float_data(number);
-  call.state().made.push_back(std::move(tensor));
-  OnnxValue value;
-  value.kind = Kind::constant;
-  value.shape = shape;
-  value.constant = {&call.state().made.back(), shape, false};
-  return value;
+  return constant_value(made_tensor(call.state().made, call.node().output, numbers, shape));
 }
 
-OnnxValue made_constant(const OnnxCall& call, float number) {
+NetValue made_constant(const NetCall& call, float number) {
   return made_constant(call, std::vector<float>{number}, {});
 }
 
-std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue& data,
-                                          Operation operation, const OnnxValue& constant) {
+std::optional<NetValue> elementwise_step(const NetCall& call, const NetValue& data,
+                                          Operation operation, const NetValue& constant) {
   if (data.kind != Kind::data || !data.shape || constant.kind != Kind::constant ||
       constant.constant.transposed) {
     return std::nullopt;
   }
   const std::optional<Dims> shape = broadcast(data.shape, constant.shape);
   if (!shape || element_count(*shape) != element_count(*data.shape)) return std::nullopt;
-  return call.data_after(data.step, OnnxElementwise{operation, constant.constant, *shape}, *shape);
+  return call.data_after(
+      data.step, NetLayer{Elementwise{operation}, {}, constant.constant, 1.0F, 1.0F, *shape}, *shape);
 }
 
-std::vector<OnnxOperatorEntry> elementwise_operators() {
-  return {{"Add", add},
-          {"Sub", subtract},
-          {"Mul", multiply},
-          {"Div", divide},
-          {"Neg", negate},
-          {"Clip", clip},
-          {"Max", maximum},
-          {"Min", minimum},
-          {"Pow", formula_only},
-          {"Sum", sum},
-          {"Selu", selu},
-          {"Erf", formula_only},
-          {"BatchNormalization", batch_normalization}};
+std::vector<NetOperator> elementwise_operators() {
+  using std::int64_t;
+  using Whole = std::optional<int64_t>;
+  const NetFolding sums = {[](float a, float b) { return a + b; },
+                           [](int64_t a, int64_t b) -> Whole { return a + b; }};
+  const NetFolding differences = {[](float a, float b) { return a - b; },
+                                  [](int64_t a, int64_t b) -> Whole { return a - b; }};
+  const NetFolding products = {[](float a, float b) { return a * b; },
+                               [](int64_t a, int64_t b) -> Whole { return a * b; }};
+  const NetFolding quotients = {
+      [](float a, float b) { return a / b; },
+      [](int64_t a, int64_t b) -> Whole { return b != 0 ? Whole(a / b) : std::nullopt; }};
+  const NetFolding largest = {[](float a, float b) { return std::max(a, b); }};
+  const NetFolding smallest = {[](float a, float b) { return std::min(a, b); }};
+  const NetFolding opposite = {[](float a, float) { return -a; }, nullptr, true};
+  const NetFolding inverse = {[](float a, float) { return 1.0F / a; }, nullptr, true};
+  return {{"Add", add, time_of_each, sums},
+          {"Sub", subtract, time_of_each, differences, true},
+          {"Mul", multiply, time_of_each, products, true},
+          {"Div", divide, time_of_each, quotients, true},
+          {"Neg", negate, time_of_each, opposite, true},
+          {"Reciprocal", nullptr, nullptr, inverse},
+          {"Clip", clip, time_of_each},
+          {"Max", limit<Operation::at_least>, time_of_each, largest, true},
+          {"Min", limit<Operation::at_most>, time_of_each, smallest, true},
+          {"Pow", formula_only<NetFormula::power>, time_of_each, {}, true},
+          {"Sum", sum, time_of_each, {}, true},
+          {"Selu", selu, time_of_each, {}, true},
+          {"Erf", formula_only<NetFormula::erf>, time_of_each, {}, true},
+          {"BatchNormalization", batch_normalization, time_but_channels}};
 }
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-#include "generator/formats/common/problem.hpp"
+#include "generator/network/problem.hpp"
 
 #include <utility>
 

@@ -1,24 +1,24 @@
 // Operators over images and sequences: [1, channels, height, width] or [1, channels, width].
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
+using Kind = NetValue::Kind;
 
 constexpr std::int64_t kMaxSide = std::int64_t{1} << 16U;
 
 /// Attribute `name` with a value for each axis; `otherwise` for all if it is not there.
-std::optional<Integers> per_axis(const OnnxCall& call, std::string_view name, std::size_t axes,
+std::optional<Integers> per_axis(const NetCall& call, std::string_view name, std::size_t axes,
                                  std::int64_t otherwise, std::int64_t lowest) {
-  const onnx::AttributeProto* found = call.attribute(name);
-  Integers values(axes, otherwise);
-  if (found != nullptr) values.assign(found->ints().begin(), found->ints().end());
+  const NetAttribute* found = call.attribute(name);
+  Integers values = found != nullptr ? found->integers() : Integers(axes, otherwise);
   if (values.size() != axes) return std::nullopt;
   for (const std::int64_t value : values) {
     if (value < lowest || value > kMaxSide) return std::nullopt;
@@ -42,16 +42,15 @@ struct Geometry {
   std::string problem;
 };
 
-Geometry geometry_of(const OnnxCall& call, const Dims& dims, const Integers& kernel,
-                     const OnnxPad* pad) {
+Geometry geometry_of(const NetCall& call, const Dims& dims, const Integers& kernel,
+                     const NetPad* pad) {
   Geometry geometry;
   const std::size_t axes = dims.size() - 2;
   const auto strides = per_axis(call, "strides", axes, 1, 1);
   const auto dilations = per_axis(call, "dilations", axes, 1, 1);
   const auto pads = per_axis(call, "pads", 2 * axes, 0, 0);
-  const onnx::AttributeProto* automatic = call.attribute("auto_pad");
-  const bool plain = automatic == nullptr || automatic->s().empty() || automatic->s() == "NOTSET" ||
-                     automatic->s() == "VALID";
+  const std::string_view automatic = call.text("auto_pad");
+  const bool plain = automatic.empty() || automatic == "NOTSET" || automatic == "VALID";
   if (!strides || !dilations || !pads || !plain || call.integer("ceil_mode", 0) != 0) {
     geometry.problem = plain ? "with strides, dilations, pads or a ceil_mode that are not supported"
                              : "with automatic padding";
@@ -87,35 +86,34 @@ Geometry geometry_of(const OnnxCall& call, const Dims& dims, const Integers& ker
   return geometry;
 }
 
-bool is_image(const OnnxValue& x) {
+bool is_image(const NetValue& x) {
   return x.kind == Kind::data && x.shape && (x.shape->size() == 3 || x.shape->size() == 4) &&
          x.shape->front() == 1 && (*x.shape)[1] <= kMaxValues;
 }
 
 /// Zeros that are put around `x`, and what is before them.
 struct Padded {
-  const OnnxPad* pad = nullptr;
+  const NetPad* pad = nullptr;
   std::int32_t before = -1;
   Dims dims;
 };
 
-Padded padded(const OnnxCall& call, const OnnxValue& x) {
+Padded padded(const NetCall& call, const NetValue& x) {
   Padded result{nullptr, x.step, *x.shape};
-  if (x.step < 0) return result;
-  const OnnxStep& step = call.state().steps[static_cast<std::size_t>(x.step)];
-  result.pad = std::get_if<OnnxPad>(&step.what);
+  const NetStep* step = call.step_of(x);
+  result.pad = step != nullptr ? std::get_if<NetPad>(&step->what) : nullptr;
   if (result.pad == nullptr) return result;
-  result.before = step.before;
+  result.before = step->before;
   const std::size_t rank = result.dims.size();
   result.dims[rank - 1] -= std::int64_t{result.pad->left} + result.pad->right;
   if (rank == 4) result.dims[2] -= std::int64_t{result.pad->top} + result.pad->bottom;
   return result;
 }
 
-OnnxValue convolution(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
-  const OnnxValue& w = call.input(1);
-  const OnnxValue& b = call.input(2);
+NetValue convolution(const NetCall& call) {
+  const NetValue& x = call.input(0);
+  const NetValue& w = call.input(1);
+  const NetValue& b = call.input(2);
   if (!is_image(x) || w.kind != Kind::constant || w.constant.transposed ||
       w.constant.dims.size() != x.shape->size()) {
     return call.misused("that is not of an image and constant weights");
@@ -129,16 +127,15 @@ OnnxValue convolution(const OnnxCall& call) {
     return call.other(
         {"E0618",
          fmt::format("moves weights `{}` of shape {} over {} channels in {}",
-                     printable(w.constant.tensor->name()), show(weights), from.dims[1], call.who()),
+                     printable(w.constant.tensor->name), show(weights), from.dims[1], call.who()),
          kExportMisfit});
   }
   Geometry geometry = geometry_of(call, from.dims, {weights.begin() + 2, weights.end()}, from.pad);
   if (!geometry.problem.empty()) return call.misused(geometry.problem);
   geometry.result[1] = channels;
-  OnnxConvolution work{
-      {geometry.kernel, static_cast<std::uint32_t>(groups), static_cast<std::uint32_t>(channels)},
-      w.constant,
-      std::nullopt};
+  NetLayer work{Convolution{geometry.kernel, static_cast<std::uint32_t>(groups),
+                            static_cast<std::uint32_t>(channels)},
+                w.constant};
   if (b.kind != Kind::absent) {
     if (b.kind != Kind::constant || b.constant.dims != Dims{channels}) {
       return call.misused("with a bias that does not fit", geometry.result);
@@ -168,8 +165,8 @@ bool reaches_all(const KernelShape& kernel) {
                kernel.pad_left, kernel.out_width);
 }
 
-OnnxValue pool(const OnnxCall& call, Pooling::Kind kind, bool global) {
-  const OnnxValue& x = call.input(0);
+NetValue pool(const NetCall& call, Pooling::Kind kind, bool global) {
+  const NetValue& x = call.input(0);
   if (!is_image(x)) return call.misused("that is not of an image", x.shape);
   const Padded from = padded(call, x);
   if (from.pad != nullptr && (kind == Pooling::Kind::max || global)) {
@@ -183,9 +180,10 @@ OnnxValue pool(const OnnxCall& call, Pooling::Kind kind, bool global) {
   }
   const bool counts = call.integer("count_include_pad", 0) != 0;
   if (kind == Pooling::Kind::average && (counts || from.pad != nullptr)) {
-    const onnx::AttributeProto* pads = call.attribute("pads");
-    for (int i = 0; !counts && pads != nullptr && i < pads->ints_size(); ++i) {
-      if (pads->ints(i) != 0) return call.misused("with two kinds of padding");
+    const NetAttribute* pads = call.attribute("pads");
+    const auto pads_more = [](std::int64_t side) { return side != 0; };
+    if (!counts && pads != nullptr && std::ranges::any_of(pads->integers(), pads_more)) {
+      return call.misused("with two kinds of padding");
     }
     kind = Pooling::Kind::average_with_padding;
   }
@@ -199,25 +197,17 @@ OnnxValue pool(const OnnxCall& call, Pooling::Kind kind, bool global) {
   if (!reaches_all(moved)) {
     return call.misused("with a kernel that lies in the padding alone");
   }
-  return call.data_after(from.before, Pooling{geometry.kernel, kind}, std::move(geometry.result));
+  return call.layer_after(from.before, Pooling{geometry.kernel, kind}, std::move(geometry.result));
 }
 
-OnnxValue max_pool(const OnnxCall& call) {
-  return pool(call, Pooling::Kind::max, false);
-}
-OnnxValue average_pool(const OnnxCall& call) {
-  return pool(call, Pooling::Kind::average, false);
-}
-OnnxValue global_max_pool(const OnnxCall& call) {
-  return pool(call, Pooling::Kind::max, true);
-}
-OnnxValue global_average_pool(const OnnxCall& call) {
-  return pool(call, Pooling::Kind::average, true);
+template <Pooling::Kind Which, bool IsGlobal>
+NetValue pools(const NetCall& call) {
+  return pool(call, Which, IsGlobal);
 }
 
 /// The mean along one axis of [outer, n, inner], as a pool over that axis.
-OnnxValue mean_along(const OnnxCall& call, std::int64_t axis) {
-  const OnnxValue& x = call.input(0);
+NetValue mean_along(const NetCall& call, std::int64_t axis) {
+  const NetValue& x = call.input(0);
   const Dims& dims = *x.shape;
   const auto product = [](const Dims& some) {
     return static_cast<std::uint32_t>(element_count(some).value_or(0));
@@ -231,13 +221,13 @@ OnnxValue mean_along(const OnnxCall& call, std::int64_t axis) {
   Dims shape = dims;
   shape[static_cast<std::size_t>(axis)] = 1;
   if (call.integer("keepdims", 1) == 0) shape.erase(shape.begin() + axis);
-  return call.data_after(x.step, work, shape);
+  return call.layer_after(x.step, work, shape);
 }
 
 /// A part of LayerNorm, the mean of each channel, or one along an axis: of quantiles.
-OnnxValue reduce_mean(const OnnxCall& call) {
-  if (const auto part = part_of_formula(call)) return *part;
-  const OnnxValue& x = call.input(0);
+NetValue reduce_mean(const NetCall& call) {
+  if (const auto part = part_of_formula(call, NetFormula::mean)) return *part;
+  const NetValue& x = call.input(0);
   auto axes = call.integers(1, "axes");
   if (x.kind == Kind::data && axes && axes->size() == 1) {
     const auto size = static_cast<std::int64_t>(x.shape->size());
@@ -255,19 +245,19 @@ OnnxValue reduce_mean(const OnnxCall& call) {
     sum += axis < 0 ? axis + rank : axis;
   }
   if (sum != (rank == 4 ? 5 : 2)) return call.misused("over other axes than an image's");
-  OnnxValue value = pool(call, Pooling::Kind::average, true);
+  NetValue value = pool(call, Pooling::Kind::average, true);
   if (value.kind != Kind::data || call.integer("keepdims", 1) != 0) return value;
   value.shape = Dims{1, (*x.shape)[1]};
   return value;
 }
 
 /// Zeros around an image; elsewhere only none.
-OnnxValue pad(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue pad(const NetCall& call) {
+  const NetValue& x = call.input(0);
   const auto pads = call.integers(1, "pads");
-  const onnx::AttributeProto* mode = call.attribute("mode");
-  const bool constant = mode == nullptr || mode->s() == "constant";
-  const OnnxValue& filling = call.input(2);
+  const NetAttribute* mode = call.attribute("mode");
+  const bool constant = mode == nullptr || mode->text == "constant";
+  const NetValue& filling = call.input(2);
   const bool zeros = (filling.kind == Kind::absent || scalar_of(filling) == 0.0F) &&
                      call.real("value", 0.0F) == 0.0F;  // an attribute before opset 11
   if (x.kind != Kind::data || !pads || pads->size() != 2 * x.shape->size() || !constant || !zeros ||
@@ -291,7 +281,7 @@ OnnxValue pad(const OnnxCall& call) {
   if (total == 0) return x;
   if (!is_image(x) || !inside) return call.misused("of something else than an image", x.shape);
   const auto side = [&](std::size_t i) { return static_cast<std::uint32_t>((*pads)[i]); };
-  OnnxPad work{0, side(rank - 1), 0, side(2 * rank - 1)};
+  NetPad work{0, side(rank - 1), 0, side(2 * rank - 1)};
   if (rank == 4) {
     work.top = side(2);
     work.bottom = side(rank + 2);
@@ -301,14 +291,15 @@ OnnxValue pad(const OnnxCall& call) {
 
 }  // namespace
 
-std::vector<OnnxOperatorEntry> image_operators() {
-  return {{"Conv", convolution},
-          {"MaxPool", max_pool},
-          {"AveragePool", average_pool},
-          {"GlobalMaxPool", global_max_pool},
-          {"GlobalAveragePool", global_average_pool},
-          {"ReduceMean", reduce_mean},
-          {"Pad", pad}};
+std::vector<NetOperator> image_operators() {
+  using P = Pooling::Kind;
+  return {{"Conv", convolution, time_of_image},
+          {"MaxPool", pools<P::max, false>, time_of_image},
+          {"AveragePool", pools<P::average, false>, time_of_image},
+          {"GlobalMaxPool", pools<P::max, true>, time_of_image},
+          {"GlobalAveragePool", pools<P::average, true>, time_of_image},
+          {"ReduceMean", reduce_mean, time_of_reduce},
+          {"Pad", pad, time_of_image}};
 }
 
 }  // namespace eagerx::gen

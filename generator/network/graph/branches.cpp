@@ -2,41 +2,31 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
-using Role = OnnxPart::Role;
+using Kind = NetValue::Kind;
+using Role = NetPart::Role;
 
-OnnxValue function(const OnnxCall& call, Function::Kind kind) {
-  const OnnxValue& x = call.input(0);
+template <Function::Kind What>
+NetValue function(const NetCall& call) {
+  const NetValue& x = call.input(0);
   if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
-  return call.data_after(x.step, Function{kind}, *x.shape);
+  return call.layer_after(x.step, Function{What}, *x.shape);
 }
-OnnxValue sine(const OnnxCall& call) {
-  return function(call, Function::Kind::sin);
-}
-OnnxValue cosine(const OnnxCall& call) {
-  return function(call, Function::Kind::cos);
-}
-OnnxValue exponential(const OnnxCall& call) {
-  return function(call, Function::Kind::exp);
-}
-OnnxValue absolute(const OnnxCall& call) {
-  return function(call, Function::Kind::abs);
-}
-OnnxValue root(const OnnxCall& call) {
-  if (const auto part = part_of_formula(call)) return *part;
-  return function(call, Function::Kind::sqrt);
+NetValue root(const NetCall& call) {
+  if (const auto part = part_of_formula(call, NetFormula::root)) return *part;
+  return function<Function::Kind::sqrt>(call);
 }
 
 /// Over the last axis.
-OnnxValue norm(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue norm(const NetCall& call) {
+  const NetValue& x = call.input(0);
   const auto axes = call.integers(1, "axes");
   const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
   const bool last =
@@ -46,43 +36,41 @@ OnnxValue norm(const OnnxCall& call) {
   shape.back() = 1;
   if (call.integer("keepdims", 1) == 0) shape.pop_back();
   const Reduction work{Reduction::Kind::norm, static_cast<std::uint32_t>(x.shape->back())};
-  return call.data_after(x.step, work, std::move(shape));
+  return call.layer_after(x.step, work, std::move(shape));
 }
 
 }  // namespace
 
-std::optional<OnnxValue> combined(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b,
+std::optional<NetValue> combined(const NetCall& call, const NetValue& a, const NetValue& b,
                                   Combination::Operation operation) {
   if (a.kind != Kind::data || b.kind != Kind::data) return std::nullopt;
   const std::optional<Dims> shape = broadcast(a.shape, b.shape);
   if (!shape) return std::nullopt;
   const auto count = element_count(*shape);
-  for (const OnnxValue* value : {&a, &b}) {
+  for (const NetValue* value : {&a, &b}) {
     const auto own = element_count(*value->shape);
     if (own != count && own != 1) return std::nullopt;  // an outer product, or rows
   }
   return call.data_of({a, b}, operation, *shape);
 }
 
-std::optional<OnnxValue> materialized(const OnnxCall& call, const OnnxValue& value) {
+std::optional<NetValue> materialized(const NetCall& call, const NetValue& value) {
   if (auto exact = exact_of(value)) return exact;
-  const OnnxPart& part = value.part;
+  const NetPart& part = value.part;
   const bool simple =
       part.role == Role::mean || part.role == Role::square || part.role == Role::centred;
   if (value.kind != Kind::other || !simple || !value.shape) return std::nullopt;
-  const std::int64_t count = part.of < 0
-                                 ? call.state().observed
-                                 : call.state().steps[static_cast<std::size_t>(part.of)].count;
-  OnnxValue x;
+  const std::int64_t count = call.count_after(part.of);
+  NetValue x;
   x.kind = Kind::data;
   x.step = part.of;
   x.shape = part.role == Role::mean ? Dims{count} : *value.shape;
-  OnnxValue result;
+  NetValue result;
   if (part.role == Role::square) {
     result = call.data_of({x, x}, Combination::Operation::product, *value.shape);
   } else {
     const Reduction work{Reduction::Kind::mean, static_cast<std::uint32_t>(count)};
-    result = call.data_after(part.of, work, part.role == Role::mean ? *value.shape : Dims{1});
+    result = call.layer_after(part.of, work, part.role == Role::mean ? *value.shape : Dims{1});
     if (part.role == Role::centred && result.kind == Kind::data) {
       result = call.data_of({x, result}, Combination::Operation::difference, *value.shape);
     }
@@ -92,9 +80,24 @@ std::optional<OnnxValue> materialized(const OnnxCall& call, const OnnxValue& val
   return result;
 }
 
-std::vector<OnnxOperatorEntry> branch_operators() {
-  return {{"Sin", sine},     {"Cos", cosine}, {"Exp", exponential},
-          {"Abs", absolute}, {"Sqrt", root},  {"ReduceL2", norm}};
+std::vector<NetOperator> branch_operators() {
+  using F = Function::Kind;
+  const NetFolding roots = {[](float a, float) { return std::sqrt(a); }, nullptr, true};
+  return {{"Sin", function<F::sin>, time_of_each, {}, true},
+          {"Cos", function<F::cos>, time_of_each, {}, true},
+          {"Exp", function<F::exp>, time_of_each, {}, true},
+          {"Abs", function<F::abs>, time_of_each, {}, true},
+          {"Sqrt", root, time_of_each, roots, true},
+          {"ReduceL2", norm, time_of_reduce},
+          // Refused, but random parts of an action are made of them.
+          {"Ceil", nullptr, nullptr, {}, true},
+          {"Floor", nullptr, nullptr, {}, true},
+          {"HardSigmoid", nullptr, nullptr, {}, true},
+          {"Log", nullptr, nullptr, {}, true},
+          {"Mod", nullptr, nullptr, {}, true},
+          {"RandomNormalLike", nullptr, nullptr, {}, true},
+          {"Round", nullptr, nullptr, {}, true},
+          {"Softsign", nullptr, nullptr, {}, true}};
 }
 
 }  // namespace eagerx::gen

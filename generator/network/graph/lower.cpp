@@ -1,4 +1,4 @@
-#include "generator/formats/onnx/network.hpp"
+#include "generator/network/graph/lower.hpp"
 
 #include <fmt/core.h>
 
@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "generator/network/graph/operators.hpp"
 #include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
@@ -17,72 +18,33 @@ namespace {
 constexpr const char* kLayersHelp =
     "export the actor alone: Linear layers with LayerNorm or not, and an activation after them";
 
-/// The bias as `outputs` values, with its factor applied; NaN and infinity are caught later.
-std::optional<std::vector<float>> read_bias(const OnnxDense& dense, std::size_t outputs,
-                                            PolicyProblem& problem) {
-  std::vector<float> bias(outputs, 0.0F);
-  if (!dense.bias) return bias;
-  const std::optional<std::vector<float>> values = read_floats(*dense.bias, problem);
-  if (!values) return std::nullopt;
-  for (std::size_t i = 0; i < outputs; ++i) {
-    bias[i] = dense.bias_scale * (values->size() == 1 ? values->front() : (*values)[i]);
-  }
-  return bias;
-}
-
-std::optional<Layer> make_layer(const OnnxDense& dense, PolicyProblem& problem) {
-  std::optional<std::vector<float>> weights = read_floats(dense.weights, problem);
-  if (!weights) return std::nullopt;
-  for (float& weight : *weights) weight *= dense.scale;
-  Layer layer;
-  layer.outputs = static_cast<std::uint32_t>(dense.weights.dims[0]);
-  layer.inputs = static_cast<std::uint32_t>(dense.weights.dims[1]);
-  std::optional<std::vector<float>> bias = read_bias(dense, layer.outputs, problem);
-  if (!bias) return std::nullopt;
-  for (const std::vector<float>* values : {&*weights, &*bias}) {
-    for (const float value : *values) {
-      if (std::isfinite(value)) continue;
-      problem = {"E0616",
-                 fmt::format("has a layer whose factors turn `{}` into NaN or infinity",
-                             printable(dense.weights.tensor->name())),
-                 "export the actor again"};
-      return std::nullopt;
-    }
-  }
-  layer.weights = std::move(*weights);
-  layer.bias = std::move(*bias);
-  return layer;
-}
-
 /// How many constants the layer of a step will have.
-std::int64_t parameters_of(const OnnxStep& step) {
-  const auto count = [](const OnnxConstant& constant) {
+std::int64_t parameters_of(const NetStep& step) {
+  const auto count = [](const NetConstant& constant) {
     return element_count(constant.dims).value_or(kMaxParameters);
   };
-  if (const auto* dense = std::get_if<OnnxDense>(&step.what)) {
-    return count(dense->weights) + dense->weights.dims[0];
-  }
-  if (const auto* work = std::get_if<OnnxConvolution>(&step.what)) return count(work->weights);
-  if (const auto* work = std::get_if<OnnxRecurrence>(&step.what)) {
+  if (const auto* work = std::get_if<NetRecurrence>(&step.what)) {
     return count(work->weights) + count(work->hidden_weights);
   }
-  const bool each = std::holds_alternative<OnnxElementwise>(step.what) ||
-                    std::holds_alternative<OnnxNorm>(step.what) ||
-                    std::holds_alternative<Combination>(step.what) ||
-                    std::holds_alternative<Function>(step.what) ||
-                    std::holds_alternative<Reorder>(step.what);
+  if (const auto* layer = std::get_if<NetLayer>(&step.what); layer != nullptr && layer->weights) {
+    const bool is_dense = step.form<Dense>() != nullptr;
+    return count(*layer->weights) + (is_dense ? layer->weights->dims[0] : 0);
+  }
+  const bool each = step.form<Elementwise>() != nullptr || step.form<Combination>() != nullptr ||
+                    step.form<Function>() != nullptr || step.form<Reorder>() != nullptr ||
+                    std::holds_alternative<NetNorm>(step.what);
   return each ? step.count : 0;
 }
 
 /// Layers, one after the other.
 class LayerBuilder {
  public:
-  LayerBuilder(std::uint32_t inputs, std::unordered_set<const onnx::TensorProto*>& used,
+  LayerBuilder(std::uint32_t inputs, std::unordered_set<const NetTensor*>& used,
                PolicyProblem& problem)
       : observed_(inputs), used_(used), problem_(problem) {}
 
   /// `is_shared`: more than one step takes what the step takes.
-  bool add(std::int32_t index, const OnnxStep& step, bool is_shared) {
+  bool add(std::int32_t index, const NetStep& step, bool is_shared) {
     node_ = step.node;
     after_ = static_cast<std::uint32_t>(step.count);
     is_shared_ = is_shared;
@@ -118,18 +80,70 @@ class LayerBuilder {
     return false;
   }
 
-  bool add(const OnnxDense& dense) {
-    auto layer = make_layer(dense, problem_);
-    if (!layer) return false;
-    use(dense.weights);
-    if (dense.bias) use(*dense.bias);
-    layer->takes = takes_;
-    layers_.push_back(std::move(*layer));
+  bool add(const NetLayer& work) {
+    if (const auto* moved = std::get_if<Convolution>(&work.form)) {
+      if (!is_short(moved->kernel, moved->kernel.channels / moved->groups)) return false;
+    } else if (const auto* pool = std::get_if<Pooling>(&work.form)) {
+      if (!is_short(pool->kernel, 1)) return false;
+    } else if (const auto* all = std::get_if<Combination>(&work.form)) {
+      take_several(*all);
+    }
+    Layer& layer = add_form(work.form);
+    if (work.weights && !read(*work.weights, layer.weights)) return false;
+    for (float& weight : layer.weights) weight *= work.scale;
+    return add_bias(work, layer) && is_finite(work, layer);
+  }
+
+  /// Of a dense layer one number for each output; of an elementwise one a constant for all, or for
+  /// each after broadcasting.
+  bool add_bias(const NetLayer& work, Layer& layer) {
+    const auto* elementwise = std::get_if<Elementwise>(&work.form);
+    const auto* moved = std::get_if<Convolution>(&work.form);
+    std::vector<float> values;
+    if (work.bias && !read(*work.bias, values)) return false;
+    if (elementwise != nullptr) {
+      layer.bias = values.size() > 1 ? broadcast_to(values, work.bias->dims, work.shape) : values;
+      const bool divides = elementwise->operation == Elementwise::Operation::divide;
+      return !divides || std::ranges::find(layer.bias, 0.0F) == layer.bias.end() ||
+             fail("E0616", fmt::format("divides by zero (node `{}`)", node_),
+                  "the training diverged: export a policy that works");
+    }
+    if (!layer.is_dense() && moved == nullptr) return true;
+    layer.bias.assign(moved != nullptr ? moved->channels : layer.outputs, 0.0F);
+    for (std::size_t i = 0; work.bias && i < layer.bias.size(); ++i) {
+      layer.bias[i] = work.bias_scale * (values.size() == 1 ? values.front() : values[i]);
+    }
     return true;
   }
 
+  /// Numbers of the file are; products with factors may not be.
+  bool is_finite(const NetLayer& work, const Layer& layer) {
+    if (work.scale == 1.0F && work.bias_scale == 1.0F) return true;
+    for (const auto* values : {&layer.weights, &layer.bias}) {
+      if (std::ranges::all_of(*values, [](float x) { return std::isfinite(x); })) continue;
+      return fail("E0616",
+                  fmt::format("has a layer whose factors turn `{}` into NaN or infinity",
+                              printable(work.weights->tensor->name)),
+                  "export the actor again");
+    }
+    return true;
+  }
+
+  /// The first layer takes the observation alone.
+  void take_several(const Combination& work) {
+    if (layers_.empty()) {
+      const std::uint32_t after = std::exchange(after_, observed_);
+      const auto takes = std::exchange(takes_, {-1});
+      add_form(Elementwise{});
+      takes_ = takes;
+      after_ = after;
+    }
+    count_ = 0;
+    for (const std::uint32_t size : work.sizes) count_ += size;
+  }
+
   /// On the last layer, if it has none; relu after relu changes nothing.
-  bool add(const OnnxActivation& activation) {
+  bool add(const NetActivation& activation) {
     if (!std::isfinite(activation.slope)) {
       return fail("E0616",
                   fmt::format("has an activation without a finite slope (node `{}`)", node_),
@@ -145,7 +159,7 @@ class LayerBuilder {
   }
 
   /// Between the last layer and its activation.
-  bool add(const OnnxNorm& norm) {
+  bool add(const NetNorm& norm) {
     if (!(norm.epsilon >= 0.0F)) {
       return fail("E0616",
                   fmt::format("has a LayerNorm whose epsilon is not a number (node `{}`)", node_),
@@ -176,68 +190,13 @@ class LayerBuilder {
         "use a smaller network");
   }
 
-  bool add(const OnnxConvolution& work) {
-    if (!is_short(work.form.kernel, work.form.kernel.channels / work.form.groups)) return false;
-    Layer& layer = add_form(work.form);
-    layer.bias.assign(work.form.channels, 0.0F);
-    return read(work.weights, layer.weights) && (!work.bias || read(*work.bias, layer.bias));
-  }
-  bool add(const Pooling& work) {
-    if (!is_short(work.kernel, 1)) return false;
-    add_form(work);
-    return true;
-  }
-  bool add(const OnnxPad& /*work*/) {
+  bool add(const NetPad& /*work*/) {
     return fail("E0613", fmt::format("has zeros around values that no convolution or average pool "
                                      "takes (node `{}`)",
                                      node_));
   }
-  bool add(const Reorder& work) {
-    add_form(work);
-    return true;
-  }
-  bool add(const Function& work) {
-    add_form(work);
-    return true;
-  }
-  bool add(const Reduction& work) {
-    add_form(work);
-    return true;
-  }
-  bool add(const Combination& work) {
-    if (layers_.empty()) {  // the first layer takes the observation alone
-      const std::uint32_t after = std::exchange(after_, observed_);
-      const auto takes = std::exchange(takes_, {-1});
-      add_form(Elementwise{});
-      takes_ = takes;
-      after_ = after;
-    }
-    count_ = 0;
-    for (const std::uint32_t size : work.sizes) count_ += size;
-    add_form(work);
-    return true;
-  }
-
-  /// A constant for all, or for each after broadcasting.
-  bool add(const OnnxElementwise& work) {
-    Layer& layer = add_form(Elementwise{work.operation});
-    std::vector<float> values;
-    if (!read(work.constant, values)) return false;
-    if (values.size() == 1) {
-      layer.bias = std::move(values);
-    } else {
-      layer.bias = broadcast_to(values, work.constant.dims, work.shape);
-    }
-    const bool divides = work.operation == Elementwise::Operation::divide;
-    if (!divides || std::find(layer.bias.begin(), layer.bias.end(), 0.0F) == layer.bias.end()) {
-      return true;
-    }
-    return fail("E0616", fmt::format("divides by zero (node `{}`)", node_),
-                "the training diverged: export a policy that works");
-  }
-
-  /// ONNX's order of gates becomes torch's.
-  bool add(const OnnxRecurrence& work) {
+  /// The order of the file's gates becomes the runtime's.
+  bool add(const NetRecurrence& work) {
     Layer& layer = add_form(Recurrence{work.is_lstm, {}, {}});
     auto& cell = std::get<Recurrence>(layer.form);
     const std::size_t gates = cell.gates();
@@ -249,16 +208,15 @@ class LayerBuilder {
     const auto half = bias.begin() + static_cast<std::ptrdiff_t>(bias.size() / 2);
     layer.bias.assign(bias.begin(), half);
     cell.hidden_bias.assign(half, bias.end());
-    constexpr std::array<std::size_t, 4> kLstm = {0, 2, 3, 1};  // torch's i, f, g, o in i, o, f, c
-    constexpr std::array<std::size_t, 4> kGru = {1, 0, 2, 3};   // r, z, n in z, r, h
     for (auto* values : {&layer.weights, &layer.bias, &cell.hidden_weights, &cell.hidden_bias}) {
-      *values = gates_in_order(*values, gates, work.is_lstm ? kLstm : kGru);
+      *values = gates_in_order(*values, gates, work.gates);
     }
     return true;
   }
 
   static std::vector<float> gates_in_order(const std::vector<float>& values, std::size_t gates,
-                                           const std::array<std::size_t, 4>& order) {
+                                           const std::array<std::uint8_t, 4>& order) {
+    if (std::ranges::is_sorted(order)) return values;
     const std::size_t size = values.size() / gates;
     std::vector<float> result;
     result.reserve(values.size());
@@ -269,8 +227,7 @@ class LayerBuilder {
     return result;
   }
 
-  template <class Form>
-  Layer& add_form(Form form) {
+  Layer& add_form(LayerForm form) {
     Layer layer;
     layer.takes = takes_;
     layer.inputs = count_;
@@ -279,8 +236,8 @@ class LayerBuilder {
     layers_.push_back(std::move(layer));
     return layers_.back();
   }
-  void use(const OnnxConstant& constant) { used_.insert(constant.tensor); }
-  bool read(const OnnxConstant& constant, std::vector<float>& values) {
+  void use(const NetConstant& constant) { used_.insert(constant.tensor); }
+  bool read(const NetConstant& constant, std::vector<float>& values) {
     auto numbers = read_floats(constant, problem_);
     if (!numbers) return false;
     use(constant);
@@ -292,7 +249,7 @@ class LayerBuilder {
   std::uint32_t count_ = 0;  // values before the step
   std::uint32_t after_ = 0;  // and after it
   std::string node_;
-  std::unordered_set<const onnx::TensorProto*>& used_;
+  std::unordered_set<const NetTensor*>& used_;
   PolicyProblem& problem_;
   std::vector<Layer> layers_;
   std::vector<std::int32_t> takes_;  // values that the step takes
@@ -302,7 +259,7 @@ class LayerBuilder {
 
 }  // namespace
 
-std::optional<std::vector<std::int32_t>> steps_to(const std::vector<OnnxStep>& steps,
+std::optional<std::vector<std::int32_t>> steps_to(const std::vector<NetStep>& steps,
                                                   std::int32_t last, PolicyProblem& problem) {
   std::set<std::int32_t> found;
   std::vector<std::int32_t> open = {last};
@@ -311,7 +268,7 @@ std::optional<std::vector<std::int32_t>> steps_to(const std::vector<OnnxStep>& s
     const std::int32_t index = open.back();
     open.pop_back();
     if (index < 0 || !found.insert(index).second) continue;
-    const OnnxStep& step = steps[static_cast<std::size_t>(index)];
+    const NetStep& step = steps[static_cast<std::size_t>(index)];
     parameters += parameters_of(step) + static_cast<std::int64_t>(step.more.size());
     if (parameters > kMaxParameters || found.size() > 2 * kMaxLayers) {
       return refuse(
@@ -325,24 +282,24 @@ std::optional<std::vector<std::int32_t>> steps_to(const std::vector<OnnxStep>& s
   return std::vector<std::int32_t>(found.begin(), found.end());
 }
 
-std::optional<std::vector<Layer>> make_layers(const std::vector<OnnxStep>& steps, std::int32_t last,
+std::optional<std::vector<Layer>> make_layers(const std::vector<NetStep>& steps, std::int32_t last,
                                               std::uint32_t inputs,
-                                              std::unordered_set<const onnx::TensorProto*>& used,
+                                              std::unordered_set<const NetTensor*>& used,
                                               PolicyProblem& problem) {
   const auto path = steps_to(steps, last, problem);
   if (!path) return std::nullopt;
   std::map<std::int32_t, int> takers;
   for (const std::int32_t index : *path) {
-    const OnnxStep& step = steps[static_cast<std::size_t>(index)];
+    const NetStep& step = steps[static_cast<std::size_t>(index)];
     ++takers[step.before];
     for (const std::int32_t other : step.more) ++takers[other];
   }
   LayerBuilder builder(inputs, used, problem);
   bool computes = false;
   for (const std::int32_t index : *path) {
-    const OnnxStep& step = steps[static_cast<std::size_t>(index)];
+    const NetStep& step = steps[static_cast<std::size_t>(index)];
     if (!builder.add(index, step, takers[step.before] > 1)) return std::nullopt;
-    computes = computes || !std::holds_alternative<Reorder>(step.what);
+    computes = computes || step.form<Reorder>() == nullptr;
   }
   if (!computes) {
     problem = {"E0620", "has no layer between its input and its action", kLayersHelp};

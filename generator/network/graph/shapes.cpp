@@ -5,45 +5,38 @@
 #include <numeric>
 #include <utility>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
+using Kind = NetValue::Kind;
 
 }  // namespace
 
-OnnxValue integers_value(Integers integers, Dims shape) {
-  OnnxValue value;
+NetValue integers_value(Integers integers, Dims shape) {
+  NetValue value;
   value.kind = Kind::integers;
   value.shape = std::move(shape);
   value.integers = std::move(integers);
   return value;
 }
 
-OnnxValue integers_value(Integers integers) {
+NetValue integers_value(Integers integers) {
   Dims shape = {static_cast<std::int64_t>(integers.size())};
   return integers_value(std::move(integers), std::move(shape));
 }
 
-namespace {
-
-OnnxValue constant_value(const OnnxCall& call, const onnx::TensorProto& tensor) {
-  PolicyProblem problem;
-  const std::optional<OnnxConstant> constant = make_constant(tensor, problem);
-  if (!constant) return call.other(problem);
-  OnnxValue value;
+NetValue constant_value(const NetTensor& tensor) {
+  NetValue value;
   value.kind = Kind::constant;
-  value.shape = constant->dims;
-  value.constant = *constant;
+  value.shape = tensor.dims;
+  value.constant = {&tensor, tensor.dims, false};
   return value;
 }
 
-}  // namespace
-
-OnnxValue reshaped(const OnnxCall& call, const OnnxValue& x, const std::optional<Dims>& shape) {
-  if (!shape || !x.shape || shape->size() > kMaxOnnxRank ||
+NetValue reshaped(const NetCall& call, const NetValue& x, const std::optional<Dims>& shape) {
+  if (!shape || !x.shape || shape->size() > kMaxRank ||
       element_count(*shape) != element_count(*x.shape)) {
     return call.misused("that changes the number of values", shape);
   }
@@ -51,7 +44,7 @@ OnnxValue reshaped(const OnnxCall& call, const OnnxValue& x, const std::optional
   if (x.kind == Kind::constant && x.constant.transposed) {
     return call.misused("on a transposed constant", shape);
   }
-  OnnxValue value = x;
+  NetValue value = x;
   value.shape = shape;
   if (value.kind == Kind::constant) value.constant.dims = *shape;
   return value;
@@ -59,98 +52,89 @@ OnnxValue reshaped(const OnnxCall& call, const OnnxValue& x, const std::optional
 
 namespace {
 
-OnnxValue identity(const OnnxCall& call) {
+NetValue identity(const NetCall& call) {
   if (call.input(0).kind == Kind::absent) return call.misused("without an input");
   return call.input(0);
 }
 
-std::string name_of_type(std::int64_t type) {
-  const int number = type > 0 && type < 100 ? static_cast<int>(type) : 0;
-  return onnx::TensorProto::DataType_IsValid(number)
-             ? onnx::TensorProto::DataType_Name(static_cast<onnx::TensorProto::DataType>(number))
-             : "an unknown type";
+std::string_view shown_type(std::int64_t type) {
+  return onnx_type_name(type > 0 && type < 100 ? type : 0).value_or("an unknown type");
 }
 
 /// Integers become reals where they can be read as such: what is calculated from them afterwards
 /// is not rounded. In half precision it would be, and in short integers they would wrap.
-OnnxValue cast_integers(const OnnxCall& call, const Integers& integers, std::int64_t to) {
-  const OnnxValue& x = call.input(0);
-  if (to == onnx::TensorProto::FLOAT || to == onnx::TensorProto::DOUBLE) {
+NetValue cast_integers(const NetCall& call, const Integers& integers, std::int64_t to) {
+  const NetValue& x = call.input(0);
+  if (to == onnx_number(ElementType::float32) || to == onnx_number(ElementType::float64)) {
     if (!call.spend(static_cast<std::int64_t>(integers.size()))) return call.too_much();
     return made_constant(call, {integers.begin(), integers.end()}, *x.shape);
   }
-  const bool stays = to == onnx::TensorProto::INT64 || to == onnx::TensorProto::INT32;
-  const bool is_truth = to == onnx::TensorProto::BOOL;
+  const bool narrows = to == onnx_number(ElementType::int32);
+  const bool stays = narrows || to == onnx_number(ElementType::int64);
+  const bool is_truth = to == onnx_number(ElementType::boolean);
   if (!stays && !is_truth) {
-    return call.misused(fmt::format("to {}", name_of_type(to)), x.shape);
+    return call.misused(fmt::format("to {}", shown_type(to)), x.shape);
   }
   Integers result = integers;
   for (std::int64_t& value : result) {
     if (is_truth) value = value != 0 ? 1 : 0;
     const auto narrow = static_cast<std::int32_t>(value);
-    if (to == onnx::TensorProto::INT32 && narrow != value) {
+    if (narrows && narrow != value) {
       return call.misused("of a number that does not fit", x.shape);
     }
   }
   return integers_value(std::move(result), *x.shape);
 }
 
-OnnxValue cast_to(const OnnxCall& call, std::int64_t to) {
-  const OnnxValue& x = call.input(0);
+NetValue cast_to(const NetCall& call, std::int64_t to) {
+  const NetValue& x = call.input(0);
   if (x.kind == Kind::absent) return call.misused("without an input");
   if (const auto integers = integers_of(x); integers && x.shape) {
     return cast_integers(call, *integers, to);
   }
-  if (x.kind == Kind::data && to == onnx::TensorProto::BOOL) {
+  if (x.kind == Kind::data && to == onnx_number(ElementType::boolean)) {
     if (const auto condition = condition_of(call, x)) return *condition;
   }
-  const bool is_real = x.kind == Kind::constant && to != x.constant.tensor->data_type() &&
-                       to != onnx::TensorProto::DOUBLE;  // else its numbers are rounded
-  if ((x.kind == Kind::data || is_real) && to != onnx::TensorProto::FLOAT) {
-    return call.misused(fmt::format("to {}", name_of_type(to)), x.shape);
+  const bool is_real = x.kind == Kind::constant && to != onnx_number(x.constant.tensor->type) &&
+                       to != onnx_number(ElementType::float64);  // else its numbers are rounded
+  if ((x.kind == Kind::data || is_real) && to != onnx_number(ElementType::float32)) {
+    return call.misused(fmt::format("to {}", shown_type(to)), x.shape);
   }
   return x;
 }
 
-OnnxValue cast(const OnnxCall& call) {
+NetValue cast(const NetCall& call) {
   return cast_to(call, call.integer("to", 0));
 }
 
 /// To the type of the second input.
-OnnxValue cast_like(const OnnxCall& call) {
-  const OnnxValue& like = call.input(1);
-  if (like.kind == Kind::data) return cast_to(call, onnx::TensorProto::FLOAT);
-  if (like.kind == Kind::constant) return cast_to(call, like.constant.tensor->data_type());
+NetValue cast_like(const NetCall& call) {
+  const NetValue& like = call.input(1);
+  if (like.kind == Kind::data) return cast_to(call, onnx_number(ElementType::float32));
+  if (like.kind == Kind::constant) return cast_to(call, onnx_number(like.constant.tensor->type));
   return call.misused("to an unknown type", call.input(0).shape);
 }
 
-OnnxValue constant(const OnnxCall& call) {
-  if (const auto* value = call.attribute("value"); value != nullptr && value->has_t()) {
-    return constant_value(call, value->t());
+NetValue constant(const NetCall& call) {
+  if (const auto* tensor = call.attribute("value"); tensor != nullptr && tensor->value) {
+    const NetValue& value = *tensor->value;
+    return value.kind == Kind::other ? call.other(value.problem) : value;
   }
-  if (const auto* ints = call.attribute("value_ints"); ints != nullptr) {
-    return integers_value({ints->ints().begin(), ints->ints().end()});
+  if (const auto* list = call.attribute("value_ints"); list != nullptr) {
+    return integers_value(list->integers());
   }
-  if (const auto* integer = call.attribute("value_int"); integer != nullptr) {
-    return integers_value({integer->i()}, {});
+  if (call.attribute("value_int") != nullptr) return integers_value({call.integer("value_int", 0)}, {});
+  if (call.attribute("value_float") != nullptr) {
+    return made_constant(call, call.real("value_float", 0.0F));
   }
-  onnx::TensorProto tensor;
-  tensor.set_name(call.node().output_size() > 0 ? call.node().output(0) : "");
-  tensor.set_data_type(onnx::TensorProto::FLOAT);
-  if (const auto* number = call.attribute("value_float"); number != nullptr) {
-    tensor.add_float_data(number->f());
-  } else if (const auto* numbers = call.attribute("value_floats"); numbers != nullptr) {
-    tensor.add_dims(numbers->floats_size());
-    *tensor.mutable_float_data() = numbers->floats();
-  } else {
-    return call.misused("whose value is not a plain tensor");
+  if (const auto* list = call.attribute("value_floats"); list != nullptr) {
+    return made_constant(call, list->reals, {static_cast<std::int64_t>(list->reals.size())});
   }
-  call.state().made.push_back(std::move(tensor));
-  return constant_value(call, call.state().made.back());
+  return call.misused("whose value is not a plain tensor");
 }
 
-OnnxValue flatten(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue flatten(const NetCall& call) {
+  const NetValue& x = call.input(0);
   std::optional<Dims> shape;
   if (x.shape) {
     const auto rank = static_cast<std::int64_t>(x.shape->size());
@@ -191,8 +175,8 @@ std::optional<Dims> resolve_shape(const Dims& from, Dims wanted, bool allow_zero
   return wanted;
 }
 
-OnnxValue reshape(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue reshape(const NetCall& call) {
+  const NetValue& x = call.input(0);
   const std::optional<Integers> wanted = call.integers(1, "shape");
   if (!wanted || !x.shape) return call.misused("to a shape that is not constant");
   return reshaped(call, x, resolve_shape(*x.shape, *wanted, call.integer("allowzero", 0) != 0));
@@ -200,9 +184,9 @@ OnnxValue reshape(const OnnxCall& call) {
 
 /// Axes of a Squeeze or Unsqueeze, sorted, counted from the front; nothing if they are out of
 /// range.
-std::optional<Integers> axes_of(const OnnxCall& call, std::size_t rank) {
+std::optional<Integers> axes_of(const NetCall& call, std::size_t rank) {
   std::optional<Integers> axes = call.integers(1, "axes");
-  if (!axes || axes->size() > kMaxOnnxRank) return std::nullopt;
+  if (!axes || axes->size() > kMaxRank) return std::nullopt;
   for (std::int64_t& axis : *axes) {
     const auto limit = static_cast<std::int64_t>(rank);
     if (axis < -limit || axis >= limit) return std::nullopt;
@@ -212,8 +196,8 @@ std::optional<Integers> axes_of(const OnnxCall& call, std::size_t rank) {
   return axes;
 }
 
-OnnxValue squeeze(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue squeeze(const NetCall& call) {
+  const NetValue& x = call.input(0);
   if (!x.shape) return reshaped(call, x, std::nullopt);
   const std::optional<Integers> axes = axes_of(call, x.shape->size());
   const bool all = call.input(1).kind == Kind::absent && call.attribute("axes") == nullptr;
@@ -227,10 +211,10 @@ OnnxValue squeeze(const OnnxCall& call) {
   return reshaped(call, x, shape);
 }
 
-OnnxValue unsqueeze(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue unsqueeze(const NetCall& call) {
+  const NetValue& x = call.input(0);
   const std::optional<Integers> given = call.integers(1, "axes");
-  if (!x.shape || !given || given->size() > kMaxOnnxRank) {
+  if (!x.shape || !given || given->size() > kMaxRank) {
     return call.misused("with axes that are not constant");
   }
   const std::optional<Integers> axes = axes_of(call, x.shape->size() + given->size());
@@ -243,8 +227,8 @@ OnnxValue unsqueeze(const OnnxCall& call) {
   return reshaped(call, x, shape);
 }
 
-OnnxValue expand(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue expand(const NetCall& call) {
+  const NetValue& x = call.input(0);
   const std::optional<Integers> wanted = call.integers(1, "shape");
   if (!wanted || !x.shape) return call.misused("to a shape that is not constant");
   const auto shape = broadcast(x.shape, Dims(*wanted));
@@ -256,7 +240,7 @@ OnnxValue expand(const OnnxCall& call) {
                    *shape);
 }
 
-OnnxValue shape_of(const OnnxCall& call) {
+NetValue shape_of(const NetCall& call) {
   const std::optional<Dims>& shape = call.input(0).shape;
   if (!shape) return call.misused("of an unknown shape");
   const auto rank = static_cast<std::int64_t>(shape->size());
@@ -269,32 +253,69 @@ OnnxValue shape_of(const OnnxCall& call) {
   return integers_value({shape->begin() + start, shape->begin() + end});
 }
 
-OnnxValue constant_of_shape(const OnnxCall& call) {
+NetValue constant_of_shape(const NetCall& call) {
   std::optional<Dims> shape = integers_of(call.input(0));
-  if (shape && (shape->size() > kMaxOnnxRank || !element_count(*shape))) shape.reset();
-  OnnxValue made = call.misused("on the way to the action", std::move(shape));
-  const onnx::AttributeProto* value = call.attribute("value");
-  PolicyProblem ignored;
-  const auto constant = value != nullptr ? make_constant(value->t(), ignored) : std::nullopt;
-  const auto numbers = constant ? read_floats(*constant, ignored) : std::nullopt;
-  made.is_zero = value == nullptr || (numbers && numbers->size() == 1 && numbers->front() == 0.0F);
+  if (shape && (shape->size() > kMaxRank || !element_count(*shape))) shape.reset();
+  NetValue made = call.misused("on the way to the action", std::move(shape));
+  const NetAttribute* filling = call.attribute("value");
+  made.is_zero =
+      filling == nullptr || (filling->value && scalar_of(*filling->value) == 0.0F);
   return made;
+}
+
+std::int64_t count_between(const Dims& dims, std::int64_t first, std::int64_t last) {
+  return element_count(Dims(dims.begin() + first, dims.begin() + last)).value_or(0);
+}
+
+/// [time, 1, n] to rows is harmless; to [1, time * n] is not.
+std::optional<TimeMask> time_of_flatten(const NetCall& call, const NetValue& /*result*/) {
+  const NetValue& x = call.input(0);
+  const std::int64_t axis = from_front(call.integer("axis", 1), rank_of(x));
+  TimeMask mask = 0;
+  for (std::int64_t i = 0; i < rank_of(x); ++i) {
+    if (has_time(x.time, i)) mask |= time_bit(i < axis ? 0 : 1);
+  }
+  return mask;
+}
+
+/// The time may become any axis of size 1 behind as many values as before that is not a 1 of the
+/// file itself: one that is copied (0), the rest (-1), or computed from a shape.
+std::optional<TimeMask> time_of_reshape(const NetCall& call, const NetValue& result) {
+  const NetValue& x = call.input(0);
+  const Integers wanted = call.integers(1, "shape").value_or(Integers{});
+  const bool computed = call.input(1).kind == Kind::integers;
+  TimeMask mask = 0;
+  for (std::int64_t from = 0; from < rank_of(x); ++from) {
+    if (!has_time(x.time, from)) continue;
+    TimeMask places = 0;
+    for (std::int64_t to = 0; to < rank_of(result); ++to) {
+      const std::int64_t size = wanted.at(static_cast<std::size_t>(to));
+      const bool open = size == 0 ? to == from : (size == -1 || computed);
+      if (open && (*result.shape)[static_cast<std::size_t>(to)] == 1 &&
+          count_between(*result.shape, 0, to) == count_between(*x.shape, 0, from)) {
+        places |= time_bit(to);
+      }
+    }
+    if (places == 0) return std::nullopt;
+    mask |= places;
+  }
+  return mask;
 }
 
 }  // namespace
 
-std::vector<OnnxOperatorEntry> shape_operators() {
-  return {{"Identity", identity},
-          {"Cast", cast},
-          {"CastLike", cast_like},
-          {"Constant", constant},
-          {"Flatten", flatten},
-          {"Reshape", reshape},
-          {"Squeeze", squeeze},
-          {"Expand", expand},
-          {"Unsqueeze", unsqueeze},
-          {"Shape", shape_of},
-          {"ConstantOfShape", constant_of_shape}};
+std::vector<NetOperator> shape_operators() {
+  return {{"Identity", identity, time_of_each},
+          {"Cast", cast, time_of_each},
+          {"CastLike", cast_like, time_of_each},
+          {"Constant", constant, nullptr},
+          {"Flatten", flatten, time_of_flatten},
+          {"Reshape", reshape, time_of_reshape},
+          {"Squeeze", squeeze, time_of_squeeze},
+          {"Expand", expand, time_of_each},
+          {"Unsqueeze", unsqueeze, time_of_unsqueeze},
+          {"Shape", shape_of, nullptr},
+          {"ConstantOfShape", constant_of_shape, nullptr}};
 }
 
 }  // namespace eagerx::gen

@@ -2,13 +2,13 @@
 // opset 20. Each operator recognises the next part; the last one becomes one step.
 #include <cmath>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
-using Role = OnnxPart::Role;
+using Kind = NetValue::Kind;
+using Role = NetPart::Role;
 using Operation = Elementwise::Operation;
 
 constexpr float kSqrtTwo = 1.41421356F;
@@ -23,80 +23,78 @@ bool near(const std::optional<float>& value, float wanted) {
 /// What an input is to a formula: a part of one, the data itself, a number.
 class Formula {
  public:
-  explicit Formula(const OnnxCall& call)
-      : call_(call), a_(call.input(0)), b_(call.input(1)), type_(call.node().op_type()) {}
+  explicit Formula(const NetCall& call) : call_(call), a_(call.input(0)), b_(call.input(1)) {}
 
-  std::optional<OnnxValue> next() {
-    if (type_ != "Add" && type_ != "Sub" && type_ != "Mul" && type_ != "Div" && type_ != "Pow") {
-      return of_one();
+  std::optional<NetValue> next(NetFormula what) {
+    switch (what) {
+      case NetFormula::root:
+        return is(a_, Role::variance) ? change(a_, Role::deviation) : std::nullopt;
+      case NetFormula::erf:
+        return erf();
+      case NetFormula::tanh:
+        return is(a_, Role::gelu_inner) ? by_tanh() : std::nullopt;
+      case NetFormula::mean:
+        return mean();
+      default:
+        break;
     }
     const std::optional<Dims> shape = broadcast(a_.shape, b_.shape);
     if (!shape || !is_each_with_each(*shape)) return std::nullopt;
-    auto value = of_two();
+    auto value = of_two(what);
     if (value && value->shape) value->shape = shape;
     return value;
   }
 
  private:
-  using Result = std::optional<OnnxValue>;
+  using Result = std::optional<NetValue>;
 
   /// Number by number, or all with the same one: no outer product of a row and a column.
   bool is_each_with_each(const Dims& shape) const {
     const auto count = element_count(shape);
     return count == element_count(*a_.shape) || count == element_count(*b_.shape);
   }
-  Result of_two() const {
-    if (type_ == "Add") return add();
-    if (type_ == "Sub") return subtract();
-    if (type_ == "Mul") return multiply();
-    if (type_ == "Div") return divide();
+  Result of_two(NetFormula what) const {
+    if (what == NetFormula::sum) return add();
+    if (what == NetFormula::difference) return subtract();
+    if (what == NetFormula::product) return multiply();
+    if (what == NetFormula::quotient) return divide();
     return power();
   }
-  Result of_one() const {
-    if (type_ == "Sqrt") return is(a_, Role::variance) ? change(a_, Role::deviation) : std::nullopt;
-    if (type_ == "Erf") return erf();
-    if (type_ == "Tanh" && is(a_, Role::gelu_inner)) return by_tanh();
-    if (type_ == "ReduceMean") return mean();
-    return std::nullopt;
-  }
 
-  static bool is(const OnnxValue& value, Role role) {
+  static bool is(const NetValue& value, Role role) {
     return value.kind == Kind::other && value.part.role == role;
   }
-  static bool is_data(const OnnxValue& value) { return value.kind == Kind::data; }
+  static bool is_data(const NetValue& value) { return value.kind == Kind::data; }
   /// The part and the other input, in any order.
-  bool pick(Role role, const OnnxValue*& part, const OnnxValue*& rest) const {
+  bool pick(Role role, const NetValue*& part, const NetValue*& rest) const {
     if (!is(a_, role) && !is(b_, role)) return false;
     part = is(a_, role) ? &a_ : &b_;
     rest = is(a_, role) ? &b_ : &a_;
     return true;
   }
-  const OnnxStep* step_of(const OnnxValue& data) const {
-    return data.step < 0 ? nullptr : &call_.state().steps[static_cast<std::size_t>(data.step)];
-  }
   /// Data that is x times (or divided by) a number: the step of x.
-  bool is_scaled(const OnnxValue& data, Elementwise::Operation operation, float number,
+  bool is_scaled(const NetValue& data, Elementwise::Operation operation, float number,
                  std::int32_t& before) const {
-    const OnnxStep* step = is_data(data) ? step_of(data) : nullptr;
-    const auto* work = step != nullptr ? std::get_if<OnnxElementwise>(&step->what) : nullptr;
+    const NetStep* step = is_data(data) ? call_.step_of(data) : nullptr;
+    const auto* work = step != nullptr ? step->form<Elementwise>() : nullptr;
     if (work == nullptr || work->operation != operation) return false;
-    OnnxValue constant;
+    NetValue constant;
     constant.kind = Kind::constant;
-    constant.constant = work->constant;
+    constant.constant = *std::get<NetLayer>(step->what).bias;
     before = step->before;
     return near(scalar_of(constant), number);
   }
 
   /// Should the action depend on a part alone, this is what is wrong with it.
-  OnnxValue part(Role role, std::int32_t of, const std::optional<Dims>& shape) const {
-    OnnxValue value = call_.misused("that is not a part of a LayerNorm or a gelu", shape);
+  NetValue part(Role role, std::int32_t of, const std::optional<Dims>& shape) const {
+    NetValue value = call_.misused("that is not a part of a LayerNorm or a gelu", shape);
     value.problem = {"E0613", "has " + call_.who() + " that is not a part of a LayerNorm or a gelu",
                      "export the actor alone, layer by layer"};
     value.part = {role, of, false, 0.0F};
     return value;
   }
-  Result change(const OnnxValue& from, Role role) const {
-    OnnxValue value = part(role, from.part.of, from.shape);
+  Result change(const NetValue& from, Role role) const {
+    NetValue value = part(role, from.part.of, from.shape);
     value.part.by_tanh = from.part.by_tanh;
     value.part.epsilon = from.part.epsilon;
     return value;
@@ -112,7 +110,7 @@ class Formula {
                       element_count(dims) == dims.back() && call_.integer("keepdims", 1) != 0;
     if (!last) return std::nullopt;
     if (is(a_, Role::centred_square)) return change(a_, Role::variance);
-    OnnxValue value = part(Role::mean, a_.step, Dims(dims.size(), 1));
+    NetValue value = part(Role::mean, a_.step, Dims(dims.size(), 1));
     return value;
   }
   Result subtract() const {
@@ -130,7 +128,7 @@ class Formula {
     if (!is(a_, Role::centred) || !is(b_, Role::deviation) || a_.part.of != b_.part.of) {
       return std::nullopt;
     }
-    return call_.data_after(a_.part.of, OnnxNorm{std::nullopt, std::nullopt, b_.part.epsilon},
+    return call_.data_after(a_.part.of, NetNorm{std::nullopt, std::nullopt, b_.part.epsilon},
                             *a_.shape);
   }
   Result erf() const {
@@ -142,14 +140,14 @@ class Formula {
     return part(Role::erf, before, a_.shape);
   }
   Result by_tanh() const {
-    OnnxValue value = part(Role::erf, a_.part.of, a_.shape);
+    NetValue value = part(Role::erf, a_.part.of, a_.shape);
     value.part.by_tanh = true;
     return value;
   }
 
   Result add() const {
-    const OnnxValue* found = nullptr;
-    const OnnxValue* rest = nullptr;
+    const NetValue* found = nullptr;
+    const NetValue* rest = nullptr;
     if (pick(Role::variance, found, rest)) {
       const auto epsilon = scalar_of(*rest);
       if (!epsilon || *epsilon < 0.0F) return std::nullopt;
@@ -163,12 +161,12 @@ class Formula {
     if (pick(Role::cubic, found, rest) && is_data(*rest) && rest->step == found->part.of) {
       return change(*found, Role::gelu_sum);
     }
-    return is_data(a_) ? parameter_of_norm(a_, b_) : parameter_of_norm(b_, a_);
+    return is_data(a_) ? parameter_of_norm(a_, b_, false) : parameter_of_norm(b_, a_, false);
   }
 
   Result multiply() const {
-    const OnnxValue* found = nullptr;
-    const OnnxValue* rest = nullptr;
+    const NetValue* found = nullptr;
+    const NetValue* rest = nullptr;
     const auto of_x = [&] { return is_data(*rest) && rest->step == found->part.of; };
     if (is(a_, Role::centred) && is(b_, Role::centred) && a_.part.of == b_.part.of) {
       return change(a_, Role::centred_square);
@@ -188,9 +186,9 @@ class Formula {
     if (pick(Role::twice_gelu, found, rest) && near(scalar_of(*rest), 0.5F)) {
       return gelu(*found, *found->shape);
     }
-    return is_data(a_) ? parameter_of_norm(a_, b_) : parameter_of_norm(b_, a_);
+    return is_data(a_) ? parameter_of_norm(a_, b_, true) : parameter_of_norm(b_, a_, true);
   }
-  Result from_one_plus_erf(const OnnxValue& found, const OnnxValue& rest) const {
+  Result from_one_plus_erf(const NetValue& found, const NetValue& rest) const {
     if (near(scalar_of(rest), 0.5F)) return change(found, Role::half_plus_erf);
     if (is_data(rest) && rest.step == found.part.of) return change(found, Role::twice_gelu);
     std::int32_t before = -1;
@@ -200,37 +198,35 @@ class Formula {
     }
     return std::nullopt;
   }
-  Result gelu(const OnnxValue& found, const Dims& shape) const {
+  Result gelu(const NetValue& found, const Dims& shape) const {
     const Activation kind = found.part.by_tanh ? Activation::gelu_tanh : Activation::gelu;
-    return call_.data_after(found.part.of, OnnxActivation{kind}, shape);
+    return call_.data_after(found.part.of, NetActivation{kind}, shape);
   }
 
   /// gamma or beta of a LayerNorm that has none yet.
-  Result parameter_of_norm(const OnnxValue& data, const OnnxValue& constant) const {
-    const OnnxStep* step = is_data(data) ? step_of(data) : nullptr;
-    const auto* work = step != nullptr ? std::get_if<OnnxNorm>(&step->what) : nullptr;
+  Result parameter_of_norm(const NetValue& data, const NetValue& constant, bool is_gamma) const {
+    const NetStep* step = is_data(data) ? call_.step_of(data) : nullptr;
+    const auto* work = step != nullptr ? std::get_if<NetNorm>(&step->what) : nullptr;
     if (work == nullptr || work->beta || constant.kind != Kind::constant ||
         constant.constant.transposed || element_count(constant.constant.dims) != step->count ||
         !broadcast(data.shape, constant.shape)) {
       return std::nullopt;
     }
-    OnnxNorm norm = *work;
-    const bool is_gamma = type_ == "Mul";
+    NetNorm norm = *work;
     if (is_gamma && norm.gamma) return std::nullopt;
     (is_gamma ? norm.gamma : norm.beta) = constant.constant;
     return call_.data_after(step->before, std::move(norm), *data.shape);
   }
 
-  const OnnxCall& call_;
-  const OnnxValue& a_;
-  const OnnxValue& b_;
-  const std::string& type_;
+  const NetCall& call_;
+  const NetValue& a_;
+  const NetValue& b_;
 };
 
 }  // namespace
 
-std::optional<OnnxValue> part_of_formula(const OnnxCall& call) {
-  return Formula(call).next();
+std::optional<NetValue> part_of_formula(const NetCall& call, NetFormula next) {
+  return Formula(call).next(next);
 }
 
 }  // namespace eagerx::gen

@@ -3,32 +3,28 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
+using Kind = NetValue::Kind;
 
 /// Whether the activations are those that the operator has if nothing is said.
-bool usual_activations(const OnnxCall& call, bool is_lstm) {
-  const onnx::AttributeProto* given = call.attribute("activations");
-  if (given == nullptr || given->strings_size() == 0) return true;
-  constexpr std::array kUsual = {"Sigmoid", "Tanh", "Tanh"};
-  const int count = is_lstm ? 3 : 2;
-  if (given->strings_size() != count) return false;
-  for (int i = 0; i < count; ++i) {
-    if (given->strings(i) != kUsual.at(static_cast<std::size_t>(i))) return false;
-  }
-  return true;
+bool usual_activations(const NetCall& call, bool is_lstm) {
+  const NetAttribute* given = call.attribute("activations");
+  if (given == nullptr || given->texts.empty()) return true;
+  constexpr std::array<std::string_view, 3> kUsual = {"Sigmoid", "Tanh", "Tanh"};
+  return std::ranges::equal(given->texts, std::span(kUsual).first(is_lstm ? 3 : 2));
 }
 
 /// What is unusual about the operator, or empty.
-std::string unusual(const OnnxCall& call, bool is_lstm) {
-  const onnx::AttributeProto* direction = call.attribute("direction");
-  if (direction != nullptr && !direction->s().empty() && direction->s() != "forward") {
+std::string unusual(const NetCall& call, bool is_lstm) {
+  const std::string_view direction = call.text("direction");
+  if (!direction.empty() && direction != "forward") {
     return "that does not run forward";
   }
   if (!usual_activations(call, is_lstm)) return "with other activations than Sigmoid and Tanh";
@@ -44,7 +40,7 @@ std::string unusual(const OnnxCall& call, bool is_lstm) {
 
 /// Whether a state is zeros. Its shape comes first and its values count: a file of a few bytes may
 /// name the same large tensor in each of many nodes.
-bool starts_at_zero(const OnnxCall& call, const OnnxValue& value, std::int64_t hidden) {
+bool starts_at_zero(const NetCall& call, const NetValue& value, std::int64_t hidden) {
   if (value.kind == Kind::absent || value.is_zero) return true;
   if (value.kind != Kind::constant || value.constant.dims != Dims{1, 1, hidden} ||
       !call.spend(hidden)) {
@@ -58,10 +54,10 @@ bool starts_at_zero(const OnnxCall& call, const OnnxValue& value, std::int64_t h
 
 class Recurrent {
  public:
-  Recurrent(const OnnxCall& call, bool is_lstm) : call_(call), is_lstm_(is_lstm) {}
+  Recurrent(const NetCall& call, bool is_lstm) : call_(call), is_lstm_(is_lstm) {}
 
-  OnnxValue run() {
-    const OnnxValue& x = call_.input(0);
+  NetValue run() {
+    const NetValue& x = call_.input(0);
     if (x.kind != Kind::data || x.shape->size() != 3 || (*x.shape)[0] != 1 || (*x.shape)[1] != 1) {
       return call_.misused("that does not take one observation at a time");
     }
@@ -71,6 +67,10 @@ class Recurrent {
       return call_.misused("with lengths of sequences that are not one step");
     }
     work_.is_lstm = is_lstm_;
+    if (call_.state().has_gates_of_onnx) {
+      work_.gates = is_lstm_ ? std::array<std::uint8_t, 4>{0, 2, 3, 1}  // i, f, g, o in i, o, f, c
+                             : std::array<std::uint8_t, 4>{1, 0, 2, 3};  // r, z, n in z, r, h
+    }
     if (auto problem = take_weights((*x.shape)[2])) return call_.other(*problem);
     if (auto problem = take_state(call_.input(5), work_.h)) return call_.other(*problem);
     if (is_lstm_) {
@@ -84,11 +84,11 @@ class Recurrent {
 
  private:
   std::optional<PolicyProblem> take_weights(std::int64_t inputs) {
-    const OnnxValue& w = call_.input(1);
-    const OnnxValue& r = call_.input(2);
-    const OnnxValue& b = call_.input(3);
+    const NetValue& w = call_.input(1);
+    const NetValue& r = call_.input(2);
+    const NetValue& b = call_.input(3);
     const std::int64_t gates = is_lstm_ ? 4 : 3;
-    const auto plain = [](const OnnxValue& value) {
+    const auto plain = [](const NetValue& value) {
       return value.kind == Kind::constant && !value.constant.transposed;
     };
     if (!plain(w) || !plain(r) || (b.kind != Kind::absent && !plain(b))) {
@@ -114,8 +114,8 @@ class Recurrent {
     return std::nullopt;
   }
 
-  std::optional<PolicyProblem> take_state(const OnnxValue& state,
-                                          std::optional<OnnxStateSource>& source) {
+  std::optional<PolicyProblem> take_state(const NetValue& state,
+                                          std::optional<NetStateSource>& source) {
     if (state.kind == Kind::state) {
       if (state.slots != 1 || state.shape != Dims{1, 1, hidden_}) {
         return PolicyProblem{"E0618",
@@ -142,27 +142,24 @@ class Recurrent {
                          "export it with its state as an input and an output"};
   }
 
-  const OnnxCall& call_;
+  const NetCall& call_;
   bool is_lstm_;
-  OnnxRecurrence work_;
+  NetRecurrence work_;
   std::int64_t hidden_ = 0;
 };
 
-OnnxValue gru(const OnnxCall& call) {
-  return Recurrent(call, false).run();
-}
-OnnxValue lstm(const OnnxCall& call) {
-  return Recurrent(call, true).run();
+template <bool IsLstm>
+NetValue cell(const NetCall& call) {
+  return Recurrent(call, IsLstm).run();
 }
 
-}  // namespace
-
-OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i) {
-  if (call.node().op_type() == "Split") return along_time(call, split_part(call, i));
-  const bool is_lstm = call.node().op_type() == "LSTM";
-  const bool is_state = (is_lstm && i <= 2) || (call.node().op_type() == "GRU" && i == 1);
-  if (!is_state || first.kind != Kind::data) return call.misused("whose second output is used");
-  OnnxValue value = first;
+/// The new state: h, and c of an LSTM.
+template <bool IsLstm>
+NetValue state_after(const NetCall& call, const NetValue& first, int i) {
+  if (i > (IsLstm ? 2 : 1) || first.kind != Kind::data) {
+    return call.misused("whose second output is used");
+  }
+  NetValue value = first;
   value.time = 0;  // the last step's
   if (i == 2) value = call.misused("whose cell state is used by another layer");
   value.shape = Dims{1, 1, first.shape->back()};
@@ -170,8 +167,11 @@ OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i) {
   return value;
 }
 
-std::vector<OnnxOperatorEntry> recurrent_operators() {
-  return {{"GRU", gru}, {"LSTM", lstm}};
+}  // namespace
+
+std::vector<NetOperator> recurrent_operators() {
+  return {{"GRU", cell<false>, time_of_cell, {}, false, state_after<false>},
+          {"LSTM", cell<true>, time_of_cell, {}, false, state_after<true>}};
 }
 
 }  // namespace eagerx::gen

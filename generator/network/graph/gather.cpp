@@ -2,15 +2,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
+using Kind = NetValue::Kind;
 
 /// The values at `which` along an axis, in that order.
-OnnxValue picked_by_list(const OnnxCall& call, const OnnxValue& x, std::size_t axis,
+NetValue picked_by_list(const NetCall& call, const NetValue& x, std::size_t axis,
                          const Integers& which) {
   Dims shape = *x.shape;
   const std::int64_t size = shape[axis];
@@ -34,31 +34,29 @@ OnnxValue picked_by_list(const OnnxCall& call, const OnnxValue& x, std::size_t a
 }
 
 /// The places that a Gather picks, which may be many.
-std::optional<Integers> places_of(const OnnxCall& call, const OnnxValue& value) {
+std::optional<Integers> places_of(const NetCall& call, const NetValue& value) {
   constexpr std::int64_t kMost = 4096;
   if (value.kind != Kind::constant || !call.spend(kMost)) return integers_of(value);
   return read_integers(value.constant, kMost);
 }
 
-OnnxValue gather_values(const OnnxCall& call, const OnnxValue& x) {
+NetValue gather_values(const NetCall& call, const NetValue& x) {
   const std::optional<Integers> which = places_of(call, call.input(1));
-  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
-  std::int64_t axis = call.integer("axis", 0);
-  if (axis < 0) axis += rank;
+  const auto axis = call.axis(x.shape ? x.shape->size() : 0);
   const std::optional<Dims>& form = call.input(1).shape;
   const bool one = which && which->size() == 1 && form && form->size() <= 1;
   const bool has_many = x.kind == Kind::data && which && which->size() > 1 && form &&
-                        form->size() == 1 && axis >= 0 && axis < rank;
-  if (has_many) return picked_by_list(call, x, static_cast<std::size_t>(axis), *which);
-  if (!one || axis < 0 || axis >= rank) return call.misused("of several values");
-  const std::int64_t size = (*x.shape)[static_cast<std::size_t>(axis)];
+                        form->size() == 1 && axis;
+  if (has_many) return picked_by_list(call, x, *axis, *which);
+  if (!one || !axis) return call.misused("of several values");
+  const std::int64_t size = (*x.shape)[*axis];
   const std::int64_t index = which->front() < 0 ? which->front() + size : which->front();
   if (index < 0 || index >= size) return call.misused("with an index that is not there");
-  return picked(call, x, static_cast<std::size_t>(axis), index, 1, 1, !form->empty());
+  return picked(call, x, *axis, index, 1, 1, !form->empty());
 }
 
-OnnxValue gather(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue gather(const NetCall& call) {
+  const NetValue& x = call.input(0);
   if (x.kind == Kind::data || x.kind == Kind::state || !x.remembered.empty()) {
     return gather_values(call, x);
   }
@@ -78,10 +76,20 @@ OnnxValue gather(const OnnxCall& call) {
   return integers_value(std::move(picked), *call.input(1).shape);
 }
 
+/// The last step is the one that is evaluated.
+std::optional<TimeMask> time_of_gather(const NetCall& call, const NetValue& result) {
+  const NetValue& x = call.input(0);
+  const std::int64_t axis = from_front(call.integer("axis", 0), rank_of(x));
+  const auto which = integers_of(call.input(1));
+  if (has_time(x.time, axis) && which != Integers{-1}) return std::nullopt;
+  const TimeMask rest = x.time & ~time_bit(axis);
+  return rank_of(result) < rank_of(x) ? without_axis(rest, axis) : rest;
+}
+
 }  // namespace
 
-std::vector<OnnxOperatorEntry> gather_operators() {
-  return {{"Gather", gather}};
+std::vector<NetOperator> gather_operators() {
+  return {{"Gather", gather, time_of_gather}};
 }
 
 }  // namespace eagerx::gen

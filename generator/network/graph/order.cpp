@@ -2,18 +2,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
-#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
+using Kind = NetValue::Kind;
 
 /// Integers with one axis, as those of a shape.
-bool is_list(const OnnxValue& integers) {
+bool is_list(const NetValue& integers) {
   return integers.shape && integers.shape->size() == 1;
 }
 
@@ -59,14 +60,14 @@ Reorder transposition(const Dims& dims, const Integers& order) {
   return indices(shape, 0, moved);
 }
 
-OnnxValue transpose(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue transpose(const NetCall& call) {
+  const NetValue& x = call.input(0);
   if (!x.shape) return call.misused("of an unknown shape");
   const std::size_t rank = x.shape->size();
   Integers order(rank);
   std::iota(order.rbegin(), order.rend(), 0);  // reversed is the default
   if (const auto* perm = call.attribute("perm"); perm != nullptr) {
-    order.assign(perm->ints().begin(), perm->ints().end());
+    order = perm->integers();
   }
   Integers sorted = order;
   std::sort(sorted.begin(), sorted.end());
@@ -91,7 +92,7 @@ OnnxValue transpose(const OnnxCall& call) {
     return reordered(call, x, transposition(*x.shape, order), shape);
   }
   if (x.kind != Kind::constant || rank != 2) return call.misused("that reorders values", shape);
-  OnnxValue value = x;
+  NetValue value = x;
   value.shape = shape;
   value.constant.dims = shape;
   value.constant.transposed = !value.constant.transposed;
@@ -99,8 +100,8 @@ OnnxValue transpose(const OnnxCall& call) {
 }
 
 /// Layers `first` to `first + count` of a state.
-OnnxValue part_of_state(const OnnxValue& x, std::int64_t first, std::int64_t count, Dims shape) {
-  OnnxValue value = x;
+NetValue part_of_state(const NetValue& x, std::int64_t first, std::int64_t count, Dims shape) {
+  NetValue value = x;
   value.state.slot += first;
   value.slots = count;
   value.shape = std::move(shape);
@@ -109,7 +110,7 @@ OnnxValue part_of_state(const OnnxValue& x, std::int64_t first, std::int64_t cou
 
 }  // namespace
 
-OnnxValue picked(const OnnxCall& call, const OnnxValue& x, std::size_t axis, std::int64_t first,
+NetValue picked(const NetCall& call, const NetValue& x, std::size_t axis, std::int64_t first,
                  std::int64_t count, std::int64_t step, bool keeps_axis) {
   const Dims& dims = *x.shape;
   Dims shape = dims;
@@ -132,8 +133,8 @@ OnnxValue picked(const OnnxCall& call, const OnnxValue& x, std::size_t axis, std
 namespace {
 
 /// The new states of several layers, one after the other.
-OnnxValue joined_state(const OnnxCall& call) {
-  std::vector<OnnxRemembered> all;
+NetValue joined_state(const NetCall& call) {
+  std::vector<NetRemembered> all;
   std::optional<Dims> shape = call.input(0).shape;
   for (std::size_t i = 0; i < call.input_count(); ++i) {
     const auto& part = call.input(i).remembered;
@@ -144,20 +145,20 @@ OnnxValue joined_state(const OnnxCall& call) {
   }
   if (call.integer("axis", 0) != 0) return call.misused("that does not put layers one by one");
   if (shape && !shape->empty()) shape->front() = static_cast<std::int64_t>(all.size());
-  OnnxValue value = call.misused("that joins states on the way to the action", shape);
+  NetValue value = call.misused("that joins states on the way to the action", shape);
   value.remembered = std::move(all);
   return value;
 }
 
 /// Where the values of `data` come from: a step that is no Reorder, and their places in it.
-std::pair<std::int32_t, Reorder> origin_of(const OnnxCall& call, const OnnxValue& data) {
+std::pair<std::int32_t, Reorder> origin_of(const NetCall& call, const NetValue& data) {
   std::int32_t step = data.step;
   Reorder order;
   order.from.resize(static_cast<std::size_t>(count_of(*data.shape)));
   std::iota(order.from.begin(), order.from.end(), 0U);
   while (step >= 0) {
-    const OnnxStep& last = call.state().steps[static_cast<std::size_t>(step)];
-    const auto* before = std::get_if<Reorder>(&last.what);
+    const NetStep& last = call.state().steps[static_cast<std::size_t>(step)];
+    const auto* before = last.form<Reorder>();
     if (before == nullptr) break;
     if (!call.spend(count_of(*data.shape))) break;
     for (std::uint32_t& place : order.from) place = before->from[place];
@@ -167,14 +168,14 @@ std::pair<std::int32_t, Reorder> origin_of(const OnnxCall& call, const OnnxValue
 }
 
 /// Values of several layers side by side, each of `rows` rows.
-OnnxValue joined_branches(const OnnxCall& call, const std::vector<OnnxValue>& values,
+NetValue joined_branches(const NetCall& call, const std::vector<NetValue>& values,
                           std::int64_t rows, Dims shape) {
-  OnnxValue whole = call.data_of(values, Combination::Operation::join, shape);
+  NetValue whole = call.data_of(values, Combination::Operation::join, shape);
   if (rows == 1 || whole.kind != Kind::data) return whole;
   Reorder order;
   for (std::int64_t row = 0; row < rows; ++row) {
     std::int64_t first = 0;
-    for (const OnnxValue& value : values) {
+    for (const NetValue& value : values) {
       const std::int64_t count = count_of(*value.shape);
       for (std::int64_t i = row * (count / rows); i < (row + 1) * (count / rows); ++i) {
         order.from.push_back(static_cast<std::uint32_t>(first + i));
@@ -186,23 +187,22 @@ OnnxValue joined_branches(const OnnxCall& call, const std::vector<OnnxValue>& va
 }
 
 /// Parts of one layer, or of the observation, or of several layers, side by side.
-OnnxValue joined_data(const OnnxCall& call) {
-  const OnnxValue& first = call.input(0);
-  const auto rank = static_cast<std::int64_t>(first.shape->size());
-  std::int64_t axis = call.integer("axis", 0);
-  if (axis < 0) axis += rank;
-  if (axis < 0 || axis >= rank) return call.misused("with an axis that is not there");
-  const auto place = static_cast<std::size_t>(axis);
+NetValue joined_data(const NetCall& call) {
+  const NetValue& first = call.input(0);
+  const auto given = call.axis(first.shape->size());
+  if (!given) return call.misused("with an axis that is not there");
+  const std::size_t place = *given;
+  const auto axis = static_cast<std::ptrdiff_t>(place);
   const auto inner = [&](const Dims& dims) {
     return count_of(Dims(dims.begin() + axis, dims.end()));
   };
   Dims shape = *first.shape;
   shape[place] = 0;
   std::vector<std::pair<std::int32_t, Reorder>> parts;
-  std::vector<OnnxValue> values;
+  std::vector<NetValue> values;
   bool one_origin = true;
   for (std::size_t i = 0; i < call.input_count(); ++i) {
-    const OnnxValue& part = call.input(i);
+    const NetValue& part = call.input(i);
     if (part.kind != Kind::data) return call.misused("of a layer and other values");
     Dims other = *part.shape;
     if (other.size() != shape.size()) return call.misused("of values of other shapes");
@@ -224,26 +224,23 @@ OnnxValue joined_data(const OnnxCall& call) {
       order.from.insert(order.from.end(), begin, begin + count);
     }
   }
-  OnnxValue whole = first;
+  NetValue whole = first;
   whole.step = parts.front().first;
-  const std::int64_t there = whole.step < 0
-                                 ? call.state().observed
-                                 : call.state().steps[static_cast<std::size_t>(whole.step)].count;
-  bool same = there == static_cast<std::int64_t>(order.from.size());
+  bool same = call.count_after(whole.step) == static_cast<std::int64_t>(order.from.size());
   for (std::size_t i = 0; same && i < order.from.size(); ++i) same = order.from[i] == i;
   if (!same) return reordered(call, whole, std::move(order), std::move(shape));
   whole.shape = std::move(shape);
   return whole;
 }
 
-OnnxValue concat(const OnnxCall& call) {
+NetValue concat(const NetCall& call) {
   if (call.input_count() == 1 && call.input(0).kind != Kind::absent) return call.input(0);
   if (!call.input(0).remembered.empty()) return joined_state(call);
   if (call.input(0).kind == Kind::data) return joined_data(call);
   Integers all;
   for (std::size_t i = 0; i < call.input_count(); ++i) {
     const std::optional<Integers> part = integers_of(call.input(i));
-    if (!part || !is_list(call.input(i)) || all.size() + part->size() > kMaxOnnxRank) {
+    if (!part || !is_list(call.input(i)) || all.size() + part->size() > kMaxRank) {
       return call.misused("of several values");
     }
     all.insert(all.end(), part->begin(), part->end());
@@ -251,13 +248,9 @@ OnnxValue concat(const OnnxCall& call) {
   return integers_value(std::move(all));
 }
 
-OnnxValue split(const OnnxCall& call) {
-  return split_part(call, 0);
-}
-
 /// One axis of a Slice, from opset 10 on in inputs: start, end, step.
-OnnxValue slice(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
+NetValue slice(const NetCall& call) {
+  const NetValue& x = call.input(0);
   const auto starts = call.integers(1, "starts");
   const auto ends = call.integers(2, "ends");
   auto axes = call.integers(3, "axes");
@@ -298,25 +291,59 @@ OnnxValue slice(const OnnxCall& call) {
   return picked(call, x, axis, first, count, step, true);
 }
 
-}  // namespace
+std::optional<TimeMask> time_of_transpose(const NetCall& call, const NetValue& result) {
+  const NetValue& x = call.input(0);
+  const NetAttribute* perm = call.attribute("perm");
+  const std::int64_t rank = rank_of(result);
+  TimeMask mask = 0;
+  for (std::int64_t i = 0; i < rank; ++i) {
+    const std::int64_t from =
+        perm != nullptr ? perm->integers()[static_cast<std::size_t>(i)] : rank - 1 - i;
+    if (has_time(x.time, from)) mask |= time_bit(i);
+  }
+  return mask;
+}
 
-OnnxValue split_part(const OnnxCall& call, int i) {
-  const OnnxValue& x = call.input(0);
+std::optional<TimeMask> time_of_slice(const NetCall& call, const NetValue& /*result*/) {
+  constexpr std::int64_t kEnd = std::numeric_limits<std::int32_t>::max();
+  const NetValue& x = call.input(0);
+  const auto front = [&](std::size_t i, std::string_view name) {
+    const auto values = call.integers(i, name);
+    return values && !values->empty() ? std::optional(values->front()) : std::nullopt;
+  };
+  const std::int64_t axis = from_front(front(3, "axes").value_or(0), rank_of(x));
+  if (!has_time(x.time, axis)) return x.time;
+  const auto start = front(1, "starts");
+  const bool to_end = front(2, "ends").value_or(0) >= kEnd && front(4, "steps").value_or(1) == 1;
+  if (to_end && start == -1) return x.time & ~time_bit(axis);
+  return to_end && start == 0 ? std::optional(x.time) : std::nullopt;
+}
+
+std::optional<TimeMask> time_of_split(const NetCall& call, const NetValue& /*result*/) {
+  return time_unless(call.input(0), from_front(call.integer("axis", 0), rank_of(call.input(0))));
+}
+std::optional<TimeMask> time_of_concat(const NetCall& call, const NetValue& result) {
+  if (call.input_count() == 1) return call.input(0).time;
+  const std::int64_t axis = from_front(call.integer("axis", 0), rank_of(result));
+  return has_time(call.input(0).time, axis) ? std::nullopt : time_of_each(call, result);
+}
+
+/// Output `i`.
+NetValue split_part(const NetCall& call, int i) {
+  const NetValue& x = call.input(0);
   if ((x.kind != Kind::data && x.kind != Kind::state) || !x.shape) {
     return call.misused("on something that is not a layer");
   }
-  const auto rank = static_cast<std::int64_t>(x.shape->size());
-  std::int64_t axis = call.integer("axis", 0);
-  if (axis < 0) axis += rank;
-  if (axis < 0 || axis >= rank) return call.misused("with an axis that is not there");
-  const auto place = static_cast<std::size_t>(axis);
-  const std::int64_t size = (*x.shape)[place];
-  const std::int64_t parts = call.integer("num_outputs", call.node().output_size());
+  const auto place = call.axis(x.shape->size());
+  if (!place) return call.misused("with an axis that is not there");
+  const std::int64_t size = (*x.shape)[*place];
+  const std::int64_t parts = call.integer("num_outputs", call.node().outputs);
   // Every output looks at the sizes of all.
-  const onnx::AttributeProto* given = call.attribute("split");
+  const NetAttribute* given = call.attribute("split");
   const std::int64_t looked_at =
-      given != nullptr ? given->ints_size() : std::clamp(parts, std::int64_t{1}, size);
-  if (!call.spend(looked_at + call.node().attribute_size())) return call.too_much();
+      given != nullptr ? static_cast<std::int64_t>(given->integers().size())
+                       : std::clamp(parts, std::int64_t{1}, size);
+  if (!call.spend(looked_at + static_cast<std::int64_t>(call.node().attributes.size()))) return call.too_much();
   if (call.is_unreadable(1)) return call.misused("into sizes that are not constant, or too many");
   auto sizes = call.integers(1, "split");
   if (!sizes && parts >= 1 && parts <= size) {
@@ -329,19 +356,31 @@ OnnxValue split_part(const OnnxCall& call, int i) {
     const std::int64_t count = (*sizes)[k];
     if (count < 1 || count > size - first) break;
     if (k == static_cast<std::size_t>(i)) {
-      return picked(call, x, place, first, count, 1, true);
+      return picked(call, x, *place, first, count, 1, true);
     }
     first += count;
   }
   return call.misused("into parts that are not there");
 }
 
-OnnxValue reordered(const OnnxCall& call, const OnnxValue& data, Reorder order, Dims shape) {
-  return call.data_after(data.step, std::move(order), std::move(shape));
+NetValue split(const NetCall& call) {
+  return split_part(call, 0);
+}
+NetValue later_part(const NetCall& call, const NetValue& /*first*/, int i) {
+  return along_time(call, time_of_split, split_part(call, i));
 }
 
-std::vector<OnnxOperatorEntry> order_operators() {
-  return {{"Transpose", transpose}, {"Concat", concat}, {"Slice", slice}, {"Split", split}};
+}  // namespace
+
+NetValue reordered(const NetCall& call, const NetValue& data, Reorder order, Dims shape) {
+  return call.layer_after(data.step, std::move(order), std::move(shape));
+}
+
+std::vector<NetOperator> order_operators() {
+  return {{"Transpose", transpose, time_of_transpose},
+          {"Concat", concat, time_of_concat},
+          {"Slice", slice, time_of_slice},
+          {"Split", split, time_of_split, {}, false, later_part}};
 }
 
 }  // namespace eagerx::gen
