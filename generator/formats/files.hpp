@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
-#include "generator/network/problem.hpp"
 #include "generator/formats/common/read_context.hpp"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
-#include "generator/network/problem.hpp"
 #include "generator/network/contract.hpp"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 

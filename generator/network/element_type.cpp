@@ -47,10 +47,10 @@ std::optional<ElementType> type_called(std::string_view name,
 
 /// In the order of their numbers.
 constexpr std::array<std::string_view, 21> kOnnxNames = {
-    "UNDEFINED", "FLOAT",  "UINT8",     "INT8",       "UINT16",   "INT16",        "INT32",
-    "INT64",     "STRING", "BOOL",      "FLOAT16",    "DOUBLE",   "UINT32",       "UINT64",
-    "COMPLEX64", "COMPLEX128", "BFLOAT16", "FLOAT8E4M3FN", "FLOAT8E4M3FNUZ", "FLOAT8E5M2",
-    "FLOAT8E5M2FNUZ"};
+    "UNDEFINED",      "FLOAT",      "UINT8",         "INT8",       "UINT16",   "INT16",
+    "INT32",          "INT64",      "STRING",        "BOOL",       "FLOAT16",  "DOUBLE",
+    "UINT32",         "UINT64",     "COMPLEX64",     "COMPLEX128", "BFLOAT16", "FLOAT8E4M3FN",
+    "FLOAT8E4M3FNUZ", "FLOAT8E5M2", "FLOAT8E5M2FNUZ"};
 
 template <class T>
 T read(const char* from) {
@@ -135,10 +135,10 @@ std::optional<std::vector<float>> exact_floats(const std::vector<double>& values
         std::fabs(values[i]) <= static_cast<double>(std::numeric_limits<float>::max());
     result[i] = fits ? static_cast<float>(values[i]) : 0.0F;
     if (fits && static_cast<double>(result[i]) == values[i]) continue;
-    return refuse(problem, "E0615",
-                  fmt::format("has float64 values in tensor `{}` that float32 cannot hold",
-                              printable(name)),
-                  fmt::format("convert the actor with `.float()` before {} it", verb));
+    return refuse(
+        problem, "E0615",
+        fmt::format("has float64 values in tensor `{}` that float32 cannot hold", printable(name)),
+        fmt::format("convert the actor with `.float()` before {} it", verb));
   }
   return result;
 }

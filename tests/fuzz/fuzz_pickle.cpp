@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "generator/formats/actor/actor.hpp"
-#include "generator/network/problem.hpp"
 #include "generator/formats/statistics.hpp"
 #include "generator/formats/tensors/pickle.hpp"
+#include "generator/network/problem.hpp"
 
 namespace {
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/network/problem.hpp"
 #include "generator/formats/common/read_context.hpp"
 #include "generator/formats/tensors/tensor.hpp"
 #include "generator/network/network.hpp"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 

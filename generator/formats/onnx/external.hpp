@@ -1,9 +1,9 @@
 // Values that lie in files beside an ONNX file ("external data"). Inside formats/onnx only.
 #pragma once
 
-#include "generator/network/problem.hpp"
 #include "generator/formats/common/read_context.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "generator/network/problem.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 

@@ -54,18 +54,18 @@ std::optional<const NetTensor*> checked(const TensorProto& tensor, std::deque<Ne
                                         PolicyProblem& problem) {
   const std::string name = printable(tensor.name());
   if (tensor.data_location() == TensorProto::EXTERNAL || tensor.external_data_size() > 0) {
-    return refuse(
-        problem, "E0617", fmt::format("keeps the values of tensor `{}` in another file", name),
-        "save it as one file: `onnx.save(model, path, save_as_external_data=False)`");
+    return refuse(problem, "E0617",
+                  fmt::format("keeps the values of tensor `{}` in another file", name),
+                  "save it as one file: `onnx.save(model, path, save_as_external_data=False)`");
   }
   const auto type = onnx_type(tensor.data_type());
   if (!type || is_short_integer(*type)) {
     const auto shown = onnx_type_name(tensor.data_type());
-    return refuse(problem, "E0615",
-                  fmt::format("has tensor `{}` of type {}", name,
-                              shown ? std::string(*shown)
-                                    : fmt::format("number {}", tensor.data_type())),
-                  "export the actor in float32");
+    return refuse(
+        problem, "E0615",
+        fmt::format("has tensor `{}` of type {}", name,
+                    shown ? std::string(*shown) : fmt::format("number {}", tensor.data_type())),
+        "export the actor in float32");
   }
   if (tensor.dims_size() > static_cast<int>(kMaxRank)) {
     return refuse(problem, "E0614",

@@ -12,8 +12,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "generator/network/shape.hpp"
 #include "generator/formats/onnx/inputs.hpp"
+#include "generator/network/shape.hpp"
 
 namespace eagerx::gen {
 namespace {

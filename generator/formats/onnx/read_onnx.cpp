@@ -191,8 +191,7 @@ bool gives_back(const NetValue& output, const NetStateSource& source, bool is_ce
                 const std::vector<NetStep>& steps) {
   for (std::size_t slot = 0; slot < output.remembered.size(); ++slot) {
     const NetRemembered& part = output.remembered[slot];
-    const auto* work =
-        std::get_if<NetRecurrence>(&steps[static_cast<std::size_t>(part.step)].what);
+    const auto* work = std::get_if<NetRecurrence>(&steps[static_cast<std::size_t>(part.step)].what);
     const auto& from = is_cell ? work->c : work->h;
     if (part.is_cell != is_cell || !from || from->name != source.name ||
         from->slot != static_cast<std::int64_t>(slot)) {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-#include "generator/network/problem.hpp"
 #include "generator/formats/common/read_context.hpp"
 #include "generator/network/network.hpp"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 

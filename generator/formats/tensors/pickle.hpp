@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/network/problem.hpp"
 #include "generator/formats/tensors/tensor.hpp"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 

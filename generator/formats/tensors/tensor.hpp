@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/network/element_type.hpp"
 #include "generator/network/problem.hpp"
 #include "generator/network/shape.hpp"
-#include "generator/network/element_type.hpp"
 
 namespace eagerx::gen {
 

@@ -59,7 +59,7 @@ std::optional<std::string_view> TorchArchive::storage(int which, std::string_vie
 }
 
 const NetValue* TorchArchive::tensor(int which, std::uint32_t index, const std::string& name,
-                                      PolicyProblem& problem) {
+                                     PolicyProblem& problem) {
   const auto [place, fresh] = known_.try_emplace({which, index});
   NetValue& value = place->second;
   if (!fresh) {

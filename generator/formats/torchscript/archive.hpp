@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/network/graph/operators.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/formats/tensors/containers.hpp"
 #include "generator/formats/tensors/pickle.hpp"
 #include "generator/formats/torchscript/syntax.hpp"
+#include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 
@@ -31,7 +31,7 @@ class TorchArchive {
 
   /// A tensor of `pickle(which)` as a constant. E0614 to E0616, E0621, E0623.
   const NetValue* tensor(int which, std::uint32_t index, const std::string& name,
-                          PolicyProblem& problem);
+                         PolicyProblem& problem);
 
   /// Function "Linear.forward" or "elu" of module "__torch__.torch.nn.functional"; nullptr, and
   /// E0621 or E0753, if there is none.

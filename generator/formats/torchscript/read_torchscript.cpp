@@ -9,8 +9,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "generator/network/graph/lower.hpp"
 #include "generator/formats/torchscript/interpreter.hpp"
+#include "generator/network/graph/lower.hpp"
 
 namespace eagerx::gen {
 namespace {

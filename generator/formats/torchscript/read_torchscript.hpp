@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "generator/network/problem.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/network/network.hpp"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 

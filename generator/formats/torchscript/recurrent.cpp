@@ -95,9 +95,9 @@ class Recurrent {
 
   /// x, weights, hidden weights, biases, no lengths, h, c.
   std::optional<std::vector<NetValue>> inputs_of(const NetValue& x,
-                                                  const std::vector<TorchValue>& weights,
-                                                  std::size_t each, std::int64_t layer,
-                                                  std::int64_t layers) {
+                                                 const std::vector<TorchValue>& weights,
+                                                 std::size_t each, std::int64_t layer,
+                                                 std::int64_t layers) {
     std::vector<NetValue> inputs = {x};
     std::vector<float> bias;
     for (std::size_t i = 0; i < each; ++i) {

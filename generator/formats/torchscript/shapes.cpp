@@ -95,7 +95,7 @@ Result expand(const Torch& call) {
 }
 
 NetValue part(const Torch& call, const NetValue& x, std::int64_t axis, std::int64_t first,
-               std::int64_t last, std::int64_t step = 1) {
+              std::int64_t last, std::int64_t step = 1) {
   return call.node("Slice", {x},
                    {{"starts", {}, {}, Integers{first}},
                     {"ends", {}, {}, Integers{last}},
@@ -221,23 +221,13 @@ Result index_put(const Torch& call) {
 }  // namespace
 
 std::vector<TorchRow> torch_shape_rows() {
-  return {{"t", transpose, true},
-          {"numpy_T", transpose, true},
-          {"transpose", transpose, true},
-          {"permute", permute, true},
-          {"reshape", reshape, true},
-          {"view", reshape, true},
-          {"flatten", flatten, true},
-          {"unsqueeze", unsqueeze, true},
-          {"squeeze", squeeze, true},
-          {"expand", expand, true},
-          {"expand_as", expand, true},
-          {"slice", slice, true},
-          {"narrow", narrow, true},
-          {"select", select, true},
-          {"index", index},
-          {"index_put", index_put},
-          {"index_select", index_select}};
+  return {
+      {"t", transpose, true},     {"numpy_T", transpose, true},   {"transpose", transpose, true},
+      {"permute", permute, true}, {"reshape", reshape, true},     {"view", reshape, true},
+      {"flatten", flatten, true}, {"unsqueeze", unsqueeze, true}, {"squeeze", squeeze, true},
+      {"expand", expand, true},   {"expand_as", expand, true},    {"slice", slice, true},
+      {"narrow", narrow, true},   {"select", select, true},       {"index", index},
+      {"index_put", index_put},   {"index_select", index_select}};
 }
 
 std::optional<TorchValue> torch_parts(const Torch& call) {

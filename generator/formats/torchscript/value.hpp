@@ -107,7 +107,7 @@ class TorchCall {
 
   /// The operator that ONNX calls `type`: its output `output`.
   [[nodiscard]] NetValue node(const char* type, const std::vector<NetValue>& inputs,
-                               std::vector<NetAttribute> attributes = {}, int output = 0) const;
+                              std::vector<NetAttribute> attributes = {}, int output = 0) const;
   /// The same of the arguments 0 and `other`; nothing if one of them is no tensor.
   [[nodiscard]] std::optional<NetValue> node_of_two(const char* type) const;
   [[nodiscard]] NetValue constant(const std::vector<float>& numbers, const Dims& dims) const;

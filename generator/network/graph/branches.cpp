@@ -42,7 +42,7 @@ NetValue norm(const NetCall& call) {
 }  // namespace
 
 std::optional<NetValue> combined(const NetCall& call, const NetValue& a, const NetValue& b,
-                                  Combination::Operation operation) {
+                                 Combination::Operation operation) {
   if (a.kind != Kind::data || b.kind != Kind::data) return std::nullopt;
   const std::optional<Dims> shape = broadcast(a.shape, b.shape);
   if (!shape) return std::nullopt;

@@ -115,7 +115,7 @@ NetValue NetCall::data_after(std::int32_t before, NetWork what, Dims shape) cons
 }
 
 NetValue NetCall::data_of(const std::vector<NetValue>& values, Combination::Operation operation,
-                            Dims shape) const {
+                          Dims shape) const {
   Combination combination{operation, {}};
   std::vector<std::int32_t> more;
   for (const NetValue& value : values) {

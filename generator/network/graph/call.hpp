@@ -52,7 +52,7 @@ class NetCall {
     bool follows_time = false;  // and no state is an input: the sequence starts an episode
     std::int64_t budget = std::int64_t{64} << 20U;  // values that may still be looked at
     std::vector<NetStep> steps;
-    std::deque<NetTensor> made;  // tensors that are not in the file
+    std::deque<NetTensor> made;     // tensors that are not in the file
     bool has_gates_of_onnx = true;  // z, r, h and i, o, f, c; else torch's
 
     /// Whether `values` more values may be looked at or moved: a file may name the same large
@@ -78,8 +78,7 @@ class NetCall {
   [[nodiscard]] float real(std::string_view name, float otherwise) const;
   [[nodiscard]] std::string_view text(std::string_view name) const;  // empty: none
   /// Integers of input `i` or, where there is no such input, of attribute `name`.
-  [[nodiscard]] std::optional<Integers> integers(std::size_t i,
-                                                                  std::string_view name) const;
+  [[nodiscard]] std::optional<Integers> integers(std::size_t i, std::string_view name) const;
   /// Whether input `i` is given, but is no list of integers that are known: what it leaves open
   /// must not become what the operator does without it.
   [[nodiscard]] bool is_unreadable(std::size_t i) const;
@@ -111,7 +110,7 @@ class NetCall {
   }
   /// What comes of several values of the observation's, in order.
   [[nodiscard]] NetValue data_of(const std::vector<NetValue>& values,
-                                  Combination::Operation operation, Dims shape) const;
+                                 Combination::Operation operation, Dims shape) const;
 
  private:
   const NetNode& node_;

@@ -27,7 +27,7 @@ std::optional<std::size_t> whole_axis(const NetCall& call, const NetValue& x,
 }
 
 NetValue in_order_of(const NetCall& call, std::int32_t step, const std::optional<Dims>& shape,
-                      Role role, const char* how) {
+                     Role role, const char* how) {
   NetValue value = call.misused(how, shape);
   value.problem = {"E0613", fmt::format("has {} {}", call.who(), how),
                    "export the network's outputs, or the index of the largest (ArgMax)"};
@@ -108,7 +108,7 @@ std::optional<NetValue> same_order(const NetCall& call, bool adds) {
       continue;
     }
     NetValue value = in_order_of(call, *step, broadcast(x.shape, offset.shape), Role::ordered,
-                                  "of a value that is not constant");
+                                 "of a value that is not constant");
     const auto operation = adds ? Combination::Operation::sum : Combination::Operation::difference;
     const auto exact = combined(call, call.input(0), call.input(1), operation);
     if (exact && exact->kind == Kind::data) value.part.exact = exact->step;
@@ -130,12 +130,9 @@ std::optional<NetValue> exact_of(const NetValue& value) {
 }
 
 std::vector<NetOperator> choice_operators() {
-  return {{"ArgMax", arg_max, time_of_arg_max},
-          {"Softmax", softmax, time_of_softmax, {}, true},
-          {"LogSoftmax", softmax, time_of_softmax},
-          {"ReduceLogSumExp", reduction, time_of_reduce},
-          {"ReduceMax", reduction, time_of_reduce},
-          {"ReduceSum", reduction, time_of_reduce}};
+  return {{"ArgMax", arg_max, time_of_arg_max},     {"Softmax", softmax, time_of_softmax, {}, true},
+          {"LogSoftmax", softmax, time_of_softmax}, {"ReduceLogSumExp", reduction, time_of_reduce},
+          {"ReduceMax", reduction, time_of_reduce}, {"ReduceSum", reduction, time_of_reduce}};
 }
 
 }  // namespace eagerx::gen

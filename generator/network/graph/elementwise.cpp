@@ -272,8 +272,7 @@ NetValue batch_normalization(const NetCall& call) {
 
 }  // namespace
 
-NetValue made_constant(const NetCall& call, const std::vector<float>& numbers,
-                        const Dims& shape) {
+NetValue made_constant(const NetCall& call, const std::vector<float>& numbers, const Dims& shape) {
   return constant_value(made_tensor(call.state().made, call.node().output, numbers, shape));
 }
 
@@ -282,7 +281,7 @@ NetValue made_constant(const NetCall& call, float number) {
 }
 
 std::optional<NetValue> elementwise_step(const NetCall& call, const NetValue& data,
-                                          Operation operation, const NetValue& constant) {
+                                         Operation operation, const NetValue& constant) {
   if (data.kind != Kind::data || !data.shape || constant.kind != Kind::constant ||
       constant.constant.transposed) {
     return std::nullopt;
@@ -290,7 +289,8 @@ std::optional<NetValue> elementwise_step(const NetCall& call, const NetValue& da
   const std::optional<Dims> shape = broadcast(data.shape, constant.shape);
   if (!shape || element_count(*shape) != element_count(*data.shape)) return std::nullopt;
   return call.data_after(
-      data.step, NetLayer{Elementwise{operation}, {}, constant.constant, 1.0F, 1.0F, *shape}, *shape);
+      data.step, NetLayer{Elementwise{operation}, {}, constant.constant, 1.0F, 1.0F, *shape},
+      *shape);
 }
 
 std::vector<NetOperator> elementwise_operators() {

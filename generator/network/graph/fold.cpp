@@ -15,8 +15,7 @@ std::optional<NetValue> folded_integers(const NetCall& call, const NetFolding& f
   const auto is_usual = [](std::int64_t x) { return x <= kLargest && x >= -kLargest; };
   const auto a = integers_of(call.input(0));
   const auto b = integers_of(call.input(1));
-  if (!a || !b || a->empty() || b->empty() || a->size() > kMaxRank ||
-      b->size() > kMaxRank) {
+  if (!a || !b || a->empty() || b->empty() || a->size() > kMaxRank || b->size() > kMaxRank) {
     return std::nullopt;
   }
   const std::size_t count = std::max(a->size(), b->size());

@@ -11,7 +11,7 @@ using Kind = NetValue::Kind;
 
 /// The values at `which` along an axis, in that order.
 NetValue picked_by_list(const NetCall& call, const NetValue& x, std::size_t axis,
-                         const Integers& which) {
+                        const Integers& which) {
   Dims shape = *x.shape;
   const std::int64_t size = shape[axis];
   shape[axis] = static_cast<std::int64_t>(which.size());
@@ -45,8 +45,8 @@ NetValue gather_values(const NetCall& call, const NetValue& x) {
   const auto axis = call.axis(x.shape ? x.shape->size() : 0);
   const std::optional<Dims>& form = call.input(1).shape;
   const bool one = which && which->size() == 1 && form && form->size() <= 1;
-  const bool has_many = x.kind == Kind::data && which && which->size() > 1 && form &&
-                        form->size() == 1 && axis;
+  const bool has_many =
+      x.kind == Kind::data && which && which->size() > 1 && form && form->size() == 1 && axis;
   if (has_many) return picked_by_list(call, x, *axis, *which);
   if (!one || !axis) return call.misused("of several values");
   const std::int64_t size = (*x.shape)[*axis];

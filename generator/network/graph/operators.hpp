@@ -75,8 +75,8 @@ std::optional<float> scalar_of(const NetValue& value);
 
 /// x op c as one more step; nothing if c cannot be broadcast to x.
 std::optional<NetValue> elementwise_step(const NetCall& call, const NetValue& data,
-                                          Elementwise::Operation operation,
-                                          const NetValue& constant);
+                                         Elementwise::Operation operation,
+                                         const NetValue& constant);
 /// The larger or the smaller one of two values of the observation's, number by number; nothing as
 /// with `combined`.
 std::optional<NetValue> larger_of(const NetCall& call, const NetValue& a, const NetValue& b);
@@ -86,7 +86,7 @@ std::optional<NetValue> condition_of(const NetCall& call, const NetValue& x);
 /// Two values of the observation's, number by number; nothing unless one of them has the shape of
 /// the result, and the other as many numbers or one.
 std::optional<NetValue> combined(const NetCall& call, const NetValue& a, const NetValue& b,
-                                  Combination::Operation operation);
+                                 Combination::Operation operation);
 /// The part of a formula as a value of its own, if it is a simple one: the formula did not go on.
 std::optional<NetValue> materialized(const NetCall& call, const NetValue& value);
 /// What is only known by its order, calculated: where more than a choice depends on it.
@@ -119,6 +119,6 @@ std::vector<float> broadcast_to(const std::vector<float>& values, const Dims& fr
 NetValue reordered(const NetCall& call, const NetValue& data, Reorder order, Dims shape);
 /// `count` of the values along an axis, from `first` on, each `step`-th.
 NetValue picked(const NetCall& call, const NetValue& x, std::size_t axis, std::int64_t first,
-                 std::int64_t count, std::int64_t step, bool keeps_axis);
+                std::int64_t count, std::int64_t step, bool keeps_axis);
 
 }  // namespace eagerx::gen

@@ -111,7 +111,7 @@ NetValue part_of_state(const NetValue& x, std::int64_t first, std::int64_t count
 }  // namespace
 
 NetValue picked(const NetCall& call, const NetValue& x, std::size_t axis, std::int64_t first,
-                 std::int64_t count, std::int64_t step, bool keeps_axis) {
+                std::int64_t count, std::int64_t step, bool keeps_axis) {
   const Dims& dims = *x.shape;
   Dims shape = dims;
   shape[axis] = count;
@@ -169,7 +169,7 @@ std::pair<std::int32_t, Reorder> origin_of(const NetCall& call, const NetValue& 
 
 /// Values of several layers side by side, each of `rows` rows.
 NetValue joined_branches(const NetCall& call, const std::vector<NetValue>& values,
-                          std::int64_t rows, Dims shape) {
+                         std::int64_t rows, Dims shape) {
   NetValue whole = call.data_of(values, Combination::Operation::join, shape);
   if (rows == 1 || whole.kind != Kind::data) return whole;
   Reorder order;
@@ -340,10 +340,11 @@ NetValue split_part(const NetCall& call, int i) {
   const std::int64_t parts = call.integer("num_outputs", call.node().outputs);
   // Every output looks at the sizes of all.
   const NetAttribute* given = call.attribute("split");
-  const std::int64_t looked_at =
-      given != nullptr ? static_cast<std::int64_t>(given->integers().size())
-                       : std::clamp(parts, std::int64_t{1}, size);
-  if (!call.spend(looked_at + static_cast<std::int64_t>(call.node().attributes.size()))) return call.too_much();
+  const std::int64_t looked_at = given != nullptr
+                                     ? static_cast<std::int64_t>(given->integers().size())
+                                     : std::clamp(parts, std::int64_t{1}, size);
+  if (!call.spend(looked_at + static_cast<std::int64_t>(call.node().attributes.size())))
+    return call.too_much();
   if (call.is_unreadable(1)) return call.misused("into sizes that are not constant, or too many");
   auto sizes = call.integers(1, "split");
   if (!sizes && parts >= 1 && parts <= size) {

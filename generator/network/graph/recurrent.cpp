@@ -68,7 +68,7 @@ class Recurrent {
     }
     work_.is_lstm = is_lstm_;
     if (call_.state().has_gates_of_onnx) {
-      work_.gates = is_lstm_ ? std::array<std::uint8_t, 4>{0, 2, 3, 1}  // i, f, g, o in i, o, f, c
+      work_.gates = is_lstm_ ? std::array<std::uint8_t, 4>{0, 2, 3, 1}   // i, f, g, o in i, o, f, c
                              : std::array<std::uint8_t, 4>{1, 0, 2, 3};  // r, z, n in z, r, h
     }
     if (auto problem = take_weights((*x.shape)[2])) return call_.other(*problem);

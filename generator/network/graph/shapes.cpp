@@ -123,7 +123,8 @@ NetValue constant(const NetCall& call) {
   if (const auto* list = call.attribute("value_ints"); list != nullptr) {
     return integers_value(list->integers());
   }
-  if (call.attribute("value_int") != nullptr) return integers_value({call.integer("value_int", 0)}, {});
+  if (call.attribute("value_int") != nullptr)
+    return integers_value({call.integer("value_int", 0)}, {});
   if (call.attribute("value_float") != nullptr) {
     return made_constant(call, call.real("value_float", 0.0F));
   }
@@ -258,8 +259,7 @@ NetValue constant_of_shape(const NetCall& call) {
   if (shape && (shape->size() > kMaxRank || !element_count(*shape))) shape.reset();
   NetValue made = call.misused("on the way to the action", std::move(shape));
   const NetAttribute* filling = call.attribute("value");
-  made.is_zero =
-      filling == nullptr || (filling->value && scalar_of(*filling->value) == 0.0F);
+  made.is_zero = filling == nullptr || (filling->value && scalar_of(*filling->value) == 0.0F);
   return made;
 }
 
@@ -305,16 +305,11 @@ std::optional<TimeMask> time_of_reshape(const NetCall& call, const NetValue& res
 }  // namespace
 
 std::vector<NetOperator> shape_operators() {
-  return {{"Identity", identity, time_of_each},
-          {"Cast", cast, time_of_each},
-          {"CastLike", cast_like, time_of_each},
-          {"Constant", constant, nullptr},
-          {"Flatten", flatten, time_of_flatten},
-          {"Reshape", reshape, time_of_reshape},
-          {"Squeeze", squeeze, time_of_squeeze},
-          {"Expand", expand, time_of_each},
-          {"Unsqueeze", unsqueeze, time_of_unsqueeze},
-          {"Shape", shape_of, nullptr},
+  return {{"Identity", identity, time_of_each},           {"Cast", cast, time_of_each},
+          {"CastLike", cast_like, time_of_each},          {"Constant", constant, nullptr},
+          {"Flatten", flatten, time_of_flatten},          {"Reshape", reshape, time_of_reshape},
+          {"Squeeze", squeeze, time_of_squeeze},          {"Expand", expand, time_of_each},
+          {"Unsqueeze", unsqueeze, time_of_unsqueeze},    {"Shape", shape_of, nullptr},
           {"ConstantOfShape", constant_of_shape, nullptr}};
 }
 

@@ -135,8 +135,8 @@ NetValue along_time(const NetCall& call, NetTimeRule rule, NetValue value) {
   if (mask && all_are_one(*mask, *value.shape)) {
     value.time = *mask;
   } else if (is_data || value.part.role != NetPart::Role::none) {
-    return refused(call, is_cell ? " that does not run along the time"
-                                 : " over the steps of a sequence");
+    return refused(call,
+                   is_cell ? " that does not run along the time" : " over the steps of a sequence");
   }
   return value;
 }

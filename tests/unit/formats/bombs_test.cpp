@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/network/problem.hpp"
 #include "generator/formats/read.hpp"
 #include "generator/formats/statistics.hpp"
 #include "generator/json/json.hpp"
+#include "generator/network/problem.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 

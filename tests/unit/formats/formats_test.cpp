@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "generator/network/problem.hpp"
 #include "generator/formats/golden.hpp"
 #include "generator/formats/read.hpp"
 #include "generator/formats/statistics.hpp"
 #include "generator/network/evaluate.hpp"
+#include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
 namespace {

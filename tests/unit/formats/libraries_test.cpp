@@ -8,12 +8,12 @@
 #include <iterator>
 
 #include "generator/formats/actor/actor.hpp"
-#include "generator/network/problem.hpp"
 #include "generator/formats/golden.hpp"
 #include "generator/formats/read.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/formats/tensors/containers.hpp"
 #include "generator/network/evaluate.hpp"
+#include "generator/network/problem.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 
