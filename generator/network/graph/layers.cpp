@@ -182,6 +182,15 @@ NetValue plain(const NetCall& call) {
   return activation(call, Which);
 }
 
+/// x tanh(softplus(x)). Opset 18 on; exporters of older ones write it so.
+NetValue mish(const NetCall& call) {
+  const NetValue& x = call.input(0);
+  if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
+  NetValue gate = call.data_after(x.step, NetActivation{Activation::softplus}, *x.shape);
+  gate = call.data_after(gate.step, NetActivation{Activation::tanh}, *x.shape);
+  return call.data_of({x, gate}, Combination::Operation::product, *x.shape);
+}
+
 /// Opset 20 on.
 NetValue gelu(const NetCall& call) {
   const NetAttribute* how = call.attribute("approximate");
@@ -248,6 +257,7 @@ std::vector<NetOperator> layer_operators() {
           {"Sigmoid", plain<Activation::sigmoid>, time_of_each, {}, true},
           {"Softplus", plain<Activation::softplus>, time_of_each, {}, true},
           {"Gelu", gelu, time_of_each},
+          {"Mish", mish, time_of_each},
           {"LayerNormalization", layer_normalization, time_but_last},
           {"Dropout", dropout, time_of_each}};
 }

@@ -17,7 +17,9 @@ using test::OnnxBuilder;
 using test::read_bad;
 using test::read_good;
 using testing::ElementsAre;
+using testing::FloatNear;
 using testing::HasSubstr;
+using testing::Pointwise;
 
 void set_input(OnnxBuilder& builder, test::Shape shape) {
   builder.graph().clear_input();
@@ -224,6 +226,21 @@ TEST(OnnxExact, NumbersAddedToAVarianceAddUp) {
   const Network network = read_good(builder.bytes());
   ASSERT_TRUE(network.layers[0].norm.has_value());
   EXPECT_EQ(network.layers[0].norm->epsilon, 0.75F);
+}
+
+TEST(OnnxExact, MishIsWhatOlderExportersWriteOut) {
+  const std::vector<float> x = {-3.0F, -0.5F, 0.0F, 1.0F, 30.0F};
+  OnnxBuilder whole(5, 18);
+  whole.add_node("Mish", {"observation"}, "action");
+  OnnxBuilder parts(5);
+  parts.add_node("Softplus", {"observation"}, "soft");
+  parts.add_node("Tanh", {"soft"}, "gate");
+  parts.add_node("Mul", {"observation", "gate"}, "action");
+  const std::vector<float> answer = evaluate(read_good(whole.bytes()), x);
+  EXPECT_EQ(answer, evaluate(read_good(parts.bytes()), x));
+  // x tanh(ln(1 + e^x)), calculated in float64 by Python.
+  EXPECT_THAT(answer,
+              Pointwise(FloatNear(1e-6F), {-0.14564746F, -0.22074377F, 0.0F, 0.86509839F, 30.0F}));
 }
 
 }  // namespace
