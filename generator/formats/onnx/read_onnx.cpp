@@ -20,9 +20,9 @@
 #include "generator/formats/onnx/node.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
 #include "generator/formats/onnx/outputs.hpp"
+#include "generator/network/graph/ends.hpp"
 #include "generator/network/graph/evaluate.hpp"
 #include "generator/network/graph/lower.hpp"
-#include "generator/network/graph/operators.hpp"
 #include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
@@ -127,23 +127,14 @@ class ValueTable {
 bool set_parts(const GraphInputs& inputs, NetCall::State& state, ValueTable& values,
                Network& network, PolicyProblem& problem) {
   for (const onnx::ValueInfoProto* input : inputs) {
-    NetValue part;
-    part.kind = Kind::data;
-    part.shape = input_shape(*input, false, problem);
-    if (!part.shape) return false;
-    const std::int64_t count = element_count(*part.shape).value_or(kMaxValues);
+    const auto shape = input_shape(*input, false, problem);
+    if (!shape) return false;
+    const std::int64_t count = element_count(*shape).value_or(kMaxValues);
     if (count > kMaxValues - state.observed) {
       problem = {"E0608", "has inputs of an impossible size", kExportActor};
       return false;
     }
-    Reorder order;
-    for (std::int64_t i = 0; i < count; ++i) {
-      order.from.push_back(static_cast<std::uint32_t>(state.observed + i));
-    }
-    state.observed += count;
-    part.step = static_cast<std::int32_t>(state.steps.size());
-    state.steps.push_back({-1, NetLayer{std::move(order)}, printable(input->name()), count});
-    values.set(input->name(), std::move(part));
+    values.set(input->name(), observation_part(state, input->name(), *shape));
     network.contract.observations.push_back(
         {printable(input->name()), static_cast<std::uint64_t>(count)});
   }
@@ -343,19 +334,9 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   }
   std::unordered_set<const onnx::NodeProto*> done;
   evaluate_nodes(*needed, state, values, done);
-  NetValue result = *values.get(action);
-  if (const auto exact = exact_of(result)) result = *exact;
-  if (result.kind == Kind::other && result.part.role == NetPart::Role::choice) {
-    network.action = ActionKind::argmax;
-    result.kind = Kind::data;
-    result.step = result.part.of;
-  }
-  if (result.kind != Kind::data) {
-    problem = result.kind == Kind::other
-                  ? result.problem
-                  : PolicyProblem{"E0620", "has an action that is constant", kExportActor};
-    return std::nullopt;
-  }
+  const auto result = action_of(*values.get(action), kExportActor, problem);
+  if (!result) return std::nullopt;
+  if (result->is_choice) network.action = ActionKind::argmax;
   std::vector<const NetValue*> others;
   for (int i = 0; has_memory && i < graph.output_size(); ++i) {
     if (i == chosen->output) continue;
@@ -369,11 +350,11 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
     }
     others.push_back(values.get(graph.output(i).name()));
   }
-  if (!check_states(state.steps, result.step, others, problem)) return std::nullopt;
+  if (!check_states(state.steps, result->step, others, problem)) return std::nullopt;
   std::unordered_set<const NetTensor*> used;
   const auto inputs = static_cast<std::uint32_t>(state.observed);
   std::optional<std::vector<Layer>> layers =
-      make_layers(state.steps, result.step, inputs, used, problem);
+      make_layers(state.steps, result->step, inputs, used, problem);
   if (!layers) return std::nullopt;
   // Who names the output knows what it is.
   if (output.empty() && !leads_to_outputs(graph, *names, *chosen, problem)) return std::nullopt;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "generator/formats/torchscript/interpreter.hpp"
+#include "generator/network/graph/ends.hpp"
 #include "generator/network/graph/lower.hpp"
 
 namespace eagerx::gen {
@@ -26,10 +27,9 @@ constexpr std::int64_t kOpset = 17;
 struct TorchTry {
   NetCall::State state;
   std::optional<TorchInterpreter> interpreter;
-  NetValue result;
+  std::optional<NetAction> action;
   std::vector<std::string> others;  // results that are not the action, for people
   PolicyProblem problem;
-  bool passed = false;
 };
 
 /// A part of what `forward` returns, and its place: "0", "1.0".
@@ -76,11 +76,9 @@ class TorchReading {
       network.contract.observations.push_back(
           {printable((*names)[i]), static_cast<std::uint64_t>(sizes[i])});
     }
-    if (found.result.kind == NetValue::Kind::other) network.action = ActionKind::argmax;
-    const std::int32_t step =
-        found.result.kind == NetValue::Kind::other ? found.result.part.of : found.result.step;
+    if (found.action->is_choice) network.action = ActionKind::argmax;
     std::unordered_set<const NetTensor*> used;
-    auto layers = make_layers(found.state.steps, step, observed, used, problem_);
+    auto layers = make_layers(found.state.steps, found.action->step, observed, used, problem_);
     if (!layers) return std::nullopt;
     network.layers = std::move(*layers);
     network.format = "TorchScript";
@@ -88,7 +86,7 @@ class TorchReading {
     TorchTry longer;
     ++sizes.back();
     follow(sizes, longer);
-    if (longer.passed) {
+    if (longer.action) {
       network.assumed.push_back(
           fmt::format("an observation of {} numbers: the file takes longer ones too", observed));
     }
@@ -134,35 +132,21 @@ class TorchReading {
     made.state.budget = values_;
     std::vector<NetValue> inputs;
     for (const std::int64_t size : sizes) {
-      NetValue input;
+      if (sizes.size() > 1) {
+        inputs.push_back(observation_part(made.state, "observation", {1, size}));
+        continue;
+      }
+      NetValue& input = inputs.emplace_back();
       input.kind = NetValue::Kind::data;
       input.shape = Dims{1, size};
-      if (sizes.size() > 1) {
-        Reorder order;
-        for (std::int64_t i = 0; i < size; ++i) {
-          order.from.push_back(static_cast<std::uint32_t>(made.state.observed + i));
-        }
-        input.step = static_cast<std::int32_t>(made.state.steps.size());
-        made.state.steps.push_back({-1, NetLayer{std::move(order)}, "observation", size, {}});
-      }
-      made.state.observed += size;
-      inputs.push_back(std::move(input));
+      made.state.observed = size;
     }
     made.interpreter.emplace(archive_, made.state, statements_, made.problem);
     const auto result = made.interpreter->run(inputs);
     values_ = made.state.budget;
     const TorchValue* action = result ? action_among(*result, made) : nullptr;
     if (action == nullptr) return;
-    made.result = action->tensor->value;
-    if (const auto exact = exact_of(made.result)) made.result = *exact;
-    const bool is_choice = made.result.part.role == NetPart::Role::choice;
-    made.passed = made.result.kind == NetValue::Kind::data ||
-                  (made.result.kind == NetValue::Kind::other && is_choice);
-    if (made.passed) return;
-    made.problem =
-        made.result.kind == NetValue::Kind::other
-            ? made.result.problem
-            : PolicyProblem{"E0620", "has an action that is constant", "export the actor"};
+    made.action = action_of(action->tensor->value, "export the actor", made.problem);
   }
 
   /// Of several results the one that was asked for.
@@ -215,7 +199,7 @@ class TorchReading {
       for (const std::size_t i : at) sizes.push_back(candidates[i]);
       TorchTry made;
       follow(sizes, made);
-      if (made.passed) return true;
+      if (made.action) return true;
       const std::pair reached(made.state.steps.size(), made.interpreter->followed());
       if (!any || reached > farthest) {
         farthest = reached;
