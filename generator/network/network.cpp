@@ -4,6 +4,16 @@
 #include <cctype>
 
 namespace eagerx::gen {
+
+Layer layer_of(LayerForm form, std::uint32_t inputs, std::uint32_t outputs,
+               std::vector<float> bias) {
+  Layer layer;
+  layer.inputs = inputs;
+  layer.outputs = outputs;
+  layer.form = std::move(form);
+  layer.bias = std::move(bias);
+  return layer;
+}
 namespace {
 
 constexpr std::array kActivationNames = {"identity", "relu", "tanh",      "elu",      "leaky_relu",

@@ -68,10 +68,8 @@ class Assembly {
         return fail("E0619", fmt::format("takes images of more than {} values", kMaxValues),
                     "use smaller images");
       }
-      Layer layer;
-      layer.inputs = layer.outputs = static_cast<std::uint32_t>(*facts_.observations);
-      layer.form = Elementwise{Elementwise::Operation::divide};
-      layer.bias = {255.0F};
+      const auto count = static_cast<std::uint32_t>(*facts_.observations);
+      Layer layer = layer_of(Elementwise{Elementwise::Operation::divide}, count, count, {255.0F});
       network_.layers.push_back(std::move(layer));
     }
     if (!add_one_hot(parts_)) return false;

@@ -13,22 +13,6 @@
 namespace eagerx::gen {
 namespace {
 
-Layer reorder(std::uint32_t inputs, std::vector<std::uint32_t> from) {
-  Layer layer;
-  layer.inputs = inputs;
-  layer.outputs = static_cast<std::uint32_t>(from.size());
-  layer.form = Reorder{std::move(from)};
-  return layer;
-}
-
-Layer elementwise(std::uint32_t size, Elementwise::Operation operation, std::vector<float> with) {
-  Layer layer;
-  layer.inputs = layer.outputs = size;
-  layer.form = Elementwise{operation};
-  layer.bias = std::move(with);
-  return layer;
-}
-
 /// Which number of the observation each result comes from, and which choice it stands for.
 struct Places {
   std::vector<std::uint32_t> from;
@@ -39,14 +23,14 @@ struct Places {
 void add_hats(const Places& hats, std::uint32_t inputs, Network& network) {
   using Operation = Elementwise::Operation;
   const auto size = static_cast<std::uint32_t>(hats.from.size());
-  network.layers.push_back(reorder(inputs, hats.from));
-  network.layers.push_back(elementwise(size, Operation::subtract, hats.choice));
-  Layer magnitude;
-  magnitude.inputs = magnitude.outputs = size;
-  magnitude.form = Function{Function::Kind::abs};
-  network.layers.push_back(std::move(magnitude));
-  network.layers.push_back(elementwise(size, Operation::multiply, {-1.0F}));
-  network.layers.push_back(elementwise(size, Operation::add, {1.0F}));
+  const auto add = [&](LayerForm form, std::vector<float> with) {
+    network.layers.push_back(layer_of(std::move(form), size, size, std::move(with)));
+  };
+  network.layers.push_back(layer_of(Reorder{hats.from}, inputs, size));
+  add(Elementwise{Operation::subtract}, hats.choice);
+  add(Function{Function::Kind::abs}, {});
+  add(Elementwise{Operation::multiply}, {-1.0F});
+  add(Elementwise{Operation::add}, {1.0F});
   network.layers.back().activation = Activation::relu;
 }
 
@@ -79,17 +63,17 @@ bool add_one_hot(const ActorParts& parts) {
   if (plain.empty()) return true;
   const auto rest = static_cast<std::uint32_t>(plain.size());
   const auto last = static_cast<std::int32_t>(parts.network.layers.size()) - 1;
-  parts.network.layers.push_back(reorder(inputs, plain));
+  parts.network.layers.push_back(layer_of(Reorder{plain}, inputs, rest));
   parts.network.layers.back().takes = {-1};
-  Layer join;
-  join.inputs = join.outputs = ones + rest;
-  join.form = Combination{Combination::Operation::join, {ones, rest}};
+  Layer join =
+      layer_of(Combination{Combination::Operation::join, {ones, rest}}, ones + rest, ones + rest);
   join.takes = {last, last + 1};
   parts.network.layers.push_back(std::move(join));
   std::vector<std::uint32_t> from;
   from.reserve(order.size());
   for (const auto& [is_choice, at] : order) from.push_back(is_choice ? at : ones + at);
-  parts.network.layers.push_back(reorder(ones + rest, std::move(from)));
+  const auto all = static_cast<std::uint32_t>(from.size());
+  parts.network.layers.push_back(layer_of(Reorder{std::move(from)}, ones + rest, all));
   return true;
 }
 

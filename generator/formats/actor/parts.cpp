@@ -28,11 +28,7 @@ std::optional<std::vector<float>> numbers(const ActorParts& parts, const std::st
 
 void add_elementwise(Network& network, std::uint32_t count, Elementwise::Operation operation,
                      std::vector<float> values) {
-  Layer layer;
-  layer.inputs = layer.outputs = count;
-  layer.form = Elementwise{operation};
-  layer.bias = std::move(values);
-  network.layers.push_back(std::move(layer));
+  network.layers.push_back(layer_of(Elementwise{operation}, count, count, std::move(values)));
 }
 
 bool is_image_size(const Dims& image) {

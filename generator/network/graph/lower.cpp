@@ -228,11 +228,8 @@ class LayerBuilder {
   }
 
   Layer& add_form(LayerForm form) {
-    Layer layer;
+    Layer layer = layer_of(std::move(form), count_, after_);
     layer.takes = takes_;
-    layer.inputs = count_;
-    layer.outputs = after_;
-    layer.form = std::move(form);
     layers_.push_back(std::move(layer));
     return layers_.back();
   }
