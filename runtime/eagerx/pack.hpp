@@ -60,6 +60,15 @@ struct SignedOf<8> {
   using type = std::int64_t;
 };
 
+/// The lanes of registers one after the other in memory, where loops over them become vectors
+/// again. (A copy in an array of their own would go through memory a word at a time.)
+template <class Vector, std::size_t Count>
+[[gnu::always_inline]] inline auto* lanes_of(Vector (&registers)[Count]) {
+  using Plain [[gnu::may_alias]] = std::remove_cvref_t<decltype(registers[0][0])>;
+  using Lane = std::conditional_t<std::is_const_v<Vector>, const Plain, Plain>;
+  return reinterpret_cast<Lane*>(&registers);
+}
+
 /// f(0), f(1), …, f(Count - 1). No loop: compilers keep arrays in registers only if they know every
 /// index from the start.
 template <std::size_t Count, class F>
@@ -88,11 +97,9 @@ struct Mask {
   /// The truth values beside packs of numbers of another width.
   template <std::size_t Other>
   requires(Other != Bytes) [[gnu::always_inline]] explicit Mask(const Mask<Other, N>& other) {
-    typename Mask<Other, N>::Lane from[N];
-    Lane to[N];
-    std::memcpy(from, &other, sizeof from);
+    const auto* const from = detail::lanes_of(other.v);
+    auto* const to = detail::lanes_of(v);
     for (std::size_t i = 0; i < N; ++i) to[i] = static_cast<Lane>(from[i]);
-    std::memcpy(v, to, sizeof to);
   }
   /// Register i is f(i).
   template <class F>
@@ -141,11 +148,18 @@ struct Pack {
   /// The numbers of another pack as T, lane by lane as `static_cast` does.
   template <class S>
   requires(!std::is_same_v<S, T>) [[gnu::always_inline]] explicit Pack(const Pack<S, N>& other) {
-    S from[N];
-    T to[N];
-    std::memcpy(from, &other, sizeof from);
+    if constexpr (std::is_floating_point_v<T> != std::is_floating_point_v<S> &&
+                  sizeof(T) + sizeof(S) > 8 && !std::is_same_v<S, std::int32_t> &&
+                  !std::is_same_v<T, std::int32_t>) {
+      // Below AVX-512 no instruction converts these, but there is one for 32 bits, which mostly do.
+      if (fits_32_bits(other)) {
+        *this = Pack(Pack<std::int32_t, N>(other));
+        return;
+      }
+    }
+    const auto* const from = detail::lanes_of(other.v);
+    auto* const to = detail::lanes_of(v);
     for (std::size_t i = 0; i < N; ++i) to[i] = static_cast<T>(from[i]);
-    std::memcpy(v, to, sizeof to);
   }
   /// Register i is f(i).
   template <class F>
@@ -215,6 +229,21 @@ struct Pack {
     return of([&](auto i) { return a.v[i] >> static_cast<T>(shift); });
   }
 };
+
+/// Whether each number, without what is behind its point, is an std::int32_t.
+template <class S, std::size_t N>
+[[gnu::always_inline]] inline bool fits_32_bits(const Pack<S, N>& x) {
+  if constexpr (std::is_floating_point_v<S>) {
+    const auto inside = x > Pack<S, N>(S(-0x1p31F)) & x < Pack<S, N>(S(0x1p31F));
+    return !any(!inside);
+  } else {
+    const auto* const from = detail::lanes_of(x.v);
+    S lost = 0;
+    for (std::size_t i = 0; i < N; ++i)
+      lost |= from[i] ^ static_cast<S>(static_cast<std::int32_t>(from[i]));
+    return lost == 0;
+  }
+}
 
 template <class T, std::size_t N>
 struct LaneTraits<Pack<T, N>> {

@@ -17,7 +17,11 @@ foreach(graph swing multi_rate rigid pushed_box)
   elseif(graph STREQUAL rigid)
     set(environments_alone -) # whether threads disturb each other
   endif()
+  if(graph STREQUAL swing)
+    unset(EAGERX_INSTRUCTION_SETS) # to see that those for other processors compile
+  endif()
   eagerx_add_graph(TARGET environments_${graph} GRAPH ${environments_graph} BOARD environments)
+  set(EAGERX_INSTRUCTION_SETS native)
   if(environments_alone MATCHES environments_)
     eagerx_add_graph(TARGET environments_${graph}_alone GRAPH ${environments_graph})
   endif()

@@ -115,6 +115,18 @@ def one_of(tree, i):
     return {name: part[i] for name, part in tree.items()} if isinstance(tree, dict) else tree[i]
 
 
+def each_of(tree):
+    """one_of() for every row, in less than half the time."""
+    if not isinstance(tree, dict):
+        return list(tree)
+    (first, part), *others = tree.items()
+    rows = [{first: value} for value in part]
+    for name, part in others:
+        for row, value in zip(rows, part):
+            row[name] = value
+    return rows
+
+
 def shaped(values, space, count, what):
     """As an array [count, ...] of the space's shape, or a ValueError."""
     array = values if type(values) is np.ndarray else np.asarray(values)

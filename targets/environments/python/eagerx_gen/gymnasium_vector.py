@@ -144,10 +144,11 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
 
     def _add_final(self, info):
         ended = self._ended
-        final = self._observations.from_row(self.environments.final_observation.copy())
+        places = np.flatnonzero(ended)
+        final = self._observations.from_row(self.environments.final_observation[places])
         observations = np.full(self.num_envs, None, dtype=object)
-        for i in np.flatnonzero(ended):
-            observations[i] = conversion.one_of(final, i)
+        for place, observation in zip(places.tolist(), conversion.each_of(final)):
+            observations[place] = observation
         info["final_obs"], info["_final_obs"] = observations, ended.copy()
         info["final_info"] = self._info(ended) if self.library.has_task else {}
         info["_final_info"] = ended.copy()
