@@ -275,6 +275,7 @@ std::vector<TorchRow> torch_plain_rows() {
           {"leaky_relu", leaky_relu},
           {"silu", silu},
           {"gelu", gelu},
+          {"mish", torch_of_one<"Mish">},
           {"softplus", softplus},
           {"softmax", softmax},
           {"argmax", arg_max},

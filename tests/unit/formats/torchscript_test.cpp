@@ -195,6 +195,13 @@ TEST(TorchScript, CodeThatIsNoCodeIsRefused) {
   expect_refused(changed("by_hand_half.pt", "code/__torch__.py", ""), "E0753", "ByHand.forward");
 }
 
+TEST(TorchScript, MishIsItsFormula) {
+  const Network whole = read_good(body_with("z = torch.mish(y)"));
+  const Network parts = read_good(body_with("z = torch.mul(y, torch.tanh(torch.softplus(y)))"));
+  const std::vector<float> x = {0.5F, -1.0F, 2.0F, -0.25F};
+  EXPECT_EQ(evaluate(whole, x), evaluate(parts, x));
+}
+
 TEST(TorchScript, WhatIsNotUnderstoodIsRefusedByItsLine) {
   for (const auto& [line, text] : std::initializer_list<std::pair<const char*, const char*>>{
            {"z = torch.cumsum(y, 1)", "`cumsum`, which is not supported (line 6"},
