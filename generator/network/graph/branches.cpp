@@ -19,10 +19,6 @@ NetValue function(const NetCall& call) {
   if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
   return call.layer_after(x.step, Function{What}, *x.shape);
 }
-NetValue root(const NetCall& call) {
-  if (const auto part = part_of_formula(call, NetFormula::root)) return *part;
-  return function<Function::Kind::sqrt>(call);
-}
 
 /// Over the last axis.
 NetValue norm(const NetCall& call) {
@@ -83,21 +79,24 @@ std::optional<NetValue> materialized(const NetCall& call, const NetValue& value)
 std::vector<NetOperator> branch_operators() {
   using F = Function::Kind;
   const NetFolding roots = {[](float a, float) { return std::sqrt(a); }, nullptr, true};
-  return {{"Sin", function<F::sin>, time_of_each, {}, true},
-          {"Cos", function<F::cos>, time_of_each, {}, true},
-          {"Exp", function<F::exp>, time_of_each, {}, true},
-          {"Abs", function<F::abs>, time_of_each, {}, true},
-          {"Sqrt", root, time_of_each, roots, true},
+  return {{"Sin", function<F::sin>, time_of_each, {.keeps_shape = true}},
+          {"Cos", function<F::cos>, time_of_each, {.keeps_shape = true}},
+          {"Exp", function<F::exp>, time_of_each, {.keeps_shape = true}},
+          {"Abs", function<F::abs>, time_of_each, {.keeps_shape = true}},
+          {"Sqrt",
+           function<F::sqrt>,
+           time_of_each,
+           {.folding = roots, .formula = NetFormula::root, .keeps_shape = true}},
           {"ReduceL2", norm, time_of_reduce},
           // Refused, but random parts of an action are made of them.
-          {"Ceil", nullptr, nullptr, {}, true},
-          {"Floor", nullptr, nullptr, {}, true},
-          {"HardSigmoid", nullptr, nullptr, {}, true},
-          {"Log", nullptr, nullptr, {}, true},
-          {"Mod", nullptr, nullptr, {}, true},
-          {"RandomNormalLike", nullptr, nullptr, {}, true},
-          {"Round", nullptr, nullptr, {}, true},
-          {"Softsign", nullptr, nullptr, {}, true}};
+          {"Ceil", nullptr, nullptr, {.keeps_shape = true}},
+          {"Floor", nullptr, nullptr, {.keeps_shape = true}},
+          {"HardSigmoid", nullptr, nullptr, {.keeps_shape = true}},
+          {"Log", nullptr, nullptr, {.keeps_shape = true}},
+          {"Mod", nullptr, nullptr, {.keeps_shape = true}},
+          {"RandomNormalLike", nullptr, nullptr, {.keeps_shape = true}},
+          {"Round", nullptr, nullptr, {.keeps_shape = true}},
+          {"Softsign", nullptr, nullptr, {.keeps_shape = true}}};
 }
 
 }  // namespace eagerx::gen

@@ -130,9 +130,12 @@ std::optional<NetValue> exact_of(const NetValue& value) {
 }
 
 std::vector<NetOperator> choice_operators() {
-  return {{"ArgMax", arg_max, time_of_arg_max},     {"Softmax", softmax, time_of_softmax, {}, true},
-          {"LogSoftmax", softmax, time_of_softmax}, {"ReduceLogSumExp", reduction, time_of_reduce},
-          {"ReduceMax", reduction, time_of_reduce}, {"ReduceSum", reduction, time_of_reduce}};
+  return {{"ArgMax", arg_max, time_of_arg_max},
+          {"Softmax", softmax, time_of_softmax, {.keeps_shape = true}},
+          {"LogSoftmax", softmax, time_of_softmax},
+          {"ReduceLogSumExp", reduction, time_of_reduce},
+          {"ReduceMax", reduction, time_of_reduce},
+          {"ReduceSum", reduction, time_of_reduce}};
 }
 
 }  // namespace eagerx::gen

@@ -80,7 +80,6 @@ NetValue added(const NetCall& call) {
 }
 
 NetValue add(const NetCall& call) {
-  if (const auto part = part_of_formula(call, NetFormula::sum)) return *part;
   if (!operands_of(call)) {
     if (auto value = same_order(call, true)) return *value;
   }
@@ -88,7 +87,6 @@ NetValue add(const NetCall& call) {
 }
 
 NetValue subtract(const NetCall& call) {
-  if (const auto part = part_of_formula(call, NetFormula::difference)) return *part;
   const auto operands = operands_of(call);
   if (!operands) {
     if (auto value = same_order(call, false)) return *value;
@@ -108,7 +106,6 @@ NetValue subtract(const NetCall& call) {
 }
 
 NetValue divide(const NetCall& call) {
-  if (const auto part = part_of_formula(call, NetFormula::quotient)) return *part;
   const auto operands = operands_of(call);
   if (operands && !operands->data_left) return call.misused("of a constant by a layer");
   if (auto value = combined(call, call.input(0), call.input(1), Combination::Operation::quotient)) {
@@ -126,7 +123,6 @@ NetValue negate(const NetCall& call) {
 
 /// x sigmoid(x), as torch exports SiLU; parts of formulas; a factor.
 NetValue multiply(const NetCall& call) {
-  if (const auto part = part_of_formula(call, NetFormula::product)) return *part;
   const NetValue& a = call.input(0);
   const NetValue& b = call.input(1);
   if (a.kind != Kind::data || b.kind != Kind::data) return with_constant(call, Operation::multiply);
@@ -221,11 +217,8 @@ NetValue selu(const NetCall& call) {
   return value ? *value : call.misused("on an unknown shape", x.shape);
 }
 
-template <NetFormula Next>
 NetValue formula_only(const NetCall& call) {
-  const auto part = part_of_formula(call, Next);
-  return part ? *part
-              : call.misused("that is not a part of a LayerNorm or a gelu", call.input(0).shape);
+  return call.misused("that is not a part of a LayerNorm or a gelu", call.input(0).shape);
 }
 
 /// (x - mean) * (scale / sqrt(variance + epsilon)) + offset, of a trained layer.
@@ -309,20 +302,30 @@ std::vector<NetOperator> elementwise_operators() {
   const NetFolding smallest = {[](float a, float b) { return std::min(a, b); }};
   const NetFolding opposite = {[](float a, float) { return -a; }, nullptr, true};
   const NetFolding inverse = {[](float a, float) { return 1.0F / a; }, nullptr, true};
-  return {{"Add", add, time_of_each, sums},
-          {"Sub", subtract, time_of_each, differences, true},
-          {"Mul", multiply, time_of_each, products, true},
-          {"Div", divide, time_of_each, quotients, true},
-          {"Neg", negate, time_of_each, opposite, true},
-          {"Reciprocal", nullptr, nullptr, inverse},
-          {"Clip", clip, time_of_each},
-          {"Max", limit<Operation::at_least>, time_of_each, largest, true},
-          {"Min", limit<Operation::at_most>, time_of_each, smallest, true},
-          {"Pow", formula_only<NetFormula::power>, time_of_each, {}, true},
-          {"Sum", sum, time_of_each, {}, true},
-          {"Selu", selu, time_of_each, {}, true},
-          {"Erf", formula_only<NetFormula::erf>, time_of_each, {}, true},
-          {"BatchNormalization", batch_normalization, time_but_channels}};
+  return {
+      {"Add", add, time_of_each, {.folding = sums, .formula = NetFormula::sum}},
+      {"Sub",
+       subtract,
+       time_of_each,
+       {.folding = differences, .formula = NetFormula::difference, .keeps_shape = true}},
+      {"Mul",
+       multiply,
+       time_of_each,
+       {.folding = products, .formula = NetFormula::product, .keeps_shape = true}},
+      {"Div",
+       divide,
+       time_of_each,
+       {.folding = quotients, .formula = NetFormula::quotient, .keeps_shape = true}},
+      {"Neg", negate, time_of_each, {.folding = opposite, .keeps_shape = true}},
+      {"Reciprocal", nullptr, nullptr, {.folding = inverse}},
+      {"Clip", clip, time_of_each},
+      {"Max", limit<Operation::at_least>, time_of_each, {.folding = largest, .keeps_shape = true}},
+      {"Min", limit<Operation::at_most>, time_of_each, {.folding = smallest, .keeps_shape = true}},
+      {"Pow", formula_only, time_of_each, {.formula = NetFormula::power, .keeps_shape = true}},
+      {"Sum", sum, time_of_each, {.keeps_shape = true}},
+      {"Selu", selu, time_of_each, {.keeps_shape = true}},
+      {"Erf", formula_only, time_of_each, {.formula = NetFormula::erf, .keeps_shape = true}},
+      {"BatchNormalization", batch_normalization, time_but_channels}};
 }
 
 }  // namespace eagerx::gen

@@ -45,10 +45,18 @@ std::string advice(std::string_view name) {
 }
 
 NetValue unsupported(const NetCall& call, const NetOperator* row) {
-  const bool has_shape = row != nullptr && row->keeps_shape;
+  const bool has_shape = row != nullptr && row->traits.keeps_shape;
   return call.other({"E0612", fmt::format("needs {}, which is not supported", call.who()),
                      advice(call.node().type)},
                     has_shape ? call.common_shape() : std::nullopt);
+}
+
+/// A part of a formula, or what the operator does.
+NetValue recognised(const NetCall& call, const NetOperator& row) {
+  if (row.traits.formula) {
+    if (auto part = part_of_formula(call, *row.traits.formula)) return std::move(*part);
+  }
+  return row.run(call);
 }
 
 /// The operator's result if what was thought to be a formula was not one.
@@ -64,19 +72,21 @@ std::optional<NetValue> with_parts(const NetCall& call, const NetOperator& row) 
   }
   if (made.empty()) return std::nullopt;
   const NetCall again(call.node(), std::move(inputs), call.state());
-  NetValue value = along_time(again, row.time, row.run(again));
+  NetValue value = along_time(again, row.time, recognised(again, row));
   if (value.kind != NetValue::Kind::data) return std::nullopt;
   return value;
 }
 
 }  // namespace
 
+// Fold, recognise, time: operator by operator rather than each over the whole graph, because the
+// first problem on the way to the action is the one that is reported.
 NetValue evaluate(const NetCall& call) {
   const NetOperator* row = row_of(call);
   if (row == nullptr || !call.node().is_usual()) return unsupported(call, row);
-  if (auto value = folded(call, row->folding)) return *value;
+  if (auto value = folded(call, row->traits.folding)) return *value;
   if (row->run == nullptr) return unsupported(call, row);
-  NetValue value = along_time(call, row->time, row->run(call));
+  NetValue value = along_time(call, row->time, recognised(call, *row));
   if (value.kind != NetValue::Kind::other || value.part.role != NetPart::Role::none) return value;
   const auto again = with_parts(call, *row);
   return again ? *again : value;
@@ -84,8 +94,9 @@ NetValue evaluate(const NetCall& call) {
 
 NetValue later_output(const NetCall& call, const NetValue& first, int i) {
   const NetOperator* row = row_of(call);
-  if (row == nullptr || row->later == nullptr) return call.misused("whose second output is used");
-  return row->later(call, first, i);
+  if (row == nullptr || row->traits.later == nullptr)
+    return call.misused("whose second output is used");
+  return row->traits.later(call, first, i);
 }
 
 }  // namespace eagerx::gen

@@ -226,7 +226,6 @@ NetValue mean_along(const NetCall& call, std::int64_t axis) {
 
 /// A part of LayerNorm, the mean of each channel, or one along an axis: of quantiles.
 NetValue reduce_mean(const NetCall& call) {
-  if (const auto part = part_of_formula(call, NetFormula::mean)) return *part;
   const NetValue& x = call.input(0);
   auto axes = call.integers(1, "axes");
   if (x.kind == Kind::data && axes && axes->size() == 1) {
@@ -298,7 +297,7 @@ std::vector<NetOperator> image_operators() {
           {"AveragePool", pools<P::average, false>, time_of_image},
           {"GlobalMaxPool", pools<P::max, true>, time_of_image},
           {"GlobalAveragePool", pools<P::average, true>, time_of_image},
-          {"ReduceMean", reduce_mean, time_of_reduce},
+          {"ReduceMean", reduce_mean, time_of_reduce, {.formula = NetFormula::mean}},
           {"Pad", pad, time_of_image}};
 }
 

@@ -154,11 +154,6 @@ NetValue activation(const NetCall& call, Activation kind, float slope = 0.0F) {
   return call.data_after(x.step, NetActivation{kind, slope}, *x.shape);
 }
 
-NetValue tanh_operator(const NetCall& call) {
-  if (const auto part = part_of_formula(call, NetFormula::tanh)) return *part;
-  return activation(call, Activation::tanh);
-}
-
 /// elu with an alpha of 1, the only one that celu shares with it.
 NetValue celu(const NetCall& call) {
   if (call.real("alpha", 1.0F) != 1.0F) return call.misused("whose alpha is not 1");
@@ -249,13 +244,13 @@ std::vector<NetOperator> layer_operators() {
   return {{"Gemm", gemm, time_of_gemm},
           {"MatMul", matmul, time_of_matmul},
           {"Relu", plain<Activation::relu>, time_of_each},
-          {"Tanh", tanh_operator, time_of_each},
-          {"Elu", elu, time_of_each, {}, true},
+          {"Tanh", plain<Activation::tanh>, time_of_each, {.formula = NetFormula::tanh}},
+          {"Elu", elu, time_of_each, {.keeps_shape = true}},
           {"Celu", celu, time_of_each},
           {"PRelu", parametric_relu, time_of_each},
-          {"LeakyRelu", leaky_relu, time_of_each, {}, true},
-          {"Sigmoid", plain<Activation::sigmoid>, time_of_each, {}, true},
-          {"Softplus", plain<Activation::softplus>, time_of_each, {}, true},
+          {"LeakyRelu", leaky_relu, time_of_each, {.keeps_shape = true}},
+          {"Sigmoid", plain<Activation::sigmoid>, time_of_each, {.keeps_shape = true}},
+          {"Softplus", plain<Activation::softplus>, time_of_each, {.keeps_shape = true}},
           {"Gelu", gelu, time_of_each},
           {"Mish", mish, time_of_each},
           {"LayerNormalization", layer_normalization, time_but_last},

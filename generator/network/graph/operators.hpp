@@ -17,23 +17,41 @@ struct NetFolding {
   bool takes_one = false;  // and leaves b alone
 };
 
+/// What LayerNorm and gelu are made of where exporters write them out.
+enum class NetFormula : std::uint8_t {
+  sum,
+  difference,
+  product,
+  quotient,
+  power,
+  root,
+  erf,
+  tanh,
+  mean,
+};
+
+/// What is special about an operator.
+struct NetTraits {
+  NetFolding folding{};
+  std::optional<NetFormula> formula{};  // of which it may be a part
+  /// The result has the shape that the inputs broadcast to. The action may not come through a
+  /// refused operator, but its shape may: SAC exports `Expand(mean, Shape(mean + std * noise))`.
+  bool keeps_shape = false;
+  /// Result `i` (from 1), if `first` is result 0; nullptr: there is no other.
+  NetValue (*later)(const NetCall&, const NetValue& first, int i) = nullptr;
+};
+
 /// All there is to say of one operator, under ONNX's name. It cannot be without a rule of time.
 struct NetOperator {
   using Run = NetValue (*)(const NetCall&);
-  using Later = NetValue (*)(const NetCall&, const NetValue& first, int i);
 
-  NetOperator(std::string_view called, Run runs, NetTimeRule times, NetFolding folds = {},
-              bool keeps = false, Later gives = nullptr)
-      : name(called), run(runs), time(times), folding(folds), keeps_shape(keeps), later(gives) {}
+  NetOperator(std::string_view called, Run runs, NetTimeRule times, NetTraits has = {})
+      : name(called), run(runs), time(times), traits(has) {}
 
   std::string_view name;
   Run run;           // its shape, and its step; nullptr: it is refused, but what follows is known
   NetTimeRule time;  // nullptr: it may look at anything
-  NetFolding folding;
-  /// The result has the shape that the inputs broadcast to. The action may not come through a
-  /// refused operator, but its shape may: SAC exports `Expand(mean, Shape(mean + std * noise))`.
-  bool keeps_shape;
-  Later later;  // result `i` (from 1), if `first` is result 0; nullptr: there is no other
+  NetTraits traits;
 };
 
 /// Operators that compute (layers.cpp), that only move or shape (shapes.cpp), that pick
@@ -96,18 +114,6 @@ NetValue constant_value(const NetTensor& tensor);
 /// Constants that are not in the file.
 NetValue made_constant(const NetCall& call, const std::vector<float>& numbers, const Dims& shape);
 NetValue made_constant(const NetCall& call, float number);
-/// What LayerNorm and gelu are made of where exporters write them out.
-enum class NetFormula : std::uint8_t {
-  sum,
-  difference,
-  product,
-  quotient,
-  power,
-  root,
-  erf,
-  tanh,
-  mean,
-};
 /// The result of a formula's next operator, if the inputs are a part of one.
 std::optional<NetValue> part_of_formula(const NetCall& call, NetFormula next);
 /// x plus or minus one number that is no constant: E0613 if the action depends on more than the

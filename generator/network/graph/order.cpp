@@ -381,7 +381,7 @@ std::vector<NetOperator> order_operators() {
   return {{"Transpose", transpose, time_of_transpose},
           {"Concat", concat, time_of_concat},
           {"Slice", slice, time_of_slice},
-          {"Split", split, time_of_split, {}, false, later_part}};
+          {"Split", split, time_of_split, {.later = later_part}}};
 }
 
 }  // namespace eagerx::gen

@@ -170,8 +170,8 @@ NetValue state_after(const NetCall& call, const NetValue& first, int i) {
 }  // namespace
 
 std::vector<NetOperator> recurrent_operators() {
-  return {{"GRU", cell<false>, time_of_cell, {}, false, state_after<false>},
-          {"LSTM", cell<true>, time_of_cell, {}, false, state_after<true>}};
+  return {{"GRU", cell<false>, time_of_cell, {.later = state_after<false>}},
+          {"LSTM", cell<true>, time_of_cell, {.later = state_after<true>}}};
 }
 
 }  // namespace eagerx::gen
