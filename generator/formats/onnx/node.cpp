@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace eagerx::gen {
@@ -105,6 +106,27 @@ NetAttribute attribute_of(const AttributeProto& attribute, std::deque<NetTensor>
   return result;
 }
 
+/// What older versions of ONNX say in another way.
+void renew(NetNode& node, std::int64_t opset, std::vector<const NetValue*>& inputs) {
+  constexpr std::int64_t kBoundsAreInputs = 11;
+  constexpr std::int64_t kSoftmaxHasOneAxis = 13;
+  if (node.type == "Clip") {
+    if (opset >= kBoundsAreInputs) {
+      node.attributes.clear();
+    } else if (!inputs.empty()) {
+      inputs.resize(1);
+    }
+  }
+  if ((node.type == "Softmax" || node.type == "LogSoftmax") && opset < kSoftmaxHasOneAxis) {
+    auto axis = std::ranges::find(node.attributes, "axis", &NetAttribute::name);
+    if (axis == node.attributes.end()) {
+      axis = node.attributes.insert(axis, NetAttribute{"axis"});
+    }
+    if (!axis->whole) axis->whole = 1;
+    node.attributes.push_back({kSoftmaxToLast, 1});
+  }
+}
+
 }  // namespace
 
 NetValue tensor_value(const TensorProto& tensor, std::deque<NetTensor>& made) {
@@ -118,13 +140,15 @@ NetValue tensor_value(const TensorProto& tensor, std::deque<NetTensor>& made) {
   return value;
 }
 
-NetNode node_of(const onnx::NodeProto& node, std::deque<NetTensor>& made) {
+NetNode node_of(const onnx::NodeProto& node, std::int64_t opset,
+                std::vector<const NetValue*>& inputs, std::deque<NetTensor>& made) {
   NetNode result{node.op_type(), node.name(), node.domain()};
   if (node.output_size() > 0) result.output = node.output(0);
   result.outputs = node.output_size();
   for (const AttributeProto& attribute : node.attribute()) {
     result.attributes.push_back(attribute_of(attribute, made));
   }
+  renew(result, opset, inputs);
   return result;
 }
 

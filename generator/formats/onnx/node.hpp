@@ -12,7 +12,8 @@ namespace eagerx::gen {
 /// `problem` is E0614, E0615 or E0617. `made` keeps what describes it.
 NetValue tensor_value(const onnx::TensorProto& tensor, std::deque<NetTensor>& made);
 
-/// A node, with views into the file.
-NetNode node_of(const onnx::NodeProto& node, std::deque<NetTensor>& made);
+/// A node of a file of version `opset`, with views into the file. Its `inputs` may become fewer.
+NetNode node_of(const onnx::NodeProto& node, std::int64_t opset,
+                std::vector<const NetValue*>& inputs, std::deque<NetTensor>& made);
 
 }  // namespace eagerx::gen

@@ -160,14 +160,14 @@ bool set_states(const onnx::GraphProto& graph, const OnnxNames& names,
   return true;
 }
 
-void evaluate_nodes(const OnnxDependencies& needed, NetCall::State& state, ValueTable& values,
-                    std::unordered_set<const onnx::NodeProto*>& done) {
+void evaluate_nodes(const OnnxDependencies& needed, std::int64_t opset, NetCall::State& state,
+                    ValueTable& values, std::unordered_set<const onnx::NodeProto*>& done) {
   for (const onnx::NodeProto* node : needed.nodes) {
     if (!done.insert(node).second) continue;
     std::vector<const NetValue*> inputs;
     for (const std::string& input : node->input()) inputs.push_back(values.get(input));
     if (node->output_size() == 0) continue;
-    const NetNode used = node_of(*node, state.made);
+    const NetNode used = node_of(*node, opset, inputs, state.made);
     const NetCall call(used, std::move(inputs), state);
     const NetValue first = evaluate(call);
     for (int i = 0; i < node->output_size(); ++i) {
@@ -309,7 +309,6 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
 
   Network network;
   NetCall::State state;
-  state.opset = *opset;
   state.is_sequence = is_sequence(*observation->front());
   ValueTable values(*names, state.made);
   const bool has_memory = std::any_of(needed->nodes.begin(), needed->nodes.end(),
@@ -333,7 +332,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
     return std::nullopt;
   }
   std::unordered_set<const onnx::NodeProto*> done;
-  evaluate_nodes(*needed, state, values, done);
+  evaluate_nodes(*needed, *opset, state, values, done);
   const auto result = action_of(*values.get(action), kExportActor, problem);
   if (!result) return std::nullopt;
   if (result->is_choice) network.action = ActionKind::argmax;
@@ -346,7 +345,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
                                         : std::optional<OnnxDependencies>();
     if (more) {
       state.budget -= kSteps * static_cast<std::int64_t>(more->nodes.size());
-      evaluate_nodes(*more, state, values, done);
+      evaluate_nodes(*more, *opset, state, values, done);
     }
     others.push_back(values.get(graph.output(i).name()));
   }

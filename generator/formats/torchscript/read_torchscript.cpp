@@ -21,7 +21,6 @@ constexpr std::int64_t kMostStatements = 400'000;
 constexpr std::size_t kMostTries = 1500;
 constexpr const char* kSayResult =
     "say it in the graph: `agent: {policy: …, output_name: \"0\"}`; for `policy` with `--output 0`";
-constexpr std::int64_t kOpset = 17;
 
 /// One try.
 struct TorchTry {
@@ -127,7 +126,6 @@ class TorchReading {
   }
 
   void follow(const std::vector<std::int64_t>& sizes, TorchTry& made) {
-    made.state.opset = kOpset;
     made.state.has_gates_of_onnx = false;
     made.state.budget = values_;
     std::vector<NetValue> inputs;

@@ -30,7 +30,10 @@ struct NetAttribute {
   }
 };
 
-/// An operator as it is used in a file.
+/// Attribute of a Softmax that is over its axis and all behind it.
+inline constexpr std::string_view kSoftmaxToLast = "to_last";
+
+/// An operator as it is used in a file, in the way of ONNX's newest version.
 struct NetNode {
   std::string_view type;      // ONNX's name of it
   std::string_view name{};    // where it is, for people
@@ -45,8 +48,7 @@ struct NetNode {
 /// What an operator sees.
 class NetCall {
  public:
-  struct State {  // shared by all calls of a graph
-    std::int64_t opset = 0;
+  struct State {                // shared by all calls of a graph
     std::int64_t observed = 0;  // values of the observation
     bool is_sequence = false;   // the observation has time as an axis of any length
     bool follows_time = false;  // and no state is an input: the sequence starts an episode
@@ -68,7 +70,6 @@ class NetCall {
 
   [[nodiscard]] const NetNode& node() const { return node_; }
   [[nodiscard]] State& state() const { return state_; }
-  [[nodiscard]] std::int64_t opset() const { return state_.opset; }
   [[nodiscard]] std::size_t input_count() const { return inputs_.size(); }
   /// Input `i`; an absent value past the end.
   [[nodiscard]] const NetValue& input(std::size_t i) const;

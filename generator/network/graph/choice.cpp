@@ -39,8 +39,7 @@ NetValue in_order_of(const NetCall& call, std::int32_t step, const std::optional
 NetValue softmax(const NetCall& call) {
   const NetValue& x = call.input(0);
   const auto step = scores_of(x);
-  constexpr std::int64_t kLastAxisIsDefault = 13;
-  const bool whole = whole_axis(call, x, call.opset() < kLastAxisIsDefault ? 1 : -1).has_value();
+  const bool whole = whole_axis(call, x, -1).has_value();
   if (!step || !whole) return call.misused("that is not of all outputs of a layer", x.shape);
   return in_order_of(call, *step, x.shape, Role::ordered,
                      "on the way to the action, without an ArgMax behind it");
@@ -81,10 +80,8 @@ NetValue reduction(const NetCall& call) {
 
 std::optional<TimeMask> time_of_softmax(const NetCall& call, const NetValue& /*result*/) {
   const NetValue& x = call.input(0);
-  constexpr std::int64_t kOneAxis = 13;  // before, also all behind it
-  const bool old = call.opset() < kOneAxis;
-  const std::int64_t axis = from_front(call.integer("axis", old ? 1 : -1), rank_of(x));
-  if (old && x.time >= time_bit(axis)) return std::nullopt;
+  const std::int64_t axis = from_front(call.integer("axis", -1), rank_of(x));
+  if (call.integer(kSoftmaxToLast, 0) != 0 && x.time >= time_bit(axis)) return std::nullopt;
   return time_unless(x, axis);
 }
 std::optional<TimeMask> time_of_arg_max(const NetCall& call, const NetValue& /*result*/) {

@@ -147,11 +147,7 @@ struct Bound {
 };
 
 Bound bound_of(const NetCall& call, std::size_t i, std::string_view name) {
-  constexpr std::int64_t kBoundsAreInputs = 11;
-  if (call.opset() < kBoundsAreInputs) {
-    if (call.attribute(name) == nullptr) return {};
-    return {call.real(name, 0.0F), true};
-  }
+  if (call.attribute(name) != nullptr) return {call.real(name, 0.0F), true};
   const NetValue& input = call.input(i);
   if (input.kind == Kind::absent) return {};
   PolicyProblem ignored;

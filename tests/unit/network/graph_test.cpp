@@ -44,6 +44,7 @@ class Policy {
                  std::vector<NetAttribute> attributes = {}) {
     const NetNode node{type, "here", {}, "result", 1, std::move(attributes)};
     std::vector<const NetValue*> given;
+    given.reserve(inputs.size());
     for (const NetValue& input : inputs) given.push_back(&input);
     return evaluate(NetCall(node, std::move(given), state));
   }
