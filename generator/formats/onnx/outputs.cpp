@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "generator/formats/onnx/inputs.hpp"
+#include "generator/network/graph/evaluate.hpp"
 #include "generator/network/shape.hpp"
 
 namespace eagerx::gen {
@@ -63,8 +64,7 @@ bool is_no_action(std::string_view name) {
 }
 
 bool is_layer(const onnx::NodeProto* node) {
-  constexpr std::array kOperators = {"Gemm", "MatMul", "Conv", "GRU", "LSTM"};
-  return std::ranges::find(kOperators, node->op_type()) != kOperators.end();
+  return has_weights(node->op_type());
 }
 
 /// Whether `tensor` is what a layer multiplies with.
@@ -177,9 +177,8 @@ class Chooser {
     if (std::ranges::none_of(first->nodes, is_layer)) return unknown();
     const Nodes on_the_way(first->nodes.begin(), first->nodes.end());
     const Weights its_own = weights_of(*first);
-    const bool has_memory = std::ranges::any_of(first->nodes, [](const onnx::NodeProto* node) {
-      return node->op_type() == "GRU" || node->op_type() == "LSTM";
-    });
+    const bool is_recurrent = std::ranges::any_of(
+        first->nodes, [](const auto* node) { return has_memory(node->op_type()); });
     for (int i = 1; i < graph_.output_size(); ++i) {
       if (is_no_action(name(i)) || is_one_number_more(i)) continue;
       const auto producer = names_.producers.find(name(i));
@@ -187,7 +186,7 @@ class Chooser {
       const auto other = needed_for(i);
       if (!other) return std::nullopt;
       const auto more = parameters_only_in(*other, its_own);
-      if (more.empty() ? has_memory : std::ranges::all_of(more, is_no_weight_of_action)) continue;
+      if (more.empty() ? is_recurrent : std::ranges::all_of(more, is_no_weight_of_action)) continue;
       return unknown();
     }
     return 0;

@@ -76,8 +76,9 @@ std::optional<std::int64_t> checked_opset(const onnx::ModelProto& model, PolicyP
   return opset;
 }
 
-bool is_recurrent(const onnx::NodeProto& node) {
-  return node.op_type() == "GRU" || node.op_type() == "LSTM";
+bool remembers(const OnnxDependencies& needed) {
+  return std::ranges::any_of(needed.nodes,
+                             [](const auto* node) { return has_memory(node->op_type()); });
 }
 
 using GraphInputs = std::vector<const onnx::ValueInfoProto*>;
@@ -88,8 +89,7 @@ using InputSet = std::unordered_set<const onnx::ValueInfoProto*>;
 std::optional<GraphInputs> find_observation(const onnx::GraphProto& graph,
                                             const OnnxDependencies& needed,
                                             PolicyProblem& problem) {
-  const bool has_memory = std::any_of(needed.nodes.begin(), needed.nodes.end(),
-                                      [](const auto* node) { return is_recurrent(*node); });
+  const bool is_recurrent = remembers(needed);
   if (needed.inputs.empty()) {
     return refuse(problem, "E0620", "has an action that depends on no input", kExportActor);
   }
@@ -97,7 +97,7 @@ std::optional<GraphInputs> find_observation(const onnx::GraphProto& graph,
   const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
   for (const onnx::ValueInfoProto& input : graph.input()) {
     const bool is_needed = wanted.contains(&input);
-    if (is_needed && (found.empty() || !has_memory)) found.push_back(&input);
+    if (is_needed && (found.empty() || !is_recurrent)) found.push_back(&input);
   }
   return found;
 }
@@ -311,24 +311,23 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   NetCall::State state;
   state.is_sequence = is_sequence(*observation->front());
   ValueTable values(*names, state.made);
-  const bool has_memory = std::any_of(needed->nodes.begin(), needed->nodes.end(),
-                                      [](const auto* node) { return is_recurrent(*node); });
+  const bool is_recurrent = remembers(*needed);
   std::optional<Dims> observed;
   if (observation->size() > 1) {
     if (!set_parts(*observation, state, values, network, problem)) return std::nullopt;
     observed = Dims{state.observed};
   } else {
-    observed = input_shape(*observation->front(), has_memory, problem);
+    observed = input_shape(*observation->front(), is_recurrent, problem);
     if (!observed) return std::nullopt;
     state.observed = element_count(*observed).value_or(0);
     NetValue first;
     first.kind = Kind::data;
     first.shape = observed;
-    state.follows_time = has_memory && state.is_sequence && needed->inputs.size() == 1;
+    state.follows_time = is_recurrent && state.is_sequence && needed->inputs.size() == 1;
     first.time = state.follows_time ? 3 : 0;  // [batch, time, …] or [time, batch, …]
     values.set(observation->front()->name(), std::move(first));
   }
-  if (has_memory && !set_states(graph, *names, *needed, *observation->front(), values, problem)) {
+  if (is_recurrent && !set_states(graph, *names, *needed, *observation->front(), values, problem)) {
     return std::nullopt;
   }
   std::unordered_set<const onnx::NodeProto*> done;
@@ -337,7 +336,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   if (!result) return std::nullopt;
   if (result->is_choice) network.action = ActionKind::argmax;
   std::vector<const NetValue*> others;
-  for (int i = 0; has_memory && i < graph.output_size(); ++i) {
+  for (int i = 0; is_recurrent && i < graph.output_size(); ++i) {
     if (i == chosen->output) continue;
     constexpr std::int64_t kSteps = 16;  // of the budget, for each node that is walked over
     PolicyProblem ignored;

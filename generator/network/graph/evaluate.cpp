@@ -27,9 +27,9 @@ const std::map<std::string_view, NetOperator>& operators() {
   return kTable;
 }
 
-/// The row of the call; nullptr if there is none.
-const NetOperator* row_of(const NetCall& call) {
-  const auto found = operators().find(call.node().type);
+/// The row of an operator; nullptr if there is none.
+const NetOperator* row_of(std::string_view type) {
+  const auto found = operators().find(type);
   return found == operators().end() ? nullptr : &found->second;
 }
 
@@ -79,10 +79,20 @@ std::optional<NetValue> with_parts(const NetCall& call, const NetOperator& row) 
 
 }  // namespace
 
+bool has_weights(std::string_view type) {
+  const NetOperator* row = row_of(type);
+  return row != nullptr && row->traits.has_weights;
+}
+
+bool has_memory(std::string_view type) {
+  const NetOperator* row = row_of(type);
+  return row != nullptr && row->traits.has_memory;
+}
+
 // Fold, recognise, time: operator by operator rather than each over the whole graph, because the
 // first problem on the way to the action is the one that is reported.
 NetValue evaluate(const NetCall& call) {
-  const NetOperator* row = row_of(call);
+  const NetOperator* row = row_of(call.node().type);
   if (row == nullptr || !call.node().is_usual()) return unsupported(call, row);
   if (auto value = folded(call, row->traits.folding)) return *value;
   if (row->run == nullptr) return unsupported(call, row);
@@ -93,7 +103,7 @@ NetValue evaluate(const NetCall& call) {
 }
 
 NetValue later_output(const NetCall& call, const NetValue& first, int i) {
-  const NetOperator* row = row_of(call);
+  const NetOperator* row = row_of(call.node().type);
   if (row == nullptr || row->traits.later == nullptr)
     return call.misused("whose second output is used");
   return row->traits.later(call, first, i);

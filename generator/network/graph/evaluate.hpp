@@ -5,6 +5,10 @@
 
 namespace eagerx::gen {
 
+/// Whether operator `type` multiplies with weights, and whether it remembers.
+bool has_weights(std::string_view type);
+bool has_memory(std::string_view type);
+
 /// The first result. Never fails: what cannot be represented is of kind `other`. E0612, E0613,
 /// E0618, E0619.
 NetValue evaluate(const NetCall& call);

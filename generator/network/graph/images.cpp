@@ -292,7 +292,7 @@ NetValue pad(const NetCall& call) {
 
 std::vector<NetOperator> image_operators() {
   using P = Pooling::Kind;
-  return {{"Conv", convolution, time_of_image},
+  return {{"Conv", convolution, time_of_image, {.has_weights = true}},
           {"MaxPool", pools<P::max, false>, time_of_image},
           {"AveragePool", pools<P::average, false>, time_of_image},
           {"GlobalMaxPool", pools<P::max, true>, time_of_image},

@@ -241,8 +241,8 @@ std::optional<TimeMask> time_of_gemm(const NetCall& call, const NetValue& /*resu
 }  // namespace
 
 std::vector<NetOperator> layer_operators() {
-  return {{"Gemm", gemm, time_of_gemm},
-          {"MatMul", matmul, time_of_matmul},
+  return {{"Gemm", gemm, time_of_gemm, {.has_weights = true}},
+          {"MatMul", matmul, time_of_matmul, {.has_weights = true}},
           {"Relu", plain<Activation::relu>, time_of_each},
           {"Tanh", plain<Activation::tanh>, time_of_each, {.formula = NetFormula::tanh}},
           {"Elu", elu, time_of_each, {.keeps_shape = true}},

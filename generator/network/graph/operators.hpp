@@ -37,6 +37,8 @@ struct NetTraits {
   /// The result has the shape that the inputs broadcast to. The action may not come through a
   /// refused operator, but its shape may: SAC exports `Expand(mean, Shape(mean + std * noise))`.
   bool keeps_shape = false;
+  bool has_weights = false;  // that it multiplies with
+  bool has_memory = false;
   /// Result `i` (from 1), if `first` is result 0; nullptr: there is no other.
   NetValue (*later)(const NetCall&, const NetValue& first, int i) = nullptr;
 };

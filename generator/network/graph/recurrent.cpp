@@ -170,8 +170,11 @@ NetValue state_after(const NetCall& call, const NetValue& first, int i) {
 }  // namespace
 
 std::vector<NetOperator> recurrent_operators() {
-  return {{"GRU", cell<false>, time_of_cell, {.later = state_after<false>}},
-          {"LSTM", cell<true>, time_of_cell, {.later = state_after<true>}}};
+  const auto remembers = [](auto later) {
+    return NetTraits{.has_weights = true, .has_memory = true, .later = later};
+  };
+  return {{"GRU", cell<false>, time_of_cell, remembers(state_after<false>)},
+          {"LSTM", cell<true>, time_of_cell, remembers(state_after<true>)}};
 }
 
 }  // namespace eagerx::gen
