@@ -141,6 +141,25 @@ bool set_parts(const GraphInputs& inputs, NetCall::State& state, ValueTable& val
   return true;
 }
 
+/// Sets the observation, whose shape is the result: the only input, or the parts of it.
+std::optional<Dims> set_observation(const GraphInputs& inputs, bool is_recurrent,
+                                    NetCall::State& state, ValueTable& values, Network& network,
+                                    PolicyProblem& problem) {
+  if (inputs.size() > 1) {
+    if (!set_parts(inputs, state, values, network, problem)) return std::nullopt;
+    return Dims{state.observed};
+  }
+  NetValue first;
+  first.kind = Kind::data;
+  first.shape = input_shape(*inputs.front(), is_recurrent, problem);
+  if (!first.shape) return std::nullopt;
+  first.time = state.follows_time ? 3 : 0;  // [batch, time, …] or [time, batch, …]
+  state.observed = element_count(*first.shape).value_or(0);
+  const Dims shape = *first.shape;
+  values.set(inputs.front()->name(), std::move(first));
+  return shape;
+}
+
 /// Sets the inputs behind the observation that may be states.
 bool set_states(const onnx::GraphProto& graph, const OnnxNames& names,
                 const OnnxDependencies& needed, const onnx::ValueInfoProto& observation,
@@ -175,6 +194,27 @@ void evaluate_nodes(const OnnxDependencies& needed, std::int64_t opset, NetCall:
       values.set(node->output(i), i == 0 ? first : later_output(call, first, i));
     }
   }
+}
+
+/// The outputs that are not the action: among them are new states.
+std::vector<const NetValue*> other_outputs(const onnx::GraphProto& graph, const OnnxAction& chosen,
+                                           const OnnxNames& names, std::int64_t opset,
+                                           NetCall::State& state, ValueTable& values,
+                                           std::unordered_set<const onnx::NodeProto*>& done) {
+  constexpr std::int64_t kSteps = 16;  // of the budget, for each node that is walked over
+  std::vector<const NetValue*> others;
+  for (int i = 0; i < graph.output_size(); ++i) {
+    if (i == chosen.output) continue;
+    PolicyProblem ignored;
+    const auto more = state.budget >= 0 ? walk_back(graph.output(i).name(), names, ignored)
+                                        : std::optional<OnnxDependencies>();
+    if (more) {
+      state.budget -= kSteps * static_cast<std::int64_t>(more->nodes.size());
+      evaluate_nodes(*more, opset, state, values, done);
+    }
+    others.push_back(values.get(graph.output(i).name()));
+  }
+  return others;
 }
 
 /// Whether `output` is the new state for input `source`, which layer `step` takes as its own.
@@ -312,21 +352,11 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   state.is_sequence = is_sequence(*observation->front());
   ValueTable values(*names, state.made);
   const bool is_recurrent = remembers(*needed);
-  std::optional<Dims> observed;
-  if (observation->size() > 1) {
-    if (!set_parts(*observation, state, values, network, problem)) return std::nullopt;
-    observed = Dims{state.observed};
-  } else {
-    observed = input_shape(*observation->front(), is_recurrent, problem);
-    if (!observed) return std::nullopt;
-    state.observed = element_count(*observed).value_or(0);
-    NetValue first;
-    first.kind = Kind::data;
-    first.shape = observed;
-    state.follows_time = is_recurrent && state.is_sequence && needed->inputs.size() == 1;
-    first.time = state.follows_time ? 3 : 0;  // [batch, time, …] or [time, batch, …]
-    values.set(observation->front()->name(), std::move(first));
-  }
+  const bool is_alone = needed->inputs.size() == 1;
+  state.follows_time = is_recurrent && state.is_sequence && is_alone && observation->size() == 1;
+  const auto observed =
+      set_observation(*observation, is_recurrent, state, values, network, problem);
+  if (!observed) return std::nullopt;
   if (is_recurrent && !set_states(graph, *names, *needed, *observation->front(), values, problem)) {
     return std::nullopt;
   }
@@ -335,19 +365,9 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   const auto result = action_of(*values.get(action), kExportActor, problem);
   if (!result) return std::nullopt;
   if (result->is_choice) network.action = ActionKind::argmax;
-  std::vector<const NetValue*> others;
-  for (int i = 0; is_recurrent && i < graph.output_size(); ++i) {
-    if (i == chosen->output) continue;
-    constexpr std::int64_t kSteps = 16;  // of the budget, for each node that is walked over
-    PolicyProblem ignored;
-    const auto more = state.budget >= 0 ? walk_back(graph.output(i).name(), *names, ignored)
-                                        : std::optional<OnnxDependencies>();
-    if (more) {
-      state.budget -= kSteps * static_cast<std::int64_t>(more->nodes.size());
-      evaluate_nodes(*more, *opset, state, values, done);
-    }
-    others.push_back(values.get(graph.output(i).name()));
-  }
+  const auto others = is_recurrent
+                          ? other_outputs(graph, *chosen, *names, *opset, state, values, done)
+                          : std::vector<const NetValue*>();
   if (!check_states(state.steps, result->step, others, problem)) return std::nullopt;
   std::unordered_set<const NetTensor*> used;
   const auto inputs = static_cast<std::uint32_t>(state.observed);
