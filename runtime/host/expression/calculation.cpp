@@ -7,8 +7,8 @@
 namespace eagerx::expression {
 namespace {
 
-using Code = Calculation::Op;
 using Step = Calculation::Step;
+using Code = Typed::Op;
 
 // As in the code that is generated for a task.
 struct One {
@@ -44,6 +44,22 @@ constexpr std::array kTwo = {Two{"atan2", [](double y, double x) { return eagerx
                              Two{"pow", [](double x, double y) { return eagerx::pow(x, y); }},
                              Two{"fmod", [](double x, double y) { return eagerx::fmod(x, y); }}};
 
+/// By how many the values on the stack become more.
+int growth(const Step& step) {
+  switch (step.op) {
+    case Code::number:
+    case Code::variable:
+      return 1;
+    case Code::negate:
+    case Code::logical_not:
+      return 0;
+    case Code::choose:
+      return -2;
+    default:
+      return step.one != nullptr ? 0 : -1;
+  }
+}
+
 class Writer {
  public:
   Writer(const Calculation::Places& places, std::vector<Step>& steps)
@@ -53,24 +69,25 @@ class Writer {
   void write(const Typed& part, std::uint64_t element) {
     if (!problem_.empty()) return;
     switch (part.op) {
-      case Typed::Op::number:
+      case Code::number:
         return add({.op = Code::number, .number = part.value});
-      case Typed::Op::truth:
+      case Code::truth:
         return add({.op = Code::number, .number = part.truth ? 1.0 : 0.0});
-      case Typed::Op::time:
+      case Code::time:
         return read({});
-      case Typed::Op::variable:
-      case Typed::Op::before:
-        return read({part.variable, part.is_list() ? element : 0, part.op == Typed::Op::before});
-      case Typed::Op::element:
+      case Code::variable:
+      case Code::before:
+        return read({part.variable, part.is_list() ? element : 0, part.op == Code::before});
+      case Code::element:
         return write(part.operands[0], part.count);
-      case Typed::Op::sum:
-      case Typed::Op::mean:
-      case Typed::Op::norm:
-      case Typed::Op::least:
-      case Typed::Op::most:
+      case Code::sum:
+      case Code::mean:
+      case Code::norm:
+      case Code::least:
+      case Code::most:
         return reduce(part);
       default:
+        if (part.function == "clamp") return clamp(part, element);
         for (const Typed& operand : part.operands) write(operand, element);
         return apply(part);
     }
@@ -79,84 +96,57 @@ class Writer {
 
  private:
   void apply(const Typed& part) {
-    switch (part.op) {
-      case Typed::Op::function:
-        return call(part.function);
-      case Typed::Op::power:
-        return call(part.count == 2 ? "square" : "cube");
-      case Typed::Op::negate:
-        return add({.op = Code::negate});
-      case Typed::Op::logical_not:
-        return add({.op = Code::logical_not});
-      case Typed::Op::choose:
-        return add({.op = Code::choose});
-      case Typed::Op::add:
-        return add({.op = Code::add});
-      case Typed::Op::subtract:
-        return add({.op = Code::subtract});
-      case Typed::Op::multiply:
-        return add({.op = Code::multiply});
-      case Typed::Op::divide:
-        return add({.op = Code::divide});
-      case Typed::Op::less:
-        return add({.op = Code::less});
-      case Typed::Op::less_equal:
-        return add({.op = Code::less_equal});
-      case Typed::Op::greater:
-        return add({.op = Code::greater});
-      case Typed::Op::greater_equal:
-        return add({.op = Code::greater_equal});
-      case Typed::Op::equal:
-        return add({.op = Code::equal});
-      case Typed::Op::not_equal:
-        return add({.op = Code::not_equal});
-      case Typed::Op::logical_and:
-        return add({.op = Code::logical_and});
-      default:
-        return add({.op = Code::logical_or});
-    }
+    if (part.op == Code::function) return call(part.function);
+    if (part.op == Code::power) return call(part.count == 2 ? "square" : "cube");
+    add({.op = part.op});
   }
 
   void call(std::string_view name) {
     if (name == "min") return add({.op = Code::least});
     if (name == "max") return add({.op = Code::most});
-    if (name == "clamp") return add({.op = Code::clamp});
     for (const One& each : kOne)
-      if (each.name == name) return add({.op = Code::one, .one = each.function});
+      if (each.name == name) return add({.op = Code::function, .one = each.function});
     for (const Two& each : kTwo)
-      if (each.name == name) return add({.op = Code::two, .two = each.function});
+      if (each.name == name) return add({.op = Code::function, .two = each.function});
     problem_ = "`" + std::string(name) + "` cannot be calculated here";
+  }
+
+  /// As eagerx::clamp: the bound below first.
+  void clamp(const Typed& part, std::uint64_t element) {
+    write(part.operands[0], element);
+    write(part.operands[1], element);
+    add({.op = Code::most});
+    write(part.operands[2], element);
+    add({.op = Code::least});
   }
 
   /// In the order of the elements.
   void reduce(const Typed& part) {
     const Typed& list = part.operands[0];
-    const bool extreme = part.op == Typed::Op::least || part.op == Typed::Op::most;
-    const Code join = part.op == Typed::Op::least  ? Code::least
-                      : part.op == Typed::Op::most ? Code::most
+    const bool extreme = part.op == Code::least || part.op == Code::most;
+    const Code join = part.op == Code::least  ? Code::least
+                      : part.op == Code::most ? Code::most
                                                    : Code::add;
     if (extreme && list.size() == 0) problem_ = "a list without elements has no least or most";
     if (!extreme) add({.op = Code::number});
     for (std::uint64_t i = 0; i < list.size() && problem_.empty(); ++i) {
       write(list, i);
-      if (part.op == Typed::Op::norm) call("square");
+      if (part.op == Code::norm) call("square");
       if (i > 0 || !extreme) add({.op = join});
     }
-    if (part.op == Typed::Op::norm) call("sqrt");
-    if (part.op != Typed::Op::mean) return;
+    if (part.op == Code::norm) call("sqrt");
+    if (part.op != Code::mean) return;
     add({.op = Code::number, .number = static_cast<double>(list.size())});
     add({.op = Code::divide});
   }
 
   void read(const Read& what) {
-    if (const auto place = places_(what)) return add({.op = Code::read, .place = *place});
+    if (const auto place = places_(what)) return add({.op = Code::variable, .place = *place});
     problem_ = "it reads too many different numbers";
   }
 
   void add(Step step) {
-    constexpr int kOperands[] = {0, 0, 1, 1, 1, 2, 3, 3};  // of those before Code::add
-    const auto op = static_cast<std::size_t>(step.op);
-    height_ += 1 - (op < std::size(kOperands) ? kOperands[op] : 2);
+    height_ += growth(step);
     steps_.push_back(step);
     if (height_ > static_cast<int>(Calculation::kDeepest)) problem_ = "it is nested too deeply";
     if (steps_.size() > Calculation::kMostSteps) problem_ = "it takes too many operations";
@@ -170,7 +160,7 @@ class Writer {
 
 double joined(const Step& step, double a, double b) {
   switch (step.op) {
-    case Code::two:
+    case Code::function:
       return step.two(a, b);
     case Code::add:
       return a + b;
@@ -221,7 +211,7 @@ double Calculation::value(const double* values) const {
       case Code::number:
         stack[size++] = step.number;
         break;
-      case Code::read:
+      case Code::variable:
         stack[size++] = values[step.place];
         break;
       case Code::negate:
@@ -230,18 +220,15 @@ double Calculation::value(const double* values) const {
       case Code::logical_not:
         last = last != 0.0 ? 0.0 : 1.0;
         break;
-      case Code::one:
-        last = step.one(last);
-        break;
-      case Code::clamp:
-        size -= 2;
-        stack[size - 1] = eagerx::clamp(stack[size - 1], stack[size], stack[size + 1]);
-        break;
       case Code::choose:
         size -= 2;
         stack[size - 1] = stack[size - 1] != 0.0 ? stack[size] : stack[size + 1];
         break;
       default:
+        if (step.one != nullptr) {
+          last = step.one(last);
+          break;
+        }
         --size;
         stack[size - 1] = joined(step, stack[size - 1], stack[size]);
     }

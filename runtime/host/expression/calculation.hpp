@@ -31,34 +31,11 @@ class Calculation {
   /// (`!=`: true). min and max of NaN are NaN, and so is what else is calculated from it.
   double value(const double* values) const;
 
-  enum class Op : std::uint8_t {
-    number,
-    read,
-    negate,
-    logical_not,
-    one,  // a function of one number
-    two,  // of two
-    clamp,
-    choose,
-    add,
-    subtract,
-    multiply,
-    divide,
-    least,
-    most,
-    less,
-    less_equal,
-    greater,
-    greater_equal,
-    equal,
-    not_equal,
-    logical_and,
-    logical_or
-  };
+  /// One operation on the stack: a number, a variable, or an operator or function of what lies on it.
   struct Step {
-    Op op = Op::number;
+    Typed::Op op = Typed::Op::number;
     double number = 0.0;
-    std::size_t place = 0;
+    std::size_t place = 0;  // variable
     double (*one)(double) = nullptr;
     double (*two)(double, double) = nullptr;
   };
