@@ -34,7 +34,7 @@ std::optional<std::string> text_of_file(Run& run, const std::string& path) {
 }
 
 /// What `check` finds in this text of the file.
-Run checked(const EditOptions& options, const std::string& text) {
+Run check_of(const EditOptions& options, const std::string& text) {
   GraphOptions graph;
   static_cast<LibraryOptions&>(graph) = options;
   graph.graph = options.graph;
@@ -88,7 +88,7 @@ bool fix_one(Run& run, const EditOptions& options, std::string& text) {
     const auto fix = is_in(run, each, options.graph) ? fix_of(each, text) : std::nullopt;
     if (!fix) continue;
     std::string tried = applied(text, fix->splices);
-    Run then = checked(options, tried);
+    Run then = check_of(options, tried);
     if (is_wrong_at(then, each.span, options.graph)) continue;
     if (!options.quiet) say("{}:{}: {}\n", options.graph, each.span.line, fix->reason);
     text = std::move(tried);
@@ -104,7 +104,7 @@ int perform_fix(const EditOptions& options) {
   const auto file = text_of_file(run, options.graph);
   if (!file) return finish(run, options);
   std::string text = *file;
-  run = checked(options, text);
+  run = check_of(options, text);
   int made = 0;
   while (made < kMost && fix_one(run, options, text)) ++made;
   if (made > 0) apply(run, options, *file, text);
@@ -128,8 +128,8 @@ int perform_rename(const EditOptions& options) {
     return kProblems;
   }
   const std::string text = applied(*file, edit->splices);
-  Run after = checked(options, text);
-  if (after.diagnostics.has_errors() && !checked(options, *file).diagnostics.has_errors()) {
+  Run after = check_of(options, text);
+  if (after.diagnostics.has_errors() && !check_of(options, *file).diagnostics.has_errors()) {
     complain("error: `{}` stays as it is, for with the new name there would be a problem\n",
              options.graph);
     return finish(after, options);

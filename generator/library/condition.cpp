@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "generator/expression/text.hpp"
+#include "generator/expression/expression.hpp"
 #include "generator/spec/reference.hpp"
 
 namespace eagerx::gen {
@@ -207,9 +207,8 @@ bool speaks_of(const Expression& tree, const std::string& name) {
 
 bool refers_to(const YamlValue& yaml, const Reference& reference) {
   if (is_expression(yaml)) {
-    Diagnostics unheard;  // what is wrong with it is told of where it is computed
-    ExpressionText text(yaml, "E0324", unheard);
-    const auto tree = parse_expression(text, NameForm::dollar);
+    ExpressionText text(yaml.text);  // what is wrong with it is told of where it is computed
+    const auto tree = expression::parse(text, NameForm::dollar);
     return tree && speaks_of(*tree, to_string(reference));
   }
   return std::ranges::any_of(yaml.items,
