@@ -1,4 +1,7 @@
-// eagerx-gen fix and rename: changes of a graph's file, which leave the rest of it as it was written.
+// eagerx-gen fix and rename: changes of a graph's file, which leave the rest of it as it was
+// written.
+#include "generator/edit/edit.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +15,6 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
-#include "generator/edit/edit.hpp"
 #include "generator/files/files.hpp"
 #include "generator/outline/lines.hpp"
 #include "generator/read/tree.hpp"
@@ -26,7 +28,8 @@ struct EditOptions : LibraryOptions {
   bool dry_run = false;
 };
 
-/// The file's text as it is, with whatever ends its lines; nothing and an error if it cannot be read.
+/// The file's text as it is, with whatever ends its lines; nothing and an error if it cannot be
+/// read.
 std::optional<std::string> text_of_file(Run& run, const std::string& path) {
   if (!load_yaml_file(path, run.sources, run.diagnostics)) return std::nullopt;
   std::ifstream file(path, std::ios::binary);

@@ -6,8 +6,8 @@
 #include "generator/cli/targets.hpp"
 #include "generator/cut/cut.hpp"
 #include "generator/emit/emit.hpp"
-#include "generator/plausibility/plausibility.hpp"
 #include "generator/info/info.hpp"
+#include "generator/plausibility/plausibility.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -19,8 +19,7 @@ void check_budget(Run& run) {
   if (budget.find("age") == nullptr && budget.find("link") == nullptr &&
       budget.find("telemetry") == nullptr)
     return;
-  check_plan_budget(info_of(*run.plan, run.spec->budget, run.diagnostics), budget,
-                    run.diagnostics);
+  check_plan_budget(info_of(*run.plan, run.spec->budget, run.diagnostics), budget, run.diagnostics);
 }
 
 /// Whether the graph is as it is written: what is said of another variant says little of it.

@@ -13,9 +13,9 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/files/files.hpp"
 #include "generator/library/schema.hpp"
-#include "generator/outline/outline.hpp"
 #include "generator/lsp/server.hpp"
 #include "generator/lsp/stream.hpp"
+#include "generator/outline/outline.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -140,8 +140,8 @@ class Maker {
     }
     if (function != "len" && function != "increasing") {
       text_.fail(tree.begin, fmt::format("unknown function `{}`", function),
-                 suggestion(function, {"abs", "min", "max", "len", "increasing", "size", "window",
-                                       "dtype"}));
+                 suggestion(function,
+                            {"abs", "min", "max", "len", "increasing", "size", "window", "dtype"}));
       return {};
     }
     takes_one(tree);

@@ -64,7 +64,9 @@ Json diagnostic_json(const Diagnostic& diagnostic, std::string_view text) {
   const bool is_error = diagnostic.severity == Severity::error;
   const bool is_warning = diagnostic.severity == Severity::warning;
   return Json{{"range", range_of(text, bytes_of(text, diagnostic.span))},
-              {"severity", is_error ? kError : is_warning ? kWarning : kInformation},
+              {"severity", is_error     ? kError
+                           : is_warning ? kWarning
+                                        : kInformation},
               {"code", diagnostic.code},
               {"source", "eagerx-gen"},
               {"message", std::move(message)}};
@@ -74,13 +76,13 @@ Json completion_json(const Completion& completion, std::string_view text) {
   Json items = Json::list();
   std::size_t rank = 0;
   for (const Proposal& each : completion.proposals) {
-    items.push_back(
-        Json{{"label", each.label},
-             {"kind", kind_of(each.kind)},
-             {"documentation", each.about},
-             {"sortText", fmt::format("{:05}", rank++)},
-             {"filterText", each.label},
-             {"textEdit", Json{{"range", range_of(text, completion.word)}, {"newText", each.insert}}}});
+    items.push_back(Json{
+        {"label", each.label},
+        {"kind", kind_of(each.kind)},
+        {"documentation", each.about},
+        {"sortText", fmt::format("{:05}", rank++)},
+        {"filterText", each.label},
+        {"textEdit", Json{{"range", range_of(text, completion.word)}, {"newText", each.insert}}}});
   }
   return Json{{"isIncomplete", false}, {"items", std::move(items)}};
 }

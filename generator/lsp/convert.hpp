@@ -9,8 +9,8 @@
 #include "generator/edit/edit.hpp"
 #include "generator/json/json.hpp"
 #include "generator/lsp/complete.hpp"
-#include "generator/outline/outline.hpp"
 #include "generator/lsp/text.hpp"
+#include "generator/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

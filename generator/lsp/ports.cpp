@@ -38,7 +38,8 @@ class Collector {
         const std::vector<std::string> chosen = names_in(owner.value.find(group.key));
         for (const SchemaKey& port :
              keys_in(schemas_at(schema_, graph_, {section, owner.key, std::string(group.key)}))) {
-          const bool is_chosen = chosen.empty() || std::ranges::find(chosen, port.name) != chosen.end();
+          const bool is_chosen =
+              chosen.empty() || std::ranges::find(chosen, port.name) != chosen.end();
           add({owner.key + "." + port.name, port.about, group.side, is_chosen});
         }
         for (const std::string& name : chosen) add({owner.key + "." + name, {}, group.side, true});
@@ -53,9 +54,10 @@ class Collector {
 
  private:
   void add(NamedPort port) {
-    const bool known = port.name.ends_with('.') || std::ranges::any_of(ports_, [&](const auto& each) {
-                         return each.name == port.name && each.side == port.side;
-                       });
+    const bool known =
+        port.name.ends_with('.') || std::ranges::any_of(ports_, [&](const auto& each) {
+          return each.name == port.name && each.side == port.side;
+        });
     if (!known) ports_.push_back(std::move(port));
   }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/outline/outline.hpp"
 #include "generator/lsp/schema_view.hpp"
+#include "generator/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

@@ -71,8 +71,8 @@ std::vector<std::string> Server::take_answers() {
 }
 
 void Server::send(const std::string& method, Json params) {
-  answers_.push_back(dump_json(
-      Json{{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}));
+  answers_.push_back(
+      dump_json(Json{{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}));
 }
 void Server::respond(const Json& id, Answer answer) {
   if (answer.error != 0) return refuse(id, answer.error, answer.message);
@@ -80,8 +80,8 @@ void Server::respond(const Json& id, Answer answer) {
       dump_json(Json{{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(answer.result)}}));
 }
 void Server::refuse(const Json& id, int code, const std::string& message) {
-  answers_.push_back(dump_json(Json{
-      {"jsonrpc", "2.0"}, {"id", id}, {"error", Json{{"code", code}, {"message", message}}}}));
+  answers_.push_back(dump_json(
+      Json{{"jsonrpc", "2.0"}, {"id", id}, {"error", Json{{"code", code}, {"message", message}}}}));
 }
 
 Server::Answer Server::answer(const std::string& method, const Json& params) {
@@ -105,7 +105,8 @@ Server::Answer Server::answer(const std::string& method, const Json& params) {
   constexpr std::array kAtPositions = {"textDocument/completion",    "textDocument/hover",
                                        "textDocument/definition",    "textDocument/references",
                                        "textDocument/prepareRename", "textDocument/rename"};
-  if (std::ranges::find(kAtPositions, method) == kAtPositions.end()) return {{}, kMethodNotFound, fmt::format("there is no `{}`", method)};
+  if (std::ranges::find(kAtPositions, method) == kAtPositions.end())
+    return {{}, kMethodNotFound, fmt::format("there is no `{}`", method)};
   if (!position) return {{}, kInvalidParams, "`position` is none"};
   if (method == "textDocument/references") return {references(*document, *position)};
   if (method == "textDocument/prepareRename") return {prepare_rename(*document, *position)};
@@ -224,12 +225,11 @@ void Server::publish(Document& document) {
   lists[document.uri] = Json::list();
   for (const Diagnostic& each : document.diagnostics.all()) {
     const FileId file = each.span.file;
-    const std::string& name =
-        file == FileId::none ? document.path : document.sources.name(file);
+    const std::string& name = file == FileId::none ? document.path : document.sources.name(file);
     const bool is_here = file == FileId::none || name == document.path;
     const std::string uri = is_here ? document.uri : uri_of_path(name);
-    Json one = diagnostic_json(each, is_here ? std::string_view(document.text)
-                                             : document.sources.text(file));
+    Json one = diagnostic_json(
+        each, is_here ? std::string_view(document.text) : document.sources.text(file));
     Json related = Json::list();
     for (const Diagnostic::Note& note : each.notes) {
       if (note.span.file == FileId::none) continue;
@@ -263,8 +263,7 @@ Json Server::completion(const Document& document, Position position) {
 }
 
 Json Server::hover_text(const Document& document, Position position) {
-  const Hover found =
-      hover(schema_of(document), document.text, byte_at(document.text, position));
+  const Hover found = hover(schema_of(document), document.text, byte_at(document.text, position));
   if (found.text.empty()) return nullptr;
   return Json{{"contents", Json{{"kind", "markdown"}, {"value", found.text}}},
               {"range", range_of(document.text, found.word)}};
@@ -308,8 +307,7 @@ Json Server::prepare_rename(const Document& document, Position position) {
 Server::Answer Server::renamed(const Document& document, Position position, const std::string& to) {
   const std::string name = name_at(document.text, byte_at(document.text, position));
   const auto edit = rename(document.text, name, to);
-  if (name.empty())
-    return {{}, kInvalidParams, "no object and no node is named here"};
+  if (name.empty()) return {{}, kInvalidParams, "no object and no node is named here"};
   if (!edit) return {{}, kInvalidParams, fmt::format("`{}` is taken, or cannot be a name", to)};
   // A name that is written where nobody looked for it is an error now.
   const auto now = analyst_.check(document.path, applied(document.text, edit->splices));

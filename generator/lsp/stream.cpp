@@ -13,9 +13,8 @@ constexpr std::string_view kEndOfHeader = "\r\n\r\n";
 
 bool is_length(std::string_view name) {
   constexpr std::string_view kName = "content-length";
-  return std::ranges::equal(name, kName, [](unsigned char a, char b) {
-    return std::tolower(a) == b;
-  });
+  return std::ranges::equal(name, kName,
+                            [](unsigned char a, char b) { return std::tolower(a) == b; });
 }
 
 }  // namespace

@@ -34,8 +34,7 @@ class Scanner {
     while (next_line()) {
       const std::size_t before = at_;
       OutlineNode more = block(0, 0);
-      if (more.kind == top.kind)
-        std::ranges::move(more.entries, std::back_inserter(top.entries));
+      if (more.kind == top.kind) std::ranges::move(more.entries, std::back_inserter(top.entries));
       if (at_ == before) skip_line();
     }
     return top;
@@ -86,8 +85,10 @@ class Scanner {
   OutlineNode block(std::size_t least, int depth) {
     const std::size_t start = at_;
     if (!next_line() || column() < least || depth > kMostDepth) {
-      if (depth > kMostDepth) skip_line();
-      else at_ = start;
+      if (depth > kMostDepth)
+        skip_line();
+      else
+        at_ = start;
       return {};
     }
     return at_item() ? list(column(), depth) : map_or_scalar(column(), depth);
@@ -234,8 +235,8 @@ class Scanner {
     return node;
   }
 
-  /// To the next thing within braces. False: a line begins that is no more in them, for it is as far
-  /// to the left as what the braces belong to.
+  /// To the next thing within braces. False: a line begins that is no more in them, for it is as
+  /// far to the left as what the braces belong to.
   bool next_in_flow(std::size_t indent) {
     while (!ended()) {
       skip_blanks();

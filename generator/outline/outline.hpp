@@ -53,8 +53,8 @@ struct Cursor {
   OutlinePath path = {};  // of the map or list that it is in; of a value of a key: of that value
   bool is_key = false;
   bool may_be_key = false;  // a value on a line of its own: of the map that `path` then is
-  std::string typed = {};  // of the word, up to the cursor
-  Bytes word = {};    // which a completion replaces, in the text
+  std::string typed = {};   // of the word, up to the cursor
+  Bytes word = {};          // which a completion replaces, in the text
 };
 
 /// The place of the word at byte `at`, also where there is none yet.

@@ -60,7 +60,8 @@ bool names(std::string_view written, const FaultPlace& place, PlacedFault& place
   if (rest.empty()) return true;
   if (rest.size() < 3 || rest.front() != '[' || rest.back() != ']') return false;
   placed.size = 1;
-  return host::read_number(rest.substr(1, rest.size() - 2), placed.first) && placed.first < place.size;
+  return host::read_number(rest.substr(1, rest.size() - 2), placed.first) &&
+         placed.first < place.size;
 }
 
 std::string list_of(const std::vector<FaultPlace>& places) {

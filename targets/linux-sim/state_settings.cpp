@@ -59,7 +59,8 @@ std::optional<StateSetting> parse_setting(std::string_view text) {
     break;
   }
   if (const std::size_t at = value.find('@'); at != std::string_view::npos) {
-    if (setting.kind != Kind::value || !host::read_number(value.substr(at + 1), setting.step.emplace()))
+    if (setting.kind != Kind::value ||
+        !host::read_number(value.substr(at + 1), setting.step.emplace()))
       return std::nullopt;
     value = value.substr(0, at);
   }

@@ -1,5 +1,5 @@
-// What an editor sends: the outline of a half-written text with a cursor at any place, and the protocol. Input: the text of
-// a graph, or, from a first byte 0xff on, bytes of the stream.
+// What an editor sends: the outline of a half-written text with a cursor at any place, and the
+// protocol. Input: the text of a graph, or, from a first byte 0xff on, bytes of the stream.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

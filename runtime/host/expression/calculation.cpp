@@ -126,7 +126,7 @@ class Writer {
     const bool extreme = part.op == Code::least || part.op == Code::most;
     const Code join = part.op == Code::least  ? Code::least
                       : part.op == Code::most ? Code::most
-                                                   : Code::add;
+                                              : Code::add;
     if (extreme && list.size() == 0) problem_ = "a list without elements has no least or most";
     if (!extreme) add({.op = Code::number});
     for (std::uint64_t i = 0; i < list.size() && problem_.empty(); ++i) {

@@ -31,7 +31,8 @@ class Calculation {
   /// (`!=`: true). min and max of NaN are NaN, and so is what else is calculated from it.
   double value(const double* values) const;
 
-  /// One operation on the stack: a number, a variable, or an operator or function of what lies on it.
+  /// One operation on the stack: a number, a variable, or an operator or function of what lies on
+  /// it.
   struct Step {
     Typed::Op op = Typed::Op::number;
     double number = 0.0;

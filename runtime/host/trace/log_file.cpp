@@ -197,7 +197,8 @@ class LogReader::Lines {
     if (!host::read_number(words[2], channel.size) || channel.size == 0)
       return fail(words[2], shown(words[2]) + " is not a number of elements");
     const std::size_t slash = words[3].find('/');
-    if (slash == std::string_view::npos || !host::read_number(words[3].substr(0, slash), channel.rate_num) ||
+    if (slash == std::string_view::npos ||
+        !host::read_number(words[3].substr(0, slash), channel.rate_num) ||
         !host::read_number(words[3].substr(slash + 1), channel.rate_den) || channel.rate_num == 0 ||
         channel.rate_den == 0)
       return fail(words[3], shown(words[3]) + " is not a rate");
@@ -332,8 +333,8 @@ class LogReader::Lines {
     const std::size_t space = std::min(fact.find(' '), fact.size());
     const std::string_view hash = fact.substr(std::min(space + 1, fact.size()));
     std::uint64_t messages = 0;
-    if (!host::read_number(fact.substr(0, space), messages) || !hash.starts_with("0x") || hash.size() != 18 ||
-        !parse_hex(hash.substr(2), log_.hash))
+    if (!host::read_number(fact.substr(0, space), messages) || !hash.starts_with("0x") ||
+        hash.size() != 18 || !parse_hex(hash.substr(2), log_.hash))
       return fail(fact, "the last line is `# end messages hash`, not " + shown(text_));
     if (messages != messages_)
       return fail(fact, "the log has " + std::to_string(messages_) +

@@ -25,7 +25,8 @@ bool read_rate(std::string_view rate, Log& log) {
 bool read_change(std::string_view text, std::uint32_t rows, Log& log) {
   SceneChange change;
   const std::string_view index = take(text, '=');
-  if (!host::read_number(index, change.index) || !host::read_number(text, change.value)) return false;
+  if (!host::read_number(index, change.index) || !host::read_number(text, change.value))
+    return false;
   log.scene_changes.push_back(change);
   return change.index < rows * kSceneColumns;
 }

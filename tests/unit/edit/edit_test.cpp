@@ -1,14 +1,17 @@
+#include "generator/edit/edit.hpp"
+
 #include <gtest/gtest.h>
 
-#include "generator/edit/edit.hpp"
 #include "generator/outline/lines.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 TEST(Edit, SplicesStayWhereTheyWere) {
-  EXPECT_EQ(applied("one two three", {{{4, 7}, "2"}, {{0, 3}, "uno"}, {{8, 8}, "<"}}), "uno 2 <three");
-  EXPECT_EQ(applied("one two", {{{0, 5}, "x"}, {{4, 7}, "y"}, {{6, 99}, "z"}}), "xwo");  // overlaps, and past the end
+  EXPECT_EQ(applied("one two three", {{{4, 7}, "2"}, {{0, 3}, "uno"}, {{8, 8}, "<"}}),
+            "uno 2 <three");
+  EXPECT_EQ(applied("one two", {{{0, 5}, "x"}, {{4, 7}, "y"}, {{6, 99}, "z"}}),
+            "xwo");  // overlaps, and past the end
 }
 
 TEST(Edit, TakesTheHelpAtItsWord) {
@@ -26,9 +29,13 @@ TEST(Edit, TakesTheHelpAtItsWord) {
 }
 
 TEST(Edit, LinesAreCountedInCodePoints) {
-  const std::string text = "a\xF0\x9F\xA4\x96" "b\nc\n";
+  const std::string text =
+      "a\xF0\x9F\xA4\x96"
+      "b\nc\n";
   const Bytes word = bytes_of(text, {static_cast<FileId>(0), 1, 2, 2});
-  EXPECT_EQ(text.substr(word.begin, word.end - word.begin), "\xF0\x9F\xA4\x96" "b");
+  EXPECT_EQ(text.substr(word.begin, word.end - word.begin),
+            "\xF0\x9F\xA4\x96"
+            "b");
   EXPECT_EQ(bytes_of("ab\ncd", {}).end, 2U);
   EXPECT_EQ(bytes_of("ab", {static_cast<FileId>(0), 9, 9, 9}).begin, 2U);
 }
@@ -59,11 +66,13 @@ TEST(Rename, FindsWhatNamesAnObjectAndNothingElse) {
   const auto edit = rename(kGraph, "arm", "left");
   ASSERT_TRUE(edit);
   const std::string text = applied(kGraph, edit->splices);
-  for (const char* const kept : {"name: arm # the arm", "arm2: {type: Arm}", "text: arm", "actions: {arm:", "from: actions.arm, to: pid.arm",
-                                 "to: observations.arm", "from: arm2.q"})
+  for (const char* const kept :
+       {"name: arm # the arm", "arm2: {type: Arm}", "text: arm",
+        "actions: {arm:", "from: actions.arm, to: pid.arm", "to: observations.arm", "from: arm2.q"})
     EXPECT_NE(text.find(kept), std::string::npos) << kept << "\n" << text;
-  for (const char* const changed : {"  left: {type: Arm}", "like: left.u", "to: \"left.u\"", "from: \"left[0].q", "{left.u: {max: 1}}", "tunable: [left]",
-                                    "objects: {left: {config"})
+  for (const char* const changed :
+       {"  left: {type: Arm}", "like: left.u", "to: \"left.u\"", "from: \"left[0].q",
+        "{left.u: {max: 1}}", "tunable: [left]", "objects: {left: {config"})
     EXPECT_NE(text.find(changed), std::string::npos) << changed << "\n" << text;
   // And back.
   const auto back = rename(text, "left", "arm");
@@ -72,7 +81,8 @@ TEST(Rename, FindsWhatNamesAnObjectAndNothingElse) {
 }
 
 TEST(Rename, RefusesNamesThatAreNone) {
-  for (const char* const name : {"arm2", "pid", "", "a b", "2a", "a.b", "actions", "engine"}) EXPECT_FALSE(rename(kGraph, "arm", name)) << name;
+  for (const char* const name : {"arm2", "pid", "", "a b", "2a", "a.b", "actions", "engine"})
+    EXPECT_FALSE(rename(kGraph, "arm", name)) << name;
   EXPECT_FALSE(rename(kGraph, "nobody", "x"));
   EXPECT_EQ(name_at(kGraph, std::string_view(kGraph).find("arm[0]") + 1), "arm");
   EXPECT_EQ(name_at(kGraph, 0), "");

@@ -20,8 +20,10 @@ TEST(LspStream, TakesMessagesInPieces) {
 }
 
 TEST(LspStream, EndsAtWhatIsNoMessage) {
-  for (const char* const text : {"GET / HTTP/1.1\r\n\r\n", "Content-Length: -1\r\n\r\n", "Content-Length: 1x\r\n\r\n",
-                                 "Content-Length: 99999999999999999999\r\n\r\n", "Content-Length: 67108865\r\n\r\n", "\r\n\r\n"}) {
+  for (const char* const text :
+       {"GET / HTTP/1.1\r\n\r\n", "Content-Length: -1\r\n\r\n", "Content-Length: 1x\r\n\r\n",
+        "Content-Length: 99999999999999999999\r\n\r\n", "Content-Length: 67108865\r\n\r\n",
+        "\r\n\r\n"}) {
     MessageReader reader;
     reader.add(text);
     EXPECT_EQ(reader.next(), std::nullopt) << text;
@@ -37,7 +39,9 @@ TEST(LspStream, EndsAtWhatIsNoMessage) {
 }
 
 TEST(LspText, CountsUnitsOfUtf16) {
-  const std::string text = "a\xF0\x9F\xA4\x96" "b\ne\xCC\x81x\n";  // an emoji; e and a combining accent
+  const std::string text =
+      "a\xF0\x9F\xA4\x96"
+      "b\ne\xCC\x81x\n";  // an emoji; e and a combining accent
   EXPECT_EQ(byte_at(text, {0, 1}), 1U);
   EXPECT_EQ(byte_at(text, {0, 3}), 5U);
   EXPECT_EQ(byte_at(text, {0, 2}), 5U);   // within the emoji: behind it

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "generator/outline/outline.hpp"
+
+#include <gtest/gtest.h>
 
 namespace eagerx::gen {
 namespace {
@@ -23,8 +23,10 @@ std::string outline(std::string_view text) {
 }
 
 TEST(Outline, HasWhatAFileHas) {
-  EXPECT_EQ(outline("a: 1\nb:\n  c: x y # no\n  d: [1, {e: 2}]\n"), "{a: 1, b: {c: x y, d: [1, {e: 2}]}}");
-  EXPECT_EQ(outline("---\n# c\n- a: 1\n  b: 2\n- - 3\n  - 4\n-\n  c: 5\n"), "[{a: 1, b: 2}, [3, 4], {c: 5}]");
+  EXPECT_EQ(outline("a: 1\nb:\n  c: x y # no\n  d: [1, {e: 2}]\n"),
+            "{a: 1, b: {c: x y, d: [1, {e: 2}]}}");
+  EXPECT_EQ(outline("---\n# c\n- a: 1\n  b: 2\n- - 3\n  - 4\n-\n  c: 5\n"),
+            "[{a: 1, b: 2}, [3, 4], {c: 5}]");
   EXPECT_EQ(outline("k:\n- 1\n- 2\nl: 3\n"), "{k: [1, 2], l: 3}");
   EXPECT_EQ(outline("'a b': \"c: d\"\ne: |\n  f: g\n\n  h\ni: 1\n"), "{a b: c: d, e: , i: 1}");
   EXPECT_EQ(outline("a: {b: 1,\n    c: [x,\n  y]}\nd: 2\n"), "{a: {b: 1, c: [x, y]}, d: 2}");
@@ -61,9 +63,14 @@ std::string cursor(std::string text) {
   std::string result;
   for (const auto& step : cursor.path) {
     if (const auto* const key = std::get_if<std::string>(&step)) result += *key + "/";
-    if (const auto* const place = std::get_if<std::size_t>(&step)) result += std::to_string(*place) + "/";
+    if (const auto* const place = std::get_if<std::size_t>(&step))
+      result += std::to_string(*place) + "/";
   }
-  return result + (cursor.is_key ? " key" : cursor.may_be_key ? " value or key" : " value") + " `" + cursor.typed + "` of `" +
+  return result +
+         (cursor.is_key       ? " key"
+          : cursor.may_be_key ? " value or key"
+                              : " value") +
+         " `" + cursor.typed + "` of `" +
          text.substr(cursor.word.begin, cursor.word.end - cursor.word.begin) + "`";
 }
 
