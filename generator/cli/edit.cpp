@@ -145,7 +145,7 @@ int perform_rename(const EditOptions& options) {
 }
 
 Arguments common(EditOptions& options) {
-  return {required(text("graph", options.graph, "the file, which is changed", "GRAPH.yaml")),
+  return {required(reads(text("graph", options.graph, "the file, which is changed", "GRAPH.yaml"))),
           flag("--dry-run", options.dry_run, "print the difference, and leave the file"),
           library(options)};
 }
