@@ -117,22 +117,33 @@ class Search:
 
     def run(self):
         """Makes the best move until none helps; the cost that is left."""
+        changes = collections.Counter()  # of each row
+        gains = {}  # of a move, with how often its rows and those beside them had changed
         while True:
-            best, best_move, costs = 0.0, None, {}
+            best, best_move, costs, states = 0.0, None, {}, {}
             for move in self.moves():
                 rows = frozenset(self.row[item] for item in move)
                 if rows not in costs:
                     costs[rows] = self.cost(rows)
-                cost = costs[rows]
-                before = {item: self.column[item] for item in move}
-                self.column.update(move)
-                gain = cost - self.cost(rows)
-                self.column.update(before)
+                    states[rows] = tuple(changes[r] for r in range(min(rows) - 1, max(rows) + 2))
+                key = frozenset(move.items())
+                state, gain = gains.get(key, (None, 0.0))
+                if state != states[rows]:
+                    gain = self.gain(move, rows, costs[rows])
+                    gains[key] = states[rows], gain
                 if gain > best + 1e-9:
                     best, best_move = gain, move
             if best_move is None:
                 return self.cost(set(self.by_row))
             self.column.update(best_move)
+            changes.update({self.row[item] for item in best_move})
+
+    def gain(self, move, rows, cost):
+        before = {item: self.column[item] for item in move}
+        self.column.update(move)
+        gain = cost - self.cost(rows)
+        self.column.update(before)
+        return gain
 
 
 def place(links, spine):
