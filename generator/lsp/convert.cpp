@@ -101,7 +101,7 @@ Json symbols_json(const OutlineNode& top, std::string_view text) {
                                   is_owner ? text_at(each.value, "type") : each.value.text));
       } else if (section.key == "connections") {
         const std::string from = text_at(each.value, "from"), to = text_at(each.value, "to");
-        children.push_back(symbol(from + " → " + to, kArray, each, text, {}));
+        children.push_back(symbol(fmt::format("{} → {}", from, to), kArray, each, text, {}));
       }
     }
     one["children"] = std::move(children);

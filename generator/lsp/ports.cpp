@@ -1,5 +1,7 @@
 #include "generator/lsp/ports.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -40,15 +42,16 @@ class Collector {
              keys_in(schemas_at(schema_, graph_, {section, owner.key, std::string(group.key)}))) {
           const bool is_chosen =
               chosen.empty() || std::ranges::find(chosen, port.name) != chosen.end();
-          add({owner.key + "." + port.name, port.about, group.side, is_chosen});
+          add({fmt::format("{}.{}", owner.key, port.name), port.about, group.side, is_chosen});
         }
-        for (const std::string& name : chosen) add({owner.key + "." + name, {}, group.side, true});
+        for (const std::string& name : chosen)
+          add({fmt::format("{}.{}", owner.key, name), {}, group.side, true});
       }
     }
   }
   void agent(const std::string& section, PortSide side) {
     for (const std::string& name : names_in(graph_.find(section)))
-      add({section + "." + name, {}, side, true});
+      add({fmt::format("{}.{}", section, name), {}, side, true});
   }
   std::vector<NamedPort> take() { return std::move(ports_); }
 
