@@ -39,11 +39,11 @@ class Workshop final : public lsp::Analyst {
     return {std::move(run.sources), std::move(run.diagnostics)};
   }
 
-  const Json& graph_schema(const std::string& path, const std::string& text) override {
-    return library_of(path, text).schema;
+  const lsp::LibraryFacts& of_graph(const std::string& path, const std::string& text) override {
+    return library_of(path, text).facts;
   }
-  const Json& manifest_schema() override {
-    if (!of_manifests_) of_manifests_ = gen::manifest_schema();
+  const lsp::LibraryFacts& of_manifests() override {
+    if (!of_manifests_) of_manifests_ = lsp::LibraryFacts{manifest_schema()};
     return *of_manifests_;
   }
   std::string manifest_of(const std::string& path, const std::string& text,
@@ -56,7 +56,7 @@ class Workshop final : public lsp::Analyst {
 
  private:
   struct Known {
-    Json schema;
+    lsp::LibraryFacts facts;
     std::map<std::string, std::string> manifests;  // of entities, by their ids
   };
   static constexpr std::size_t kMostLibraries = 20;
@@ -81,15 +81,18 @@ class Workshop final : public lsp::Analyst {
   static Known read_library(const LibraryOptions& options) {
     Run run;
     load(run, options);
-    Known known{gen::graph_schema(run.library), {}};
-    for (const auto& [id, entity] : run.library.all_entities())
+    Known known{{graph_schema(run.library)}, {}};
+    for (const auto& [id, entity] : run.library.all_entities()) {
       known.manifests.emplace(id, fs::absolute(entity.path).string());
+      for (const PortManifest& target : entity.reset_targets)
+        known.facts.reset_targets[id].push_back(target.name.value);
+    }
     return known;
   }
 
   const LibraryOptions options_;
   std::map<std::vector<std::string>, Known> known_;
-  std::optional<Json> of_manifests_;
+  std::optional<lsp::LibraryFacts> of_manifests_;
 };
 
 /// False: nobody reads any more.

@@ -5,7 +5,6 @@
 #include <functional>
 #include <utility>
 
-#include "generator/lsp/ports.hpp"
 #include "generator/lsp/schema_view.hpp"
 
 namespace eagerx::gen::lsp {
@@ -51,8 +50,8 @@ std::vector<std::string> types_in(const OutlineNode& node) {
 
 class Completer {
  public:
-  Completer(const Json& schema, std::string_view text, std::size_t at)
-      : schema_(schema), text_(text), top_(outline_of(text)), cursor_(cursor_at(text, at)) {}
+  Completer(const LibraryFacts& library, std::string_view text, std::size_t at)
+      : library_(library), text_(text), top_(outline_of(text)), cursor_(cursor_at(text, at)) {}
 
   Completion all() {
     if (cursor_.is_key || cursor_.may_be_key) keys();
@@ -70,7 +69,7 @@ class Completer {
  private:
   void keys() {
     const OutlineNode* const map = node_at(top_, cursor_.path);
-    std::vector<SchemaKey> missing = keys_in(schemas_at(schema_, top_, cursor_.path));
+    std::vector<SchemaKey> missing = keys_in(schemas_at(library_.schema, top_, cursor_.path));
     // People write keys in the order of the format: what comes next is what the last one is before.
     const auto last = std::ranges::find(missing, key_before(map), &SchemaKey::name);
     if (last != missing.end()) std::rotate(missing.begin(), std::next(last), missing.end());
@@ -105,7 +104,7 @@ class Completer {
   }
 
   void values() {
-    std::vector<SchemaValue> values = values_in(schemas_at(schema_, top_, cursor_.path));
+    std::vector<SchemaValue> values = values_in(schemas_at(library_.schema, top_, cursor_.path));
     if (key_of(cursor_.path, 1) == "type") {
       // `course: {type: Course}`; then what the graph has already.
       const std::string owner = key_of(cursor_.path, 2);
@@ -138,7 +137,7 @@ class Completer {
     return false;
   }
   void add_ports(PortSide side) {
-    std::vector<NamedPort> ports = ports_of(schema_, top_);
+    std::vector<NamedPort> ports = ports_of(library_, top_);
     std::erase_if(ports, [&](const NamedPort& port) { return port.side != side; });
     // First what is in no connection yet, and what the graph has chosen to have.
     const auto taken = connected(top_, side);
@@ -150,7 +149,7 @@ class Completer {
       proposals_.push_back({port.name, port.name, std::move(port.about), Proposal::Kind::port});
   }
 
-  const Json& schema_;
+  const LibraryFacts& library_;
   std::string_view text_;
   OutlineNode top_;
   Cursor cursor_;
@@ -159,11 +158,11 @@ class Completer {
 
 }  // namespace
 
-Completion complete(const Json& schema, std::string_view text, std::size_t at) {
-  return Completer(schema, text, at).all();
+Completion complete(const LibraryFacts& library, std::string_view text, std::size_t at) {
+  return Completer(library, text, at).all();
 }
 
-Hover hover(const Json& schema, std::string_view text, std::size_t at) {
+Hover hover(const LibraryFacts& library, std::string_view text, std::size_t at) {
   const OutlineNode top = outline_of(text);
   const Cursor cursor = cursor_at(text, at);
   const std::string word(text.substr(cursor.word.begin, cursor.word.end - cursor.word.begin));
@@ -171,14 +170,14 @@ Hover hover(const Json& schema, std::string_view text, std::size_t at) {
   if (cursor.is_key) {
     OutlinePath path = cursor.path;
     path.emplace_back(word);
-    const std::string said = about(schemas_at(schema, top, path));
+    const std::string said = about(schemas_at(library.schema, top, path));
     return {cursor.word, said.empty() ? "" : "**" + word + "**: " + said};
   }
-  for (const SchemaValue& value : values_in(schemas_at(schema, top, cursor.path))) {
+  for (const SchemaValue& value : values_in(schemas_at(library.schema, top, cursor.path))) {
     if (value.text == word && !value.about.empty())
       return {cursor.word, "**" + word + "**: " + value.about};
   }
-  for (const NamedPort& port : ports_of(schema, top)) {
+  for (const NamedPort& port : ports_of(library, top)) {
     if (port.name == word && !port.about.empty())
       return {cursor.word, "**" + word + "**: " + port.about};
   }

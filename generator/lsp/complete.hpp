@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/json/json.hpp"
+#include "generator/lsp/ports.hpp"
 #include "generator/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
@@ -24,16 +24,16 @@ struct Completion {
   std::vector<Proposal> proposals;
 };
 
-/// The keys, ids, parameters, ports and values of `schema` that fit at byte `at`, the likeliest
+/// The keys, ids, parameters, ports and values of `library` that fit at byte `at`, the likeliest
 /// first: what is required and missing, ports that nothing is connected to yet. Those that begin
 /// with what was typed come before those that only contain it.
-Completion complete(const Json& schema, std::string_view text, std::size_t at);
+Completion complete(const LibraryFacts& library, std::string_view text, std::size_t at);
 
 /// What is said of the key or value at byte `at`, in Markdown; empty: nothing.
 struct Hover {
   Bytes word;
   std::string text;
 };
-Hover hover(const Json& schema, std::string_view text, std::size_t at);
+Hover hover(const LibraryFacts& library, std::string_view text, std::size_t at);
 
 }  // namespace eagerx::gen::lsp

@@ -156,9 +156,9 @@ Server::Document* Server::document_of(const Json& params) {
   return found != documents_.end() ? &found->second : nullptr;
 }
 
-const Json& Server::schema_of(const Document& document) {
-  return is_manifest(document.path) ? analyst_.manifest_schema()
-                                    : analyst_.graph_schema(document.path, document.text);
+const LibraryFacts& Server::library_of(const Document& document) {
+  return is_manifest(document.path) ? analyst_.of_manifests()
+                                    : analyst_.of_graph(document.path, document.text);
 }
 
 void Server::open(const Json& params) {
@@ -259,11 +259,11 @@ void Server::publish(Document& document) {
 
 Json Server::completion(const Document& document, Position position) {
   const std::size_t at = byte_at(document.text, position);
-  return completion_json(complete(schema_of(document), document.text, at), document.text);
+  return completion_json(complete(library_of(document), document.text, at), document.text);
 }
 
 Json Server::hover_text(const Document& document, Position position) {
-  const Hover found = hover(schema_of(document), document.text, byte_at(document.text, position));
+  const Hover found = hover(library_of(document), document.text, byte_at(document.text, position));
   if (found.text.empty()) return nullptr;
   return Json{{"contents", Json{{"kind", "markdown"}, {"value", found.text}}},
               {"range", range_of(document.text, found.word)}};

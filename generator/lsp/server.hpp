@@ -9,6 +9,7 @@
 
 #include "generator/diagnostics/diagnostics.hpp"
 #include "generator/json/json.hpp"
+#include "generator/lsp/ports.hpp"
 #include "generator/lsp/text.hpp"
 
 namespace eagerx::gen::lsp {
@@ -27,9 +28,9 @@ class Analyst {
   };
   /// What `eagerx-gen check` finds in a graph of this text. The file itself is not looked at.
   virtual Checked check(const std::string& path, const std::string& text) = 0;
-  /// The schema of the graph, with the entities of its library; valid until the next call.
-  virtual const Json& graph_schema(const std::string& path, const std::string& text) = 0;
-  virtual const Json& manifest_schema() = 0;
+  /// With the entities of the graph's library; valid until the next call.
+  virtual const LibraryFacts& of_graph(const std::string& path, const std::string& text) = 0;
+  virtual const LibraryFacts& of_manifests() = 0;
   /// The manifest of an entity, by its id, as the graph finds it; empty: there is none.
   virtual std::string manifest_of(const std::string& path, const std::string& text,
                                   const std::string& id) = 0;
@@ -93,7 +94,7 @@ class Server {
   void publish(Document& document);
 
   [[nodiscard]] Document* document_of(const Json& params);
-  [[nodiscard]] const Json& schema_of(const Document& document);
+  [[nodiscard]] const LibraryFacts& library_of(const Document& document);
 
   Analyst& analyst_;
   std::map<std::string, Document, std::less<>> documents_;  // by URI

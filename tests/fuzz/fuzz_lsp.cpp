@@ -18,10 +18,11 @@ using namespace eagerx::gen;
 class Nobody final : public lsp::Analyst {
  public:
   Checked check(const std::string& /*path*/, const std::string& /*text*/) override { return {}; }
-  const Json& graph_schema(const std::string& /*path*/, const std::string& /*text*/) override {
-    return schema_;
+  const lsp::LibraryFacts& of_graph(const std::string& /*path*/,
+                                    const std::string& /*text*/) override {
+    return facts_;
   }
-  const Json& manifest_schema() override { return schema_; }
+  const lsp::LibraryFacts& of_manifests() override { return facts_; }
   std::string manifest_of(const std::string& /*path*/, const std::string& /*text*/,
                           const std::string& /*id*/) override {
     return "/manifest.yaml";
@@ -29,9 +30,11 @@ class Nobody final : public lsp::Analyst {
   void forget() override {}
 
  private:
-  const Json schema_ = *parse_json(
-      R"({"properties":{"a":{"type":"object","description":"x","additionalProperties":{"properties":{"type":{"enum":["b","c"]}}}},
-          "connections":{"items":{"properties":{"from":{},"to":{}}}}}})");
+  const lsp::LibraryFacts facts_{
+      *parse_json(
+          R"({"properties":{"a":{"type":"object","description":"x","additionalProperties":{"properties":{"type":{"enum":["b","c"]}}}},
+          "connections":{"items":{"properties":{"from":{},"to":{}}}}}})"),
+      {{"b", {"goal"}}}};
 };
 
 }  // namespace
@@ -53,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t at = size == 0 ? 0 : data[size - 1] * size / 255;
   const Cursor cursor = cursor_at(text, at);
   if (cursor.word.begin > at || cursor.word.end < at || cursor.word.end > size) std::abort();
-  lsp::complete(nobody.graph_schema({}, {}), text, at);
-  lsp::hover(nobody.graph_schema({}, {}), text, at);
+  lsp::complete(nobody.of_graph({}, {}), text, at);
+  lsp::hover(nobody.of_graph({}, {}), text, at);
   return 0;
 }
