@@ -13,6 +13,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/files/uri.hpp"
 #include "generator/json/json.hpp"
 #include "generator/process/process.hpp"
 
@@ -27,18 +28,6 @@ struct DocsOptions {
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
-}
-
-/// `file://` and the path, with what has a meaning of its own in addresses as `%20`.
-std::string address_of(const std::string& path) {
-  constexpr std::string_view kPlain = "/-._~";
-  std::string result = "file://";
-  for (const unsigned char c : path) {
-    const bool plain = c < 0x80U && (std::isalnum(c) != 0 ||
-                                     kPlain.find(static_cast<char>(c)) != std::string_view::npos);
-    result += plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
-  }
-  return result;
 }
 
 /// Words of the reference with their pages, as the maker of the site wrote them; null if it did
@@ -101,7 +90,7 @@ int perform(const DocsOptions& options) {
   const auto anchor = page.find('#');
   const std::string path = std::filesystem::path(site) / page.substr(0, anchor);
   const std::string address =
-      address_of(path) + (anchor == std::string::npos ? "" : page.substr(anchor));
+      uri_of_path(path) + (anchor == std::string::npos ? "" : page.substr(anchor));
   say("{}\n", address);
   const std::string program = options.address ? std::string() : browser();
   if (program.empty()) return kDone;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/edit/edit.hpp"
+#include "generator/files/uri.hpp"
 #include "generator/lsp/convert.hpp"
 #include "generator/outline/lines.hpp"
 

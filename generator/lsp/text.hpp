@@ -16,8 +16,4 @@ struct Position {
 std::size_t byte_at(std::string_view text, Position position);
 Position position_at(std::string_view text, std::size_t byte);
 
-/// The path of a `file:` URI, or nothing ("untitled:" and the like have none).
-std::string path_of_uri(std::string_view uri);
-std::string uri_of_path(std::string_view path);
-
 }  // namespace eagerx::gen::lsp

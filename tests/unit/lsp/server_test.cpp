@@ -1,6 +1,7 @@
 // Streams and positions; what the server answers is in tests/lsp.
 #include <gtest/gtest.h>
 
+#include "generator/files/uri.hpp"
 #include "generator/lsp/stream.hpp"
 #include "generator/lsp/text.hpp"
 
@@ -54,7 +55,7 @@ TEST(LspText, CountsUnitsOfUtf16) {
   }
 }
 
-TEST(LspText, NamesFiles) {
+TEST(FileUri, NamesFiles) {
   EXPECT_EQ(path_of_uri("file:///a%20b/c.yaml"), "/a b/c.yaml");
   EXPECT_EQ(path_of_uri("file://host/a"), "/a");
   EXPECT_EQ(path_of_uri("file:///a%2"), "/a%2");
