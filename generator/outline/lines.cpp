@@ -17,7 +17,9 @@ Bytes line_of(std::string_view text, std::uint32_t line) {
 }
 
 Bytes bytes_of(std::string_view text, const Span& span) {
-  const Bytes whole = line_of(text, std::max(span.line, 1U) - 1);
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // columns count behind it
+  Bytes whole = line_of(text, std::max(span.line, 1U) - 1);
+  if (span.line <= 1 && text.starts_with(kByteOrderMark)) whole.begin = kByteOrderMark.size();
   if (span.line == 0) return whole;
   const auto skip = [&](std::size_t from, std::uint32_t count) {
     for (; count > 0 && from < whole.end; --count) from += decode_utf8(text, from).size;

@@ -37,6 +37,11 @@ TEST(Edit, LinesAreCountedInCodePoints) {
             "\xF0\x9F\xA4\x96"
             "b");
   EXPECT_EQ(bytes_of("ab\ncd", {}).end, 2U);
+  EXPECT_EQ(bytes_of("\xEF\xBB\xBF"
+                     "ab\ncd",
+                     {static_cast<FileId>(0), 1, 1, 2})
+                .begin,
+            3U);  // a byte order mark
   EXPECT_EQ(bytes_of("ab", {static_cast<FileId>(0), 9, 9, 9}).begin, 2U);
 }
 
