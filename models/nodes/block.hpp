@@ -54,15 +54,15 @@ constexpr void change_where(const std::type_identity_t<TruthOf<Real>>& where, St
   if constexpr (lanes<Real> == 1) {
     if (where) f();
   } else {
-    static_assert(std::is_trivially_copyable_v<State> && sizeof(State) % sizeof(Real) == 0);
+    static_assert(std::is_trivially_destructible_v<State> && sizeof(State) % sizeof(Real) == 0);
     constexpr std::size_t kNumbers = sizeof(State) / sizeof(Real);
     Real before[kNumbers];
     Real after[kNumbers];
-    std::memcpy(before, &state, sizeof before);
+    std::memcpy(static_cast<void*>(before), &state, sizeof before);
     f();
-    std::memcpy(after, &state, sizeof after);
+    std::memcpy(static_cast<void*>(after), &state, sizeof after);
     for (std::size_t i = 0; i < kNumbers; ++i) after[i] = select(where, after[i], before[i]);
-    std::memcpy(&state, after, sizeof after);
+    std::memcpy(static_cast<void*>(&state), after, sizeof after);
   }
 }
 

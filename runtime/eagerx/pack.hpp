@@ -11,75 +11,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <eagerx/math/sqrt.hpp>
+#include <eagerx/math/basic.hpp>
 #include <eagerx/math/vocabulary.hpp>
 #include <eagerx/message.hpp>
+#include <eagerx/registers.hpp>
 #include <type_traits>
 #include <utility>
 
 namespace eagerx {
 
-/// Bytes of a register of the instruction set that is compiled for.
-#if defined(__AVX512F__)
-inline constexpr std::size_t kRegisterBytes = 64;
-#elif defined(__AVX2__)
-inline constexpr std::size_t kRegisterBytes = 32;
-#else
-inline constexpr std::size_t kRegisterBytes = 16;  // SSE2, NEON; plain code elsewhere
-#endif
-
-namespace detail {
-
-template <class T, std::size_t Width>
-struct VectorOf {
-  using type __attribute__((vector_size(sizeof(T) * Width))) = T;
-};
-
-/// Registers for N numbers of type T, and how many numbers each holds.
-template <class T, std::size_t N>
-inline constexpr std::size_t kRegistersFor = N * sizeof(T) > kRegisterBytes
-                                                 ? N * sizeof(T) / kRegisterBytes
-                                                 : 1;
-
-template <std::size_t Bytes>
-struct SignedOf;
-template <>
-struct SignedOf<1> {
-  using type = std::int8_t;
-};
-template <>
-struct SignedOf<2> {
-  using type = std::int16_t;
-};
-template <>
-struct SignedOf<4> {
-  using type = std::int32_t;
-};
-template <>
-struct SignedOf<8> {
-  using type = std::int64_t;
-};
-
-/// The lanes of registers one after the other in memory, where loops over them become vectors
-/// again. (A copy in an array of their own would go through memory a word at a time.)
-template <class Vector, std::size_t Count>
-[[gnu::always_inline]] inline auto* lanes_of(Vector (&registers)[Count]) {
-  using Plain [[gnu::may_alias]] = std::remove_cvref_t<decltype(registers[0][0])>;
-  using Lane = std::conditional_t<std::is_const_v<Vector>, const Plain, Plain>;
-  return reinterpret_cast<Lane*>(&registers);
-}
-
-/// f(0), f(1), …, f(Count - 1). No loop: compilers keep arrays in registers only if they know every
-/// index from the start.
-template <std::size_t Count, class F>
-[[gnu::always_inline]] inline constexpr void unrolled(F&& f) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
-    (f(std::integral_constant<std::size_t, I>{}), ...);
+// Register by register: as a whole, GCC 12 copies it through memory and a word at a time.
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a class
+#define EAGERX_PACK_COPIES(Class)                                              \
+  [[gnu::always_inline]] constexpr Class(const Class& other) {                         \
+    detail::unrolled<kCount>([&](auto i) { v[i] = other.v[i]; });              \
+  }                                                                            \
+  [[gnu::always_inline]] constexpr Class& operator=(const Class& other) {              \
+    detail::unrolled<kCount>([&](auto i) { v[i] = other.v[i]; });              \
+    return *this;                                                              \
   }
-  (std::make_index_sequence<Count>{});
-}
-
-}  // namespace detail
+// NOLINTEND(bugprone-macro-parentheses)
 
 /// N truth values beside packs of numbers of `Bytes` bytes: all bits of a lane are set where true.
 template <std::size_t Bytes, std::size_t N>
@@ -91,15 +42,18 @@ struct Mask {
   Vector v[kCount];
 
   Mask() = default;
+  EAGERX_PACK_COPIES(Mask)
   [[gnu::always_inline]] Mask(bool all) {  // NOLINT(google-explicit-constructor): as bool is
     detail::unrolled<kCount>([&](auto i) { v[i] = Vector{} - static_cast<Lane>(all); });
   }
   /// The truth values beside packs of numbers of another width.
   template <std::size_t Other>
   requires(Other != Bytes) [[gnu::always_inline]] explicit Mask(const Mask<Other, N>& other) {
-    const auto* const from = detail::lanes_of(other.v);
-    auto* const to = detail::lanes_of(v);
-    for (std::size_t i = 0; i < N; ++i) to[i] = static_cast<Lane>(from[i]);
+    if constexpr (constexpr std::size_t kBetween = detail::size_between(Other, Bytes); kBetween == Bytes) {
+      detail::convert_integers(other, *this);
+    } else {
+      *this = Mask(Mask<kBetween, N>(other));
+    }
   }
   /// Register i is f(i).
   template <class F>
@@ -137,9 +91,11 @@ struct Pack {
   static constexpr std::size_t kWidth = N / kCount;
   using Vector = typename detail::VectorOf<T, kWidth>::type;
   using Truth = Mask<sizeof(T), N>;
+  using Lane = T;
   Vector v[kCount];
 
   Pack() = default;
+  EAGERX_PACK_COPIES(Pack)
   /// `x` in every lane. x - 0 is x for every x; x + 0 would lose the sign of -0.
   // NOLINTNEXTLINE(google-explicit-constructor): numbers broadcast
   [[gnu::always_inline]] constexpr Pack(T x) {
@@ -148,18 +104,31 @@ struct Pack {
   /// The numbers of another pack as T, lane by lane as `static_cast` does.
   template <class S>
   requires(!std::is_same_v<S, T>) [[gnu::always_inline]] explicit Pack(const Pack<S, N>& other) {
-    if constexpr (std::is_floating_point_v<T> != std::is_floating_point_v<S> &&
-                  sizeof(T) + sizeof(S) > 8 && !std::is_same_v<S, std::int32_t> &&
-                  !std::is_same_v<T, std::int32_t>) {
-      // Below AVX-512 no instruction converts these, but there is one for 32 bits, which mostly do.
-      if (fits_32_bits(other)) {
-        *this = Pack(Pack<std::int32_t, N>(other));
-        return;
+    constexpr std::size_t kBetween = detail::size_between(sizeof(S), sizeof(T));
+    if constexpr (std::is_integral_v<T> && std::is_integral_v<S>) {
+      if constexpr (kBetween == sizeof(T)) {
+        detail::convert_integers(other, *this);
+      } else {
+        using Between = typename detail::SignedOf<kBetween>::type;
+        using Same = std::conditional_t<std::is_signed_v<S>, Between, std::make_unsigned_t<Between>>;
+        *this = Pack(Pack<Same, N>(other));
       }
+    } else if constexpr (std::is_integral_v<T> != std::is_integral_v<S> && sizeof(T) == 4 && sizeof(S) == 4) {
+      *this = of([&](auto i) { return __builtin_convertvector(other.v[i], Vector); });
+    } else if constexpr (std::is_integral_v<T> != std::is_integral_v<S> && sizeof(T) * sizeof(S) < 16) {
+      *this = Pack(Pack<std::int32_t, N>(other));  // of fewer than 32 bits, and float
+    } else {
+      // Below AVX-512 no instruction converts these, but there is one for 32 bits, which mostly do.
+      if constexpr (std::is_integral_v<T> != std::is_integral_v<S> && !std::is_same_v<S, std::int32_t> && !std::is_same_v<T, std::int32_t>) {
+        if (fits_32_bits(other)) {
+          *this = Pack(Pack<std::int32_t, N>(other));
+          return;
+        }
+      }
+      Pack converted;  // what has an address stays in memory: that is a copy
+      convert_one_by_one(other, converted);
+      *this = converted;
     }
-    const auto* const from = detail::lanes_of(other.v);
-    auto* const to = detail::lanes_of(v);
-    for (std::size_t i = 0; i < N; ++i) to[i] = static_cast<T>(from[i]);
   }
   /// Register i is f(i).
   template <class F>
@@ -170,11 +139,15 @@ struct Pack {
   }
   /// N numbers from memory, and to memory.
   [[gnu::always_inline]] static Pack load(const T* from) {
-    Pack result;
-    std::memcpy(result.v, from, sizeof result.v);
-    return result;
+    return of([&](auto i) {
+      Vector one;
+      std::memcpy(&one, from + i * kWidth, sizeof one);
+      return one;
+    });
   }
-  [[gnu::always_inline]] void store(T* to) const { std::memcpy(to, v, sizeof v); }
+  [[gnu::always_inline]] void store(T* to) const {
+    detail::unrolled<kCount>([&](auto i) { std::memcpy(to + i * kWidth, &v[i], sizeof v[i]); });
+  }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): an operator stands in no parentheses
 #define EAGERX_PACK_OPERATOR(op)                                                 \
@@ -228,6 +201,15 @@ struct Pack {
                                                 int shift) requires std::is_integral_v<T> {
     return of([&](auto i) { return a.v[i] >> static_cast<T>(shift); });
   }
+
+ private:
+  template <class S>
+  static void convert_one_by_one(const Pack<S, N>& from, Pack& to) {
+    using From [[gnu::may_alias]] = S;
+    using To [[gnu::may_alias]] = T;
+    const auto* const numbers = reinterpret_cast<const From*>(&from);
+    for (std::size_t i = 0; i < N; ++i) reinterpret_cast<To*>(&to)[i] = static_cast<T>(numbers[i]);
+  }
 };
 
 /// Whether each number, without what is behind its point, is an std::int32_t.
@@ -236,12 +218,23 @@ template <class S, std::size_t N>
   if constexpr (std::is_floating_point_v<S>) {
     const auto inside = x > Pack<S, N>(S(-0x1p31F)) & x < Pack<S, N>(S(0x1p31F));
     return !any(!inside);
+  } else if constexpr (sizeof(S) < 4) {
+    return true;
+  } else if constexpr (std::is_unsigned_v<S>) {
+    typename Pack<S, N>::Vector all = x.v[0];
+    detail::unrolled<Pack<S, N>::kCount>([&](auto i) { all |= x.v[i]; });
+    constexpr S kFits = 0x7fffffffU;
+    return !detail::any_lane(all > kFits);
   } else {
-    const auto* const from = detail::lanes_of(x.v);
-    S lost = 0;
-    for (std::size_t i = 0; i < N; ++i)
-      lost |= from[i] ^ static_cast<S>(static_cast<std::int32_t>(from[i]));
-    return lost == 0;
+    // The upper half of each is the sign of the lower one.
+    using Halves = typename detail::VectorOf<std::int32_t, 2 * Pack<S, N>::kWidth>::type;
+    Halves wrong{};
+    detail::unrolled<Pack<S, N>::kCount>([&](auto i) {
+      const auto halves = std::bit_cast<Halves>(x.v[i]);
+      wrong |= (detail::lower_halves(halves) >> 31) ^ halves;
+    });
+    using Whole = typename Pack<S, N>::Vector;
+    return !detail::any_lane(std::bit_cast<Whole>(wrong) >> 32 != 0);
   }
 }
 
@@ -291,37 +284,49 @@ template <std::size_t Bytes, std::size_t N>
 [[gnu::always_inline]] inline bool any(const Mask<Bytes, N>& mask) {
   using Truth = Mask<Bytes, N>;
   typename Truth::Vector all = mask.v[0];
-  for (std::size_t i = 1; i < Truth::kCount; ++i) all |= mask.v[i];
-  constexpr std::size_t kBytes = sizeof(all);
-  using Word = std::conditional_t<kBytes % 8 == 0, std::uint64_t, std::uint8_t>;
-  Word words[kBytes / sizeof(Word)];
-  std::memcpy(words, &all, kBytes);
-  Word either = 0;
-  for (const Word word : words) either = static_cast<Word>(either | word);
-  return either != 0;
+  detail::unrolled<Truth::kCount>([&](auto i) { all |= mask.v[i]; });
+  return detail::any_lane(all);
+}
+
+/// A bit for each lane in which the mask holds.
+template <std::size_t N>
+requires(N <= 64) [[gnu::always_inline]] inline std::uint64_t lane_bits(const Mask<4, N>& mask) {
+  std::uint64_t all = 0;
+  detail::unrolled<Mask<4, N>::kCount>(
+      [&](auto i) { all |= detail::lane_bits(mask.v[i]) << (i * Mask<4, N>::kWidth); });
+  return all;
 }
 
 /// The IEEE 754 bits of each number, and back.
 template <class T, std::size_t N>
 [[gnu::always_inline]] inline BitsOf<Pack<T, N>> bits(const Pack<T, N>& x) {
-  return std::bit_cast<BitsOf<Pack<T, N>>>(x);
+  using Bits = BitsOf<Pack<T, N>>;
+  return Bits::of([&](auto i) { return std::bit_cast<typename Bits::Vector>(x.v[i]); });
 }
 template <std::size_t N>
 [[gnu::always_inline]] inline Pack<float, N> unbits(const Pack<std::uint32_t, N>& x) {
-  return std::bit_cast<Pack<float, N>>(x);
+  using Real = Pack<float, N>;
+  return Real::of([&](auto i) { return std::bit_cast<typename Real::Vector>(x.v[i]); });
 }
 template <std::size_t N>
 [[gnu::always_inline]] inline Pack<double, N> unbits(const Pack<std::uint64_t, N>& x) {
-  return std::bit_cast<Pack<double, N>>(x);
+  using Real = Pack<double, N>;
+  return Real::of([&](auto i) { return std::bit_cast<typename Real::Vector>(x.v[i]); });
 }
 
 template <class T, std::size_t N>
 [[gnu::always_inline]] inline Pack<T, N> sqrt(const Pack<T, N>& x) {
-  return Pack<T, N>::of([&](auto i) {
-    typename Pack<T, N>::Vector root;
-    for (std::size_t k = 0; k < Pack<T, N>::kWidth; ++k) root[k] = sqrt(x.v[i][k]);
-    return root;
-  });
+  return Pack<T, N>::of([&](auto i) { return detail::roots(x.v[i]); });
+}
+
+/// As of plain numbers.
+template <class T, std::size_t N>
+[[gnu::always_inline]] inline Pack<T, N> min(const Pack<T, N>& a, const std::type_identity_t<Pack<T, N>>& b) {
+  return Pack<T, N>::of([&](auto i) { return detail::smaller(a.v[i], b.v[i]); });
+}
+template <class T, std::size_t N>
+[[gnu::always_inline]] inline Pack<T, N> max(const Pack<T, N>& a, const std::type_identity_t<Pack<T, N>>& b) {
+  return Pack<T, N>::of([&](auto i) { return detail::larger(a.v[i], b.v[i]); });
 }
 
 /// Lane `i`: 0 <= i < N.

@@ -114,7 +114,7 @@ inline void gather(const Wide& wide, const std::size_t (&lanes)[Width], Narrow& 
     for (std::size_t k = 0; k < Width; ++k)
       std::memcpy(&words[i][k], from + 4 * (i * N + lanes[k]), 4);
   }
-  std::memcpy(&narrow, words, sizeof words);
+  std::memcpy(static_cast<void*>(&narrow), words, sizeof words);
 }
 template <std::size_t N, std::size_t Width, class Wide, class Narrow>
 inline void scatter(const Narrow& narrow, const std::size_t (&lanes)[Width], Wide& wide) {

@@ -42,6 +42,19 @@ struct TrigonometricConstants<double> {
                                                  -0x1.6c16c16c1500cp-10, 0x1.555555555554bp-5};
 };
 
+/// Puts in what reduce_to_quadrant() cannot do: lanes beyond kLargest, one by one.
+template <class R>
+[[gnu::noinline, gnu::cold]] constexpr void reduce_huge_lanes(const R& x, Reduced<R>& reduced) {
+  using T = LaneOf<R>;
+  for (int i = 0; i < lanes<R>; ++i) {
+    if (abs(lane(x, i)) <= TrigonometricConstants<T>::kLargest) continue;
+    const Reduced<T> one = reduce_huge_angle(lane(x, i));
+    set_lane(reduced.angle, i, one.angle);
+    set_lane(reduced.tail, i, one.tail);
+    set_lane(reduced.quadrant, i, one.quadrant);
+  }
+}
+
 /// x minus the nearest multiple of pi/2 (Cody and Waite); lanes beyond kLargest by Payne-Hanek.
 template <class R>
 [[gnu::always_inline]] constexpr Reduced<R> reduce_to_quadrant(R x) {
@@ -61,13 +74,11 @@ template <class R>
 
   const auto huge = !(abs(x) <= R(Constants::kLargest));  // and NaN
   if (any(huge)) [[unlikely]] {
-    for (int i = 0; i < lanes<R>; ++i) {
-      if (abs(lane(x, i)) <= Constants::kLargest) continue;
-      const Reduced<T> one = reduce_huge_angle(lane(x, i));
-      set_lane(reduced.angle, i, one.angle);
-      set_lane(reduced.tail, i, one.tail);
-      set_lane(reduced.quadrant, i, one.quadrant);
-    }
+    if constexpr (lanes<R> == 1) return reduce_huge_angle(x);
+    // What has an address stays in memory: that is a copy.
+    Reduced<R> mended = reduced;
+    reduce_huge_lanes(R(x), mended);
+    reduced = mended;
   }
   return reduced;
 }

@@ -1,0 +1,241 @@
+// Registers of numbers: what eagerx/pack.hpp is built of.
+//
+// Built on the vector types of GCC and Clang (GCC manual, "Using Vector Instructions through
+// Built-in Functions").
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <eagerx/math/sqrt.hpp>
+#include <type_traits>
+#include <utility>
+
+namespace eagerx {
+
+/// Bytes of a register of the instruction set that is compiled for.
+#if defined(__AVX512F__)
+inline constexpr std::size_t kRegisterBytes = 64;
+#elif defined(__AVX2__)
+inline constexpr std::size_t kRegisterBytes = 32;
+#else
+inline constexpr std::size_t kRegisterBytes = 16;  // SSE2, NEON; plain code elsewhere
+#endif
+
+namespace detail {
+
+template <class T, std::size_t Width>
+struct VectorOf {
+  using type __attribute__((vector_size(sizeof(T) * Width))) = T;
+};
+
+/// Registers for N numbers of type T, and how many numbers each holds.
+template <class T, std::size_t N>
+inline constexpr std::size_t kRegistersFor = N * sizeof(T) > kRegisterBytes
+                                                 ? N * sizeof(T) / kRegisterBytes
+                                                 : 1;
+
+template <std::size_t Bytes>
+struct SignedOf;
+template <>
+struct SignedOf<1> {
+  using type = std::int8_t;
+};
+template <>
+struct SignedOf<2> {
+  using type = std::int16_t;
+};
+template <>
+struct SignedOf<4> {
+  using type = std::int32_t;
+};
+template <>
+struct SignedOf<8> {
+  using type = std::int64_t;
+};
+
+/// The next size on the way from one to another, by doubling or halving.
+constexpr std::size_t size_between(std::size_t from, std::size_t to) {
+  return from < to ? 2 * from : from > to ? from / 2 : to;
+}
+
+/// f(0), f(1), …, f(Count - 1). No loop: compilers keep arrays in registers only if they know every
+/// index from the start.
+template <std::size_t Count, class F>
+[[gnu::always_inline]] inline constexpr void unrolled(F&& f) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+    (f(std::integral_constant<std::size_t, I>{}), ...);
+  }
+  (std::make_index_sequence<Count>{});
+}
+
+/// Lanes `First`, `First` + `Step`, … of two registers, `Count` of them.
+template <std::size_t First, std::size_t Step, std::size_t Count, class Vector>
+[[gnu::always_inline]] inline auto picked(const Vector& a, const Vector& b) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+    return __builtin_shufflevector(a, b, (First + Step * I)...);
+  }
+  (std::make_index_sequence<Count>{});
+}
+
+/// Lanes `First` to `First` + `Count` - 1 of registers of `Width` lanes each.
+template <std::size_t First, std::size_t Count, std::size_t Width, class Vector>
+[[gnu::always_inline]] inline auto lanes_from(const Vector* registers) {
+  constexpr std::size_t kRegister = First / Width;
+  if constexpr (Count == Width) {
+    return registers[kRegister];
+  } else if constexpr (Count < Width) {
+    return picked<First % Width, 1, Count>(registers[kRegister], registers[kRegister]);
+  } else {
+    return picked<0, 1, Count>(lanes_from<First, Count / 2, Width>(registers),
+                               lanes_from<First + Count / 2, Count / 2, Width>(registers));
+  }
+}
+
+/// Integers of registers as those of others, which are as wide, twice as wide or half as wide, as
+/// `static_cast` does.
+template <class To, class From>
+[[gnu::always_inline]] inline void convert_integers(const From& from, To& to) {
+  using T = typename To::Lane;
+  using S = typename From::Lane;
+  using Vector = typename To::Vector;
+  unrolled<To::kCount>([&](auto i) {
+    constexpr std::size_t kFirst = i * To::kWidth;
+    if constexpr (sizeof(T) >= sizeof(S)) {
+      to.v[i] = __builtin_convertvector(
+          (lanes_from<kFirst, To::kWidth, From::kWidth>(&from.v[0])), Vector);
+    } else {  // the lower half of each: in memory, the first
+      using Halves = typename VectorOf<T, 2 * From::kWidth>::type;
+      if constexpr (From::kCount == 1) {
+        const auto whole = std::bit_cast<Halves>(from.v[0]);
+        to.v[i] = picked<0, 2, To::kWidth>(whole, whole);
+      } else {
+        to.v[i] = picked<0, 2, To::kWidth>(std::bit_cast<Halves>(from.v[2 * i]),
+                                           std::bit_cast<Halves>(from.v[2 * i + 1]));
+      }
+    }
+  });
+}
+
+/// Of pairs of numbers: the first in the place of both.
+template <class Vector>
+[[gnu::always_inline]] inline Vector lower_halves(const Vector& x) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+    return __builtin_shufflevector(x, x, (I / 2 * 2)...);
+  }
+  (std::make_index_sequence<sizeof(Vector) / sizeof(x[0])>{});
+}
+
+/// Of truth values, which have all bits of a lane or none: whether there is one.
+template <class Vector>
+[[gnu::always_inline]] inline bool any_lane(const Vector& truth) {
+#if defined(__SSE2__) && !defined(__clang__)
+  using Words [[maybe_unused, gnu::vector_size(sizeof(Vector))]] = long long;
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Vector) == 64)
+    return __builtin_ia32_ptestmq512(std::bit_cast<Words>(truth), std::bit_cast<Words>(truth), 0xff) != 0;
+#endif
+#if defined(__AVX__)
+  if constexpr (sizeof(Vector) == 32)
+    return __builtin_ia32_ptestz256(std::bit_cast<Words>(truth), std::bit_cast<Words>(truth)) == 0;
+#endif
+  using Bytes [[gnu::vector_size(sizeof(Vector))]] = char;
+  if constexpr (sizeof(Vector) == 16)
+    return __builtin_ia32_pmovmskb128(std::bit_cast<Bytes>(truth)) != 0;
+#endif
+  constexpr std::size_t kBytes = sizeof(Vector);
+  using Word = std::conditional_t<kBytes % 8 == 0, std::uint64_t, std::uint8_t>;
+  Word words[kBytes / sizeof(Word)];
+  std::memcpy(words, &truth, kBytes);
+  Word either = 0;
+  for (const Word word : words) either = static_cast<Word>(either | word);
+  return either != 0;
+}
+
+/// Of truth values of 32 bits: a bit for each lane.
+template <class Vector>
+[[gnu::always_inline]] inline std::uint64_t lane_bits(const Vector& truth) {
+#if defined(__SSE2__) && !defined(__clang__)
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Vector) == 64)
+    return static_cast<std::uint16_t>(__builtin_ia32_ptestmd512(truth, truth, 0xffff));
+#endif
+#if defined(__AVX__)
+  if constexpr (sizeof(Vector) == 32) {
+    using Floats [[gnu::vector_size(32)]] = float;
+    return static_cast<std::uint64_t>(__builtin_ia32_movmskps256(std::bit_cast<Floats>(truth)));
+  }
+#endif
+  if constexpr (sizeof(Vector) == 16) {
+    using Floats [[gnu::vector_size(16)]] = float;
+    return static_cast<std::uint64_t>(__builtin_ia32_movmskps(std::bit_cast<Floats>(truth)));
+  }
+#endif
+  constexpr std::size_t kWidth = sizeof(Vector) / 4;
+  std::uint32_t lanes[kWidth];
+  std::memcpy(lanes, &truth, sizeof lanes);
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < kWidth; ++i) bits |= std::uint64_t{lanes[i] & 1U} << i;
+  return bits;
+}
+
+/// b < a ? b : a and a < b ? b : a: one instruction, where compilers make two or three.
+template <class Vector>
+[[gnu::always_inline]] inline Vector smaller(const Vector& a, const Vector& b) {
+  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(a[0])>, float>) {
+#if defined(__AVX512F__) && !defined(__clang__)
+    if constexpr (sizeof(Vector) == 64)
+      return __builtin_ia32_minps512_mask(b, a, b, static_cast<short>(-1), 4);
+#endif
+#if defined(__AVX__)
+    if constexpr (sizeof(Vector) == 32) return __builtin_ia32_minps256(b, a);
+#endif
+#if defined(__SSE2__)
+    if constexpr (sizeof(Vector) == 16) return __builtin_ia32_minps(b, a);
+#endif
+  }
+  return b < a ? b : a;
+}
+template <class Vector>
+[[gnu::always_inline]] inline Vector larger(const Vector& a, const Vector& b) {
+  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(a[0])>, float>) {
+#if defined(__AVX512F__) && !defined(__clang__)
+    if constexpr (sizeof(Vector) == 64)
+      return __builtin_ia32_maxps512_mask(b, a, b, static_cast<short>(-1), 4);
+#endif
+#if defined(__AVX__)
+    if constexpr (sizeof(Vector) == 32) return __builtin_ia32_maxps256(b, a);
+#endif
+#if defined(__SSE2__)
+    if constexpr (sizeof(Vector) == 16) return __builtin_ia32_maxps(b, a);
+#endif
+  }
+  return a < b ? b : a;
+}
+
+/// The root of each number.
+template <class Vector>
+[[gnu::always_inline]] inline Vector roots(const Vector& x) {
+  using T = std::remove_cvref_t<decltype(x[0])>;
+#if !defined(__clang__)
+  if constexpr (std::is_same_v<T, float>) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Vector) == 64)
+      return __builtin_ia32_sqrtps512_mask(x, x, static_cast<short>(-1), 4);
+#endif
+#if defined(__AVX__)
+    if constexpr (sizeof(Vector) == 32) return __builtin_ia32_sqrtps256(x);
+#endif
+#if defined(__SSE2__)
+    if constexpr (sizeof(Vector) == 16) return __builtin_ia32_sqrtps(x);
+#endif
+  }
+#endif
+  Vector root;
+  for (std::size_t k = 0; k < sizeof(Vector) / sizeof(T); ++k) root[k] = sqrt(x[k]);
+  return root;
+}
+
+}  // namespace detail
+}  // namespace eagerx
