@@ -44,6 +44,7 @@ class Batch {
         longest_(options.longest),
         autoreset_(options.autoreset),
         episodes_(std::make_unique<Episode[]>(size_)),
+        steps_(std::make_unique<std::uint32_t[]>(size_)),
         drawn_(options.pictures != 0 ? size_ : 0),
         programs_(std::make_unique<Program[]>(plain_programs())),
         packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
@@ -103,7 +104,7 @@ class Batch {
   std::string step(const float* actions, const eagerx_rows& rows) {
     require_begun();
     not_finite_.begin_step();
-    each_block(steps_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
+    each_block(stepping_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
       step_block(first, end, member, actions, rows);
     });
     for (auto& [k, traces] : traces_) {
@@ -119,7 +120,7 @@ class Batch {
     const auto is_running = [&](std::uint32_t k) { return !episodes_[k].ended; };
     const auto act_alone = [&](std::uint32_t k, const auto& observation) {
       return with(k, [&](auto& program) {
-        return target::act<Graph>(agent, episodes_[k].key(), episodes_[k].steps, observation,
+        return target::act<Graph>(agent, episodes_[k].key(), steps_[k], observation,
                                   program);
       });
     };
@@ -240,19 +241,10 @@ class Batch {
 
   void step_pack(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
                  const eagerx_rows& rows) {
-    const std::size_t acted = layout_.actions.numbers();
-    auto* const applied = packs_.actions(member);
-    std::uint32_t packed = 0;
-    std::uint64_t alone = 0;  // a bit for each lane
-    for (std::uint32_t k = first; k < end; ++k) {
-      if (episodes_[k].steps >= packs_.most_steps()) take_out(k);
-      if (!episodes_[k].packed) {
-        alone |= std::uint64_t{1} << (k - first);
-        continue;
-      }
-      ++packed;
-      applied[k - first] = applied_action(programs_[k], layout_.action(actions + k * acted));
-    }
+    const std::uint64_t all = ~std::uint64_t{0} >> (64 - (end - first));
+    const std::uint64_t packed = packs_.packed(first);
+    if (packed != 0) take_actions(first, end, member, actions);
+    const std::uint64_t alone = all & ~packed;  // a bit for each lane
     // Where an episode has ended its row stays as it is, if nothing begins there.
     if (packed != 0 && packs_.writes_rows(end - first) &&
         (alone == 0 || autoreset_ != EAGERX_DISABLED)) {
@@ -272,16 +264,22 @@ class Batch {
     }
   }
 
+  /// What the guards make of them.
+  void take_actions(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions) {
+    std::uint64_t guarded = packs_.take(member, first, end - first, actions) & packs_.packed(first);
+    for (; guarded != 0; guarded &= guarded - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(guarded));
+      const std::uint32_t k = first + lane;
+      const float* const row = actions + k * layout_.actions.numbers();
+      packs_.put(member, lane, applied_action(programs_[k], layout_.action(row)));
+    }
+  }
+
   /// The rows of all lanes at once; then what is not the same for all.
   void step_whole_pack(std::uint32_t first, std::uint64_t alone, unsigned member,
                        const float* actions, const eagerx_rows& rows) {
-    const PackRows pack_rows = packs_.rows_from(first, rows);
+    const PackRows pack_rows = packs_.rows_from(first, rows, steps_.get(), longest_);
     std::uint64_t notable = packs_.step(member, first, &pack_rows) | alone;
-    for (std::uint32_t lane = 0; lane < packs_.lanes(); ++lane) {
-      Episode& episode = episodes_[first + lane];
-      notable |= std::uint64_t{episode.steps + 1 == longest_ ? 1U : 0U} << lane;
-      episode.steps += 1;
-    }
     if constexpr (PackMemory<Graph>::shows_guard()) {
       for (std::uint32_t lane = 0; lane < packs_.lanes(); ++lane) {
         if ((alone >> lane & 1U) == 0)
@@ -291,7 +289,7 @@ class Batch {
     for (; notable != 0; notable &= notable - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(notable));
       const std::uint32_t k = first + lane;
-      --episodes_[k].steps;
+      --steps_[k];
       if ((alone >> lane & 1U) != 0) {
         step_alone(k, actions, rows);
       } else {
@@ -304,9 +302,10 @@ class Batch {
     const Ends ends = ends_of<Graph>(column);
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
-        not_finite_.note(episodes_[k].place(k), outcome_of<Graph>(column));
+        not_finite_.note(episodes_[k].place(k, steps_[k]), outcome_of<Graph>(column));
     }
     end_step(k, ends, rows, [&](float* row) { packs_.write(column, layout_, row); });
+    if (steps_[k] >= packs_.most_steps()) take_out(k);
   }
 
   void step_alone(std::uint32_t k, const float* actions, const eagerx_rows& rows) {
@@ -325,7 +324,7 @@ class Batch {
     const Ends ends = write_outcome<Graph>(program, k, rows);
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
-        not_finite_.note(episodes_[k].place(k), program.outcome());
+        not_finite_.note(episodes_[k].place(k, steps_[k]), program.outcome());
     }
     end_step(k, ends, rows, [&](float* row) { layout_.write(observation, row); });
   }
@@ -335,8 +334,8 @@ class Batch {
   void end_step(std::uint32_t k, Ends ends, const eagerx_rows& rows, Write&& write) {
     Episode& episode = episodes_[k];
     const std::size_t observed = layout_.observations.numbers();
-    ++episode.steps;
-    ends.truncated = ends.truncated || (longest_ != 0 && episode.steps >= longest_);
+    ++steps_[k];
+    ends.truncated = ends.truncated || (longest_ != 0 && steps_[k] >= longest_);
     if (rows.terminated != nullptr) rows.terminated[k] = ends.terminated ? 1 : 0;
     if (rows.truncated != nullptr) rows.truncated[k] = ends.truncated ? 1 : 0;
     if (!ends.terminated && !ends.truncated) {
@@ -371,7 +370,7 @@ class Batch {
     const auto observation = reset_program(k, key, states);
     if (observations != nullptr)
       layout_.write(observation, observations + k * layout_.observations.numbers());
-    episode.steps = 0;
+    steps_[k] = 0;
     episode.begun = true;
     episode.ended = false;
     if (packs_.lanes() != 0 && !episode.traced) put_in(k);
@@ -382,7 +381,7 @@ class Batch {
     const bool was_packed = episodes_[k].packed;
     take_out(k);
     if (episodes_[k].traced) {
-      traces_.find(k)->second.now->tune(episodes_[k].steps, set);
+      traces_.find(k)->second.now->tune(steps_[k], set);
     } else {
       untraced(k, [&](auto& program) { target::tune(program, set); });
     }
@@ -435,6 +434,7 @@ class Batch {
   std::uint32_t autoreset_;
   bool all_begun_ = false;
   std::unique_ptr<Episode[]> episodes_;  // [size_]
+  std::unique_ptr<std::uint32_t[]> steps_;  // [size_], of the episodes
   DrawnPrograms<Graph> drawn_;
   std::unique_ptr<Program[]> programs_;  // [size_], or one if `drawn_` has them
   PackMemory<Graph> packs_;
@@ -442,7 +442,7 @@ class Batch {
   SetStates<Graph> set_states_;
   std::map<std::uint32_t, Traces<Graph>> traces_;
   NotFinite<Graph> not_finite_;
-  Workload resets_, steps_, acts_;
+  Workload resets_, stepping_, acts_;
   host::Team team_;
 };
 

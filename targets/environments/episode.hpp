@@ -11,14 +11,13 @@ struct Episode {
   std::uint64_t seed = 0;
   std::uint32_t number = 0;
   std::uint32_t index = 0;  // since the seed was set
-  std::uint32_t steps = 0;
   bool begun = false;
   bool ended = false;
   bool traced = false;
   bool packed = false;  // in its lane of a pack, and not in its program
 
   EpisodeKey key() const { return {seed, number, index}; }
-  PlaceOfReward place(std::uint32_t environment) const {
+  PlaceOfReward place(std::uint32_t environment, std::uint32_t steps) const {
     return {environment, number, seed, index, steps};
   }
 };

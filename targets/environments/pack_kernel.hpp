@@ -17,6 +17,15 @@ struct PackRows {
   std::uint8_t* success = nullptr;
   std::uint8_t* terminated = nullptr;
   std::uint8_t* truncated = nullptr;
+  std::uint32_t* steps = nullptr;  // of the episodes; never null
+  std::uint32_t most_steps = 0;    // after so many a lane is notable
+};
+
+/// Rows of actions of a whole pack.
+struct ActionRows {
+  const float* first = nullptr;
+  std::size_t acted = 0;                // numbers of a row
+  const std::size_t* places = nullptr;  // in it, of the first number of each action of the graph
 };
 
 /// The functions of packs for one instruction set. Nothing but plain numbers and objects of the
@@ -30,6 +39,7 @@ struct PackKernel {
   const char* isa = "";  // as EAGERX_PACKS names it
   std::uint32_t lanes = 0;
   std::size_t bytes = 0, alignment = 0;  // of a pack
+  std::size_t action_bytes = 0;          // of the actions of a pack, aligned as it
   std::size_t columns = 0;               // that step() writes, [columns][lanes]
   std::uint32_t most_steps = 0;          // of an episode; what a lane counts with has an end
   bool answers = false;                  // whether guards look at observations
@@ -48,10 +58,14 @@ struct PackKernel {
   void (*go_to)(void* pack, const Program& one) = nullptr;
   void (*load)(void* pack, std::uint32_t lane, const Program& one) = nullptr;
   void (*store)(const void* pack, std::uint32_t lane, Program& one) = nullptr;
-  /// `actions` [lanes] have gone through the guards. Columns: observations in the graph's order,
-  /// then those of PackColumns. `rows`: null, or also written. The lanes, a bit each, whose episode
-  /// the task ends or whose reward is no number.
-  std::uint64_t (*step)(void* pack, const Action* actions, float* columns,
+  /// Fills `actions` of a pack. The lanes, a bit each, whose action must go through the guard, which
+  /// has not been done: put() takes what comes out. Null if all must.
+  std::uint64_t (*take)(const ActionRows& rows, void* actions) = nullptr;
+  void (*put)(void* actions, std::uint32_t lane, const Action& action) = nullptr;
+  /// `actions` have gone through the guards. Columns: observations in the graph's order, then those
+  /// of PackColumns. `rows`: null, or also written. The lanes, a bit each, whose episode the task
+  /// ends, whose reward is no number or which have made the most steps.
+  std::uint64_t (*step)(void* pack, const void* actions, float* columns,
                         const PackRows* rows) = nullptr;
   /// The actions [lanes] of the agent's policy. `columns`: its inputs [inputs][lanes].
   void (*act)(const float* columns, Action* actions) = nullptr;

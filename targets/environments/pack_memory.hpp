@@ -1,6 +1,7 @@
 // The packs of a batch, where environments run in packs.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -32,8 +33,14 @@ class PackMemory {
   using Action = typename Graph::Action;
 
   PackMemory(const PackKernel<Graph>& kernel, std::uint32_t environments)
-      : kernel_(kernel), environments_(environments), memory_(nullptr, Free{std::align_val_t{1}}) {
+      : kernel_(kernel),
+        environments_(environments),
+        memory_(nullptr, Free{std::align_val_t{1}}),
+        actions_(nullptr, Free{std::align_val_t{1}}) {
     if (lanes() == 0) return;
+    for (std::size_t field = 0; field < Graph::kActionNames.size(); ++field)
+      action_places_.push_back(Layout<Graph>::get().actions.first(field));
+    packed_.resize((environments + lanes() - 1) / lanes());
     Layout<Graph>::for_each_observed(
         [&, field = std::size_t{0}](const char*, auto observed, const auto&) mutable {
           using Observed = typename decltype(observed)::type;
@@ -47,9 +54,7 @@ class PackMemory {
       phase_.resize(environments);
       held_.resize(packs);
     }
-    const auto alignment = std::align_val_t{kernel.alignment};
-    memory_ = {static_cast<std::byte*>(::operator new(packs* kernel.bytes, alignment)),
-               Free{alignment}};
+    memory_ = allocated(packs * kernel.bytes);
     for (std::size_t i = 0; i < packs; ++i) kernel.make(memory_.get() + i * kernel.bytes);
   }
 
@@ -59,14 +64,20 @@ class PackMemory {
 
   /// For a step of each member of a team at the same time.
   void make_room(unsigned members) {
+    if (lanes() == 0) return;
     columns_.resize(members * kernel_.phases * kernel_.columns * lanes());
-    actions_.resize(std::size_t{members} * lanes(), Graph::zero());
+    actions_ = allocated(members * kernel_.action_bytes);
+    for (unsigned member = 0; member < members; ++member) {
+      for (std::uint32_t lane = 0; lane < lanes(); ++lane)
+        kernel_.put(actions(member), lane, Graph::zero());
+    }
   }
 
   /// An environment that no lane holds. Lanes that hold none get it, too: they are computed with
   /// the others, and numbers without a meaning (huge angles) may take longer than all of these.
   void load(std::uint32_t k, const Program& one) {
     const std::uint32_t first = k / lanes() * kernel_.phases;
+    packed_[k / lanes()] |= bit(k);
     if (kernel_.phases > 1) join(k, first, one);
     for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
       kernel_.load(at(first + i), k % lanes(), one);
@@ -77,17 +88,29 @@ class PackMemory {
   }
   /// Its lane holds it no longer.
   void leave(std::uint32_t k) {
+    packed_[k / lanes()] &= ~bit(k);
     if (kernel_.phases > 1) --held_[k / lanes() * kernel_.phases + phase_[k]];
   }
   void store(std::uint32_t k, Program& one) const { kernel_.store(pack(k), k % lanes(), one); }
 
-  /// [lanes]
-  Action* actions(unsigned member) { return actions_.data() + std::size_t{member} * lanes(); }
+  /// The lanes of `k`'s group that hold an environment, a bit each.
+  std::uint64_t packed(std::uint32_t k) const { return packed_[k / lanes()]; }
+
+  /// Takes the actions of `member`'s next step, of the group of environments from `first` on. The
+  /// lanes whose action must still go through the guard: put() takes what comes out.
+  std::uint64_t take(unsigned member, std::uint32_t first, std::uint32_t environments, const float* rows) {
+    if (kernel_.take == nullptr || environments != lanes()) return ~std::uint64_t{0};
+    const std::size_t acted = Layout<Graph>::get().actions.numbers();
+    return kernel_.take({rows + first * acted, acted, action_places_.data()}, actions(member));
+  }
+  void put(unsigned member, std::uint32_t lane, const Action& action) {
+    kernel_.put(actions(member), lane, action);
+  }
   /// Whether a step of `k`'s group can write the rows of all of its lanes.
   bool writes_rows(std::uint32_t environments) const {
     return kernel_.phases == 1 && environments == lanes();
   }
-  PackRows rows_from(std::uint32_t first, const eagerx_rows& rows) const {
+  PackRows rows_from(std::uint32_t first, const eagerx_rows& rows, std::uint32_t* steps, std::uint32_t longest) const {
     const std::size_t observed = places_.size();
     const auto from = [&](auto* row, std::size_t width) {
       return row == nullptr ? nullptr : row + first * width;
@@ -99,7 +122,9 @@ class PackMemory {
             from(rows.terms, terms_of<Graph>),
             from(rows.success, 1),
             from(rows.terminated, 1),
-            from(rows.truncated, 1)};
+            from(rows.truncated, 1),
+            steps + first,
+            longest != 0 ? std::min(longest, most_steps()) : most_steps()};
   }
   /// Steps the packs of `k`'s group with the actions of `member`, into their columns. As the
   /// kernel's, which means nothing with several phases.
@@ -192,6 +217,13 @@ class PackMemory {
     ++held_[first + chosen];
   }
 
+  std::unique_ptr<std::byte[], Free> allocated(std::size_t bytes) const {
+    const auto alignment = std::align_val_t{kernel_.alignment};
+    return {static_cast<std::byte*>(::operator new(bytes, alignment)), Free{alignment}};
+  }
+  std::uint64_t bit(std::uint32_t k) const { return std::uint64_t{1} << k % lanes(); }
+  std::byte* actions(unsigned member) const { return actions_.get() + member * kernel_.action_bytes; }
+
   std::uint32_t phase_of(std::uint32_t k) const { return kernel_.phases > 1 ? phase_[k] : 0; }
   std::byte* at(std::size_t i) const { return memory_.get() + i * kernel_.bytes; }
   std::byte* pack(std::uint32_t k) const {
@@ -209,7 +241,9 @@ class PackMemory {
   std::vector<float> columns_;                 // [members][phases][columns][lanes]
   std::vector<std::uint8_t> phase_;            // [environments], in which pack; none for one phase
   std::vector<std::uint32_t> held_;            // [packs], environments in it; the same
-  std::vector<Action> actions_;                // [members][lanes]
+  std::vector<std::uint64_t> packed_;          // [groups], a bit for each lane
+  std::unique_ptr<std::byte[], Free> actions_;  // [members][action_bytes]
+  std::vector<std::size_t> action_places_;     // of the first number of each in a row
 };
 
 }  // namespace eagerx::environments

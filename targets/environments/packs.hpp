@@ -48,6 +48,11 @@ class Packs {
     kernel.store = [](const void* pack, std::uint32_t lane, typename Kernel::Program& one) {
       static_cast<const Program*>(pack)->store(lane, one);
     };
+    kernel.action_bytes = sizeof(Action);
+    if constexpr (!Graph::kSafety.declared) kernel.take = take;
+    kernel.put = [](void* actions, std::uint32_t lane, const typename Kernel::Action& action) {
+      load_action(*static_cast<Action*>(actions), lane, action);
+    };
     kernel.step = step;
     // Registers as wide as those of plain code are no faster with one environment a lane.
     constexpr std::size_t kPlainRegister = 16;
@@ -64,12 +69,69 @@ class Packs {
   static constexpr bool kTells = Program::kAnswers && Observation::kMayMiss;
   static constexpr std::uint32_t kMostTicks = 2'000'000'000;  // below 2^31
 
-  static std::uint64_t step(void* pack, const typename Kernel::Action* actions, float* columns,
-                            const PackRows* rows) {
-    Action action;
-    for (std::size_t k = 0; k < Lanes; ++k) load_action(action, k, actions[k]);
+  static std::uint64_t take(const ActionRows& rows, void* actions) {
+    Truth applicable = true;
+    std::size_t field = 0;
+    static_cast<Action*>(actions)->for_each([&](auto& message) {
+      const float* const first = rows.first + rows.places[field];
+      with_space(field++, message, [&](const auto& space) {
+        for (std::size_t i = 0; i < size_of<std::remove_cvref_t<decltype(message)>>; ++i) {
+          const Real x = column_of(first + i, rows.acted);
+          const Truth fits = is_within(x, element(space.low, i), element(space.high, i));
+          applicable = applicable && fits;
+          element(message, i) = as_action<ScalarOf<std::remove_cvref_t<decltype(message)>>>(select(fits, x, Real(0)));
+        }
+      });
+    });
+    return lane_bits(!applicable);
+  }
+  /// f(what action `field` must be in), the action of plain numbers as that of the pack.
+  template <class Message, class F>
+  static void with_space(std::size_t field, const Message& /*message*/, F&& f) {
+    typename Kernel::Action one{};
+    std::size_t at = 0;
+    Graph::for_each_applied(one, [&](const auto& message, const auto& space) {
+      using One = std::remove_cvref_t<decltype(message)>;
+      constexpr bool kAlike = size_of<One> == size_of<Message> && std::is_same_v<ScalarOf<One>, LaneOf<ScalarOf<Message>>>;
+      if constexpr (kAlike) {
+        if (at == field) f(space);
+      }
+      ++at;
+    });
+  }
+  /// Conservative, and exact for floats: whole numbers are cut behind it.
+  template <class Number>
+  static Truth is_within(const Real& x, Number low, Number high) {
+    if constexpr (std::is_same_v<Number, bool>) {
+      static_cast<void>(low), static_cast<void>(high);
+      return x == Real(0) || x == Real(1);
+    } else {
+      constexpr auto kExact = Number(1) << 24;
+      if constexpr(!std::is_same_v<Number, float>) if (low < -kExact || high > kExact) return false;
+      return eagerx::isfinite(x) && x >= Real(static_cast<float>(low)) && x <= Real(static_cast<float>(high));
+    }
+  }
+  template <class Scalar>
+  static Scalar as_action(const Real& x) {
+    if constexpr (std::is_same_v<Scalar, Real>) {
+      return x;
+    } else if constexpr (std::is_same_v<Scalar, Truth>) {
+      return x != Real(0);
+    } else {
+      return Scalar(Pack<std::int32_t, Lanes>(x));
+    }
+  }
+  static Real column_of(const float* row, std::size_t width) {
+    if (width == 1) return Real::load(row);
+    float column[Lanes];
+    for (std::size_t k = 0; k < Lanes; ++k) column[k] = row[k * width];
+    return Real::load(column);
+  }
+
+  static std::uint64_t step(void* pack, const void* actions, float* columns, const PackRows* rows) {
     Program& program = *static_cast<Program*>(pack);
-    write(program.step(action), columns);
+    write(program.step(*static_cast<const Action*>(actions)), columns);
+    const std::uint64_t last = rows != nullptr ? count_steps(*rows) : 0;
     if (rows != nullptr && rows->observation != nullptr) {
       for (std::size_t i = 0; i < Observation::kNumbers; ++i)
         spread(columns + i * Lanes, rows->observation + rows->places[i], rows->observed);
@@ -89,11 +151,19 @@ class Packs {
       }
       if (rows != nullptr)
         put_rows(outcome.reward, outcome.success, outcome.terminated, outcome.truncated, *rows);
-      return lanes_of(outcome.terminated || outcome.truncated || !eagerx::isfinite(outcome.reward));
+      return last | lane_bits(outcome.terminated || outcome.truncated ||
+                              !eagerx::isfinite(outcome.reward));
     } else {
       if (rows != nullptr) put_rows(Real(0), false, false, false, *rows);
-      return 0;
+      return last;
     }
+  }
+  /// The lanes that have made the most.
+  static std::uint64_t count_steps(const PackRows& rows) {
+    using Counts = LaneCounts<Lanes>;
+    const Counts steps = Counts::load(rows.steps) + Counts(1U);
+    steps.store(rows.steps);
+    return lane_bits(steps == Counts(rows.most_steps));
   }
 
   static void put_rows(const Real& reward, const Truth& success, const Truth& terminated,
@@ -117,16 +187,6 @@ class Packs {
     std::int32_t from[Lanes];
     std::memcpy(from, &truth, sizeof from);
     for (std::size_t k = 0; k < Lanes; ++k) to[k] = static_cast<std::uint8_t>(from[k] & 1);
-  }
-  /// A bit for each lane.
-  static std::uint64_t lanes_of(const Truth& truth) {
-    static_assert(Lanes <= 64);
-    if (!any(truth)) return 0;
-    std::uint8_t bytes[Lanes];
-    bytes_of(truth, bytes);
-    std::uint64_t lanes = 0;
-    for (std::size_t k = 0; k < Lanes; ++k) lanes |= std::uint64_t{bytes[k]} << k;
-    return lanes;
   }
 
   static void act(const float* columns, typename Kernel::Action* actions) {
