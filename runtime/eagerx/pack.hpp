@@ -32,6 +32,14 @@ namespace eagerx {
   }
 // NOLINTEND(bugprone-macro-parentheses)
 
+namespace detail {
+
+/// Defined in eagerx/pack_conversion.hpp.
+template <class To, class From>
+struct PackConversion;
+
+}  // namespace detail
+
 /// N truth values beside packs of numbers of `Bytes` bytes: all bits of a lane are set where true.
 template <std::size_t Bytes, std::size_t N>
 struct Mask {
@@ -103,33 +111,8 @@ struct Pack {
   }
   /// The numbers of another pack as T, lane by lane as `static_cast` does.
   template <class S>
-  requires(!std::is_same_v<S, T>) [[gnu::always_inline]] explicit Pack(const Pack<S, N>& other) {
-    constexpr std::size_t kBetween = detail::size_between(sizeof(S), sizeof(T));
-    if constexpr (std::is_integral_v<T> && std::is_integral_v<S>) {
-      if constexpr (kBetween == sizeof(T)) {
-        detail::convert_integers(other, *this);
-      } else {
-        using Between = typename detail::SignedOf<kBetween>::type;
-        using Same = std::conditional_t<std::is_signed_v<S>, Between, std::make_unsigned_t<Between>>;
-        *this = Pack(Pack<Same, N>(other));
-      }
-    } else if constexpr (std::is_integral_v<T> != std::is_integral_v<S> && sizeof(T) == 4 && sizeof(S) == 4) {
-      *this = of([&](auto i) { return __builtin_convertvector(other.v[i], Vector); });
-    } else if constexpr (std::is_integral_v<T> != std::is_integral_v<S> && sizeof(T) * sizeof(S) < 16) {
-      *this = Pack(Pack<std::int32_t, N>(other));  // of fewer than 32 bits, and float
-    } else {
-      // Below AVX-512 no instruction converts these, but there is one for 32 bits, which mostly do.
-      if constexpr (std::is_integral_v<T> != std::is_integral_v<S> && !std::is_same_v<S, std::int32_t> && !std::is_same_v<T, std::int32_t>) {
-        if (fits_32_bits(other)) {
-          *this = Pack(Pack<std::int32_t, N>(other));
-          return;
-        }
-      }
-      Pack converted;  // what has an address stays in memory: that is a copy
-      convert_one_by_one(other, converted);
-      *this = converted;
-    }
-  }
+  requires(!std::is_same_v<S, T>) [[gnu::always_inline]] explicit Pack(const Pack<S, N>& other)
+      : Pack(detail::PackConversion<Pack, Pack<S, N>>::of(other)) {}
   /// Register i is f(i).
   template <class F>
   [[gnu::always_inline]] static Pack of(F&& f) {
@@ -201,42 +184,7 @@ struct Pack {
                                                 int shift) requires std::is_integral_v<T> {
     return of([&](auto i) { return a.v[i] >> static_cast<T>(shift); });
   }
-
- private:
-  template <class S>
-  static void convert_one_by_one(const Pack<S, N>& from, Pack& to) {
-    using From [[gnu::may_alias]] = S;
-    using To [[gnu::may_alias]] = T;
-    const auto* const numbers = reinterpret_cast<const From*>(&from);
-    for (std::size_t i = 0; i < N; ++i) reinterpret_cast<To*>(&to)[i] = static_cast<T>(numbers[i]);
-  }
 };
-
-/// Whether each number, without what is behind its point, is an std::int32_t.
-template <class S, std::size_t N>
-[[gnu::always_inline]] inline bool fits_32_bits(const Pack<S, N>& x) {
-  if constexpr (std::is_floating_point_v<S>) {
-    const auto inside = x > Pack<S, N>(S(-0x1p31F)) & x < Pack<S, N>(S(0x1p31F));
-    return !any(!inside);
-  } else if constexpr (sizeof(S) < 4) {
-    return true;
-  } else if constexpr (std::is_unsigned_v<S>) {
-    typename Pack<S, N>::Vector all = x.v[0];
-    detail::unrolled<Pack<S, N>::kCount>([&](auto i) { all |= x.v[i]; });
-    constexpr S kFits = 0x7fffffffU;
-    return !detail::any_lane(all > kFits);
-  } else {
-    // The upper half of each is the sign of the lower one.
-    using Halves = typename detail::VectorOf<std::int32_t, 2 * Pack<S, N>::kWidth>::type;
-    Halves wrong{};
-    detail::unrolled<Pack<S, N>::kCount>([&](auto i) {
-      const auto halves = std::bit_cast<Halves>(x.v[i]);
-      wrong |= (detail::lower_halves(halves) >> 31) ^ halves;
-    });
-    using Whole = typename Pack<S, N>::Vector;
-    return !detail::any_lane(std::bit_cast<Whole>(wrong) >> 32 != 0);
-  }
-}
 
 template <class T, std::size_t N>
 struct LaneTraits<Pack<T, N>> {
@@ -358,3 +306,5 @@ template <std::size_t Bytes, std::size_t N>
 }
 
 }  // namespace eagerx
+
+#include <eagerx/pack_conversion.hpp>

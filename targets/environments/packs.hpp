@@ -133,8 +133,7 @@ class Packs {
     write(program.step(*static_cast<const Action*>(actions)), columns);
     const std::uint64_t last = rows != nullptr ? count_steps(*rows) : 0;
     if (rows != nullptr && rows->observation != nullptr) {
-      for (std::size_t i = 0; i < Observation::kNumbers; ++i)
-        spread(columns + i * Lanes, rows->observation + rows->places[i], rows->observed);
+      spread_all(columns, *rows);
     }
     if constexpr (has_task<Graph>) {
       const auto outcome = program.outcome();
@@ -175,6 +174,34 @@ class Packs {
     put_bytes(success, rows.success);
     put_bytes(terminated, rows.terminated);
     put_bytes(truncated, rows.truncated);
+  }
+  /// Four columns at a time where they are side by side in a row, which they mostly are.
+  static void spread_all(const float* columns, const PackRows& rows) {
+    std::size_t i = 0;
+    while (i < Observation::kNumbers) {
+      float* const to = rows.observation + rows.places[i];
+      const float* const from = columns + i * Lanes;
+      if (i + 4 <= Observation::kNumbers && rows.places[i + 3] == rows.places[i] + 3) {
+        for (std::size_t k = 0; k < Lanes; k += 4) spread_four(from + k, to + k * rows.observed, rows.observed);
+        i += 4;
+      } else {
+        spread(from, to, rows.observed);
+        ++i;
+      }
+    }
+  }
+  /// Four lanes.
+  static void spread_four(const float* columns, float* to, std::size_t width) {
+    using Four = typename detail::VectorOf<float, 4>::type;
+    Four in[4];
+    for (std::size_t i = 0; i < 4; ++i) std::memcpy(&in[i], columns + i * Lanes, sizeof in[i]);
+    const Four low = __builtin_shufflevector(in[0], in[1], 0, 4, 1, 5);
+    const Four high = __builtin_shufflevector(in[0], in[1], 2, 6, 3, 7);
+    const Four next_low = __builtin_shufflevector(in[2], in[3], 0, 4, 1, 5);
+    const Four next_high = __builtin_shufflevector(in[2], in[3], 2, 6, 3, 7);
+    const Four rows[4] = {__builtin_shufflevector(low, next_low, 0, 1, 4, 5), __builtin_shufflevector(low, next_low, 2, 3, 6, 7),
+                          __builtin_shufflevector(high, next_high, 0, 1, 4, 5), __builtin_shufflevector(high, next_high, 2, 3, 6, 7)};
+    for (std::size_t k = 0; k < 4; ++k) std::memcpy(to + k * width, &rows[k], sizeof rows[k]);
   }
   /// A column into the rows of the lanes, each `width` numbers.
   static void spread(const float* column, float* to, std::size_t width) {

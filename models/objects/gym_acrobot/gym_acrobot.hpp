@@ -81,8 +81,8 @@ struct GymAcrobot {
 
   /// [cos θ1, sin θ1, cos θ2, sin θ2, dθ1/dt, dθ2/dt]
   static constexpr Array<Real, kObservations> observe(const State& s) {
-    return {
-        {eagerx::cos(s[0]), eagerx::sin(s[0]), eagerx::cos(s[1]), eagerx::sin(s[1]), s[2], s[3]}};
+    const auto first = eagerx::sincos(s[0]), second = eagerx::sincos(s[1]);
+    return {{first.cos, first.sin, second.cos, second.sin, s[2], s[3]}};
   }
 
  private:
@@ -97,7 +97,7 @@ struct GymAcrobot {
     const Real quarter(std::numbers::pi_v<LaneOf<Real>> / 2);
     const Real l1 = a[kLength1], lc1 = a[kCentre1], lc2 = a[kCentre2];
     const Real m1 = a[kMass1], m2 = a[kMass2], inertia = a[kInertia];
-    const Real sine = eagerx::sin(s[1]), cosine = eagerx::cos(s[1]);
+    const auto [sine, cosine] = eagerx::sincos(s[1]);
     const Real d1 = m1 * (lc1 * lc1) + m2 * (l1 * l1 + lc2 * lc2 + Real(2) * l1 * lc2 * cosine) +
                     inertia + inertia;
     const Real d2 = m2 * (lc2 * lc2 + l1 * lc2 * cosine) + inertia;

@@ -55,7 +55,7 @@ struct GymCartPole {
     const TruthOf<Real> was_up = is_up(state, a);
     const Real x_dot = state[1], theta_dot = state[3];
     const Real force = select(action[0] > Real(0.5), a[kForce], -a[kForce]);
-    const Real cosine = eagerx::cos(state[2]), sine = eagerx::sin(state[2]);
+    const auto [sine, cosine] = eagerx::sincos(state[2]);
     const Real mass = a[kPoleMass] + a[kCartMass];
     const Real moment = a[kPoleMass] * a[kHalfLength];
     const Real push = (force + moment * (theta_dot * theta_dot) * sine) / mass;

@@ -65,7 +65,8 @@ struct GymPendulum {
 
   /// [cos φ, sin φ, dφ/dt]
   static constexpr Array<Real, kObservations> observe(const Array<Real, kStates>& state) {
-    return {{eagerx::cos(state[0]), eagerx::sin(state[0]), state[1]}};
+    const auto [sine, cosine] = eagerx::sincos(state[0]);
+    return {{cosine, sine, state[1]}};
   }
 };
 

@@ -24,8 +24,9 @@ struct AngleDecomposition {
       if (i != kIndex) element(out, i < kIndex ? i : i + 1) = static_cast<Scalar>(element(in, i));
     }
     const auto angle = static_cast<typename Io::Real>(element(in, kIndex));
-    element(out, kIndex) = static_cast<Scalar>(eagerx::cos(angle));
-    element(out, kIndex + 1) = static_cast<Scalar>(eagerx::sin(angle));
+    const auto both = eagerx::sincos(angle);
+    element(out, kIndex) = static_cast<Scalar>(both.cos);
+    element(out, kIndex + 1) = static_cast<Scalar>(both.sin);
     return out;
   }
 };

@@ -14,7 +14,8 @@ struct DecomposedAngle {
     static_assert(size_of<typename Io::Input> == 1 && size_of<typename Io::Output> == 2,
                   "DecomposedAngle: one angle in, cosine and sine out");
     const auto angle = static_cast<typename Io::Real>(element(in, 0));
-    return {{static_cast<Scalar>(eagerx::cos(angle)), static_cast<Scalar>(eagerx::sin(angle))}};
+    const auto both = eagerx::sincos(angle);
+    return {{static_cast<Scalar>(both.cos), static_cast<Scalar>(both.sin)}};
   }
 };
 

@@ -119,8 +119,9 @@ class ByHand {
   }
   static void observe(const State& x, float* row) {
     float columns[kObserved][kWidth];
-    eagerx::cos(x[0]).store(columns[0]);
-    eagerx::sin(x[0]).store(columns[1]);
+    const auto both = eagerx::sincos(x[0]);
+    both.cos.store(columns[0]);
+    both.sin.store(columns[1]);
     x[1].store(columns[2]);
     for (std::size_t i = 0; i < kWidth; ++i) {
       for (std::size_t k = 0; k < kObserved; ++k) row[i * kObserved + k] = columns[k][i];
