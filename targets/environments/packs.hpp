@@ -106,8 +106,10 @@ class Packs {
       static_cast<void>(low), static_cast<void>(high);
       return x == Real(0) || x == Real(1);
     } else {
-      constexpr auto kExact = Number(1) << 24;
-      if constexpr(!std::is_same_v<Number, float>) if (low < -kExact || high > kExact) return false;
+      constexpr double kExact = 0x1p24;  // up to here float32 has every whole number
+      if constexpr (std::is_integral_v<Number>) {
+        if (static_cast<double>(low) < -kExact || static_cast<double>(high) > kExact) return false;
+      }
       return eagerx::isfinite(x) && x >= Real(static_cast<float>(low)) && x <= Real(static_cast<float>(high));
     }
   }
