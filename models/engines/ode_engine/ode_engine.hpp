@@ -94,42 +94,49 @@ class OdeEngine {
     simulator.add_fault_if(outcome != AdaptiveOutcome::done);
   }
 
-  /// The whole pack as long as many lanes go on, then these in packs of one register: some lanes
-  /// take many times the steps of the others.
   template <class Simulator>
   static void advance_lanes(Simulator& simulator) {
     using Model = typename Simulator::Model;
     using Real = typename Simulator::Real;
-    using Lane = LaneOf<Real>;
-    using Narrow = Pack<Lane, Real::kWidth>;
-    constexpr auto kPeriod = static_cast<Lane>(Io::Rate::period_s);
-    constexpr auto kSettings = adaptive_settings<Lane>();
-    constexpr bool kNarrows = Real::kCount > 1 && requires {
-      typename ModelOver<Model, Narrow>::type;
-    };
-    LaneSteps<Real, Model::kStates> at(simulator.state, kPeriod, simulator.step_s, kSettings);
+    LaneSteps<Real, Model::kStates> at(simulator.state, kPeriod<Real>, simulator.step_s,
+                                       adaptive_settings<LaneOf<Real>>());
     LaneProgress<Real> progress;
-    with_method<Model>(simulator.parameters, simulator.input, [&](auto& method) {
-      take_steps(method, at, progress, kPeriod, kSettings, kNarrows ? lanes<Real> / 2 : 0);
-    });
-    if constexpr (kNarrows) {
-      using NarrowModel = typename ModelOver<Model, Narrow>::type;
-      finish_few<Narrow>(at, progress, [&](const auto& chosen, auto& few) {
-        OdeParameterSet<NarrowModel> parameters;
-        OdeInputs<NarrowModel> input;
-        gather<static_cast<std::size_t>(lanes<Real>)>(simulator.parameters, chosen, parameters);
-        gather<static_cast<std::size_t>(lanes<Real>)>(simulator.input, chosen, input);
-        LaneProgress<Narrow> those{.tries = progress.tries};
-        with_method<NarrowModel>(parameters, input, [&](auto& method) {
-          take_steps(method, few, those, kPeriod, kSettings, 0);
-        });
-        return those.failed;
-      });
-    }
+    finish<Model>(simulator.parameters, simulator.input, at, progress);
     simulator.state = at.x;
     simulator.step_s = at.next_step_s;
     simulator.add_fault_if(progress.failed);
   }
+
+  /// The whole pack as long as more than half of the lanes go on, then these in packs of half as
+  /// many registers, and so on: some lanes take many times the steps of the others.
+  template <class Model, class Real = typename Model::Real>
+  static void finish(const OdeParameterSet<Model>& parameters, const OdeInputs<Model>& input,
+                     LaneSteps<Real, Model::kStates>& at, LaneProgress<Real>& progress) {
+    constexpr auto kLanes = static_cast<std::size_t>(lanes<Real>);
+    using Narrow = Pack<LaneOf<Real>, kLanes / 2>;
+    constexpr bool kNarrows = Real::kCount > 1 && requires {
+      typename ModelOver<Model, Narrow>::type;
+    };
+    with_method<Model>(parameters, input, [&](auto& method) {
+      take_steps(method, at, progress, kPeriod<Real>, adaptive_settings<LaneOf<Real>>(),
+                 kNarrows ? kLanes / 2 : 0);
+    });
+    if constexpr (kNarrows) {
+      using NarrowModel = typename ModelOver<Model, Narrow>::type;
+      finish_few<Narrow>(at, progress, [&](const auto& chosen, auto& few) {
+        OdeParameterSet<NarrowModel> of_few;
+        OdeInputs<NarrowModel> input_of_few;
+        gather<kLanes>(parameters, chosen, of_few);
+        gather<kLanes>(input, chosen, input_of_few);
+        LaneProgress<Narrow> those{.tries = progress.tries};
+        finish<NarrowModel>(of_few, input_of_few, few, those);
+        return those.failed;
+      });
+    }
+  }
+
+  template <class Real>
+  static constexpr auto kPeriod = static_cast<LaneOf<Real>>(Io::Rate::period_s);
 
   /// The configuration with odeint's meaning of 0, and tolerances that Real can resolve.
   template <class Real>
