@@ -41,11 +41,11 @@ struct PackConversion;
 }  // namespace detail
 
 /// N truth values beside packs of numbers of `Bytes` bytes: all bits of a lane are set where true.
-template <std::size_t Bytes, std::size_t N>
+template <std::size_t Bytes, std::size_t N, std::size_t Width = detail::kWidthFor<Bytes, N>>
 struct Mask {
   using Lane = typename detail::SignedOf<Bytes>::type;
-  static constexpr std::size_t kCount = detail::kRegistersFor<Lane, N>;
-  static constexpr std::size_t kWidth = N / kCount;
+  static constexpr std::size_t kCount = N / Width;
+  static constexpr std::size_t kWidth = Width;
   using Vector = typename detail::VectorOf<Lane, kWidth>::type;
   Vector v[kCount];
 
@@ -91,14 +91,14 @@ struct Mask {
   }
 };
 
-/// N numbers of type T.
-template <class T, std::size_t N>
+/// N numbers of type T, in registers of `Width` of them each.
+template <class T, std::size_t N, std::size_t Width = detail::kWidthFor<sizeof(T), N>>
 struct Pack {
-  static_assert(std::is_arithmetic_v<T> && std::has_single_bit(N), "2^k plain numbers");
-  static constexpr std::size_t kCount = detail::kRegistersFor<T, N>;
-  static constexpr std::size_t kWidth = N / kCount;
+  static_assert(std::is_arithmetic_v<T> && std::has_single_bit(Width) && N % Width == 0);
+  static constexpr std::size_t kCount = N / Width;
+  static constexpr std::size_t kWidth = Width;
   using Vector = typename detail::VectorOf<T, kWidth>::type;
-  using Truth = Mask<sizeof(T), N>;
+  using Truth = Mask<sizeof(T), N, Width>;
   using Lane = T;
   Vector v[kCount];
 
@@ -110,9 +110,9 @@ struct Pack {
     detail::unrolled<kCount>([&](auto i) { v[i] = x - Vector{}; });
   }
   /// The numbers of another pack as T, lane by lane as `static_cast` does.
-  template <class S>
-  requires(!std::is_same_v<S, T>) [[gnu::always_inline]] explicit Pack(const Pack<S, N>& other)
-      : Pack(detail::PackConversion<Pack, Pack<S, N>>::of(other)) {}
+  template <class S, std::size_t Other>
+  requires(!std::is_same_v<S, T>) [[gnu::always_inline]] explicit Pack(const Pack<S, N, Other>& other)
+      : Pack(detail::PackConversion<Pack, Pack<S, N, Other>>::of(other)) {}
   /// Register i is f(i).
   template <class F>
   [[gnu::always_inline]] static Pack of(F&& f) {
@@ -186,120 +186,120 @@ struct Pack {
   }
 };
 
-template <class T, std::size_t N>
-struct LaneTraits<Pack<T, N>> {
+template <class T, std::size_t N, std::size_t W>
+struct LaneTraits<Pack<T, N, W>> {
   using Lane = T;
-  using Bits = Pack<std::make_unsigned_t<typename detail::SignedOf<sizeof(T)>::type>, N>;
+  using Bits = Pack<std::make_unsigned_t<typename detail::SignedOf<sizeof(T)>::type>, N, W>;
   static constexpr int kLanes = static_cast<int>(N);
 };
 
-template <std::size_t Bytes, std::size_t N>
-struct LaneTraits<Mask<Bytes, N>> {
+template <std::size_t Bytes, std::size_t N, std::size_t W>
+struct LaneTraits<Mask<Bytes, N, W>> {
   using Lane = bool;
   static constexpr int kLanes = static_cast<int>(N);
 };
 
 /// Messages consist of packs and masks as well as of numbers.
-template <class T, std::size_t N>
-inline constexpr bool is_number<Pack<T, N>> = true;
-template <std::size_t Bytes, std::size_t N>
-inline constexpr bool is_number<Mask<Bytes, N>> = true;
+template <class T, std::size_t N, std::size_t W>
+inline constexpr bool is_number<Pack<T, N, W>> = true;
+template <std::size_t Bytes, std::size_t N, std::size_t W>
+inline constexpr bool is_number<Mask<Bytes, N, W>> = true;
 
 /// `when_true` in the lanes where `mask` holds, `when_false` elsewhere; both are computed.
-template <class T, std::size_t N>
-[[gnu::always_inline]] inline Pack<T, N> select(
-    const Mask<sizeof(T), N>& mask, const Pack<T, N>& when_true,
-    const std::type_identity_t<Pack<T, N>>& when_false) {
-  return Pack<T, N>::of([&](auto i) { return mask.v[i] ? when_true.v[i] : when_false.v[i]; });
+template <class T, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline Pack<T, N, W> select(
+    const Mask<sizeof(T), N, W>& mask, const Pack<T, N, W>& when_true,
+    const std::type_identity_t<Pack<T, N, W>>& when_false) {
+  return Pack<T, N, W>::of([&](auto i) { return mask.v[i] ? when_true.v[i] : when_false.v[i]; });
 }
 /// With the truth values of numbers of another width.
-template <std::size_t Bytes, class T, std::size_t N>
-requires(Bytes != sizeof(T)) [[gnu::always_inline]] inline Pack<T, N> select(
-    const Mask<Bytes, N>& mask, const Pack<T, N>& when_true,
-    const std::type_identity_t<Pack<T, N>>& when_false) {
-  return select(Mask<sizeof(T), N>(mask), when_true, when_false);
+template <std::size_t Bytes, class T, std::size_t N, std::size_t W, std::size_t Other>
+requires(Bytes != sizeof(T)) [[gnu::always_inline]] inline Pack<T, N, W> select(
+    const Mask<Bytes, N, Other>& mask, const Pack<T, N, W>& when_true,
+    const std::type_identity_t<Pack<T, N, W>>& when_false) {
+  return select(Mask<sizeof(T), N, W>(mask), when_true, when_false);
 }
 /// Of two masks.
-template <std::size_t Bytes, std::size_t N>
-[[gnu::always_inline]] inline Mask<Bytes, N> select(
-    const Mask<Bytes, N>& mask, const std::type_identity_t<Mask<Bytes, N>>& when_true,
-    const std::type_identity_t<Mask<Bytes, N>>& when_false) {
+template <std::size_t Bytes, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline Mask<Bytes, N, W> select(
+    const Mask<Bytes, N, W>& mask, const std::type_identity_t<Mask<Bytes, N, W>>& when_true,
+    const std::type_identity_t<Mask<Bytes, N, W>>& when_false) {
   return (mask & when_true) | ((!mask) & when_false);
 }
 
 /// True if the mask holds in any lane.
-template <std::size_t Bytes, std::size_t N>
-[[gnu::always_inline]] inline bool any(const Mask<Bytes, N>& mask) {
-  using Truth = Mask<Bytes, N>;
+template <std::size_t Bytes, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline bool any(const Mask<Bytes, N, W>& mask) {
+  using Truth = Mask<Bytes, N, W>;
   typename Truth::Vector all = mask.v[0];
   detail::unrolled<Truth::kCount>([&](auto i) { all |= mask.v[i]; });
   return detail::any_lane(all);
 }
 
 /// A bit for each lane in which the mask holds.
-template <std::size_t N>
-requires(N <= 64) [[gnu::always_inline]] inline std::uint64_t lane_bits(const Mask<4, N>& mask) {
+template <std::size_t N, std::size_t W>
+requires(N <= 64) [[gnu::always_inline]] inline std::uint64_t lane_bits(const Mask<4, N, W>& mask) {
   std::uint64_t all = 0;
-  detail::unrolled<Mask<4, N>::kCount>(
-      [&](auto i) { all |= detail::lane_bits(mask.v[i]) << (i * Mask<4, N>::kWidth); });
+  detail::unrolled<Mask<4, N, W>::kCount>(
+      [&](auto i) { all |= detail::lane_bits(mask.v[i]) << (i * W); });
   return all;
 }
 
 /// The IEEE 754 bits of each number, and back.
-template <class T, std::size_t N>
-[[gnu::always_inline]] inline BitsOf<Pack<T, N>> bits(const Pack<T, N>& x) {
-  using Bits = BitsOf<Pack<T, N>>;
+template <class T, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline BitsOf<Pack<T, N, W>> bits(const Pack<T, N, W>& x) {
+  using Bits = BitsOf<Pack<T, N, W>>;
   return Bits::of([&](auto i) { return std::bit_cast<typename Bits::Vector>(x.v[i]); });
 }
-template <std::size_t N>
-[[gnu::always_inline]] inline Pack<float, N> unbits(const Pack<std::uint32_t, N>& x) {
-  using Real = Pack<float, N>;
+template <std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline Pack<float, N, W> unbits(const Pack<std::uint32_t, N, W>& x) {
+  using Real = Pack<float, N, W>;
   return Real::of([&](auto i) { return std::bit_cast<typename Real::Vector>(x.v[i]); });
 }
-template <std::size_t N>
-[[gnu::always_inline]] inline Pack<double, N> unbits(const Pack<std::uint64_t, N>& x) {
-  using Real = Pack<double, N>;
+template <std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline Pack<double, N, W> unbits(const Pack<std::uint64_t, N, W>& x) {
+  using Real = Pack<double, N, W>;
   return Real::of([&](auto i) { return std::bit_cast<typename Real::Vector>(x.v[i]); });
 }
 
-template <class T, std::size_t N>
-[[gnu::always_inline]] inline Pack<T, N> sqrt(const Pack<T, N>& x) {
-  return Pack<T, N>::of([&](auto i) { return detail::roots(x.v[i]); });
+template <class T, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline Pack<T, N, W> sqrt(const Pack<T, N, W>& x) {
+  return Pack<T, N, W>::of([&](auto i) { return detail::roots(x.v[i]); });
 }
 
 /// As of plain numbers.
-template <class T, std::size_t N>
-[[gnu::always_inline]] inline Pack<T, N> min(const Pack<T, N>& a, const std::type_identity_t<Pack<T, N>>& b) {
-  return Pack<T, N>::of([&](auto i) { return detail::smaller(a.v[i], b.v[i]); });
+template <class T, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline Pack<T, N, W> min(const Pack<T, N, W>& a, const std::type_identity_t<Pack<T, N, W>>& b) {
+  return Pack<T, N, W>::of([&](auto i) { return detail::smaller(a.v[i], b.v[i]); });
 }
-template <class T, std::size_t N>
-[[gnu::always_inline]] inline Pack<T, N> max(const Pack<T, N>& a, const std::type_identity_t<Pack<T, N>>& b) {
-  return Pack<T, N>::of([&](auto i) { return detail::larger(a.v[i], b.v[i]); });
+template <class T, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline Pack<T, N, W> max(const Pack<T, N, W>& a, const std::type_identity_t<Pack<T, N, W>>& b) {
+  return Pack<T, N, W>::of([&](auto i) { return detail::larger(a.v[i], b.v[i]); });
 }
 
 /// Lane `i`: 0 <= i < N.
-template <class T, std::size_t N>
-[[gnu::always_inline]] inline T lane(const Pack<T, N>& x, int i) {
+template <class T, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline T lane(const Pack<T, N, W>& x, int i) {
   T value;
   std::memcpy(&value, reinterpret_cast<const char*>(&x) + static_cast<std::size_t>(i) * sizeof(T),
               sizeof value);
   return value;
 }
-template <std::size_t Bytes, std::size_t N>
-[[gnu::always_inline]] inline bool lane(const Mask<Bytes, N>& mask, int i) {
-  typename Mask<Bytes, N>::Lane value;
+template <std::size_t Bytes, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline bool lane(const Mask<Bytes, N, W>& mask, int i) {
+  typename Mask<Bytes, N, W>::Lane value;
   std::memcpy(&value, reinterpret_cast<const char*>(&mask) + static_cast<std::size_t>(i) * Bytes,
               sizeof value);
   return value != 0;
 }
-template <class T, std::size_t N>
-[[gnu::always_inline]] inline void set_lane(Pack<T, N>& x, int i, std::type_identity_t<T> value) {
+template <class T, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline void set_lane(Pack<T, N, W>& x, int i, std::type_identity_t<T> value) {
   std::memcpy(reinterpret_cast<char*>(&x) + static_cast<std::size_t>(i) * sizeof(T), &value,
               sizeof value);
 }
-template <std::size_t Bytes, std::size_t N>
-[[gnu::always_inline]] inline void set_lane(Mask<Bytes, N>& mask, int i, bool value) {
-  using Lane = typename Mask<Bytes, N>::Lane;
+template <std::size_t Bytes, std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline void set_lane(Mask<Bytes, N, W>& mask, int i, bool value) {
+  using Lane = typename Mask<Bytes, N, W>::Lane;
   const auto all = static_cast<Lane>(-static_cast<int>(value));
   std::memcpy(reinterpret_cast<char*>(&mask) + static_cast<std::size_t>(i) * Bytes, &all,
               sizeof all);

@@ -11,10 +11,10 @@
 namespace eagerx::detail {
 
 /// Lane by lane what `static_cast` does.
-template <class T, class S, std::size_t N>
-struct PackConversion<Pack<T, N>, Pack<S, N>> {
-  using To = Pack<T, N>;
-  using From = Pack<S, N>;
+template <class T, class S, std::size_t N, std::size_t W, std::size_t V>
+struct PackConversion<Pack<T, N, W>, Pack<S, N, V>> {
+  using To = Pack<T, N, W>;
+  using From = Pack<S, N, V>;
   using Vector = typename To::Vector;
   using Words = Pack<std::int32_t, N>;  // there are instructions for these
   static constexpr bool kIntegers = std::is_integral_v<T> && std::is_integral_v<S>;

@@ -30,11 +30,9 @@ struct VectorOf {
   using type __attribute__((vector_size(sizeof(T) * Width))) = T;
 };
 
-/// Registers for N numbers of type T, and how many numbers each holds.
-template <class T, std::size_t N>
-inline constexpr std::size_t kRegistersFor = N * sizeof(T) > kRegisterBytes
-                                                 ? N * sizeof(T) / kRegisterBytes
-                                                 : 1;
+/// How many of N numbers of `Bytes` bytes a register holds.
+template <std::size_t Bytes, std::size_t N>
+inline constexpr std::size_t kWidthFor = N* Bytes > kRegisterBytes ? kRegisterBytes / Bytes : N;
 
 template <std::size_t Bytes>
 struct SignedOf;

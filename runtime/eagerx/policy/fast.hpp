@@ -24,17 +24,17 @@ namespace eagerx::policy {
                                                    FloatVector<8> c) {
   return __builtin_ia32_vfmaddps256(a, b, c);
 }
-template <std::size_t Count>
-[[gnu::always_inline]] inline FloatLanes<8, Count> fused(const FloatLanes<8, Count>& a,
-                                                         const FloatLanes<8, Count>& b,
-                                                         const FloatLanes<8, Count>& c) {
-  return FloatLanes<8, Count>::of([&](std::size_t i) { return fused(a.v[i], b.v[i], c.v[i]); });
+template <std::size_t N>
+[[gnu::always_inline]] inline Pack<float, N, 8> fused(const Pack<float, N, 8>& a,
+                                                      const Pack<float, N, 8>& b,
+                                                      const Pack<float, N, 8>& c) {
+  return Pack<float, N, 8>::of([&](auto i) { return fused(a.v[i], b.v[i], c.v[i]); });
 }
 
 /// As eagerx::tanh, but fused. Largest error 3 ulp.
-template <std::size_t Count>
-[[gnu::always_inline]] inline FloatLanes<8, Count> fused_tanh(const FloatLanes<8, Count>& x) {
-  using Lanes = FloatLanes<8, Count>;
+template <std::size_t N>
+[[gnu::always_inline]] inline Pack<float, N, 8> fused_tanh(const Pack<float, N, 8>& x) {
+  using Lanes = Pack<float, N, 8>;
   using Exponential = detail::ExponentialConstants<float>;
   const Lanes rounder(detail::kPowerRounder);
   const Lanes a = min(eagerx::abs(x), Lanes(detail::HyperbolicConstants<float>::kTanhIsOne));
@@ -51,8 +51,8 @@ template <std::size_t Count>
 }
 
 /// A(x) for activations without a slope.
-template <Activation A, std::size_t Count>
-[[gnu::always_inline]] inline FloatLanes<8, Count> fast_activated(const FloatLanes<8, Count>& x) {
+template <Activation A, std::size_t N>
+[[gnu::always_inline]] inline Pack<float, N, 8> fast_activated(const Pack<float, N, 8>& x) {
   if constexpr (A == Activation::tanh) {
     return fused_tanh(x);
   } else {
@@ -68,13 +68,13 @@ constexpr std::size_t chains_of_panel(std::size_t inputs, std::size_t panels) {
 }
 
 /// Adds the products of input `j`.
-template <std::size_t In, std::size_t Panels>
+template <std::size_t In, std::size_t N>
 [[gnu::always_inline]] inline void add_input(const float* w, const float* x, std::size_t j,
-                                             FloatLanes<kPanel, Panels>& sum) {
+                                             Pack<float, N, kPanel>& sum) {
   using Vector = FloatVector<kPanel>;
   const Vector input = x[j] - Vector{};
 #pragma GCC unroll 8
-  for (std::size_t v = 0; v < Panels; ++v) {
+  for (std::size_t v = 0; v < N / kPanel; ++v) {
     sum.v[v] = fused(load<Vector>(w + (v * In + j) * kPanel), input, sum.v[v]);
   }
 }
@@ -104,10 +104,10 @@ template <Activation A, std::size_t In, std::size_t Panels>
   }
   const Sums& sum = chain[0];
   constexpr std::size_t kAtATime = std::min(Panels, kActivatedAtATime);
-  FloatLanes<kPanel, Panels / kAtATime>::each([&](std::size_t batch) {
+  detail::unrolled<Panels / kAtATime>([&](auto batch) {
     const std::size_t first = batch * kAtATime;
     using Batch = FloatLanes<kPanel, kAtATime>;
-    fast_activated<A>(Batch::of([&](std::size_t v) {
+    fast_activated<A>(Batch::of([&](auto v) {
       return sum.v[first + v];
     })).store(y + first * kPanel);
   });
@@ -115,7 +115,7 @@ template <Activation A, std::size_t In, std::size_t Panels>
   if constexpr (kRest > 0) {
     constexpr std::size_t kFirst = Panels - kRest;
     using Batch = FloatLanes<kPanel, kRest>;
-    fast_activated<A>(Batch::of([&](std::size_t v) {
+    fast_activated<A>(Batch::of([&](auto v) {
       return sum.v[kFirst + v];
     })).store(y + kFirst * kPanel);
   }

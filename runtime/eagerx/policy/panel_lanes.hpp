@@ -66,7 +66,7 @@ class PanelBlock {
   template <Activation A, std::size_t Count>
   [[gnu::always_inline]] static void finish(const Vector* sum, float* y) {
     using Lanes = FloatLanes<kWidth, Count>;
-    const auto sums = Lanes::of([&](std::size_t v) { return sum[v]; });
+    const auto sums = Lanes::of([&](auto v) { return sum[v]; });
     activated<A>(sums, 0.0F).store(y);
   }
 
