@@ -22,13 +22,13 @@ namespace eagerx {
 
 // Register by register: as a whole, GCC 12 copies it through memory and a word at a time.
 // NOLINTBEGIN(bugprone-macro-parentheses): the name of a class
-#define EAGERX_PACK_COPIES(Class)                                              \
-  [[gnu::always_inline]] constexpr Class(const Class& other) {                         \
-    detail::unrolled<kCount>([&](auto i) { v[i] = other.v[i]; });              \
-  }                                                                            \
-  [[gnu::always_inline]] constexpr Class& operator=(const Class& other) {              \
-    detail::unrolled<kCount>([&](auto i) { v[i] = other.v[i]; });              \
-    return *this;                                                              \
+#define EAGERX_PACK_COPIES(Class)                                         \
+  [[gnu::always_inline]] constexpr Class(const Class& other) {            \
+    detail::unrolled<kCount>([&](auto i) { v[i] = other.v[i]; });         \
+  }                                                                       \
+  [[gnu::always_inline]] constexpr Class& operator=(const Class& other) { \
+    detail::unrolled<kCount>([&](auto i) { v[i] = other.v[i]; });         \
+    return *this;                                                         \
   }
 // NOLINTEND(bugprone-macro-parentheses)
 
@@ -57,7 +57,8 @@ struct Mask {
   /// The truth values beside packs of numbers of another width.
   template <std::size_t Other>
   requires(Other != Bytes) [[gnu::always_inline]] explicit Mask(const Mask<Other, N>& other) {
-    if constexpr (constexpr std::size_t kBetween = detail::size_between(Other, Bytes); kBetween == Bytes) {
+    if constexpr (constexpr std::size_t kBetween = detail::size_between(Other, Bytes);
+                  kBetween == Bytes) {
       detail::convert_integers(other, *this);
     } else {
       *this = Mask(Mask<kBetween, N>(other));
@@ -111,7 +112,8 @@ struct Pack {
   }
   /// The numbers of another pack as T, lane by lane as `static_cast` does.
   template <class S, std::size_t Other>
-  requires(!std::is_same_v<S, T>) [[gnu::always_inline]] explicit Pack(const Pack<S, N, Other>& other)
+  requires(!std::is_same_v<S, T>)
+      [[gnu::always_inline]] explicit Pack(const Pack<S, N, Other>& other)
       : Pack(detail::PackConversion<Pack, Pack<S, N, Other>>::of(other)) {}
   /// Register i is f(i).
   template <class F>
@@ -269,11 +271,13 @@ template <class T, std::size_t N, std::size_t W>
 
 /// As of plain numbers.
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline Pack<T, N, W> min(const Pack<T, N, W>& a, const std::type_identity_t<Pack<T, N, W>>& b) {
+[[gnu::always_inline]] inline Pack<T, N, W> min(const Pack<T, N, W>& a,
+                                                const std::type_identity_t<Pack<T, N, W>>& b) {
   return Pack<T, N, W>::of([&](auto i) { return detail::smaller(a.v[i], b.v[i]); });
 }
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline Pack<T, N, W> max(const Pack<T, N, W>& a, const std::type_identity_t<Pack<T, N, W>>& b) {
+[[gnu::always_inline]] inline Pack<T, N, W> max(const Pack<T, N, W>& a,
+                                                const std::type_identity_t<Pack<T, N, W>>& b) {
   return Pack<T, N, W>::of([&](auto i) { return detail::larger(a.v[i], b.v[i]); });
 }
 
@@ -293,7 +297,8 @@ template <std::size_t Bytes, std::size_t N, std::size_t W>
   return value != 0;
 }
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline void set_lane(Pack<T, N, W>& x, int i, std::type_identity_t<T> value) {
+[[gnu::always_inline]] inline void set_lane(Pack<T, N, W>& x, int i,
+                                            std::type_identity_t<T> value) {
   std::memcpy(reinterpret_cast<char*>(&x) + static_cast<std::size_t>(i) * sizeof(T), &value,
               sizeof value);
 }

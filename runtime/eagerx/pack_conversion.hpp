@@ -32,7 +32,8 @@ struct PackConversion<Pack<T, N, W>, Pack<S, N, V>> {
     } else if constexpr (kOneInteger && sizeof(T) * sizeof(S) == 32) {  // float and 64 bits
       return of_one_integer(from);
 #endif
-    } else if constexpr (kOneInteger && sizeof(T) + sizeof(S) > 8 && !std::is_same_v<T, std::int32_t> && !std::is_same_v<S, std::int32_t>) {
+    } else if constexpr (kOneInteger && sizeof(T) + sizeof(S) > 8 &&
+                         !std::is_same_v<T, std::int32_t> && !std::is_same_v<S, std::int32_t>) {
       Words words;  // which mostly are enough
       return fit(from, words) ? To(words) : one_by_one(from);
     } else {
@@ -56,12 +57,14 @@ struct PackConversion<Pack<T, N, W>, Pack<S, N, V>> {
   [[gnu::always_inline]] static To of_one_integer(const From& from) {
     return To::of([&](auto i) {
       if constexpr (sizeof(T) > sizeof(S)) {
-        return __builtin_convertvector((lanes_from<i * To::kWidth, To::kWidth, From::kWidth>(&from.v[0])), Vector);
+        return __builtin_convertvector(
+            (lanes_from<i * To::kWidth, To::kWidth, From::kWidth>(&from.v[0])), Vector);
       } else if constexpr (From::kCount == To::kCount) {
         return __builtin_convertvector(from.v[i], Vector);
       } else {
         using Half = typename VectorOf<T, From::kWidth>::type;
-        return picked<0, 1, To::kWidth>(__builtin_convertvector(from.v[2 * i], Half), __builtin_convertvector(from.v[2 * i + 1], Half));
+        return picked<0, 1, To::kWidth>(__builtin_convertvector(from.v[2 * i], Half),
+                                        __builtin_convertvector(from.v[2 * i + 1], Half));
       }
     });
   }

@@ -101,8 +101,8 @@ template <class To, class From>
   unrolled<To::kCount>([&](auto i) {
     constexpr std::size_t kFirst = i * To::kWidth;
     if constexpr (sizeof(T) >= sizeof(S)) {
-      to.v[i] = __builtin_convertvector(
-          (lanes_from<kFirst, To::kWidth, From::kWidth>(&from.v[0])), Vector);
+      to.v[i] = __builtin_convertvector((lanes_from<kFirst, To::kWidth, From::kWidth>(&from.v[0])),
+                                        Vector);
     } else {  // the lower half of each: in memory, the first
       using Halves = typename VectorOf<T, 2 * From::kWidth>::type;
       if constexpr (From::kCount == 1) {
@@ -132,7 +132,8 @@ template <class Vector>
   using Words [[maybe_unused, gnu::vector_size(sizeof(Vector))]] = long long;
 #if defined(__AVX512F__)
   if constexpr (sizeof(Vector) == 64)
-    return __builtin_ia32_ptestmq512(std::bit_cast<Words>(truth), std::bit_cast<Words>(truth), 0xff) != 0;
+    return __builtin_ia32_ptestmq512(std::bit_cast<Words>(truth), std::bit_cast<Words>(truth),
+                                     0xff) != 0;
 #endif
 #if defined(__AVX__)
   if constexpr (sizeof(Vector) == 32)

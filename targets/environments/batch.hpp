@@ -120,8 +120,7 @@ class Batch {
     const auto is_running = [&](std::uint32_t k) { return !episodes_[k].ended; };
     const auto act_alone = [&](std::uint32_t k, const auto& observation) {
       return with(k, [&](auto& program) {
-        return target::act<Graph>(agent, episodes_[k].key(), steps_[k], observation,
-                                  program);
+        return target::act<Graph>(agent, episodes_[k].key(), steps_[k], observation, program);
       });
     };
     std::atomic<const char*> refused = nullptr;
@@ -433,7 +432,7 @@ class Batch {
   std::uint32_t longest_;
   std::uint32_t autoreset_;
   bool all_begun_ = false;
-  std::unique_ptr<Episode[]> episodes_;  // [size_]
+  std::unique_ptr<Episode[]> episodes_;     // [size_]
   std::unique_ptr<std::uint32_t[]> steps_;  // [size_], of the episodes
   DrawnPrograms<Graph> drawn_;
   std::unique_ptr<Program[]> programs_;  // [size_], or one if `drawn_` has them

@@ -58,8 +58,8 @@ struct PackKernel {
   void (*go_to)(void* pack, const Program& one) = nullptr;
   void (*load)(void* pack, std::uint32_t lane, const Program& one) = nullptr;
   void (*store)(const void* pack, std::uint32_t lane, Program& one) = nullptr;
-  /// Fills `actions` of a pack. The lanes, a bit each, whose action must go through the guard, which
-  /// has not been done: put() takes what comes out. Null if all must.
+  /// Fills `actions` of a pack. The lanes, a bit each, whose action must go through the guard,
+  /// which has not been done: put() takes what comes out. Null if all must.
   std::uint64_t (*take)(const ActionRows& rows, void* actions) = nullptr;
   void (*put)(void* actions, std::uint32_t lane, const Action& action) = nullptr;
   /// `actions` have gone through the guards. Columns: observations in the graph's order, then those

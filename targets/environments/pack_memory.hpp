@@ -98,7 +98,8 @@ class PackMemory {
 
   /// Takes the actions of `member`'s next step, of the group of environments from `first` on. The
   /// lanes whose action must still go through the guard: put() takes what comes out.
-  std::uint64_t take(unsigned member, std::uint32_t first, std::uint32_t environments, const float* rows) {
+  std::uint64_t take(unsigned member, std::uint32_t first, std::uint32_t environments,
+                     const float* rows) {
     if (kernel_.take == nullptr || environments != lanes()) return ~std::uint64_t{0};
     const std::size_t acted = Layout<Graph>::get().actions.numbers();
     return kernel_.take({rows + first * acted, acted, action_places_.data()}, actions(member));
@@ -110,7 +111,8 @@ class PackMemory {
   bool writes_rows(std::uint32_t environments) const {
     return kernel_.phases == 1 && environments == lanes();
   }
-  PackRows rows_from(std::uint32_t first, const eagerx_rows& rows, std::uint32_t* steps, std::uint32_t longest) const {
+  PackRows rows_from(std::uint32_t first, const eagerx_rows& rows, std::uint32_t* steps,
+                     std::uint32_t longest) const {
     const std::size_t observed = places_.size();
     const auto from = [&](auto* row, std::size_t width) {
       return row == nullptr ? nullptr : row + first * width;
@@ -222,7 +224,9 @@ class PackMemory {
     return {static_cast<std::byte*>(::operator new(bytes, alignment)), Free{alignment}};
   }
   std::uint64_t bit(std::uint32_t k) const { return std::uint64_t{1} << k % lanes(); }
-  std::byte* actions(unsigned member) const { return actions_.get() + member * kernel_.action_bytes; }
+  std::byte* actions(unsigned member) const {
+    return actions_.get() + member * kernel_.action_bytes;
+  }
 
   std::uint32_t phase_of(std::uint32_t k) const { return kernel_.phases > 1 ? phase_[k] : 0; }
   std::byte* at(std::size_t i) const { return memory_.get() + i * kernel_.bytes; }
@@ -236,14 +240,14 @@ class PackMemory {
 
   PackKernel<Graph> kernel_;
   std::uint32_t environments_;
-  std::unique_ptr<std::byte[], Free> memory_;  // [packs][bytes]
-  std::vector<std::size_t> places_;            // of the numbers of an observation in a row
-  std::vector<float> columns_;                 // [members][phases][columns][lanes]
-  std::vector<std::uint8_t> phase_;            // [environments], in which pack; none for one phase
-  std::vector<std::uint32_t> held_;            // [packs], environments in it; the same
-  std::vector<std::uint64_t> packed_;          // [groups], a bit for each lane
+  std::unique_ptr<std::byte[], Free> memory_;   // [packs][bytes]
+  std::vector<std::size_t> places_;             // of the numbers of an observation in a row
+  std::vector<float> columns_;                  // [members][phases][columns][lanes]
+  std::vector<std::uint8_t> phase_;             // [environments], in which pack; none for one phase
+  std::vector<std::uint32_t> held_;             // [packs], environments in it; the same
+  std::vector<std::uint64_t> packed_;           // [groups], a bit for each lane
   std::unique_ptr<std::byte[], Free> actions_;  // [members][action_bytes]
-  std::vector<std::size_t> action_places_;     // of the first number of each in a row
+  std::vector<std::size_t> action_places_;      // of the first number of each in a row
 };
 
 }  // namespace eagerx::environments

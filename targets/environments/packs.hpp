@@ -79,7 +79,8 @@ class Packs {
           const Real x = column_of(first + i, rows.acted);
           const Truth fits = is_within(x, element(space.low, i), element(space.high, i));
           applicable = applicable && fits;
-          element(message, i) = as_action<ScalarOf<std::remove_cvref_t<decltype(message)>>>(select(fits, x, Real(0)));
+          element(message, i) =
+              as_action<ScalarOf<std::remove_cvref_t<decltype(message)>>>(select(fits, x, Real(0)));
         }
       });
     });
@@ -92,7 +93,8 @@ class Packs {
     std::size_t at = 0;
     Graph::for_each_applied(one, [&](const auto& message, const auto& space) {
       using One = std::remove_cvref_t<decltype(message)>;
-      constexpr bool kAlike = size_of<One> == size_of<Message> && std::is_same_v<ScalarOf<One>, LaneOf<ScalarOf<Message>>>;
+      constexpr bool kAlike = size_of<One> == size_of<Message> &&
+                              std::is_same_v<ScalarOf<One>, LaneOf<ScalarOf<Message>>>;
       if constexpr (kAlike) {
         if (at == field) f(space);
       }
@@ -110,7 +112,8 @@ class Packs {
       if constexpr (std::is_integral_v<Number>) {
         if (static_cast<double>(low) < -kExact || static_cast<double>(high) > kExact) return false;
       }
-      return eagerx::isfinite(x) && x >= Real(static_cast<float>(low)) && x <= Real(static_cast<float>(high));
+      return eagerx::isfinite(x) && x >= Real(static_cast<float>(low)) &&
+             x <= Real(static_cast<float>(high));
     }
   }
   template <class Scalar>
@@ -184,7 +187,8 @@ class Packs {
       float* const to = rows.observation + rows.places[i];
       const float* const from = columns + i * Lanes;
       if (i + 4 <= Observation::kNumbers && rows.places[i + 3] == rows.places[i] + 3) {
-        for (std::size_t k = 0; k < Lanes; k += 4) spread_four(from + k, to + k * rows.observed, rows.observed);
+        for (std::size_t k = 0; k < Lanes; k += 4)
+          spread_four(from + k, to + k * rows.observed, rows.observed);
         i += 4;
       } else {
         spread(from, to, rows.observed);
@@ -201,8 +205,10 @@ class Packs {
     const Four high = __builtin_shufflevector(in[0], in[1], 2, 6, 3, 7);
     const Four next_low = __builtin_shufflevector(in[2], in[3], 0, 4, 1, 5);
     const Four next_high = __builtin_shufflevector(in[2], in[3], 2, 6, 3, 7);
-    const Four rows[4] = {__builtin_shufflevector(low, next_low, 0, 1, 4, 5), __builtin_shufflevector(low, next_low, 2, 3, 6, 7),
-                          __builtin_shufflevector(high, next_high, 0, 1, 4, 5), __builtin_shufflevector(high, next_high, 2, 3, 6, 7)};
+    const Four rows[4] = {__builtin_shufflevector(low, next_low, 0, 1, 4, 5),
+                          __builtin_shufflevector(low, next_low, 2, 3, 6, 7),
+                          __builtin_shufflevector(high, next_high, 0, 1, 4, 5),
+                          __builtin_shufflevector(high, next_high, 2, 3, 6, 7)};
     for (std::size_t k = 0; k < 4; ++k) std::memcpy(to + k * width, &rows[k], sizeof rows[k]);
   }
   /// A column into the rows of the lanes, each `width` numbers.

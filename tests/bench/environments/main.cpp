@@ -51,15 +51,28 @@ std::vector<float> actions(std::size_t rows) {
   return result;
 }
 
-/// ns a step of the scalar program.
+/// Whether the task ends the episode.
+template <class Program>
+bool has_ended([[maybe_unused]] const Program& program) {
+  if constexpr (requires { program.outcome(); }) {
+    const auto outcome = program.outcome();
+    return outcome.terminated || outcome.truncated;
+  } else {
+    return false;
+  }
+}
+
+/// ns a step of the scalar program, with the resets that a batch has, too.
 double alone(std::uint32_t steps, double (*now)()) {
   static NAMESPACE::Program<> program;
   std::array<Graph::Action, kRows> given;
   for (std::size_t i = 0; i < kRows; ++i) given[i] = Graph::random({1, 0, 0}, i);
   const double start = now();
+  std::uint32_t age = 0, episode = 0;
   for (std::uint32_t step = 0; step < steps; ++step) {
-    if (step % kLongest == 0) program.reset(Graph::draw({1, 0, step / kLongest}));
+    if (age == 0) program.reset(Graph::draw({1, 0, episode++}));
     program.step(given[step % kRows]);
+    age = has_ended(program) || age + 1 == kLongest ? 0 : age + 1;
   }
   return (now() - start) / steps;
 }

@@ -168,6 +168,95 @@ TEST(Pack, IntegersConvertLaneByLane) {
   EXPECT_EQ(eagerx::lane(numbers, 2), 7.0F);
 }
 
+/// Every lane of `from` as To, against static_cast; most and fewest that fit are among them.
+template <class To, class From, std::size_t N = 32>
+void expect_converted(std::vector<From> numbers) {
+  for (std::size_t first = 0; first < numbers.size(); ++first) {
+    std::array<From, N> from;
+    for (std::size_t i = 0; i < N; ++i) from[i] = numbers[(first + i) % numbers.size()];
+    const Pack<To, N> to(Pack<From, N>::load(from.data()));
+    for (std::size_t i = 0; i < N; ++i)
+      EXPECT_EQ(eagerx::lane(to, static_cast<int>(i)), static_cast<To>(from[i])) << from[i];
+    // All alike: the way of numbers of 32 bits, where there is one.
+    const Pack<To, N> alike{Pack<From, N>(numbers[first])};
+    EXPECT_EQ(eagerx::lane(alike, 3), static_cast<To>(numbers[first])) << numbers[first];
+  }
+}
+
+TEST(Pack, EachTypeConvertsToEachLaneByLane) {
+  using Long = std::numeric_limits<std::int64_t>;
+  using Int = std::numeric_limits<std::int32_t>;
+  const std::vector<std::int64_t> all = {0,
+                                         1,
+                                         -1,
+                                         Int::max(),
+                                         Int::min(),
+                                         1LL << 31U,
+                                         -(1LL << 32U),
+                                         4'294'967'295,
+                                         Long::max(),
+                                         Long::min(),
+                                         16'777'217};
+  expect_converted<float>(all);
+  expect_converted<std::int32_t>(all);
+  expect_converted<std::int8_t>(all);
+  expect_converted<std::uint64_t>(all);
+  const std::vector<std::uint64_t> naturals = {0,           7,     0x7fffffffU, 0x80000000U,
+                                               0xffffffffU, ~0ULL, ~0ULL << 31U};
+  expect_converted<float>(naturals);
+  expect_converted<std::uint16_t>(naturals);
+  const std::vector<float> numbers = {0.0F, -0.0F, 1.9F, -1.9F, 100.0F, -100.0F};
+  expect_converted<std::int64_t>(numbers);
+  expect_converted<std::int32_t>(numbers);
+  expect_converted<std::int8_t>(numbers);
+  expect_converted<double>(numbers);
+  expect_converted<std::int64_t>(std::vector<float>{5.0F, -0x1p62F, 0x1p40F, 0x1p31F});
+  expect_converted<float>(std::vector<std::int8_t>{0, 1, -1, 127, -128});
+  expect_converted<std::int64_t>(std::vector<std::uint8_t>{0, 1, 200, 255});
+  expect_converted<std::int64_t>(std::vector<std::int16_t>{0, 1, -300, 32767});
+}
+
+TEST(Pack, NaturalsThatAreNoWordsAreNotTakenForNegativeOnes) {
+  EXPECT_EQ(eagerx::lane(Pack<float, 16>(Pack<std::uint64_t, 16>(~0ULL)), 9), 0x1p64F);
+}
+
+TEST(Pack, TruthValuesOfAllWidthsAreTheSame) {
+  Pack<float, 64> x(0.0F);
+  std::uint64_t wanted = 0;
+  for (int i = 0; i < 64; i += 5) {
+    set_lane(x, i, 1.0F);
+    wanted |= std::uint64_t{1} << static_cast<unsigned>(i);
+  }
+  const auto mask = x > Pack<float, 64>(0.5F);
+  EXPECT_EQ(eagerx::lane_bits(mask), wanted);
+  EXPECT_EQ(eagerx::lane_bits(!mask), ~wanted);
+  const eagerx::Mask<8, 64> wide(mask);
+  const eagerx::Mask<1, 64> narrow(wide);
+  for (int i = 0; i < 64; ++i) {
+    EXPECT_EQ(eagerx::lane(wide, i), i % 5 == 0) << i;
+    EXPECT_EQ(eagerx::lane(narrow, i), i % 5 == 0) << i;
+  }
+  EXPECT_EQ(eagerx::lane_bits(eagerx::Mask<4, 64>(narrow)), wanted);
+}
+
+TEST(Pack, AnyLaneCounts) {
+  for (int i = 0; i < 64; ++i) {
+    eagerx::Mask<4, 64> mask(false);
+    EXPECT_FALSE(any(mask));
+    set_lane(mask, i, true);
+    EXPECT_TRUE(any(mask)) << i;
+  }
+}
+
+TEST(Pack, RegistersMayBeNarrowerThanTheMachines) {
+  using Narrow = Pack<float, 24, 8>;  // no power of two
+  static_assert(Narrow::kCount == 3);
+  Narrow x(2.0F);
+  set_lane(x, 17, 9.0F);
+  const Narrow roots = eagerx::sqrt(x * x) + Narrow(1.0F);
+  for (int i = 0; i < 24; ++i) EXPECT_EQ(eagerx::lane(roots, i), i == 17 ? 10.0F : 3.0F);
+}
+
 TEST(Pack, MessagesConsistOfPacks) {
   using Message = eagerx::Array<Pack<float, 8>, 2>;
   static_assert(eagerx::size_of<Message> == 2);
