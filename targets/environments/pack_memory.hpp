@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -76,25 +77,25 @@ class PackMemory {
   /// An environment that no lane holds. Lanes that hold none get it, too: they are computed with
   /// the others, and numbers without a meaning (huge angles) may take longer than all of these.
   void load(std::uint32_t k, const Program& one) {
-    const std::uint32_t first = k / lanes() * kernel_.phases;
-    packed_[k / lanes()] |= bit(k);
+    const std::uint32_t first = group_of(k) * kernel_.phases;
+    packed_[group_of(k)] |= bit(k);
     if (kernel_.phases > 1) join(k, first, one);
     for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
-      kernel_.load(at(first + i), k % lanes(), one);
+      kernel_.load(at(first + i), lane_of(k), one);
       if (k + 1 < environments_) continue;
-      for (std::uint32_t lane = k % lanes() + 1; lane < lanes(); ++lane)
+      for (std::uint32_t lane = lane_of(k) + 1; lane < lanes(); ++lane)
         kernel_.load(at(first + i), lane, one);
     }
   }
   /// Its lane holds it no longer.
   void leave(std::uint32_t k) {
-    packed_[k / lanes()] &= ~bit(k);
-    if (kernel_.phases > 1) --held_[k / lanes() * kernel_.phases + phase_[k]];
+    packed_[group_of(k)] &= ~bit(k);
+    if (kernel_.phases > 1) --held_[group_of(k) * kernel_.phases + phase_[k]];
   }
-  void store(std::uint32_t k, Program& one) const { kernel_.store(pack(k), k % lanes(), one); }
+  void store(std::uint32_t k, Program& one) const { kernel_.store(pack(k), lane_of(k), one); }
 
   /// The lanes of `k`'s group that hold an environment, a bit each.
-  std::uint64_t packed(std::uint32_t k) const { return packed_[k / lanes()]; }
+  std::uint64_t packed(std::uint32_t k) const { return packed_[group_of(k)]; }
 
   /// Takes the actions of `member`'s next step, of the group of environments from `first` on. The
   /// lanes whose action must still go through the guard: put() takes what comes out.
@@ -131,7 +132,7 @@ class PackMemory {
   /// Steps the packs of `k`'s group with the actions of `member`, into their columns. As the
   /// kernel's, which means nothing with several phases.
   std::uint64_t step(unsigned member, std::uint32_t k, const PackRows* rows) {
-    const std::uint32_t first = k / lanes() * kernel_.phases;
+    const std::uint32_t first = group_of(k) * kernel_.phases;
     std::uint64_t notable = 0;
     for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
       if (kernel_.phases > 1 && held_[first + i] == 0) continue;
@@ -223,7 +224,10 @@ class PackMemory {
     const auto alignment = std::align_val_t{kernel_.alignment};
     return {static_cast<std::byte*>(::operator new(bytes, alignment)), Free{alignment}};
   }
-  std::uint64_t bit(std::uint32_t k) const { return std::uint64_t{1} << k % lanes(); }
+  // Lanes are a power of two, and a division takes as long as many steps of a lane.
+  std::uint32_t group_of(std::uint32_t k) const { return k >> std::countr_zero(lanes()); }
+  std::uint32_t lane_of(std::uint32_t k) const { return k & (lanes() - 1); }
+  std::uint64_t bit(std::uint32_t k) const { return std::uint64_t{1} << lane_of(k); }
   std::byte* actions(unsigned member) const {
     return actions_.get() + member * kernel_.action_bytes;
   }
@@ -231,7 +235,7 @@ class PackMemory {
   std::uint32_t phase_of(std::uint32_t k) const { return kernel_.phases > 1 ? phase_[k] : 0; }
   std::byte* at(std::size_t i) const { return memory_.get() + i * kernel_.bytes; }
   std::byte* pack(std::uint32_t k) const {
-    return at(std::size_t{k / lanes()} * kernel_.phases + phase_of(k));
+    return at(std::size_t{group_of(k)} * kernel_.phases + phase_of(k));
   }
   float* columns(unsigned member, std::uint32_t phase) {
     return columns_.data() +

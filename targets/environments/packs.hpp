@@ -1,6 +1,7 @@
 // The functions of PackKernel, for the instruction set that this is compiled for.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -27,6 +28,7 @@ class Packs {
   using Kernel = PackKernel<Graph>;
 
   static void fill(Kernel& kernel) {
+    static_assert(std::has_single_bit(Lanes) && Lanes <= 64, "a bit for each lane");
     kernel.lanes = Lanes;
     kernel.bytes = sizeof(Program);
     kernel.alignment = alignof(Program);
