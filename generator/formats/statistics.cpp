@@ -20,7 +20,7 @@ constexpr const char* kStatisticsHelp =
 
 constexpr std::int64_t kMostNumbers = std::int64_t{1} << 23U;  // one array may be named often
 
-std::nullopt_t unusable(PolicyProblem& problem, std::string how) {
+Refused unusable(PolicyProblem& problem, std::string how) {
   return refuse(problem, "E0627", std::move(how), kStatisticsHelp);
 }
 

@@ -41,9 +41,8 @@ class Assembly {
   }
 
  private:
-  bool fail(const char* code, std::string message, std::string help = kOtherActor) {
-    problem_ = {code, std::move(message), std::move(help)};
-    return false;
+  Refused fail(const char* code, std::string message, std::string help = kOtherActor) {
+    return refuse(problem_, code, std::move(message), std::move(help));
   }
 
   /// Parts that would silently be left out, and change the function.

@@ -41,7 +41,7 @@ class Layers {
   }
 
  private:
-  bool fail(const char* code, std::string message, std::string help = kOtherActor) const {
+  Refused fail(const char* code, std::string message, std::string help = kOtherActor) const {
     return parts_.fail(code, std::move(message), std::move(help));
   }
 
@@ -65,7 +65,7 @@ class Layers {
     }
     return true;
   }
-  bool missing(const std::string& name) {
+  Refused missing(const std::string& name) {
     return fail("E0624", fmt::format("has an actor without tensor `{}`", printable(name)));
   }
 
@@ -76,8 +76,7 @@ class Layers {
     const StoredTensor* bias = table_.find(name);
     if (bias == nullptr) {
       if (!required) return std::vector<float>(static_cast<std::size_t>(count), 0.0F);
-      missing(name);
-      return std::nullopt;
+      return missing(name);
     }
     if (bias->shape != Dims{count}) {
       return refuse(problem_, "E0618",

@@ -71,11 +71,11 @@ class Notes {
     const auto found = table_.notes.find(key);
     return found == table_.notes.end() ? std::string() : found->second;
   }
-  bool fail(const char* key) {
-    problem_ = {"E0626",
-                fmt::format("has metadata `{}: {}` that makes no sense", key, printable(text(key))),
-                "correct it, or leave it out"};
-    return false;
+  Refused fail(const char* key) {
+    return refuse(
+        problem_, "E0626",
+        fmt::format("has metadata `{}: {}` that makes no sense", key, printable(text(key))),
+        "correct it, or leave it out");
   }
 
   bool read_observations(PolicyFacts& facts) {

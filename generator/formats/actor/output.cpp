@@ -46,11 +46,11 @@ class Output {
   }
 
  private:
-  bool fail(const char* code, std::string message, std::string help = kOtherActor) const {
+  Refused fail(const char* code, std::string message, std::string help = kOtherActor) const {
     return parts_.fail(code, std::move(message), std::move(help));
   }
 
-  bool says_nothing_of_its_output() {
+  Refused says_nothing_of_its_output() {
     return fail("E0750", "does not say what follows its last layer",
                 "say it in the graph: `agent: {policy: …, output_activation: tanh}`, or `none` if "
                 "nothing does; for `policy` with `--output-activation tanh`");
@@ -81,8 +81,7 @@ class Output {
       if (layout_.output_rule == OutputRule::unknown) {
         // A file with `squash: False` says that its actions come out as they are.
         if (facts_.action && *facts_.action != ActionKind::squashed) return Activation::identity;
-        says_nothing_of_its_output();
-        return std::nullopt;
+        return says_nothing_of_its_output();
       }
       network_.assumed.push_back(
           fmt::format("nothing after the last layer, which is {}'s unless it was told otherwise",
@@ -94,11 +93,10 @@ class Output {
     const bool adds_tanh = *squashes && !(facts_.action && is_choice(*facts_.action));
     const Activation output = adds_tanh ? Activation::tanh : Activation::identity;
     if (told_output_ && *told_output_ != output) {
-      fail("E0626",
-           fmt::format("is {}, after whose last layer comes {}, but the graph says {}",
-                       layout_.about, output_name(output), output_name(*told_output_)),
-           "leave the graph's `output_activation` out");
-      return std::nullopt;
+      return fail("E0626",
+                  fmt::format("is {}, after whose last layer comes {}, but the graph says {}",
+                              layout_.about, output_name(output), output_name(*told_output_)),
+                  "leave the graph's `output_activation` out");
     }
     return output;
   }

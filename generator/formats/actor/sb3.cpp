@@ -46,10 +46,9 @@ class DataReader {
   }
 
  private:
-  bool fail(const std::string& how) {
-    problem_ = {"E0626", fmt::format("has `data` {}", how),
-                "save it again, or use the ONNX file of the actor"};
-    return false;
+  Refused fail(const std::string& how) {
+    return refuse(problem_, "E0626", fmt::format("has `data` {}", how),
+                  "save it again, or use the ONNX file of the actor");
   }
 
   /// From the module of its policy: "stable_baselines3.sac.policies".
@@ -130,8 +129,7 @@ class DataReader {
   std::optional<Pickle> space(const char* key, std::string& bytes) {
     const Json* value = member(data_, key);
     if (value == nullptr) {
-      fail(fmt::format("without `{}`", key));
-      return std::nullopt;
+      return fail(fmt::format("without `{}`", key));
     }
     PolicyProblem why;
     auto pickle = unpickled(*value, bytes, why);

@@ -134,8 +134,7 @@ bool add_scaled_bounds(const ActorParts& parts) {
 
 bool check_statistics(Normalization& statistics, PolicyProblem& problem) {
   const auto fail = [&](const char* how) {
-    problem = {"E0627", fmt::format("has statistics {}", how), kOtherActor};
-    return false;
+    return refuse(problem, "E0627", fmt::format("has statistics {}", how), kOtherActor);
   };
   if (statistics.mean.empty() || statistics.mean.size() != statistics.variance.size()) {
     return fail("with different numbers of means and variances");

@@ -47,12 +47,12 @@ std::optional<onnx::ModelProto> parse(std::string_view bytes, PolicyProblem& pro
                       bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
                       model.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
   if (!parsed && onnx_like) {
-    problem = {"E0604", "is a damaged or truncated ONNX file", "copy or export the file again"};
-    return std::nullopt;
+    return refuse(problem, "E0604", "is a damaged or truncated ONNX file",
+                  "copy or export the file again");
   }
   if (!parsed || (!model.has_ir_version() && !model.has_graph())) {
-    problem = {"E0603", "is not an ONNX file", "export the actor with `torch.onnx.export`"};
-    return std::nullopt;
+    return refuse(problem, "E0603", "is not an ONNX file",
+                  "export the actor with `torch.onnx.export`");
   }
   return model;
 }
@@ -63,15 +63,14 @@ std::optional<std::int64_t> checked_opset(const onnx::ModelProto& model, PolicyP
     if (set.domain().empty() || set.domain() == "ai.onnx") opset = set.version();
   }
   if (!model.has_graph() || !opset) {
-    problem = {"E0605", fmt::format("has no {}", model.has_graph() ? "operator set" : "graph"),
-               "copy or export the file again"};
-    return std::nullopt;
+    return refuse(problem, "E0605",
+                  fmt::format("has no {}", model.has_graph() ? "operator set" : "graph"),
+                  "copy or export the file again");
   }
   if (*opset < kOldestOpset || *opset > kNewestOpset) {
-    problem = {
-        "E0605", fmt::format("is written for ONNX opset {}", *opset),
-        fmt::format("export it with an `opset_version` from {} to {}", kOldestOpset, kNewestOpset)};
-    return std::nullopt;
+    return refuse(
+        problem, "E0605", fmt::format("is written for ONNX opset {}", *opset),
+        fmt::format("export it with an `opset_version` from {} to {}", kOldestOpset, kNewestOpset));
   }
   return opset;
 }
@@ -131,8 +130,7 @@ bool set_parts(const GraphInputs& inputs, NetCall::State& state, ValueTable& val
     if (!shape) return false;
     const std::int64_t count = element_count(*shape).value_or(kMaxValues);
     if (count > kMaxValues - state.observed) {
-      problem = {"E0608", "has inputs of an impossible size", kExportActor};
-      return false;
+      return refuse(problem, "E0608", "has inputs of an impossible size", kExportActor);
     }
     values.set(input->name(), observation_part(state, input->name(), *shape));
     network.contract.observations.push_back(
@@ -249,14 +247,14 @@ bool check_states(const std::vector<NetStep>& steps, std::int32_t last,
       });
       const std::string key = fmt::format("{}/{}", source->name, source->slot);
       if (found && taken.insert(key).second) continue;
-      problem = {"E0641",
-                 found ? fmt::format("starts two layers from the same state, input `{}`",
-                                     printable(source->name))
-                       : fmt::format("takes a state as input `{}`, but none of its outputs is the "
-                                     "new state of the same layers",
-                                     printable(source->name)),
-                 "export the new state too: `return action, state`"};
-      return false;
+      return refuse(problem, "E0641",
+                    found
+                        ? fmt::format("starts two layers from the same state, input `{}`",
+                                      printable(source->name))
+                        : fmt::format("takes a state as input `{}`, but none of its outputs is the "
+                                      "new state of the same layers",
+                                      printable(source->name)),
+                    "export the new state too: `return action, state`");
     }
   }
   return true;
@@ -311,11 +309,10 @@ bool read_rate(const onnx::ModelProto& model, std::optional<double>& rate_hz,
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rate);
     const bool whole = error == std::errc() && end == text.data() + text.size();
     if (!whole || !std::isfinite(rate) || rate <= 0.0) {
-      problem = {
-          "E0626",
+      return refuse(
+          problem, "E0626",
           fmt::format("has metadata `rate: {}` that makes no sense", printable(note.value())),
-          "correct it, or leave it out"};
-      return false;
+          "correct it, or leave it out");
     }
     rate_hz = rate;
   }
@@ -335,8 +332,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   if (!opset) return std::nullopt;
   const onnx::GraphProto& graph = model->graph();
   if (graph.output_size() == 0) {
-    problem = {"E0606", "has a graph without an output", kExportActor};
-    return std::nullopt;
+    return refuse(problem, "E0606", "has a graph without an output", kExportActor);
   }
   const std::optional<OnnxNames> names = collect_names(graph, problem);
   if (!names) return std::nullopt;

@@ -113,10 +113,9 @@ const TorchFunction* TorchArchive::function(const std::string& module, const std
   const TorchFunctions* functions = code(module, problem);
   if (functions == nullptr) return nullptr;
   if (const auto found = functions->find(name); found != functions->end()) return &found->second;
-  problem = {"E0753",
-             fmt::format("has no code of `{}` in `{}`", printable(name), printable(module)),
-             "the file is damaged: export the actor again"};
-  return nullptr;
+  return refuse(problem, "E0753",
+                fmt::format("has no code of `{}` in `{}`", printable(name), printable(module)),
+                "the file is damaged: export the actor again");
 }
 
 std::vector<std::int64_t> TorchArchive::sizes() const {

@@ -322,11 +322,10 @@ std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProble
   }
   const TorchRow* row = torch_row(name);
   if (row == nullptr) {
-    problem = {
-        "E0754",
+    return refuse(
+        problem, "E0754",
         fmt::format("calls `{}`, which is not supported ({})", printable(name), call.where()),
-        "export the actor alone, or export it to ONNX with `torch.onnx.export`"};
-    return std::nullopt;
+        "export the actor alone, or export it to ONNX with `torch.onnx.export`");
   }
   auto value = row->run(call);
   if (value) return TorchValue::of(std::move(*value));

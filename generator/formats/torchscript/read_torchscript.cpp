@@ -152,8 +152,7 @@ class TorchReading {
     std::vector<TorchResult> results;
     add_results(all, "", results);
     const auto fail = [&](const char* code, std::string message, const char* help) {
-      made.problem = {code, std::move(message), help};
-      return nullptr;
+      return refuse(made.problem, code, std::move(message), help);
     };
     if (results.empty()) {
       return fail("E0754", "has a `forward` that returns no tensor",
@@ -241,9 +240,8 @@ class TorchReading {
   /// Buffers that are written hold what cells remember, each its own, from zeros on.
   bool check_states(const TorchTry& made) {
     const auto fail = [&](const std::string& name, const char* what) {
-      problem_ = {"E0756", fmt::format("has a buffer `{}` {}", printable(name), what),
-                  "export the actor with its state as an input and an output, to ONNX"};
-      return false;
+      return refuse(problem_, "E0756", fmt::format("has a buffer `{}` {}", printable(name), what),
+                    "export the actor with its state as an input and an output, to ONNX");
     };
     PolicyProblem ignored;
     const std::vector<NetStep>& steps = made.state.steps;
