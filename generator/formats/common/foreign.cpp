@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 
+#include "generator/network/element_type.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -77,14 +79,6 @@ PolicyProblem foreign(std::string_view what, std::string_view way) {
   return {"E0603", fmt::format("is {}", what), fmt::format("{}; {}", way, kKnownFormats)};
 }
 
-std::uint64_t little(std::string_view bytes, std::size_t at, std::size_t count) {
-  std::uint64_t value = 0;
-  for (std::size_t i = count; i-- > 0;) {
-    value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-  }
-  return value;
-}
-
 bool is_printable(std::string_view bytes) {
   constexpr unsigned char kDelete = 0x7f;
   return std::ranges::all_of(bytes, [](unsigned char c) { return c >= ' ' && c < kDelete; });
@@ -107,11 +101,12 @@ bool is_barracuda(std::string_view bytes) {
   constexpr std::size_t kName = 16;
   constexpr std::uint64_t kNewestVersion = 31;
   constexpr std::uint64_t kMostInputs = 64;
-  if (bytes.size() < kName || little(bytes, 0, 8) == 0 || little(bytes, 0, 8) > kNewestVersion) {
+  if (bytes.size() < kName || little_endian(bytes, 8) == 0 ||
+      little_endian(bytes, 8) > kNewestVersion) {
     return false;
   }
-  const std::uint64_t inputs = little(bytes, 8, 4);
-  const std::uint64_t length = little(bytes, 12, 4);
+  const std::uint64_t inputs = little_endian(bytes.substr(8), 4);
+  const std::uint64_t length = little_endian(bytes.substr(12), 4);
   return inputs >= 1 && inputs <= kMostInputs && length >= 1 && length <= bytes.size() - kName &&
          length < 256 && is_printable(bytes.substr(kName, length));
 }

@@ -105,10 +105,7 @@ class TorchReader {
       const auto type = types.find(name);
       if (type == types.end()) return fail("a storage that no tensor is in");
       if (bytes.size() < kCount) return cut_short();
-      std::uint64_t count = 0;
-      for (std::size_t i = kCount; i-- > 0;) {
-        count = count << 8U | static_cast<unsigned char>(bytes[i]);
-      }
+      const std::uint64_t count = little_endian(bytes, kCount);
       bytes.remove_prefix(kCount);
       if (count > bytes.size() / size_of(type->second)) return cut_short();
       const std::size_t size = static_cast<std::size_t>(count) * size_of(type->second);
@@ -117,14 +114,10 @@ class TorchReader {
     }
     return true;
   }
-  bool cut_short() {
-    problem_ = {"E0623", "ends before its tensors do", kCutShort};
-    return false;
-  }
+  bool cut_short() { return refuse(problem_, "E0623", "ends before its tensors do", kCutShort); }
 
-  bool fail(const std::string& how) {
-    problem_ = {"E0623", fmt::format("has {}", how), kTorchHelp};
-    return false;
+  Refused fail(const std::string& how) {
+    return refuse(problem_, "E0623", fmt::format("has {}", how), kTorchHelp);
   }
 
   bool check_byte_order() {
@@ -188,8 +181,7 @@ class TorchReader {
     const std::string name = fmt::format("{}data/{}", folder_, key);
     if (const auto known = storages_.find(name); known != storages_.end()) return known->second;
     if (archive_ == nullptr) {
-      fail(fmt::format("a tensor in a storage `{}` that is not there", printable(key)));
-      return std::nullopt;
+      return fail(fmt::format("a tensor in a storage `{}` that is not there", printable(key)));
     }
     const auto bytes = archive_->read(name, table_.buffers.emplace_back(), problem_);
     if (bytes) storages_.emplace(name, *bytes);
