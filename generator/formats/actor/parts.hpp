@@ -17,7 +17,7 @@ struct ActorParts {
   std::set<std::string>& used;  // names of tensors
   PolicyProblem& problem;
 
-  Refused fail(const char* code, std::string message, std::string help) const {
+  Refused fail(const char* code, std::string message, std::string help = kOtherActor) const {
     return refuse(problem, code, std::move(message), std::move(help));
   }
 };

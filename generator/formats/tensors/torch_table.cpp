@@ -149,7 +149,7 @@ class TorchReader {
         if (!add_tensor(name, *item)) return false;
       } else if (item->kind == Kind::object &&
                  pickle_.at(item->function).text.ends_with("multiarray._reconstruct")) {
-        auto array = pickle_.array(*item);
+        auto array = pickle_.array(item);
         // Statistics that cannot be read must not be left out.
         if (!array && !all_) {
           return fail(fmt::format("a NumPy array `{}` that cannot be read", printable(name)));
@@ -218,8 +218,8 @@ std::optional<StoredTensor> rebuilt_tensor(const Pickle& pickle, const PickleVal
   const std::vector<std::uint32_t>& arguments = pickle.at(call.arguments).items;
   if (arguments.size() < 4) return damaged();
   const PickleValue& reference = pickle.at(arguments[0]);
-  const auto shape = pickle.integers(pickle.at(arguments[2]));
-  const auto strides = pickle.integers(pickle.at(arguments[3]));
+  const auto shape = pickle.integers(&pickle.at(arguments[2]));
+  const auto strides = pickle.integers(&pickle.at(arguments[3]));
   const std::int64_t offset = pickle.at(arguments[1]).integer;
   if (reference.kind != Kind::persistent || !shape || !strides || offset < 0 ||
       offset > kMaxElements || strides->size() != shape->size()) {

@@ -125,7 +125,7 @@ std::vector<std::int64_t> TorchArchive::sizes() const {
     if (!modules.made_by(value, kRebuild)) continue;
     const std::vector<std::uint32_t>& arguments = modules.at(value.arguments).items;
     if (arguments.size() < 3) continue;
-    const auto shape = modules.integers(modules.at(arguments[2]));
+    const auto shape = modules.integers(&modules.at(arguments[2]));
     for (const std::int64_t dim : shape.value_or(std::vector<std::int64_t>{})) {
       if (dim >= 1 && dim <= kMaxValues) found.insert(dim);
     }
