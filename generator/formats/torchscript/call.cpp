@@ -58,15 +58,13 @@ std::optional<Integers> TorchCall::list(std::size_t i, std::string_view name) co
 }
 
 NetValue TorchCall::node(const char* type, const std::vector<NetValue>& inputs,
-                         std::vector<NetAttribute> attributes, int output) const {
+                         std::vector<NetAttribute> attributes) const {
   const std::string result = fmt::format("{}:0", name_);
-  const NetNode node{type, where_, {}, result, output + 1, std::move(attributes)};
+  const NetNode node{type, where_, {}, result, 1, std::move(attributes)};
   std::vector<const NetValue*> given;
   given.reserve(inputs.size());
   for (const NetValue& input : inputs) given.push_back(&input);
-  const NetCall call(node, std::move(given), state_);
-  NetValue first = evaluate(call);
-  return output == 0 ? first : later_output(call, first, output);
+  return evaluate(NetCall(node, std::move(given), state_));
 }
 
 std::optional<NetValue> TorchCall::node_of_two(const char* type) const {
@@ -77,10 +75,6 @@ std::optional<NetValue> TorchCall::node_of_two(const char* type) const {
 
 NetValue TorchCall::constant(const std::vector<float>& numbers, const Dims& dims) const {
   return constant_value(made_tensor(state_.made, name_, numbers, dims));
-}
-
-NetValue TorchCall::integers(const Integers& values) const {
-  return integers_value(values);
 }
 
 PolicyProblem TorchCall::misused(const std::string& how) const {

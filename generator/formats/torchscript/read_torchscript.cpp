@@ -134,9 +134,7 @@ class TorchReading {
         inputs.push_back(observation_part(made.state, "observation", {1, size}));
         continue;
       }
-      NetValue& input = inputs.emplace_back();
-      input.kind = NetValue::Kind::data;
-      input.shape = Dims{1, size};
+      inputs.push_back(data_value(-1, {1, size}));
       made.state.observed = size;
     }
     made.interpreter.emplace(archive_, made.state, statements_, made.problem);

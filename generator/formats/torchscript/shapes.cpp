@@ -12,9 +12,7 @@ std::int64_t torch_rank(const NetValue& x) {
   return static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
 }
 std::optional<std::int64_t> torch_axis(const NetValue& x, std::optional<std::int64_t> axis) {
-  if (!axis || !x.shape) return std::nullopt;
-  const std::int64_t place = *axis < 0 ? *axis + torch_rank(x) : *axis;
-  return place >= 0 && place < torch_rank(x) ? std::optional(place) : std::nullopt;
+  return axis ? place_in(*axis, torch_rank(x)) : std::nullopt;
 }
 
 namespace {
@@ -206,8 +204,9 @@ Result index_put(const Torch& call) {
   if (!places || places->empty() || !where.shape || where.shape->size() != 1) return std::nullopt;
   const std::int64_t size = (*x->shape)[*axis];
   for (std::int64_t& place : *places) {
-    if (place < -size || place >= size) return std::nullopt;
-    if (place < 0) place += size;
+    const auto found = place_in(place, size);
+    if (!found) return std::nullopt;
+    place = *found;
   }
   Dims shape = *x->shape;
   shape[*axis] = static_cast<std::int64_t>(places->size());

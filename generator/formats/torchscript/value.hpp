@@ -105,13 +105,12 @@ class TorchCall {
   /// A list of whole numbers, or one alone.
   [[nodiscard]] std::optional<Integers> list(std::size_t i, std::string_view name = {}) const;
 
-  /// The operator that ONNX calls `type`: its output `output`.
+  /// The first output of the operator that ONNX calls `type`.
   [[nodiscard]] NetValue node(const char* type, const std::vector<NetValue>& inputs,
-                              std::vector<NetAttribute> attributes = {}, int output = 0) const;
+                              std::vector<NetAttribute> attributes = {}) const;
   /// The same of the arguments 0 and `other`; nothing if one of them is no tensor.
   [[nodiscard]] std::optional<NetValue> node_of_two(const char* type) const;
   [[nodiscard]] NetValue constant(const std::vector<float>& numbers, const Dims& dims) const;
-  [[nodiscard]] NetValue integers(const Integers& values) const;
   [[nodiscard]] NetCall::State& state() const { return state_; }
   [[nodiscard]] const std::string& where() const { return where_; }
 

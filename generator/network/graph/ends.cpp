@@ -12,10 +12,7 @@ NetValue observation_part(NetCall::State& state, const std::string& name, Dims s
   Reorder order;
   order.from.resize(static_cast<std::size_t>(count));
   std::iota(order.from.begin(), order.from.end(), static_cast<std::uint32_t>(state.observed));
-  NetValue part;
-  part.kind = NetValue::Kind::data;
-  part.shape = std::move(shape);
-  part.step = static_cast<std::int32_t>(state.steps.size());
+  NetValue part = data_value(static_cast<std::int32_t>(state.steps.size()), std::move(shape));
   state.steps.push_back({-1, NetLayer{std::move(order)}, printable(name), count});
   state.observed += count;
   return part;
