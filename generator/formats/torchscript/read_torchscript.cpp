@@ -251,10 +251,8 @@ class TorchReading {
         return fail(std::string(cell->buffer),
                     "that is changed, and is not the state of a GRU or LSTM");
       for (std::size_t slot = 0; slot < parts.size(); ++slot) {
-        const auto& work =
-            std::get<NetRecurrence>(steps[static_cast<std::size_t>(parts[slot].step)].what);
-        const auto& from = parts[slot].is_cell ? work.c : work.h;
-        const bool is_own = from && from->name.data() == cell->buffer.data() &&
+        const NetStateSource* from = state_before(steps, parts[slot]);
+        const bool is_own = from != nullptr && from->name.data() == cell->buffer.data() &&
                             from->slot == static_cast<std::int64_t>(slot);
         if (!is_own) {
           return fail(std::string(cell->buffer), "that does not come back to the layer it is of");
@@ -268,11 +266,10 @@ class TorchReading {
       }
       kept.insert(cell->buffer.data());
     }
-    for (const NetStep& step : steps) {
-      const auto* work = std::get_if<NetRecurrence>(&step.what);
-      for (int i = 0; work != nullptr && i < 2; ++i) {
-        const auto& from = i == 0 ? work->h : work->c;
-        if (from && !kept.contains(from->name.data())) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      for (const bool is_cell : {false, true}) {
+        const NetStateSource* from = state_before(steps, {static_cast<std::int32_t>(i), is_cell});
+        if (from != nullptr && !kept.contains(from->name.data())) {
           return fail(std::string(from->name),
                       "that a GRU or LSTM starts from and that is not kept");
         }

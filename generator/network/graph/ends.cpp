@@ -30,4 +30,11 @@ std::optional<NetAction> action_of(const NetValue& value, const char* help,
   return std::nullopt;
 }
 
+const NetStateSource* state_before(const std::vector<NetStep>& steps, const NetRemembered& part) {
+  const auto* work = std::get_if<NetRecurrence>(&steps[static_cast<std::size_t>(part.step)].what);
+  if (work == nullptr) return nullptr;
+  const auto& from = part.is_cell ? work->c : work->h;
+  return from ? &*from : nullptr;
+}
+
 }  // namespace eagerx::gen
