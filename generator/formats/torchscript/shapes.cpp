@@ -61,11 +61,6 @@ Result flatten(const Torch& call) {
   }
   return call.node("Reshape", {*x}, {{"shape", {}, {}, shape}});
 }
-Result unsqueeze(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto axis = call.list(1, "dim");
-  return x && axis ? Result(call.node("Unsqueeze", {*x}, {{"axes", {}, {}, axis}})) : std::nullopt;
-}
 Result squeeze(const Torch& call) {
   auto x = call.tensor(0);
   if (!x) return std::nullopt;
@@ -220,13 +215,24 @@ Result index_put(const Torch& call) {
 }  // namespace
 
 std::vector<TorchRow> torch_shape_rows() {
-  return {
-      {"t", transpose, true},     {"numpy_T", transpose, true},   {"transpose", transpose, true},
-      {"permute", permute, true}, {"reshape", reshape, true},     {"view", reshape, true},
-      {"flatten", flatten, true}, {"unsqueeze", unsqueeze, true}, {"squeeze", squeeze, true},
-      {"expand", expand, true},   {"expand_as", expand, true},    {"slice", slice, true},
-      {"narrow", narrow, true},   {"select", select, true},       {"index", index},
-      {"index_put", index_put},   {"index_select", index_select}};
+  return {{"t", transpose, true},
+          {"numpy_T", transpose, true},
+          {"transpose", transpose, true},
+          {"permute", permute, true},
+          {"reshape", reshape, true},
+          {"view", reshape, true},
+          {"flatten", flatten, true},
+          {"unsqueeze", torch_of("Unsqueeze", {{0}}, {{TorchGiven::As::list, "axes", {1, "dim"}}}),
+           true},
+          {"squeeze", squeeze, true},
+          {"expand", expand, true},
+          {"expand_as", expand, true},
+          {"slice", slice, true},
+          {"narrow", narrow, true},
+          {"select", select, true},
+          {"index", index},
+          {"index_put", index_put},
+          {"index_select", index_select}};
 }
 
 std::optional<TorchValue> torch_parts(const Torch& call) {
