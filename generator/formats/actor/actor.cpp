@@ -84,7 +84,7 @@ class Assembly {
   bool check_algorithm() {
     const std::string& said = facts_.contract.algorithm;
     if (said.empty() || layout_.algorithms.empty()) return true;
-    const std::string known = " " + layout_.algorithms + " ";
+    const std::string known = fmt::format(" {} ", layout_.algorithms);
     if (known.find(" " + said + " ") != std::string::npos) return true;
     return parts_.fail("E0626",
                        fmt::format("says that it is of {}, but its tensors are those of {}",

@@ -106,7 +106,7 @@ class Layouts {
     return !remembers || !decodes || fail("is of Sample Factory, with a memory and a decoder");
   }
 
-  Refused ambiguous(const std::string& a, const std::string& b) {
+  Refused ambiguous(std::string_view a, std::string_view b) {
     return refuse(
         problem_, "E0625", fmt::format("has two actors: {} and {}", a, b),
         "say which one by how its tensors' names begin: `agent: {policy: …, actor: NAME}`; "
@@ -161,19 +161,7 @@ class Layouts {
   }
 
   std::optional<ActorLayout> make(const KnownLayout& known) {
-    ActorLayout layout{known.about,
-                       known.algorithms,
-                       {},
-                       known.action,
-                       known.activation,
-                       known.output,
-                       known.has_bias,
-                       known.memory,
-                       known.memory_place,
-                       "",
-                       known.squash,
-                       known.has_quantiles,
-                       known.output_rule};
+    ActorLayout layout{known};
     if (!is_certain(known)) {
       layout.about = "a torch module";
       layout.activation.reset();
@@ -203,12 +191,15 @@ class Layouts {
     return layout;
   }
 
+  static ActorLayout unknown(std::string_view about) {
+    return {{.about = about, .output_rule = OutputRule::unknown}};
+  }
+
   /// A GRU or LSTM with single Linear layers before or behind it: {"gru.weight_ih_l0",
   /// "head.weight"}.
   std::optional<ActorLayout> around_memory() const {
     constexpr std::string_view kInput = ".weight_ih_l0";
-    ActorLayout layout;
-    layout.about = "a torch module with a memory";
+    ActorLayout layout = unknown("a torch module with a memory");
     const StoredTensor* memory = nullptr;
     for (const auto& [name, tensor] : table_.tensors) {
       if (name.ends_with(kInput)) memory = memory == nullptr ? &tensor : nullptr;
@@ -265,8 +256,7 @@ class Layouts {
       return ambiguous(fmt::format("`{}…`", printable(sequences_.begin()->first)),
                        fmt::format("`{}…`", printable(second->first)));
     }
-    ActorLayout layout;
-    layout.about = "a torch `Sequential`";
+    ActorLayout layout = unknown("a torch `Sequential`");
     if (!append(sequences_.begin()->first, false, layout)) return std::nullopt;
     return layout;
   }

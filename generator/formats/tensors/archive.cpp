@@ -138,4 +138,11 @@ std::optional<std::string_view> Archive::read(std::string_view name, std::string
   return content;
 }
 
+bool count_unpacked(std::size_t more, std::size_t& sum, const char* help, PolicyProblem& problem) {
+  sum += more;
+  return sum <= kMaxPolicyBytes ||
+         refuse(problem, "E0621",
+                "is a zip archive that unpacks to more than the 64 MB that are read", help);
+}
+
 }  // namespace eagerx::gen

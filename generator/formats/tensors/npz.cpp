@@ -105,12 +105,7 @@ bool read_npz(const Archive& archive, TensorTable& table, PolicyProblem& problem
     std::string& buffer = table.buffers.emplace_back();
     const auto bytes = archive.read(entry_name, buffer, problem);
     if (!bytes) return false;
-    unpacked += bytes->size();
-    if (unpacked > kMaxPolicyBytes) {
-      return refuse(problem, "E0621",
-                    "is a zip archive that unpacks to more than the 64 MB that are read",
-                    kNumpyHelp);
-    }
+    if (!count_unpacked(bytes->size(), unpacked, kNumpyHelp, problem)) return false;
     auto tensor = read_npy(*bytes, name, problem);
     if (!tensor || !table.add(name, std::move(*tensor), problem)) return false;
   }

@@ -185,13 +185,8 @@ class TorchReader {
     }
     const auto bytes = archive_->read(name, table_.buffers.emplace_back(), problem_);
     if (bytes) storages_.emplace(name, *bytes);
-    unpacked_ += table_.buffers.back().size();
-    if (unpacked_ > kMaxPolicyBytes) {
-      return refuse(problem_, "E0621",
-                    "is a zip archive that unpacks to more than the 64 MB that are read",
-                    kTorchHelp);
-    }
-    return bytes;
+    const std::size_t more = table_.buffers.back().size();
+    return count_unpacked(more, unpacked_, kTorchHelp, problem_) ? bytes : std::nullopt;
   }
 
   const Archive* archive_;

@@ -48,11 +48,8 @@ std::optional<std::string_view> TorchArchive::storage(int which, std::string_vie
   if (const auto known = storages_.find(name); known != storages_.end()) return known->second;
   const auto bytes = archive_.read(name, buffers_.emplace_back(), problem);
   if (!bytes) return std::nullopt;
-  unpacked_ += buffers_.back().size();
-  if (unpacked_ > kMaxPolicyBytes) {
-    return refuse(problem, "E0621",
-                  "is a zip archive that unpacks to more than the 64 MB that are read",
-                  "use a smaller network");
+  if (!count_unpacked(buffers_.back().size(), unpacked_, "use a smaller network", problem)) {
+    return std::nullopt;
   }
   storages_.emplace(name, *bytes);
   return bytes;
