@@ -72,9 +72,8 @@ std::string unknown_state(const std::string& name, const std::vector<std::string
   std::string list;
   for (const std::string& state : known) list += (list.empty() ? "" : ", ") + state;
   const std::string near = host::did_you_mean(name, known);
-  return "error: this program has no state `" + name +
-         "`\nhelp: " + near + (near.empty() ? "" : " ") +
-         (known.empty() ? "it has none" : "it has " + list) +
+  return "error: this program has no state `" + name + "`\nhelp: " + near +
+         (near.empty() ? "" : " ") + (known.empty() ? "it has none" : "it has " + list) +
          "; others are named under `states:` in the graph, and parameters of nodes under "
          "`tunable:`. What else is under `config:` is compiled into the program: change it in the "
          "graph";
