@@ -17,18 +17,20 @@ struct PolicyProblem {
 
 /// What `return refuse(...)` gives back: false, nothing, or no pointer, as the function has it.
 struct Refused {
+  // NOLINTBEGIN(google-explicit-constructor): that is what it is for
   template <std::same_as<bool> Bool>
   operator Bool() const {
     return false;
-  }  // NOLINT(google-explicit-constructor)
+  }
   template <class T>
   operator std::optional<T>() const {
     return std::nullopt;
-  }  // NOLINT(google-explicit-constructor)
+  }
   template <class T>
   operator T*() const {
     return nullptr;
-  }  // NOLINT(google-explicit-constructor)
+  }
+  // NOLINTEND(google-explicit-constructor)
 };
 
 /// Sets `problem`.
