@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/edit/helps.hpp"
 #include "generator/outline/lines.hpp"
 
 namespace eagerx::gen {
