@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -22,7 +23,10 @@ fs::path full_path(const std::string& path) {
 /// What was found in the manifest's own file, with places in `into`.
 void take(const Diagnostics& found, const SourceMap& sources, const fs::path& path, FileId file,
           Diagnostics& into) {
+  // What depends on values and rates that a graph gives is none of the manifest's problems.
+  constexpr std::array kOfValues = {"E0306", "E0312", "E0322", "E0326", "E0327", "E0328"};
   for (const Diagnostic& each : found.all()) {
+    if (std::ranges::find(kOfValues, each.code) != kOfValues.end()) continue;
     if (each.span.file == FileId::none || full_path(sources.name(each.span.file)) != path) continue;
     Diagnostic copy = each;
     copy.span.file = file;
@@ -44,13 +48,13 @@ class Trial {
   [[nodiscard]] std::string node() {
     ports("inputs", "outputs");
     return fmt::format(
-        "name: trial\nrate: 10\nnodes:\n  it: {{type: {}, rate: 10{}}}\n{}", entity_.id.value,
+        "name: trial\nrate: 100\nnodes:\n  it: {{type: {}, rate: 100{}}}\n{}", entity_.id.value,
         config(), environment());
   }
   [[nodiscard]] std::string object(const std::string& engine) {
     ports("actuators", "sensors");
     return fmt::format(
-        "name: trial\nrate: 10\nengine: {{type: {}, rate: 100}}\nobjects:\n  it: {{type: {}{}}}\n{}",
+        "name: trial\nrate: 100\nengine: {{type: {}, rate: 100}}\nobjects:\n  it: {{type: {}{}}}\n{}",
         engine, entity_.id.value, config(), environment());
   }
 
@@ -77,17 +81,33 @@ class Trial {
                        actions_.empty() ? " {}\n" : "\n", actions_, observations_,
                        connections_.empty() ? " []\n" : "\n", connections_);
   }
-  /// Something for each number that must be given.
+  /// Something for each parameter that must be given.
   [[nodiscard]] std::string config() const {
     std::string text;
     for (const Parameter& parameter : entity_.config) {
-      if (parameter.fallback) continue;
-      const bool is_number = parameter.type == Parameter::Type::number ||
-                             parameter.type == Parameter::Type::integer;
-      if (is_number)
-        text += fmt::format("{}{}: 1", text.empty() ? "" : ", ", parameter.name.value);
+      if (!parameter.fallback)
+        text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", parameter.name.value,
+                            value_for(parameter));
     }
     return text.empty() ? text : fmt::format(", config: {{{}}}", text);
+  }
+  static std::string value_for(const Parameter& parameter) {
+    switch (parameter.type) {
+      case Parameter::Type::integer:
+      case Parameter::Type::number:
+        return "1";
+      case Parameter::Type::boolean:
+        return "true";
+      case Parameter::Type::integers:
+      case Parameter::Type::numbers:
+        return "[1, 1, 1, 1, 1, 1, 1, 1]";
+      case Parameter::Type::keyword:
+        return parameter.options.empty() ? "none" : parameter.options.front();
+      case Parameter::Type::text:
+      case Parameter::Type::model:
+        break;
+    }
+    return "none";
   }
 
   const Entity& entity_;
@@ -96,7 +116,7 @@ class Trial {
 };
 
 /// The folder of the library that a manifest is in: one of `options`, or what installed manifests
-/// are in, or else the folder around its own.
+/// are in, or else its own folder with those beside it.
 LibraryOptions with_folder_of(LibraryOptions options, const Run& run, const fs::path& path) {
   std::vector<std::string> folders = options.paths;
   for (const char* const part : {"models", "targets"})
@@ -105,7 +125,15 @@ LibraryOptions with_folder_of(LibraryOptions options, const Run& run, const fs::
     const std::string inside = path.lexically_relative(full_path(folder)).string();
     return !inside.empty() && !inside.starts_with("..");
   });
-  if (!is_known) options.paths.push_back(path.parent_path().string());
+  if (is_known) return options;
+  options.paths.push_back(path.parent_path().string());
+  std::error_code error;
+  for (fs::directory_iterator each(path.parent_path().parent_path(), error);
+       !error && each != fs::directory_iterator(); each.increment(error)) {
+    std::error_code ignored;
+    if (each->path() != path.parent_path() && fs::exists(each->path() / "manifest.yaml", ignored))
+      options.paths.push_back(each->path().string());
+  }
   return options;
 }
 

@@ -112,13 +112,16 @@ class Reader {
     }
   }
 
-  /// "add `A` or `B` to the connection"
+  /// "add `processor: A` or `processor: B` to the connection"
   void processors() {
     const OutlineEntry* const item = item_at(place_.begin);
     if (item == nullptr) return;
-    for (const std::string& name : quoted_in(help_))
-      add(fmt::format("Put `{}` on the connection", name),
-          with_key(text_, *item, "processor", name));
+    constexpr std::string_view kKey = "processor: ";
+    for (const std::string& pair : quoted_in(help_)) {
+      if (pair.starts_with(kKey) && !has_hole(pair))
+        add(fmt::format("Put `{}` on the connection", pair.substr(kKey.size())),
+            with_key(text_, *item, "processor", pair.substr(kKey.size())));
+    }
   }
   /// "add `skip: true` to one of these connections": its own, or those of its notes.
   void skipped() {

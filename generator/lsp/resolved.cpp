@@ -36,9 +36,10 @@ void of_connections(const OutlineNode& graph, const Resolved& resolved, Bytes wi
   }
 }
 
-void of_nodes(const OutlineNode& graph, const Resolved& resolved, Bytes within,
-              std::vector<InlayHint>& hints) {
-  const OutlineNode* const all = graph.find("nodes");
+/// Objects and nodes without a rate of their own.
+void of_owners(const char* section, const OutlineNode& graph, const Resolved& resolved,
+               Bytes within, std::vector<InlayHint>& hints) {
+  const OutlineNode* const all = graph.find(section);
   if (all == nullptr) return;
   for (const OutlineEntry& node : all->entries) {
     const OutlineNode* const type = node.value.find("type");
@@ -66,7 +67,8 @@ std::string without_indices(std::string_view name) {
 std::vector<InlayHint> inlay_hints(const OutlineNode& graph, const Resolved& resolved,
                                    Bytes within) {
   std::vector<InlayHint> hints;
-  of_nodes(graph, resolved, within, hints);
+  of_owners("objects", graph, resolved, within, hints);
+  of_owners("nodes", graph, resolved, within, hints);
   of_connections(graph, resolved, within, hints);
   return hints;
 }
