@@ -23,6 +23,7 @@
 #include "generator/lsp/server.hpp"
 #include "generator/lsp/stream.hpp"
 #include "generator/outline/outline.hpp"
+#include "generator/read/memory.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -195,6 +196,7 @@ bool has_more() {
 
 int perform(const LibraryOptions& options) {
   constexpr std::size_t kBytesAtOnce = 65536;
+  const ReadMemory memory;  // of files that are read again at every change
   Workshop workshop(options);
   lsp::Server server(workshop);
   lsp::MessageReader messages;
