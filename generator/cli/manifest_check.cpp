@@ -25,18 +25,23 @@ void take(const Diagnostics& found, const SourceMap& sources, const fs::path& pa
           Diagnostics& into) {
   // What depends on values and rates that a graph gives is none of the manifest's problems.
   constexpr std::array kOfValues = {"E0306", "E0312", "E0322", "E0326", "E0327", "E0328"};
-  for (const Diagnostic& each : found.all()) {
+  const auto is_here = [&](const Span& span) {
+    return span.file != FileId::none && full_path(sources.name(span.file)) == path;
+  };
+  for (Diagnostic each : found.all()) {
+    // Of two that say the same the other one is told of.
+    if (each.code == "E0302" && !each.notes.empty() && is_here(each.notes.front().span))
+      each.span = each.notes.front().span;
     if (std::ranges::find(kOfValues, each.code) != kOfValues.end()) continue;
-    if (each.span.file == FileId::none || full_path(sources.name(each.span.file)) != path) continue;
-    Diagnostic copy = each;
-    copy.span.file = file;
-    std::erase_if(copy.notes, [&](const Diagnostic::Note& note) {
-      return note.span.file != FileId::none && full_path(sources.name(note.span.file)) != path;
+    if (!is_here(each.span)) continue;
+    each.span.file = file;
+    std::erase_if(each.notes, [&](const Diagnostic::Note& note) {
+      return note.span.file != FileId::none && !is_here(note.span);
     });
-    for (Diagnostic::Note& note : copy.notes) {
+    for (Diagnostic::Note& note : each.notes) {
       if (note.span.file != FileId::none) note.span.file = file;
     }
-    into.take(std::move(copy));
+    into.take(std::move(each));
   }
 }
 

@@ -48,7 +48,7 @@ class Reader {
   std::vector<Help> all() {
     if (help_.empty() || diagnostic_.span.line == 0) return {};
     if (diagnostic_.span.length > 0) in_place();
-    if (helps_.empty()) added();
+    if (helps_.empty() || diagnostic_.severity == Severity::warning) added();
     return std::move(helps_);
   }
 
@@ -82,11 +82,21 @@ class Reader {
     } else if (says("quotes make it a text: leave them out")) {
       const std::string word = here();
       if (word.size() > 2 && word.front() == word.back()) replace(word.substr(1, word.size() - 2));
+    } else if (const std::size_t meant = help_.find("write `rate: "); meant != std::string::npos) {
+      meant_rate(quoted_in(help_.substr(meant)));
     } else if (help_ == "leave the tag out") {
       Bytes place = place_;
       while (place.end < text_.size() && text_[place.end] == ' ') ++place.end;
       helps_.push_back({{"Leave the tag out", {{place, ""}}}, true});
     }
+  }
+  /// "numbers without a unit are in Hz: write `rate: 0.5 Hz` if that is meant": a number in its place.
+  void meant_rate(const std::vector<std::string>& words) {
+    constexpr std::string_view kKey = "rate: ";
+    const bool is_number = here().find_first_not_of("0123456789.eE+-") == std::string::npos;
+    if (words.empty() || !is_number || has_hole(words.front())) return;
+    replace(words.front().substr(kKey.size()));
+    helps_.back().is_certain = false;
   }
   /// A number with its unit; or key and value, where they were written without a blank.
   void written_instead(const std::string& word) {
@@ -110,6 +120,17 @@ class Reader {
     } else if (help_.starts_with("add `") && says(":`,")) {
       missing_key();
     }
+    if (diagnostic_.severity == Severity::warning) allowed();
+  }
+
+  /// "…; else `allow: [W0115]`"
+  void allowed() {
+    const std::string key = fmt::format("allow: [{}]", diagnostic_.code);
+    if (!says(key)) return;
+    const OutlineEntry* const all = entry_of(top_, "allow");
+    add(fmt::format("Allow {} in this graph", diagnostic_.code),
+        all != nullptr ? with_item(text_, *all, diagnostic_.code)
+                       : with_section(text_, "allow", fmt::format("[{}]", diagnostic_.code)));
   }
 
   /// "add `processor: A` or `processor: B` to the connection"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <unordered_set>
 
 namespace eagerx::gen {
 namespace format {
@@ -138,8 +139,7 @@ namespace {
 
 /// Names that <cfloat>, <climits>, <cmath>, <cstdint>, <cstdio> and <cstdlib> define as macros.
 bool is_macro(std::string_view text) {
-  static constexpr auto kMacros = std::to_array<std::string_view>(
-      {"BUFSIZ",      "DECIMAL_DIG", "EXIT_FAILURE",     "EXIT_SUCCESS", "FILENAME_MAX",
+  static const std::unordered_set<std::string_view> kMacros{"BUFSIZ",      "DECIMAL_DIG", "EXIT_FAILURE",     "EXIT_SUCCESS", "FILENAME_MAX",
        "FOPEN_MAX",   "HUGE_VAL",    "HUGE_VALF",        "HUGE_VALL",    "L_tmpnam",
        "MATH_ERRNO",  "MB_CUR_MAX",  "MATH_ERREXCEPT",   "MB_LEN_MAX",   "M_1_PI",
        "M_2_PI",      "M_2_SQRTPI",  "math_errhandling", "M_E",          "M_LN10",
@@ -148,8 +148,8 @@ bool is_macro(std::string_view text) {
        "SEEK_CUR",    "SEEK_END",    "SEEK_SET",         "TMP_MAX",      "PTRDIFF_MAX",
        "PTRDIFF_MIN", "SIZE_MAX",    "SIG_ATOMIC_MAX",   "SSIZE_MAX",    "SIG_ATOMIC_MIN",
        "WCHAR_MAX",   "WCHAR_MIN",   "WINT_MAX",         "WINT_MIN",     "CHAR_BIT",
-       "SCHAR_MAX",   "SCHAR_MIN",   "CHAR_MAX",         "CHAR_MIN"});
-  if (std::ranges::find(kMacros, text) != kMacros.end()) return true;
+       "SCHAR_MAX",   "SCHAR_MIN",   "CHAR_MAX",         "CHAR_MIN"};
+  if (kMacros.contains(text)) return true;
   const bool capitals = std::ranges::all_of(text, [](char c) {
     return c == '_' || std::isupper(static_cast<unsigned char>(c)) != 0 ||
            std::isdigit(static_cast<unsigned char>(c)) != 0;
@@ -173,8 +173,7 @@ bool is_macro(std::string_view text) {
 }  // namespace
 
 bool is_reserved_name(std::string_view text) {
-  static constexpr auto kReserved = std::to_array<std::string_view>(
-      {"alignas",      "alignof",     "and",          "asm",
+  static const std::unordered_set<std::string_view> kReserved{"alignas",      "alignof",     "and",          "asm",
        "auto",         "bool",        "break",        "case",
        "catch",        "char",        "class",        "concept",
        "const",        "continue",    "decltype",     "default",
@@ -202,8 +201,8 @@ bool is_reserved_name(std::string_view text) {
        "NAN",          "INFINITY",    "errno",        "assert",
        "Action",       "Observation", "States",       "Inputs",
        "Outputs",      "Config",      "for_each",     "stdin",
-       "stdout",       "stderr"});
-  return std::ranges::find(kReserved, text) != kReserved.end() || is_macro(text);
+       "stdout",       "stderr"};
+  return kReserved.contains(text) || is_macro(text);
 }
 
 bool is_identifier(std::string_view text) {
