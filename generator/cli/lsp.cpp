@@ -163,8 +163,8 @@ class Workshop final : public lsp::Analyst {
     std::vector<std::string> found;
     for (const std::string& folder : folders) {
       std::error_code error;
-      fs::recursive_directory_iterator walk(
-          whole(folder), fs::directory_options::skip_permission_denied, error);
+      fs::recursive_directory_iterator walk(whole(folder),
+                                            fs::directory_options::skip_permission_denied, error);
       for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
         if (walk->path().filename() == "manifest.yaml") found.push_back(walk->path().string());
       }

@@ -52,14 +52,14 @@ class Trial {
 
   [[nodiscard]] std::string node() {
     ports("inputs", "outputs");
-    return fmt::format(
-        "name: trial\nrate: 100\nnodes:\n  it: {{type: {}, rate: 100{}}}\n{}", entity_.id.value,
-        config(), environment());
+    return fmt::format("name: trial\nrate: 100\nnodes:\n  it: {{type: {}, rate: 100{}}}\n{}",
+                       entity_.id.value, config(), environment());
   }
   [[nodiscard]] std::string object(const std::string& engine) {
     ports("actuators", "sensors");
     return fmt::format(
-        "name: trial\nrate: 100\nengine: {{type: {}, rate: 100}}\nobjects:\n  it: {{type: {}{}}}\n{}",
+        "name: trial\nrate: 100\nengine: {{type: {}, rate: 100}}\nobjects:\n  it: {{type: "
+        "{}{}}}\n{}",
         engine, entity_.id.value, config(), environment());
   }
 

@@ -85,17 +85,16 @@ class ResolvedFacts {
     one.defaulted = from_manifest(node, input);
     one.about = about(source, node, input, one);
     const std::string name = lsp::without_indices(input.written);
-    facts_.ports.try_emplace(name, fmt::format("{}, {} Hz", space_text(input.space),
-                                               node.rate_hz.to_string()));
+    facts_.ports.try_emplace(
+        name, fmt::format("{}, {} Hz", space_text(input.space), node.rate_hz.to_string()));
     facts_.connections.try_emplace(name, std::move(one));
   }
   [[nodiscard]] std::string about(const GraphNode& source, const GraphNode& node,
-                                  const Input& input,
-                                  const lsp::Resolved::Connection& one) const {
-    std::string text = fmt::format("`{}` → `{}`: {} Hz → {} Hz, {}, {}",
-                                   name_of_source(graph_, input), input.written,
-                                   source.rate_hz.to_string(), node.rate_hz.to_string(),
-                                   one.per_tick, space_text(input.space));
+                                  const Input& input, const lsp::Resolved::Connection& one) const {
+    std::string text =
+        fmt::format("`{}` → `{}`: {} Hz → {} Hz, {}, {}", name_of_source(graph_, input),
+                    input.written, source.rate_hz.to_string(), node.rate_hz.to_string(),
+                    one.per_tick, space_text(input.space));
     text += input.window == 0 ? "\n\nwindow: all that is new"
                               : fmt::format("\n\nwindow: {}", input.window);
     text += fmt::format(", delay: {}", milliseconds(input.delay_s));
@@ -111,8 +110,7 @@ class ResolvedFacts {
         node.entity != nullptr && !input.actuator ? node.entity->input(input.name) : nullptr;
     if (port == nullptr) return {};
     std::string text;
-    if (port->settings.window && input.window != 1)
-      text = fmt::format("window {}", input.window);
+    if (port->settings.window && input.window != 1) text = fmt::format("window {}", input.window);
     if (port->settings.delay && input.delay_s != Rational())
       text += fmt::format("{}delay {}", text.empty() ? "" : ", ", milliseconds(input.delay_s));
     return text;
@@ -150,9 +148,9 @@ class ResolvedFacts {
     facts_.owners.try_emplace(name, std::move(text));
     if (rates.empty()) return;
     const auto [least, most] = std::ranges::minmax(rates);
-    facts_.rates.try_emplace(name, least == most ? fmt::format("{} Hz", least.to_string())
-                                                 : fmt::format("{} to {} Hz", least.to_string(),
-                                                               most.to_string()));
+    facts_.rates.try_emplace(
+        name, least == most ? fmt::format("{} Hz", least.to_string())
+                            : fmt::format("{} to {} Hz", least.to_string(), most.to_string()));
   }
 
   void add_ages() {

@@ -72,8 +72,7 @@ class Reader {
     const std::vector<std::string> words = quoted_in(help_);
     constexpr std::array kWritten = {"E0203", "E0204", "E0209", "E0322", "E0323"};
     if (const std::size_t found = help_.find("did you mean `"); found != std::string_view::npos) {
-      if (!quoted_in(help_.substr(found)).empty())
-        replace(quoted_in(help_.substr(found)).front());
+      if (!quoted_in(help_.substr(found)).empty()) replace(quoted_in(help_.substr(found)).front());
     } else if (help_.starts_with("write `") && !words.empty() && !has_hole(words.front()) &&
                std::ranges::find(kWritten, diagnostic_.code) != kWritten.end()) {
       written_instead(words.front());
@@ -90,7 +89,8 @@ class Reader {
       helps_.push_back({{"Leave the tag out", {{place, ""}}}, true});
     }
   }
-  /// "numbers without a unit are in Hz: write `rate: 0.5 Hz` if that is meant": a number in its place.
+  /// "numbers without a unit are in Hz: write `rate: 0.5 Hz` if that is meant": a number in its
+  /// place.
   void meant_rate(const std::vector<std::string>& words) {
     constexpr std::string_view kKey = "rate: ";
     const bool is_number = here().find_first_not_of("0123456789.eE+-") == std::string::npos;
@@ -232,7 +232,7 @@ class Reader {
     for (const OutlineEntry* const each : entries_around(top_, at)) {
       if (each->value.kind != OutlineNode::Kind::map) continue;
       const OutlineNode& map = each->value;
-      const std::size_t begin = map.flow             ? text_.find('{', each->key_place.end)
+      const std::size_t begin = map.flow              ? text_.find('{', each->key_place.end)
                                 : map.entries.empty() ? at + 1
                                                       : map.entries.front().key_place.begin;
       if (begin == at) return each;

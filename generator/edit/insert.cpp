@@ -11,7 +11,7 @@ namespace {
 std::string_view newline_of(std::string_view text) {
   const std::size_t newline = text.find('\n');
   return newline != std::string_view::npos && newline > 0 && text[newline - 1] == '\r' ? "\r\n"
-                                                                                      : "\n";
+                                                                                       : "\n";
 }
 
 /// The end of the line that has byte `at`, before whatever ends it.
@@ -75,8 +75,8 @@ std::vector<const OutlineEntry*> entries_around(const OutlineNode& top, std::siz
 
 std::size_t end_of(std::string_view text, const OutlineEntry& owner) {
   std::size_t end = std::min(owner.whole.end, text.size());
-  while (end > owner.whole.begin && std::string_view(" \t\r\n").find(text[end - 1]) !=
-                                        std::string_view::npos)
+  while (end > owner.whole.begin &&
+         std::string_view(" \t\r\n").find(text[end - 1]) != std::string_view::npos)
     --end;
   return end;
 }

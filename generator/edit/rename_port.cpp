@@ -13,8 +13,7 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::array kSections = {"sensors", "actuators", "inputs",
-                                  "outputs", "states",    "targets"};
+constexpr std::array kSections = {"sensors", "actuators", "inputs", "outputs", "states", "targets"};
 
 bool is_section(std::string_view key) {
   return std::ranges::find(kSections, key) != kSections.end();
@@ -39,8 +38,8 @@ std::vector<Bytes> words_in(std::string_view text, Bytes within, std::string_vie
 
 /// The place of a key or a word without its quotes.
 Bytes unquoted(std::string_view text, Bytes place) {
-  const bool is_quoted = place.end > place.begin + 1 &&
-                         (text[place.begin] == '"' || text[place.begin] == '\'');
+  const bool is_quoted =
+      place.end > place.begin + 1 && (text[place.begin] == '"' || text[place.begin] == '\'');
   return is_quoted ? Bytes{place.begin + 1, place.end - 1} : place;
 }
 
@@ -271,7 +270,7 @@ std::vector<Bytes> uses_of_port_in_manifest(std::string_view manifest, const std
 }
 
 std::vector<Bytes> uses_of_port_in_header(std::string_view header, const std::string& port) {
-  constexpr std::array kBefore = {"in.",      "out.",     "inputs.",   "outputs.", "states.",
+  constexpr std::array kBefore = {"in.",      "out.",      "inputs.",  "outputs.", "states.",
                                   "Inputs::", "Outputs::", "States::", "targets.", "Targets::"};
   std::vector<Bytes> found;
   for (const Bytes& word : words_in(header, {0, header.size()}, port)) {
@@ -285,8 +284,7 @@ std::vector<Bytes> uses_of_port_in_header(std::string_view header, const std::st
   return found;
 }
 
-std::string why_no_port(std::string_view manifest, const std::string& from,
-                        const std::string& to) {
+std::string why_no_port(std::string_view manifest, const std::string& from, const std::string& to) {
   if (to.empty() || std::isalpha(static_cast<unsigned char>(to[0])) == 0 ||
       !std::ranges::all_of(to, is_letter))
     return fmt::format("`{}` cannot be the name of a port", to);
@@ -302,7 +300,8 @@ std::string why_no_port(std::string_view manifest, const std::string& from,
   if (meanings == 0) return fmt::format("the manifest has no port `{}`", from);
   return meanings == 1
              ? std::string()
-             : fmt::format("the manifest has `{}` for more than one thing: rename it by hand", from);
+             : fmt::format("the manifest has `{}` for more than one thing: rename it by hand",
+                           from);
 }
 
 }  // namespace eagerx::gen

@@ -121,30 +121,34 @@ std::vector<UsedClass> used_classes(const Plan& plan) {
 void check_headers(const Plan& plan, const std::string& here, Diagnostics& diagnostics) {
   std::set<fs::path> missing;
   std::set<std::pair<std::string_view, std::string_view>> seen;  // a file is looked for once
-  for_each_class(plan, WholeProgram{*plan.graph}, [&](const std::string& root, const CppClass& cpp, const Span& place) {
-    if (cpp.include.empty() || root.empty() || !seen.emplace(root, cpp.include).second) return;
-    const fs::path header = fs::path(root) / cpp.include;
-    // As it is written; what both have in common is not.
-    const std::string text = here.empty() ? cpp.include : header.lexically_relative(here).string();
-    const bool writable = text.find_first_of("\"\n\r") == std::string::npos;
-    std::error_code ignored;
-    if ((writable && fs::is_regular_file(header, ignored)) || !missing.insert(header).second)
-      return;
-    if (!writable) {
-      diagnostics
-          .io_error("E0301", place,
-                    fmt::format("C++ cannot include `{}`: its path has a quotation mark or a line "
-                                "break",
-                                text))
-          .help = "rename the folder";
-      return;
-    }
-    diagnostics
-        .io_error("E0301", place,
-                  fmt::format("there is no header `{}`", header.filename().string()))
-        .help =
-        fmt::format("`header:` is a file beside the manifest, with the class `{}`", cpp.name);
-  });
+  for_each_class(
+      plan, WholeProgram{*plan.graph},
+      [&](const std::string& root, const CppClass& cpp, const Span& place) {
+        if (cpp.include.empty() || root.empty() || !seen.emplace(root, cpp.include).second) return;
+        const fs::path header = fs::path(root) / cpp.include;
+        // As it is written; what both have in common is not.
+        const std::string text =
+            here.empty() ? cpp.include : header.lexically_relative(here).string();
+        const bool writable = text.find_first_of("\"\n\r") == std::string::npos;
+        std::error_code ignored;
+        if ((writable && fs::is_regular_file(header, ignored)) || !missing.insert(header).second)
+          return;
+        if (!writable) {
+          diagnostics
+              .io_error(
+                  "E0301", place,
+                  fmt::format("C++ cannot include `{}`: its path has a quotation mark or a line "
+                              "break",
+                              text))
+              .help = "rename the folder";
+          return;
+        }
+        diagnostics
+            .io_error("E0301", place,
+                      fmt::format("there is no header `{}`", header.filename().string()))
+            .help =
+            fmt::format("`header:` is a file beside the manifest, with the class `{}`", cpp.name);
+      });
 }
 
 }  // namespace eagerx::gen

@@ -144,11 +144,10 @@ class Completer {
     const OutlineNode* const map = node_at(top_, owner);
     if (map == nullptr) return;
     const std::size_t indent = map->entries.empty() ? 0 : column_of(map->entries.front().key_place);
-    std::string insert =
-        type_snippet(library_, {top_, owner, map->flow, indent}, type.text);
+    std::string insert = type_snippet(library_, {top_, owner, map->flow, indent}, type.text);
     if (insert == type.text) return;
-    proposals_.push_back({type.text + " …", std::move(insert), type.about,
-                          Proposal::Kind::snippet, type.text});
+    proposals_.push_back(
+        {type.text + " …", std::move(insert), type.about, Proposal::Kind::snippet, type.text});
   }
   [[nodiscard]] std::size_t column_of(Bytes place) const {
     const std::size_t newline =
@@ -228,8 +227,8 @@ std::string resolved_about(const Resolved& resolved, const Cursor& cursor,
 }
 
 /// What the library says.
-std::string library_about(const LibraryFacts& library, const OutlineNode& top,
-                          const Cursor& cursor, const std::string& word) {
+std::string library_about(const LibraryFacts& library, const OutlineNode& top, const Cursor& cursor,
+                          const std::string& word) {
   if (cursor.is_key) {
     OutlinePath path = cursor.path;
     path.emplace_back(word);

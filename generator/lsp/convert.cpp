@@ -160,8 +160,7 @@ Json hints_json(const std::vector<InlayHint>& hints, std::string_view text) {
     Json one{{"position", json_of(lines.position(hint.at))},
              {"label", hint.text},
              {"paddingLeft", true}};
-    if (!hint.about.empty())
-      one["tooltip"] = Json{{"kind", "markdown"}, {"value", hint.about}};
+    if (!hint.about.empty()) one["tooltip"] = Json{{"kind", "markdown"}, {"value", hint.about}};
     result.push_back(std::move(one));
   }
   return result;

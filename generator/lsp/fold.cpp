@@ -31,8 +31,8 @@ class Folder {
   void below(const OutlineNode& node) {
     for (const OutlineEntry& entry : node.entries) {
       std::size_t end = std::min(entry.whole.end, text_.size());
-      while (end > entry.whole.begin && std::string_view(" \t\r\n").find(text_[end - 1]) !=
-                                            std::string_view::npos)
+      while (end > entry.whole.begin &&
+             std::string_view(" \t\r\n").find(text_[end - 1]) != std::string_view::npos)
         --end;
       if (end > entry.whole.begin) add(line_of(entry.whole.begin), line_of(end - 1), false);
       below(entry.value);

@@ -47,8 +47,8 @@ std::vector<Server::Change> Server::changes_of(const PortToRename& port, const s
   std::vector<Change> changes;
   const auto add = [&](const std::string& path, const std::vector<Bytes>& places,
                        std::string text) {
-    const bool is_known = std::ranges::any_of(
-        changes, [&](const Change& each) { return each.path == path; });
+    const bool is_known =
+        std::ranges::any_of(changes, [&](const Change& each) { return each.path == path; });
     if (places.empty() || is_known) return;
     const auto open = std::ranges::find_if(
         documents_, [&](const auto& each) { return each.second.path == path; });
@@ -79,8 +79,7 @@ std::string Server::why_not(const std::vector<Change>& changes) {
   std::vector<std::size_t> before;
   for (const auto& [uri, document] : documents_)
     before.push_back(analyst_.try_out(document.path, document.text).diagnostics.error_count());
-  for (const Change& each : changes)
-    analyst_.set_text(each.path, applied(each.text, each.splices));
+  for (const Change& each : changes) analyst_.set_text(each.path, applied(each.text, each.splices));
   std::string why;
   std::size_t i = 0;
   for (const auto& [uri, document] : documents_) {
@@ -92,8 +91,8 @@ std::string Server::why_not(const std::vector<Change>& changes) {
   for (const Change& each : changes) {
     const auto open = std::ranges::find_if(
         documents_, [&](const auto& one) { return one.second.path == each.path; });
-    analyst_.set_text(each.path, open != documents_.end() ? std::optional(open->second.text)
-                                                          : std::nullopt);
+    analyst_.set_text(each.path,
+                      open != documents_.end() ? std::optional(open->second.text) : std::nullopt);
   }
   return why;
 }

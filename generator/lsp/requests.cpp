@@ -67,8 +67,8 @@ Json Server::completion(const Document& document, Position position) {
 
 Json Server::hover_text(const Document& document, Position position) {
   const auto resolved = analyst_.resolved(document.path);
-  const Hover found = hover(library_of(document), document.text, byte_at(document.text, position),
-                            resolved.get());
+  const Hover found =
+      hover(library_of(document), document.text, byte_at(document.text, position), resolved.get());
   if (found.text.empty()) return nullptr;
   return Json{{"contents", Json{{"kind", "markdown"}, {"value", found.text}}},
               {"range", range_of(document.text, found.word)}};
@@ -99,8 +99,7 @@ Json Server::references(const Document& document, Position position) {
     if (const auto port = port_in_graph(document.text, at))
       uses = uses_of_port(document.text, port->type, port->port);
   }
-  for (const Bytes& use : uses)
-    result.push_back(location_json(document.uri, document.text, use));
+  for (const Bytes& use : uses) result.push_back(location_json(document.uri, document.text, use));
   return result;
 }
 
@@ -125,8 +124,7 @@ Server::Answer Server::renamed(const Document& document, Position position, cons
   }
   const auto edit = rename(document.text, name, to);
   if (!edit) return {{}, kInvalidParams, fmt::format("`{}` is taken, or cannot be a name", to)};
-  const std::string why =
-      why_not({{document.path, document.uri, document.text, edit->splices}});
+  const std::string why = why_not({{document.path, document.uri, document.text, edit->splices}});
   if (!why.empty()) return {{}, kInvalidParams, why};
   return {edit_json(*edit, document.uri, document.text)};
 }

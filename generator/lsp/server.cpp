@@ -107,9 +107,8 @@ Json Server::initialize(const Json& params) {
 }
 
 void Server::ask(const std::string& method, Json params) {
-  Json request{{"jsonrpc", "2.0"},
-               {"id", fmt::format("eagerx-gen/{}", ++asked_)},
-               {"method", method}};
+  Json request{
+      {"jsonrpc", "2.0"}, {"id", fmt::format("eagerx-gen/{}", ++asked_)}, {"method", method}};
   if (!params.is<std::monostate>()) request["params"] = std::move(params);
   answers_.push_back(dump_json(request));
 }
@@ -180,9 +179,8 @@ void Server::open(const Json& params) {
 
 void Server::mark_users_of(const Document& document) {
   for (auto& [uri, other] : documents_) {
-    const bool uses = is_manifest(document.path)
-                          ? !is_manifest(other.path)
-                          : other.text.find("extends:") != std::string::npos;
+    const bool uses = is_manifest(document.path) ? !is_manifest(other.path)
+                                                 : other.text.find("extends:") != std::string::npos;
     other.changed = other.changed || (uses && uri != document.uri);
   }
 }
@@ -256,10 +254,10 @@ void Server::publish(Document& document) {
       const std::string& other = document.sources.name(note.span.file);
       const std::string& text =
           other == document.path ? document.text : document.sources.text(note.span.file);
-      related.push_back(
-          Json{{"location", location_json(other == document.path ? document.uri : uri_of_path(other),
+      related.push_back(Json{
+          {"location", location_json(other == document.path ? document.uri : uri_of_path(other),
                                      text, bytes_of(text, note.span))},
-               {"message", note.message.empty() ? note.label : note.message}});
+          {"message", note.message.empty() ? note.label : note.message}});
     }
     one["relatedInformation"] = std::move(related);
     Json& list = lists.try_emplace(uri, Json::list()).first->second;

@@ -16,8 +16,8 @@ std::string name_from(const std::string& id) {
   std::string name;
   for (std::size_t i = 0; i < id.size(); ++i) {
     const auto c = static_cast<unsigned char>(id[i]);
-    const bool begins = std::isupper(c) != 0 && i > 0 &&
-                        std::islower(static_cast<unsigned char>(id[i - 1])) != 0;
+    const bool begins =
+        std::isupper(c) != 0 && i > 0 && std::islower(static_cast<unsigned char>(id[i - 1])) != 0;
     if (begins) name += '_';
     name += static_cast<char>(std::tolower(c));
   }

@@ -67,8 +67,8 @@ std::string_view key_alone(std::string_view line) {
     ++end;
   if (end >= line.size() || line[end] != ':') return {};
   const std::size_t next = line.find_first_not_of(' ', end + 1);
-  const bool is_alone = next == std::string_view::npos || line[next] == '\n' ||
-                        (line[next] == '#' && next > end + 1);
+  const bool is_alone =
+      next == std::string_view::npos || line[next] == '\n' || (line[next] == '#' && next > end + 1);
   return is_alone ? line.substr(0, end) : std::string_view();
 }
 
@@ -178,10 +178,9 @@ class Assembly {
     constexpr std::size_t kLarge = 20;  // lines
     if (section.end - section.begin < kLarge || key_alone(lines_[section.begin].text).empty())
       return {};
-    const auto first = std::find_if(
-        lines_.begin() + static_cast<std::ptrdiff_t>(section.begin) + 1,
-        lines_.begin() + static_cast<std::ptrdiff_t>(section.end),
-        [](const Line& line) { return line.says_something; });
+    const auto first = std::find_if(lines_.begin() + static_cast<std::ptrdiff_t>(section.begin) + 1,
+                                    lines_.begin() + static_cast<std::ptrdiff_t>(section.end),
+                                    [](const Line& line) { return line.says_something; });
     if (first == lines_.begin() + static_cast<std::ptrdiff_t>(section.end)) return {};
     for (std::size_t i = section.begin + 1; i < section.end; ++i) {
       const Line& line = lines_[i];

@@ -62,7 +62,10 @@ class Nobody final : public lsp::Analyst {
       {{"b", {"goal"}}}};
   const std::string kManifest = "id: b\ninputs:\n  in: {space: {like: in}}\n";
   const std::shared_ptr<const lsp::Resolved> resolved_ = std::make_shared<const lsp::Resolved>(
-      lsp::Resolved{{{"x.in", {"1 a tick", "1 ms", "", "about"}}}, {{"x.in", "p"}}, {{"x", "o"}}, {{"x", "1 Hz"}}});
+      lsp::Resolved{{{"x.in", {"1 a tick", "1 ms", "", "about"}}},
+                    {{"x.in", "p"}},
+                    {{"x", "o"}},
+                    {{"x", "1 Hz"}}});
   std::map<std::string, std::string> texts_;
 };
 
@@ -74,9 +77,11 @@ void edits(const std::string& text, std::size_t at) {
                   static_cast<std::uint32_t>(at % 11), static_cast<std::uint32_t>(at % 5)};
   problem.message = "`x.in` is wrong";
   for (const char* const help :
-       {"did you mean `a`?", "write `1`", "put it in quotes", "leave the tag out", "quotes make it a text: leave them out",
-        "add `processor: A` or `processor: B` to the connection", "add a connection `{from: …, to: x.in}`",
-        "add `config: {n: …}`: x", "add it to `inputs:` of `x`", "add `skip: true` to one", "add `rate:`, its rate",
+       {"did you mean `a`?", "write `1`", "put it in quotes", "leave the tag out",
+        "quotes make it a text: leave them out",
+        "add `processor: A` or `processor: B` to the connection",
+        "add a connection `{from: …, to: x.in}`", "add `config: {n: …}`: x",
+        "add it to `inputs:` of `x`", "add `skip: true` to one", "add `rate:`, its rate",
         "else `allow: [E0203]`", "add `x` to that list", "write `", "add `", "did you mean `"}) {
     problem.help = help;
     for (const Help& each : helps_of(problem, text)) {

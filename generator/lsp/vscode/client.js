@@ -1,6 +1,7 @@
-// A client of the Language Server Protocol over the standard input and output of a process. It knows nothing of VS Code.
+// A client of the Language Server Protocol over the standard input and output of a process. It knows nothing of VS
+// Code.
 "use strict";
-const { spawn } = require("node:child_process");
+const {spawn} = require("node:child_process");
 
 const HEADER_END = "\r\n\r\n";
 
@@ -8,14 +9,16 @@ class Client {
   /** `on`: {diagnostics(params), request(method, params), ended(code)}, all optional. */
   constructor(command, options, on = {}) {
     this.on = on;
-    this.waiting = new Map(); // by id: {resolve, reject}
+    this.waiting = new Map();  // by id: {resolve, reject}
     this.lastId = 0;
     this.bytes = Buffer.alloc(0);
-    this.process = spawn(command, options, { stdio: ["pipe", "pipe", "pipe"] });
+    this.process = spawn(command, options, {stdio: ["pipe", "pipe", "pipe"]});
     this.said = "";
-    this.process.stderr.on("data", (text) => { this.said = (this.said + text).slice(-2000); });
+    this.process.stderr.on("data", (text) => {
+      this.said = (this.said + text).slice(-2000);
+    });
     this.process.stdout.on("data", (bytes) => this.take(bytes));
-    this.process.stdin.on("error", () => {}); // the end of the process is told of by `exit`
+    this.process.stdin.on("error", () => {});  // the end of the process is told of by `exit`
     this.process.on("error", (error) => this.end(error.message));
     this.process.on("exit", (code) => this.end(`it ended with ${code}${this.said ? `: ${this.said}` : ""}`));
   }
@@ -23,7 +26,7 @@ class Client {
   end(why) {
     if (this.ended) return;
     this.ended = true;
-    for (const { reject } of this.waiting.values()) reject(new Error(why));
+    for (const {reject} of this.waiting.values()) reject(new Error(why));
     this.waiting.clear();
     if (this.on.ended) this.on.ended(why);
   }
@@ -52,11 +55,13 @@ class Client {
       const waiting = this.waiting.get(message.id);
       if (!waiting) return;
       this.waiting.delete(message.id);
-      if (message.error) waiting.reject(new Error(message.error.message));
-      else waiting.resolve(message.result);
+      if (message.error)
+        waiting.reject(new Error(message.error.message));
+      else
+        waiting.resolve(message.result);
     } else if (message.id !== undefined) {
       if (this.on.request) this.on.request(message.method, message.params);
-      this.send({ id: message.id, result: null });
+      this.send({id: message.id, result: null});
     } else if (message.method === "textDocument/publishDiagnostics" && this.on.diagnostics) {
       this.on.diagnostics(message.params);
     }
@@ -64,21 +69,21 @@ class Client {
 
   send(message) {
     if (this.ended) return;
-    const content = Buffer.from(JSON.stringify({ jsonrpc: "2.0", ...message }));
+    const content = Buffer.from(JSON.stringify({jsonrpc: "2.0", ...message}));
     this.process.stdin.write(`Content-Length: ${content.length}\r\n\r\n`);
     this.process.stdin.write(content);
   }
 
   tell(method, params) {
-    this.send({ method, params });
+    this.send({method, params});
   }
 
   ask(method, params) {
     if (this.ended) return Promise.reject(new Error("the language server has ended"));
     const id = ++this.lastId;
     return new Promise((resolve, reject) => {
-      this.waiting.set(id, { resolve, reject });
-      this.send({ id, method, params });
+      this.waiting.set(id, {resolve, reject});
+      this.send({id, method, params});
     });
   }
 
@@ -95,4 +100,4 @@ class Client {
   }
 }
 
-module.exports = { Client };
+module.exports = {Client};

@@ -4,8 +4,8 @@ const vscode = require("vscode");
 
 const position = (at) => new vscode.Position(at.line, at.character);
 const range = (of) => new vscode.Range(position(of.start), position(of.end));
-const plain = (at) => ({ line: at.line, character: at.character });
-const plainRange = (of) => ({ start: plain(of.start), end: plain(of.end) });
+const plain = (at) => ({line: at.line, character: at.character});
+const plainRange = (of) => ({start: plain(of.start), end: plain(of.end)});
 const location = (one) => new vscode.Location(vscode.Uri.parse(one.uri), range(one.range));
 const markdown = (text) => new vscode.MarkdownString(text);
 
@@ -14,17 +14,19 @@ function diagnostic(one) {
   const result = new vscode.Diagnostic(range(one.range), one.message, (one.severity ?? 1) - 1);
   result.code = one.code;
   result.source = one.source;
-  result.relatedInformation = (one.relatedInformation ?? []).map(
-    (each) => new vscode.DiagnosticRelatedInformation(location(each.location), each.message));
+  result.relatedInformation =
+      (one.relatedInformation ??
+       []).map((each) => new vscode.DiagnosticRelatedInformation(location(each.location), each.message));
   return result;
 }
 
 function completionItem(one) {
-  const result = new vscode.CompletionItem(one.label, one.kind - 1); // here, too
+  const result = new vscode.CompletionItem(one.label, one.kind - 1);  // here, too
   result.documentation = markdown(one.documentation ?? "");
   result.sortText = one.sortText;
   result.filterText = one.filterText;
-  result.insertText = one.insertTextFormat === 2 ? new vscode.SnippetString(one.textEdit.newText) : one.textEdit.newText;
+  result.insertText =
+      one.insertTextFormat === 2 ? new vscode.SnippetString(one.textEdit.newText) : one.textEdit.newText;
   result.range = range(one.textEdit.range);
   return result;
 }
@@ -46,14 +48,16 @@ function codeAction(one) {
 }
 
 function symbol(one) {
-  const result = new vscode.DocumentSymbol(one.name, one.detail ?? "", one.kind - 1, range(one.range), range(one.selectionRange));
+  const result =
+      new vscode.DocumentSymbol(one.name, one.detail ?? "", one.kind - 1, range(one.range), range(one.selectionRange));
   result.children = (one.children ?? []).map(symbol);
   return result;
 }
 
 function fold(one) {
   const isComment = one.kind === "comment";
-  return new vscode.FoldingRange(one.startLine, one.endLine, isComment ? vscode.FoldingRangeKind.Comment : vscode.FoldingRangeKind.Region);
+  return new vscode.FoldingRange(
+      one.startLine, one.endLine, isComment ? vscode.FoldingRangeKind.Comment : vscode.FoldingRangeKind.Region);
 }
 
 function hint(one) {
@@ -64,5 +68,17 @@ function hint(one) {
 }
 
 module.exports = {
-  position, range, plain, plainRange, location, markdown, diagnostic, completionItem, workspaceEdit, codeAction, symbol, fold, hint,
+  position,
+  range,
+  plain,
+  plainRange,
+  location,
+  markdown,
+  diagnostic,
+  completionItem,
+  workspaceEdit,
+  codeAction,
+  symbol,
+  fold,
+  hint,
 };

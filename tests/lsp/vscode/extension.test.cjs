@@ -170,7 +170,8 @@ test("what is registered is what the manifest declares", () => {
   const manifest = JSON.parse(fs.readFileSync(path.join(source, "package.json"), "utf8"));
   assert.deepStrictEqual(manifest.contributes.commands.map((each) => each.command).sort(), Object.keys(mock.registered.commands).sort());
   assert.strictEqual(manifest.dependencies, undefined);
-  const version = /project\([^)]*VERSION ([\d.]+)/.exec(fs.readFileSync(path.join(root, "CMakeLists.txt"), "utf8"))[1];
+  const version = [...fs.readFileSync(path.join(root, "runtime/eagerx/version.hpp"), "utf8").matchAll(/kVersion\w* = (\d+);/g)]
+    .map((each) => each[1]).join(".");
   assert.strictEqual(manifest.version, version);
   for (const each of [...manifest.files, manifest.main]) assert.ok(fs.existsSync(path.join(source, each)), each);
 });

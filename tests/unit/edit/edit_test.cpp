@@ -109,7 +109,8 @@ std::string helped(const std::string& text, const std::string& word, const std::
   problem.code = code;
   problem.message = message;
   problem.help = help;
-  const auto line = static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  const auto line = static_cast<std::uint32_t>(
+      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
   const std::size_t begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
   problem.span = {static_cast<FileId>(0), line + 1, static_cast<std::uint32_t>(at - begin + 1),
                   static_cast<std::uint32_t>(word.size())};
@@ -123,32 +124,43 @@ TEST(Helps, AreWrittenAsTheLinesAround) {
   EXPECT_EQ(helped("rate: 30hz\n", "30hz", "write `30 Hz`", "E0999"), "");
   EXPECT_EQ(helped("a: '1'\n", "'1'", "quotes make it a text: leave them out"), "a: 1\n");
   EXPECT_EQ(helped("a: !x 1\n", "!x", "leave the tag out", "E0108"), "a: 1\n");
-  const std::string block = "connections:\n  - from: a.b # c\n    to: c.d # e\r\n  - {from: x.y, to: z.w}\n";
+  const std::string block =
+      "connections:\n  - from: a.b # c\n    to: c.d # e\r\n  - {from: x.y, to: z.w}\n";
   EXPECT_EQ(helped(block, "c.d", "add `processor: P` to the connection", "E0306"),
-            "connections:\n  - from: a.b # c\n    to: c.d # e\n    processor: P\r\n  - {from: x.y, to: z.w}\n");
+            "connections:\n  - from: a.b # c\n    to: c.d # e\n    processor: P\r\n  - {from: x.y, "
+            "to: z.w}\n");
   EXPECT_EQ(helped(block, "z.w", "add `processor: P` or `processor: Q` to the connection", "E0306"),
-            "connections:\n  - from: a.b # c\n    to: c.d # e\r\n  - {from: x.y, to: z.w, processor: P}\n");
+            "connections:\n  - from: a.b # c\n    to: c.d # e\r\n  - {from: x.y, to: z.w, "
+            "processor: P}\n");
   EXPECT_EQ(helped("nodes:\n  a: {}\n", "a:", "add a connection `{from: …, to: a.b}`", "E0310"),
             "nodes:\n  a: {}\nconnections:\n  - {from: , to: a.b}\n");
-  EXPECT_EQ(helped("connections: [{from: x.y, to: z.w}]", "x.y", "add a connection `{from: …, to: a.b}`", "E0310"),
+  EXPECT_EQ(helped("connections: [{from: x.y, to: z.w}]", "x.y",
+                   "add a connection `{from: …, to: a.b}`", "E0310"),
             "connections: [{from: x.y, to: z.w}, {from: , to: a.b}]");
-  EXPECT_EQ(helped("rate: 5\nnodes:\n  a: {type: B}\n", "{", "add `rate:`, its rate in Hz", "E0202"),
-            "rate: 5\nnodes:\n  a: {type: B, rate: 5}\n");
+  EXPECT_EQ(
+      helped("rate: 5\nnodes:\n  a: {type: B}\n", "{", "add `rate:`, its rate in Hz", "E0202"),
+      "rate: 5\nnodes:\n  a: {type: B, rate: 5}\n");
   EXPECT_EQ(helped("nodes:\n  a:\n    type: B\n", "type", "add `rate:`, its rate in Hz", "E0202"),
             "nodes:\n  a:\n    type: B\n    rate: \n");
   EXPECT_EQ(helped("nodes:\n  a: {type: B}\n", "a:", "add `config: {n: …}`: samples", "E0321"),
             "nodes:\n  a: {type: B, config: {n: }}\n");
-  EXPECT_EQ(helped("nodes:\n  a: {type: B, config: {}}\n", "a:", "add `config: {n: …}`: samples", "E0321"),
+  EXPECT_EQ(helped("nodes:\n  a: {type: B, config: {}}\n", "a:", "add `config: {n: …}`: samples",
+                   "E0321"),
             "nodes:\n  a: {type: B, config: {n: }}\n");
-  EXPECT_EQ(helped("objects:\n  p: {type: P, sensors: [x]}\nconnections:\n  - {from: p.y, to: q.z}\n", "p.y",
-                   "add it to `sensors:` of `p`, or leave that key out", "E0307"),
-            "objects:\n  p: {type: P, sensors: [x, y]}\nconnections:\n  - {from: p.y, to: q.z}\n");
-  EXPECT_EQ(helped("rate: 400000\n", "400000", "numbers without a unit are in Hz: write `rate: 400 Hz` if that is meant; else `allow: [W0115]`", "W0115"),
+  EXPECT_EQ(
+      helped("objects:\n  p: {type: P, sensors: [x]}\nconnections:\n  - {from: p.y, to: q.z}\n",
+             "p.y", "add it to `sensors:` of `p`, or leave that key out", "E0307"),
+      "objects:\n  p: {type: P, sensors: [x, y]}\nconnections:\n  - {from: p.y, to: q.z}\n");
+  EXPECT_EQ(helped("rate: 400000\n", "400000",
+                   "numbers without a unit are in Hz: write `rate: 400 Hz` if that is meant; else "
+                   "`allow: [W0115]`",
+                   "W0115"),
             "rate: 400 Hz\n");
 }
 
 TEST(Helps, SayNothingWhereThereIsNothingToWrite) {
-  for (const char* const help : {"", "add `", "write `", "choose another name", "add `…` to the connection"})
+  for (const char* const help :
+       {"", "add `", "write `", "choose another name", "add `…` to the connection"})
     EXPECT_EQ(helped("a: b\n", "b", help), "") << help;
 }
 
@@ -172,7 +184,8 @@ TEST(RenamePort, FindsItInItsManifest) {
   std::vector<std::size_t> lines;
   for (const Bytes& use : uses_of_port_in_manifest(kManifest, "Arm", "q")) {
     EXPECT_EQ(part(kManifest, use), "q");
-    lines.push_back(static_cast<std::size_t>(std::count(kManifest, kManifest + use.begin, '\n')) + 1);
+    lines.push_back(static_cast<std::size_t>(std::count(kManifest, kManifest + use.begin, '\n')) +
+                    1);
   }
   EXPECT_EQ(lines, (std::vector<std::size_t>{4, 6, 10, 13}));  // not the engine node `q`
   EXPECT_EQ(uses_of_port_in_manifest(kManifest, "Arm", "u").size(), 4U);

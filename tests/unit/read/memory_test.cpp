@@ -65,7 +65,8 @@ void compare(const std::string& text, const std::string& name) {
 std::vector<fs::path> files() {
   std::vector<fs::path> found;
   for (const char* const folder : {"examples", "models", "tests/diagnostics/cases"}) {
-    for (const auto& each : fs::recursive_directory_iterator(fs::path(EAGERX_SOURCE_DIR) / folder)) {
+    for (const auto& each :
+         fs::recursive_directory_iterator(fs::path(EAGERX_SOURCE_DIR) / folder)) {
       if (each.path().extension() == ".yaml" && each.is_regular_file())
         found.push_back(each.path());
     }
@@ -90,15 +91,34 @@ TEST(ReadMemory, ReadsEveryFileAsWithoutIt) {
 TEST(ReadMemory, ReadsOddTextsAsWithoutIt) {
   std::string many = "nodes: # all\n";
   for (int i = 0; i < 30; ++i) many += "  n" + std::to_string(i) + ": {a: [1, 2]} # c\n";
-  for (const std::string& text :
-       {std::string(), std::string("a"), std::string("a: 1\na: 2\n"), std::string("a: \"x\nb: y\"\nc: 1\n"),
-        std::string("a: {b: c,\nd: e}\n"), std::string("---\na: 1\n"), std::string("a: 1\n---\nb: 2\n"),
-        std::string("a: 1\n...\n"), std::string("a: &x 1\nb: *x\n"), std::string("a: |\n  b\n  c\nd: e\n"),
-        std::string("- a\n- b\n"), std::string("a:\n- b\n- c\nd: 1\n"), std::string("# only\n"),
-        std::string("a: b\n c\nd: e\n"), std::string("a:\n\nb:\n"), std::string(" a: 1\nb: 2\n"), many,
-        many + "  n3: 1\n", many + "    deeper: 1\n", many + " less: 1\n", many + "  - item\n",
-        many + "  word\n", many + "  \"quoted\": 1\n", many + "  n99:\n", many + "  n98: \"open\nb: c\n",
-        many + "b:\n- 1\n", many + "nodes: 2\n", many + "  n97: |\n    text\n   # more\nz: 1\n"})
+  for (const std::string& text : {std::string(),
+                                  std::string("a"),
+                                  std::string("a: 1\na: 2\n"),
+                                  std::string("a: \"x\nb: y\"\nc: 1\n"),
+                                  std::string("a: {b: c,\nd: e}\n"),
+                                  std::string("---\na: 1\n"),
+                                  std::string("a: 1\n---\nb: 2\n"),
+                                  std::string("a: 1\n...\n"),
+                                  std::string("a: &x 1\nb: *x\n"),
+                                  std::string("a: |\n  b\n  c\nd: e\n"),
+                                  std::string("- a\n- b\n"),
+                                  std::string("a:\n- b\n- c\nd: 1\n"),
+                                  std::string("# only\n"),
+                                  std::string("a: b\n c\nd: e\n"),
+                                  std::string("a:\n\nb:\n"),
+                                  std::string(" a: 1\nb: 2\n"),
+                                  many,
+                                  many + "  n3: 1\n",
+                                  many + "    deeper: 1\n",
+                                  many + " less: 1\n",
+                                  many + "  - item\n",
+                                  many + "  word\n",
+                                  many + "  \"quoted\": 1\n",
+                                  many + "  n99:\n",
+                                  many + "  n98: \"open\nb: c\n",
+                                  many + "b:\n- 1\n",
+                                  many + "nodes: 2\n",
+                                  many + "  n97: |\n    text\n   # more\nz: 1\n"})
     compare(text, text.substr(text.size() > 40 ? text.size() - 40 : 0));
 }
 
@@ -111,8 +131,10 @@ TEST(ReadMemory, ReadsWhatSomebodyTypesAsWithoutIt) {
   for (int i = 0; i < 400; ++i) {
     const std::size_t at = draws() % text.size();
     std::string changed = text;
-    if (i % 3 == 0) changed.erase(at, 1 + draws() % 4);
-    else changed.insert(at, 1, letters[draws() % letters.size()]);
+    if (i % 3 == 0)
+      changed.erase(at, 1 + draws() % 4);
+    else
+      changed.insert(at, 1, letters[draws() % letters.size()]);
     texts.push_back(changed);
     plain.push_back(read(changed));
     if (plain.back().told.empty()) text = changed;
