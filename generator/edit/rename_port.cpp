@@ -142,8 +142,10 @@ class Finder {
 
 void sort_once(std::vector<Bytes>& places) {
   std::ranges::sort(places, std::less{}, &Bytes::begin);
-  const auto [first, last] = std::ranges::unique(places, std::equal_to{}, &Bytes::begin);
-  places.erase(first, last);
+  // Clang 14 does not know std::ranges::unique of libstdc++ 12.
+  places.erase(std::unique(places.begin(), places.end(),
+                           [](const Bytes& a, const Bytes& b) { return a.begin == b.begin; }),
+               places.end());
 }
 
 /// Where a manifest names port `port` of its own entity.
