@@ -56,8 +56,8 @@ export function columnPlaces(model) {
   return places;
 }
 
-const overlaps = (a, b) => a.x < b.x + b.width + 10 && b.x < a.x + a.width + 10 && a.y < b.y + b.height + 10 &&
-    b.y < a.y + a.height + 10;
+const overlaps = (a, b) =>
+    a.x < b.x + b.width + 10 && b.x < a.x + a.width + 10 && a.y < b.y + b.height + 10 && b.y < a.y + a.height + 10;
 
 /** `wanted` moved down until it lies over none of `others` ({x, y, width, height}). */
 export function freePlace(wanted, others) {
@@ -80,9 +80,12 @@ export function placedBoxes(model, chosen) {
   const placed = new Map();
   const put = (box, [x, y]) => placed.set(box, {...sizeOf(box), x, y});
   for (const box of model.boxes.filter(isPlaced)) put(box, chosen[box.name]);
+  // What the agent sees is last in the list and right of everything.
   for (const box of model.boxes.filter((one) => !isPlaced(one))) {
-    const [x, y] = fallback[box.name];
-    const free = freePlace({...sizeOf(box), x, y}, [...placed.values()]);
+    const [x, y] = fallback[box.name], others = [...placed.values()];
+    const right =
+        box.section === "observations" ? Math.max(...others.map((other) => other.x + other.width)) + kColumnGap : x;
+    const free = freePlace({...sizeOf(box), x: Math.max(x, right), y}, others);
     put(box, [free.x, free.y]);
   }
   return model.boxes.map((box) => placed.get(box));

@@ -15,12 +15,9 @@ export function fitOf(output, input) {
 /** Ports of `side` that `port` can be connected to: {box, number, port, fit}, those that fit and are free first. */
 export function partnersOf(model, port, side) {
   const found = model.boxes.flatMap(
-      (box, b) => box[side].map((other, number) => ({
-                                  box: b,
-                                  number,
-                                  port: other,
-                                  fit: side === "inputs" ? fitOf(port, other) : fitOf(other, port)
-                                })));
+      (box, b) => box[side].map(
+          (other, number) =>
+              ({box: b, number, port: other, fit: side === "inputs" ? fitOf(port, other) : fitOf(other, port)})));
   const rank = ({fit, port: other}) => fit * 2 - (side === "inputs" && other.taken ? 3 : 0);
   return found.filter(({port: other}) => other.address !== port.address).sort((a, b) => rank(b) - rank(a));
 }

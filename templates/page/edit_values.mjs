@@ -37,7 +37,7 @@ export function freeName(name, taken) {
 }
 
 /** The numbers of "1, 2" or "[1, 2]"; null if it is no list of numbers. */
-export function numbersOf(text) {
+export function numberList(text) {
   const inner = /^\[(.*)\]$/s.exec(text.trim())?.[1] ?? text;
   const words = inner.split(/[,\s]+/).filter(Boolean);
   const numbers = words.map(Number);
@@ -59,14 +59,15 @@ export function faultOf(parameter, text) {
   if (isOne || parameter.type === "ints" || parameter.type === "floats") {
     if (/[A-Za-zµμ]$/.test(trimmed) && parameter.unit) return "";  // with a unit of its own
     if (isOne && /^[-+]?\d+\/\d+$/.test(trimmed)) return "";
-    const numbers = numbersOf(trimmed);
+    const numbers = numberList(trimmed);
     if (!numbers || (isOne && (numbers.length !== 1 || trimmed.startsWith("["))))
       return isOne ? "a number" : "numbers: [1, 2]";
     if (parameter.type.startsWith("int") && !numbers.every(Number.isInteger)) return "whole numbers only";
     return numbers.map((number) => outOfBounds(parameter, number)).find(Boolean) ?? "";
   }
   if (parameter.type === "bool" && !/^(true|false)$/.test(trimmed)) return "true or false";
-  if (parameter.type === "choice" && !parameter.options.includes(trimmed)) return `one of ${parameter.options.join(", ")}`;
+  if (parameter.type === "choice" && !parameter.options.includes(trimmed))
+    return `one of ${parameter.options.join(", ")}`;
   return "";
 }
 
@@ -74,8 +75,7 @@ export function faultOf(parameter, text) {
 export function parameterText(parameter, text) {
   const trimmed = text.trim();
   if (/^[{$[]/.test(trimmed) && parameter.type !== "string") return trimmed;
-  if (parameter.type === "floats" || parameter.type === "ints")
-    return trimmed.includes(",") ? `[${trimmed}]` : trimmed;
+  if (parameter.type === "floats" || parameter.type === "ints") return trimmed.includes(",") ? `[${trimmed}]` : trimmed;
   if (parameter.type === "string" || parameter.type === "choice") return yamlText(trimmed);
   return trimmed;
 }
@@ -84,8 +84,8 @@ export function parameterText(parameter, text) {
 export function limitsOf(parameter) {
   const {type, unit, low, high} = parameter;
   const range = low !== undefined && high !== undefined ? `${low} … ${high}` :
-      low !== undefined                                 ? `at least ${low}` :
-      high !== undefined                                ? `at most ${high}` :
-                                                          "";
+      low !== undefined ? `at least ${low}` :
+      high !== undefined ? `at most ${high}` :
+                           "";
   return [type === "choice" ? "" : type, [range, unit].filter(Boolean).join(" ")].filter(Boolean).join(", ");
 }

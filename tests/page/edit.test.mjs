@@ -63,10 +63,9 @@ const boxCalled = (model, name) => model.boxes.find((box) => box.name === name);
 
 test("texts become scalars of YAML that are texts again", () => {
   for (const [text, written] of [
-         ["lowpass", "lowpass"], ["swing_up.onnx", "swing_up.onnx"], ["a/b.csv", "a/b.csv"], ["true", "\"true\""],
-         ["12", "\"12\""], ["1e3", "\"1e3\""], ["a: b", "\"a: b\""], ["a, b", "\"a, b\""], ["# no", "\"# no\""],
-         ["", "\"\""], ["say \"x\"", "\"say \\\"x\\\"\""], ["two words", "two words"], ["- x", "\"- x\""]
-       ])
+           ["lowpass", "lowpass"], ["swing_up.onnx", "swing_up.onnx"], ["a/b.csv", "a/b.csv"], ["true", "\"true\""],
+           ["12", "\"12\""], ["1e3", "\"1e3\""], ["a: b", "\"a: b\""], ["a, b", "\"a, b\""], ["# no", "\"# no\""],
+           ["", "\"\""], ["say \"x\"", "\"say \\\"x\\\"\""], ["two words", "two words"], ["- x", "\"- x\""]])
     assert.equal(yamlText(text), written, text);
 });
 
@@ -88,13 +87,12 @@ test("names come from types and are free", () => {
 test("a value is compared with its manifest", () => {
   const order = {type: "int", low: 1, high: 8}, corner = {type: "floats", unit: "Hz", low: 1e-6, required: true};
   for (const [parameter, text, fault] of [
-         [order, "2", ""], [order, "9", "at most 8"], [order, "0", "at least 1"], [order, "2.5", "whole numbers only"],
-         [order, "two", "a number"], [order, "", ""], [order, "{each: [1, 2]}", ""], [order, "$(index)", ""],
-         [corner, "", "required"], [corner, "12", ""], [corner, "1, 12", ""], [corner, "[1, 12]", ""],
-         [corner, "0.5 kHz", ""], [corner, "-1", "at least 0.000001"], [{type: "float"}, "1/3", ""],
-         [{type: "bool"}, "yes", "true or false"], [{type: "choice", options: ["a", "b"]}, "c", "one of a, b"],
-         [{type: "string"}, "anything: at all", ""]
-       ])
+           [order, "2", ""], [order, "9", "at most 8"], [order, "0", "at least 1"],
+           [order, "2.5", "whole numbers only"], [order, "two", "a number"], [order, "", ""],
+           [order, "{each: [1, 2]}", ""], [order, "$(index)", ""], [corner, "", "required"], [corner, "12", ""],
+           [corner, "1, 12", ""], [corner, "[1, 12]", ""], [corner, "0.5 kHz", ""], [corner, "-1", "at least 0.000001"],
+           [{type: "float"}, "1/3", ""], [{type: "bool"}, "yes", "true or false"],
+           [{type: "choice", options: ["a", "b"]}, "c", "one of a, b"], [{type: "string"}, "anything: at all", ""]])
     assert.equal(faultOf(parameter, text), fault, `${parameter.type} ${text}`);
   assert.equal(parameterText(corner, "1, 12"), "[1, 12]");
   assert.equal(parameterText({type: "string"}, "true"), "\"true\"");
@@ -130,15 +128,16 @@ test("boxes have the ports of the library, and those that connections name", () 
 
 test("of a reset node, goals and feedthroughs are ports", () => {
   const model = modelOf({nodes: {bring: {type: "Bring"}}}, kLibrary);
-  assert.deepEqual(boxCalled(model, "bring").inputs.map(({address}) => address), [
-    "bring.angle", "bring.targets.goal", "bring.feedthroughs.u"
-  ]);
+  assert.deepEqual(
+      boxCalled(model, "bring").inputs.map(({address}) => address),
+      ["bring.angle", "bring.targets.goal", "bring.feedthroughs.u"]);
 });
 
 test("any file makes a model: empty, half written, of another form", () => {
-  for (const tree of [null, undefined, "x", [], {}, {nodes: null}, {nodes: []}, {nodes: {a: null, b: "x", c: ["y"]}},
-                      {connections: {from: "a.b"}}, {connections: ["a", null, {from: null}]}, {actions: "x"},
-                      {objects: {a: {type: {b: "c"}}}}]) {
+  for (const tree
+           of [null, undefined, "x", [], {}, {nodes: null}, {nodes: []}, {nodes: {a: null, b: "x", c: ["y"]}},
+               {connections: {from: "a.b"}}, {connections: ["a", null, {from: null}]}, {actions: "x"},
+               {objects: {a: {type: {b: "c"}}}}]) {
     const model = modelOf(tree, kLibrary);
     assert.ok(model.boxes.length >= 2, JSON.stringify(tree));
     assert.equal(placedBoxes(model, {}).length, model.boxes.length);
@@ -222,7 +221,8 @@ test("the pointer finds ports, boxes and nothing, and wires end at rows", () => 
   assert.deepEqual(hitAt(model, places, place.x + 60, place.y + 10), {box: b});
   assert.equal(hitAt(model, places, -5000, 0), null);
   const [ix, iy] = portPlace(place, "inputs", 0);
-  assert.deepEqual(targetAt(model, places, "inputs", place.x + ix + 30, place.y + iy), {box: b, side: "inputs", number: 0});
+  assert.deepEqual(
+      targetAt(model, places, "inputs", place.x + ix + 30, place.y + iy), {box: b, side: "inputs", number: 0});
   assert.equal(targetAt(model, places, "inputs", place.x + dx, place.y + dy), null);  // an output
   const end = places.at(-1);
   assert.deepEqual(
