@@ -36,6 +36,8 @@ export function changedLines(before, after) {
       ++i;
     }
   }
-  for (const line of changed) removed.delete(line);
+  // What became of a line that was changed is to be seen already.
+  for (const line of removed)
+    if (changed.has(line) || changed.has(line - 1)) removed.delete(line);
   return {changed, removed};
 }

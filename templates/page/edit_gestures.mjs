@@ -181,7 +181,7 @@ function editKey(event) {
   else if (event.key === "Delete" || event.key === "Backspace")
     removeSelected();
   else if (event.key === "Enter")
-    document.querySelector(".inspect input, .inspect select")?.focus();
+    document.querySelector(".inspect")?.querySelector("input, select")?.focus();
   else if (event.key === "c")
     connectSelected();
   else if (event.key === "Escape")

@@ -67,28 +67,32 @@ function portList(b, side, title) {
   return [el("h3", {}, title), el("ul.ports", {}, ports.map((_, number) => portRow(b, side, number)))];
 }
 
+const kDraws =
+    ["uniform", "{value: 0.0}", "{uniform: {low: -1, high: 1}}", "{normal: {mean: 0, std: 1}}", "{choice: [0, 1]}"];
+
+/** Bounds and unit of a state, as far as they are short. */
+function rangeOf({low, high, unit}) {
+  const isShort = low !== undefined && high !== undefined && [low].flat().length <= 3;
+  return [isShort ? bounds({low: [low].flat(), high: [high].flat()}) : "", unit].filter(Boolean).join(" ");
+}
+
+function stateField(path, state, given) {
+  return field({
+    key: `states.${state.name}`,
+    label: state.name,
+    limits: rangeOf(state),
+    about: state.about,
+    value: state.name in given ? shownValue(given[state.name]) : "",
+    empty: "keeps its value",
+    suggestions: kDraws,
+    changed: (text) => setOrRemove([...path, "states", state.name], text)
+  });
+}
+
 function stateFields(path, entity, given) {
   const states = entity?.states ?? [];
-  if (!states.length) return null;
-  const range = (state) =>
-      (state.low !== undefined && state.high !== undefined ?
-           bounds({low: [state.low].flat(), high: [state.high].flat()}) :
-           "");
-  return part(
-      "states at a reset", "", states.map((state) => field({
-                                            key: `states.${state.name}`,
-                                            label: state.name,
-                                            limits: [range(state), state.unit].filter(Boolean).join(" "),
-                                            about: state.about,
-                                            value: state.name in given ? shownValue(given[state.name]) : "",
-                                            empty: "keeps its value",
-                                            suggestions: [
-                                              "uniform", "{value: 0.0}", "{uniform: {low: -1, high: 1}}",
-                                              "{normal: {mean: 0, std: 1}}", "{choice: [0, 1]}"
-                                            ],
-                                            changed: (text) => setOrRemove([...path, "states", state.name], text)
-                                          })),
-      true);
+  return states.length ? part("states at a reset", "", states.map((state) => stateField(path, state, given)), true) :
+                         null;
 }
 
 function boxForm(b) {

@@ -165,7 +165,7 @@ export function addForm({adding, place}) {
     const values = parametersOf(entity, parameters), section = isNode ? "nodes" : "objects";
     if (place) keepPlaceOf(name.text(), place);
     const edits = addEdits(entity, name.text(), rate?.text().trim(), engine?.text(), values);
-    if (await change(edits, {section, name: name.text()})) editSvg.focus();
+    if (await change(edits, {section, name: name.text()}) && document.activeElement === document.body) editSvg.focus();
   };
   const form = el(
       "form", {

@@ -71,11 +71,14 @@ export function selectDrawn(drawn) {
   selectToEdit({section, name});
 }
 
-/** Sends edits; true when the file has them. Afterwards `then` is selected. */
+/** Sends edits; true when the file has them. Then `then` is selected, if nothing else was meanwhile. */
 export async function change(edits, then) {
+  const before = editing.selected;
   const problem = await editing.client.edit(edits);
   if (problem) say(problem);
-  if (!problem && then !== undefined && JSON.stringify(then) !== JSON.stringify(editing.selected)) selectToEdit(then);
+  const isOther = JSON.stringify(then) !== JSON.stringify(editing.selected);
+  if (!problem && then !== undefined && isOther && (editing.selected === before || !editing.selected))
+    selectToEdit(then);
   return !problem;
 }
 
