@@ -24,7 +24,8 @@ CommandLine command_line() {
                            size_command(),     replay_command(),   identify_command(),
                            trace_command(),    plot_command(),     monitor_command(),
                            policy_command(),   docs_command(),     fix_command(),
-                           rename_command(),   lsp_command(),      pages_command(pages)}},
+                           rename_command(),   lsp_command(),      serve_command(),
+                           pages_command(pages)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"
