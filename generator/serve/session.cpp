@@ -81,6 +81,7 @@ Json Session::state_json(std::optional<std::int64_t> known_page, const Json& run
   json["undo"] = or_null(history_.undo_reason());
   json["redo"] = or_null(history_.redo_reason());
   json["outline"] = outline_json(text_);
+  json["tree"] = tree_json(text_);
   json["running"] = running;
   return json;
 }

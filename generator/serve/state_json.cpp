@@ -109,6 +109,21 @@ class Outliner {
   OutlineNode top_;
 };
 
+/// As it is nested, texts without quotes.
+Json tree_of(const OutlineNode& node) {
+  if (node.kind == Kind::scalar) return node.text;
+  if (node.kind == Kind::nothing) return nullptr;
+  Json json = node.kind == Kind::list ? Json::list() : Json::object();
+  for (const OutlineEntry& entry : node.entries) {
+    if (node.kind == Kind::list) {
+      json.push_back(tree_of(entry.value));
+    } else if (entry.has_colon) {
+      json[entry.key] = tree_of(entry.value);
+    }
+  }
+  return json;
+}
+
 /// The innermost key, value or item that has a byte.
 OutlinePath path_at(const OutlineNode& top, std::size_t at) {
   OutlinePath path;
@@ -158,6 +173,10 @@ const char* name_of(Severity severity) {
 
 Json outline_json(std::string_view text) {
   return Outliner(text).all();
+}
+
+Json tree_json(std::string_view text) {
+  return tree_of(outline_of(text));
 }
 
 Json problems_json(const Workshop::Checked& checked, const std::string& path,

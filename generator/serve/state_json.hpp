@@ -13,6 +13,9 @@ namespace eagerx::gen::serve {
 /// What can be told of a graph that may be half written.
 Json outline_json(std::string_view text);
 
+/// All of it as it is nested: texts, lists and mappings, null where nothing is written.
+Json tree_json(std::string_view text);
+
 /// The problems of a graph's text, each with the path of what is there.
 Json problems_json(const Workshop::Checked& checked, const std::string& path,
                    std::string_view text);

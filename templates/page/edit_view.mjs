@@ -56,8 +56,8 @@ function showGoodness({good, problems}) {
 }
 
 /** The other views show the last good graph: they are made anew when somebody looks at them. */
-function showFreshness({page_revision}) {
-  const newest = page_revision ?? null, none = newest === null;
+function showFreshness({page, page_revision}) {
+  const none = !page, newest = none ? null : page_revision;
   freshness.shown ??= nodes.length ? newest : -1;
   freshness.stale = !none && newest !== freshness.shown;
   for (const view of views) {
