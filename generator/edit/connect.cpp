@@ -20,6 +20,7 @@ std::vector<std::string> lines_of_item(const std::vector<KeyValue>& values) {
 
 /// Whether a port is one of `owner`: "pendulum.theta", "leg[2].q", "arm/position.u".
 bool is_port_of(std::string_view port, std::string_view owner) {
+  if (port == owner) return true;
   return port.size() > owner.size() && port.starts_with(owner) &&
          std::string_view(".[/").find(port[owner.size()]) != std::string_view::npos;
 }

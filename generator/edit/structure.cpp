@@ -50,6 +50,7 @@ bool is_one_value(const std::string& value) {
   constexpr std::size_t kMostBytes = 100'000;
   if (value.empty() || value.size() > kMostBytes) return false;
   if (value.find_first_of("\r\n") != std::string::npos) return false;
+  if (value.front() == '&' || value.front() == '!') return false;  // which would name it
   SourceMap sources;
   Diagnostics problems;
   const YamlValue tree =

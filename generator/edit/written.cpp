@@ -73,6 +73,9 @@ bool Written::is_in_flow(const OutlinePath& path) const {
 }
 
 std::size_t Written::end_of(const OutlineEntry& entry) const {
+  // What is on lines ends with the last of it; comments and empty lines behind are nobody's.
+  const OutlineNode& value = entry.value;
+  if (!value.flow && !value.entries.empty()) return end_of(value.entries.back());
   std::size_t end = std::min(entry.whole.end, text_.size());
   while (end > entry.whole.begin && kBlanks.find(text_[end - 1]) != std::string_view::npos) --end;
   return end;
