@@ -23,7 +23,7 @@ function inputOfField({choices, value, empty, checked}) {
  * text]], suggestions: [text], checked, fault(text): why not, changed(text)}. Has `key`, `text()` and `fault()`.
  */
 export function field(properties) {
-  const {key, label, about, limits, suggestions, fault = () => "", changed, checked} = properties;
+  const {key, label, about, limits, suggestions, fault = () => "", changed, checked, choices} = properties;
   const id = `field-${++fieldCount}`;
   const list = suggestions?.length ?
       el("datalist", {id: `${id}-list`}, suggestions.map((text) => el("option", {value: text}))) :
@@ -43,17 +43,18 @@ export function field(properties) {
     input.setAttribute("aria-invalid", wrong.textContent !== "");
     return wrong.textContent;
   };
-  let sent = text();
-  input.addEventListener("input", () => wrong.textContent && look());
-  input.addEventListener("change", () => {
+  let sent = properties.value ?? text();
+  const commit = () => {
     if (look() || text() === sent) return;
     sent = text();
     changed?.(sent);
+  };
+  input.addEventListener("input", () => wrong.textContent && look());
+  input.addEventListener("change", commit);
+  input.addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && changed && !choices && checked === undefined) input.value = sent;
+    if (event.key === "Enter" && changed) commit();  // also what a new form was filled with
   });
-  if (changed && input.tagName.toLowerCase() === "input")
-    input.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") input.value = sent;
-    });
   return Object.assign(row, {key, input, text, fault: look});
 }
 

@@ -71,7 +71,7 @@ const kDraws =
     ["uniform", "{value: 0.0}", "{uniform: {low: -1, high: 1}}", "{normal: {mean: 0, std: 1}}", "{choice: [0, 1]}"];
 
 /** Bounds and unit of a state, as far as they are short. */
-function rangeOf({low, high, unit}) {
+function stateRange({low, high, unit}) {
   const isShort = low !== undefined && high !== undefined && [low].flat().length <= 3;
   return [isShort ? bounds({low: [low].flat(), high: [high].flat()}) : "", unit].filter(Boolean).join(" ");
 }
@@ -80,7 +80,7 @@ function stateField(path, state, given) {
   return field({
     key: `states.${state.name}`,
     label: state.name,
-    limits: rangeOf(state),
+    limits: stateRange(state),
     about: state.about,
     value: state.name in given ? shownValue(given[state.name]) : "",
     empty: "keeps its value",

@@ -8,23 +8,27 @@ import {button, el} from "./elements.mjs";
 
 const kAddable = [["object", "Objects"], ["node", "Nodes"], ["reset node", "Reset nodes"]];
 
-/** Entities of a kind that have all words in their id, their texts or their ports; in ids first. */
-export function entitiesWith(library, kind, text) {
+/** How well an entity answers to words: 2 by its id, 1 by its summary, 0 by its description, -1 not at all. */
+function rankOf(entity, words) {
+  const id = `${entity.id} ${nameOfType(entity.id).replaceAll("_", " ")}`.toLowerCase();
+  const summary = `${id} ${entity.summary ?? ""}`.toLowerCase();
+  const texts = [id, summary, `${summary} ${entity.description ?? ""}`.toLowerCase()];
+  const first = texts.findIndex((text) => words.every((word) => text.includes(word)));
+  return first < 0 ? -1 : 2 - first;
+}
+
+/** [[title, entities]] of what has all words of a text, the best first. */
+export function foundIn(library, text) {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-  const rank = (entity) => {
-    const id = entity.id.toLowerCase(), spoken = `${id} ${nameOfType(entity.id).replaceAll("_", " ")}`;
-    const all = `${spoken} ${entity.summary ?? ""} ${entity.description ?? ""}`.toLowerCase();
-    if (!words.every((word) => all.includes(word))) return -1;
-    return words.every((word) => spoken.includes(word)) ? 2 :
-        words.every((word) => `${spoken} ${entity.summary}`.toLowerCase().includes(word)) ? 1 :
-                                                                                            0;
-  };
-  return [...library.values()]
-      .filter((entity) => entity.kind === kind)
-      .map((entity) => ({entity, rank: rank(entity)}))
-      .filter((found) => found.rank >= 0)
-      .sort((a, b) => b.rank - a.rank || a.entity.id.localeCompare(b.entity.id))
-      .map((found) => found.entity);
+  const byRank = (a, b) => b.rank - a.rank || a.entity.id.localeCompare(b.entity.id);
+  const groups = kAddable.map(([kind, title]) => {
+    const entities = [...library.values()].filter((entity) => entity.kind === kind);
+    const found = entities.map((entity) => ({entity, rank: rankOf(entity, words)})).filter(({rank}) => rank >= 0);
+    return {title, found: found.sort(byRank)};
+  });
+  return groups.filter(({found}) => found.length)
+      .sort((a, b) => b.found[0].rank - a.found[0].rank)
+      .map(({title, found}) => [title, found.map(({entity}) => entity)]);
 }
 
 /** The field of the form that begins: what is required and empty, or the name. */
@@ -90,8 +94,7 @@ export function libraryPanel() {
   });
   const found = el("div.entries");
   const show = () => {
-    const groups = kAddable.map(([kind, title]) => [title, entitiesWith(editing.library, kind, search.value)])
-                       .filter(([, entities]) => entities.length);
+    const groups = foundIn(editing.library, search.value);
     found.replaceChildren(...groups.flatMap(([title, entities]) => [el("h3", {}, title), ...entities.map(entryOf)]));
     if (!groups.length) found.append(el("p.note", {}, "nothing"));
   };

@@ -13,6 +13,7 @@ const kEntities = [
     id: "Motor",
     kind: "object",
     summary: "A motor.",
+    description: "A slow one.",
     made_for: [{engine: "RealEngine"}, {engine: "OdeEngine"}],
     config: [{name: "gear", type: "float", default: 1, low: 0.1}],
     actuators: [{name: "u", dtype: "float32", shape: [1], unit: "V"}],
@@ -97,7 +98,7 @@ const {views, moreViews} = await import("../../templates/page/views.mjs");
 const {state: shownView} = await import("../../templates/page/selection.mjs");
 const {editing, selectToEdit} = await import("../../templates/page/edit_store.mjs");
 const {editSvg, editView, portPoint} = await import("../../templates/page/edit_drawing.mjs");
-const {entitiesWith, beginAdding} = await import("../../templates/page/edit_library.mjs");
+const {beginAdding, foundIn} = await import("../../templates/page/edit_library.mjs");
 const {inspectPanel} = await import("../../templates/page/edit_inspector.mjs");
 const {connectDialog} = await import("../../templates/page/edit_connect.mjs");
 const {curveOf, takeRun, wordsOf} = await import("../../templates/page/edit_runs.mjs");
@@ -381,10 +382,11 @@ test("the file's lines that the last change touched are marked", async () => {
 
 test("the library is searched by words", () => {
   const library = new Map(kEntities.map((entity) => [entity.id, entity]));
-  const found = (text) => ["object", "node"].flatMap((kind) => entitiesWith(library, kind, text)).map(({id}) => id);
+  const found = (text) => foundIn(library, text).flatMap(([, entities]) => entities.map(({id}) => id));
   assert.deepEqual(found(""), ["Motor", "LowPassFilter"]);
   assert.deepEqual(found("low pass"), ["LowPassFilter"]);
   assert.deepEqual(found("smooths"), ["LowPassFilter"]);
+  assert.deepEqual(found("low"), ["LowPassFilter", "Motor"]);  // ids before texts, whatever the kind
   assert.deepEqual(found("xyz"), []);
 });
 
