@@ -1,7 +1,9 @@
 // The drawing that is edited: boxes with ports, wires, what is selected, what is wrong.
 import {onFrame} from "./canvas.mjs";
-import {extentOf, portPlace, wirePath} from "./edit_layout.mjs";
+import {extentOf} from "./edit_layout.mjs";
 import {drawnAs} from "./edit_model.mjs";
+import {wireRoutes} from "./edit_routes.mjs";
+import {portPlace} from "./edit_sizes.mjs";
 import {editing, selectedBox, selectedWire, watchEditing} from "./edit_store.mjs";
 import {svg} from "./elements.mjs";
 
@@ -9,7 +11,8 @@ export const editView = {
   zoom: 1,
   x: 0,
   y: 0,
-  moved: false,  // by somebody: then it stays
+  moved: false,     // by somebody: then it stays
+  dragging: false,  // a box
   boxElements: [],
   wireElements: []
 };
@@ -65,9 +68,8 @@ function boxOfEdit(box, b) {
   return element;
 }
 
-function wireOfEdit(wire, w) {
-  const from = portPoint(wire.from, "outputs", wire.output), to = portPoint(wire.to, "inputs", wire.input);
-  const d = wirePath(from, to), {connection} = wire;
+function wireOfEdit(wire, w, d) {
+  const {connection} = wire;
   const settings = ["window", "delay", "skip", "processor"].filter((key) => connection[key] !== undefined);
   const element = svg(
       "g", {class: connection.skip === "true" ? "wire state" : "wire"},
@@ -100,7 +102,9 @@ function markEdit() {
 
 export function drawEdit() {
   const {model} = editing;
-  editView.wireElements = model.wires.map(wireOfEdit);
+  const isFree = !Object.keys(editing.client.state?.layout ?? {}).length && !editView.dragging;
+  const routes = wireRoutes(model, editing.places, isFree);
+  editView.wireElements = model.wires.map((wire, w) => wireOfEdit(wire, w, routes[w]));
   editView.boxElements = model.boxes.map(boxOfEdit);
   const faults = faultsOf(model, editing.client.state?.problems ?? []);
   editView.boxElements.forEach((element, i) => faults.boxes[i] && element.classList.add("faulty", faults.boxes[i]));

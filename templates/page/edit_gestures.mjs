@@ -12,8 +12,9 @@ import {
   revealBox,
   zoomEdit
 } from "./edit_drawing.mjs";
-import {hitAt, targetAt, wirePath} from "./edit_layout.mjs";
+import {hitAt, targetAt} from "./edit_layout.mjs";
 import {fitOf} from "./edit_ports.mjs";
+import {loosePath} from "./edit_routes.mjs";
 import {change, editing, keepPlaces, selectDrawn, selectedBox, selectedWire} from "./edit_store.mjs";
 
 const opposite = (side) => (side === "outputs" ? "inputs" : "outputs");
@@ -57,7 +58,7 @@ function endConnecting() {
 function pullWire(event) {
   const {hit} = gesture, side = opposite(hit.side);
   const start = portPoint(hit.box, hit.side, hit.number), here = inDrawing(event);
-  looseWire.setAttribute("d", hit.side === "outputs" ? wirePath(start, here) : wirePath(here, start));
+  looseWire.setAttribute("d", hit.side === "outputs" ? loosePath(start, here) : loosePath(here, start));
   const target = targetAt(editing.model, editing.places, side, ...here);
   for (const element of editSvg.querySelectorAll("g.port")) {
     const {box, side: which, number} = element.port;
@@ -81,7 +82,7 @@ function moveGesture(event) {
     const [x, y] = inDrawing(event), place = editing.places[gesture.hit.box];
     place.x = x - gesture.grip[0];
     place.y = y - gesture.grip[1];
-    editView.moved = true;
+    editView.moved = editView.dragging = true;
     drawEdit();
   } else {
     editView.x += event.clientX - gesture.last[0];
@@ -112,6 +113,7 @@ function endGesture(event) {
   if (!gesture) return;
   const {kind, far, hit} = gesture;
   gesture = null;
+  editView.dragging = false;
   endConnecting();
   if (event.type !== "pointerup") return drawEdit();
   if (!far) return selectDrawn(hit ? {box: hit.box} : wireUnder(event));

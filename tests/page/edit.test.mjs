@@ -2,17 +2,12 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import {
-  columnPlaces,
-  freePlace,
-  hitAt,
-  placedBoxes,
-  portPlace,
-  sizeOf,
-  targetAt
-} from "../../templates/page/edit_layout.mjs";
+import {columnLayout} from "../../templates/page/edit_columns.mjs";
+import {freePlace, hitAt, placedBoxes, targetAt} from "../../templates/page/edit_layout.mjs";
 import {drawnAs, endOf, modelOf} from "../../templates/page/edit_model.mjs";
 import {connectEdits, connectionKeys, endNameFor, fitOf, partnersOf} from "../../templates/page/edit_ports.mjs";
+import {wireRoutes} from "../../templates/page/edit_routes.mjs";
+import {portPlace, sizeOf} from "../../templates/page/edit_sizes.mjs";
 import {
   faultOf,
   flowText,
@@ -184,7 +179,7 @@ test("a new end is called as its port, with a name that is free", () => {
 });
 
 test("boxes lie apart, columns follow the messages, and chosen places stay", () => {
-  const model = modelHere(), places = columnPlaces(model);
+  const model = modelHere(), places = columnLayout(model).places;
   assert.ok(places.actions[0] < places.smooth[0] && places.smooth[0] < places.motor[0]);
   assert.ok(places.motor[0] < places.observations[0] && places.strange[0] < places.observations[0]);
   for (const chosen of [{}, {motor: [300, 10]}, {smooth: places.motor, strange: [5, 5]}]) {
@@ -203,6 +198,29 @@ test("boxes lie apart, columns follow the messages, and chosen places stay", () 
   assert.ok(freePlace(box, [box]).y > 10);
 });
 
+test("wires that pass a column go past its boxes, and those that return go below", () => {
+  const model = modelOf(
+      {
+        nodes: {a: {type: "Filter"}, b: {type: "Filter"}},
+        actions: ["u"],
+        observations: ["far", "near"],
+        connections: [
+          {from: "actions.u", to: "a.signal"}, {from: "a.y", to: "b.signal"}, {from: "b.y", to: "observations.near"},
+          {from: "actions.u", to: "observations.far"}, {from: "b.y", to: "a.signal", skip: "true"}
+        ]
+      },
+      kLibrary);
+  const {lanes} = columnLayout(model), places = placedBoxes(model, {});
+  assert.deepEqual(lanes.map((points) => points.length), [0, 0, 0, 2, 0]);
+  for (const [left, right, y] of lanes[3])
+    for (const place of places)
+      assert.ok(place.x >= right || place.x + place.width <= left || y <= place.y || y >= place.y + place.height);
+  const routes = wireRoutes(model, places, true);
+  assert.ok(routes.every((d) => /^M[-\d. ]+[CL]/.test(d) && !/NaN|undefined/.test(d)));
+  const lowest = Math.max(...routes[4].match(/-?[\d.]+/g).map(Number).filter((_, i) => i % 2));
+  assert.ok(lowest > Math.max(...places.slice(1, 3).map(({y, height}) => y + height)));
+});
+
 test("a circle of connections has columns", () => {
   const loop = modelOf(
       {
@@ -210,7 +228,7 @@ test("a circle of connections has columns", () => {
         connections: [{from: "a.y", to: "b.signal"}, {from: "b.y", to: "a.signal"}]
       },
       kLibrary);
-  assert.ok(Object.values(columnPlaces(loop)).flat().every(Number.isFinite));
+  assert.ok(Object.values(columnLayout(loop).places).flat().every(Number.isFinite));
 });
 
 test("the pointer finds ports, boxes and nothing, and wires end at rows", () => {
