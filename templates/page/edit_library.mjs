@@ -162,13 +162,14 @@ export function addForm({adding, place}) {
                         null;
   const engine = engineField(entity), parameters = parameterFields(entity);
   const fields = [name, rate, engine, ...parameters].filter(Boolean);
-  const submit = async () => {
+  const submit = () => {
     const wrong = fields.filter((one) => one.fault());
     if (wrong.length) return wrong[0].input.focus();
     const values = parametersOf(entity, parameters), section = isNode ? "nodes" : "objects";
     if (place) keepPlaceOf(name.text(), place);
     const edits = addEdits(entity, name.text(), rate?.text().trim(), engine?.text(), values);
-    if (await change(edits, {section, name: name.text()}) && document.activeElement === document.body) editSvg.focus();
+    editSvg.focus();
+    return change(edits, {section, name: name.text()});
   };
   const form = el(
       "form", {

@@ -30,6 +30,7 @@ function showLower(id) {
     one.tab.setAttribute("aria-selected", one.id === id);
   }
   if (id === "programs") showRun();
+  if (id === "text" && editing.client.state) showText();  // as it can only scroll to a change when it is shown
 }
 const lowerPanel =
     el("div.lower", {},

@@ -118,7 +118,7 @@ def editor(generator, graph, screenshots, name):
 
 class Editor:
     if webdriver is not None:
-        ENTER, ESCAPE, DELETE = Keys.ENTER, Keys.ESCAPE, Keys.DELETE
+        ENTER, ESCAPE, DELETE, TAB, ARROW_RIGHT = Keys.ENTER, Keys.ESCAPE, Keys.DELETE, Keys.TAB, Keys.ARROW_RIGHT
         SHIFT_RIGHT, UNDO, REDO = (Keys.SHIFT, Keys.ARROW_RIGHT), (Keys.CONTROL, "z"), (Keys.CONTROL, Keys.SHIFT, "z")
 
     def __init__(self, driver, screenshots, name):
