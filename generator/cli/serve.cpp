@@ -104,6 +104,9 @@ class ServeWorkshop final : public serve::Workshop {
     return sections_json(graph_schema(run.library));
   }
 
+  [[nodiscard]] std::string http_module() const override {
+    return helper_program("eagerx-http.so");
+  }
   [[nodiscard]] std::vector<std::string> self() const override {
     std::error_code error;
     std::vector<std::string> words = {fs::read_symlink("/proc/self/exe", error).string()};

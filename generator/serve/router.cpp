@@ -46,8 +46,9 @@ bool is_json(std::string_view type) {
 /// A whole number that is a parameter; `otherwise` where there is none, nothing where it is none.
 std::optional<std::int64_t> whole(const Asked& asked, const std::string& name,
                                   std::int64_t otherwise) {
-  const std::string* const text = asked.parameter(name);
-  if (text == nullptr) return otherwise;
+  const auto found = std::ranges::find(asked.query, name, &std::pair<std::string, std::string>::first);
+  if (found == asked.query.end()) return otherwise;
+  const std::string* const text = &found->second;
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
   if (error != std::errc() || end != text->data() + text->size() || number < 0) return std::nullopt;
@@ -57,18 +58,15 @@ std::optional<std::int64_t> whole(const Asked& asked, const std::string& name,
 Answer answer_of(const Reply& reply) {
   return {reply.status, "application/json", dump_json(reply.body)};
 }
+/// An error in the form that all have.
+Answer refused(int status, const std::string& problem, const std::string& help = {}) {
+  return answer_of(failure(status, problem, help));
+}
 Answer html(std::string text) {
   return {200, "text/html; charset=utf-8", std::move(text)};
 }
 
 }  // namespace
-
-const std::string* Asked::parameter(const std::string& name) const {
-  for (const auto& [key, value] : query) {
-    if (key == name) return &value;
-  }
-  return nullptr;
-}
 
 Router::Router(Session& session, Programs& programs, std::string token, int port)
     : session_(session),
@@ -80,29 +78,30 @@ std::string Router::address() const {
   return fmt::format("http://{}/{}/", hosts_.front(), token_);
 }
 
-Answer Router::error(int status, const std::string& problem, const std::string& help) {
-  return answer_of(failure(status, problem, help));
+Answer Router::error(int status) const {
+  return refused(status, status == kTooLarge ? "the body is too large"
+                                             : "the request is none that is known");
 }
 
 std::optional<Answer> Router::refusal(const Asked& asked) const {
   if (std::ranges::find(hosts_, asked.host) == hosts_.end())
-    return error(kForbidden, "the request is for another host");
+    return refused(kForbidden, "the request is for another host");
   if (!asked.origin.empty() && asked.origin != "http://" + asked.host)
-    return error(kForbidden, "the request comes from another page");
+    return refused(kForbidden, "the request comes from another page");
   const std::string_view path = asked.path;
   const std::size_t end = path.find('/', std::min<std::size_t>(1, path.size()));
   const std::string_view token =
       path.substr(std::min<std::size_t>(1, path.size()), end == path.npos ? path.npos : end - 1);
   if (end == path.npos || !is_same(token, token_))
-    return error(kForbidden, "the address has no valid token",
+    return refused(kForbidden, "the address has no valid token",
                  "open the address that eagerx-gen serve has printed");
   const std::string_view what = rest_of(path, token_);
   const bool gets = is_among(kGets, what), posts = is_among(kPosts, what);
-  if (!gets && !posts) return error(kNotFound, fmt::format("there is no `{}`", what));
+  if (!gets && !posts) return refused(kNotFound, fmt::format("there is no `{}`", what));
   if ((asked.method != "GET" || !gets) && (asked.method != "POST" || !posts))
-    return error(kWrongMethod, fmt::format("`{}` is not for {}", what, asked.method));
+    return refused(kWrongMethod, fmt::format("`{}` is not for {}", what, asked.method));
   if (asked.method == "POST" && !is_json(asked.type))
-    return error(kWrongType, "the body is no application/json");
+    return refused(kWrongType, "the body is no application/json");
   return std::nullopt;
 }
 
@@ -111,24 +110,24 @@ Answer Router::answer(const Asked& asked) {
   if (asked.method == "GET") return get(what, asked);
   const auto request = parse_json(asked.body);
   if (!request || !request->is<Json::Object>())
-    return error(kBadRequest, "the body is no object of JSON");
+    return refused(kBadRequest, "the body is no object of JSON");
   return post(what, *request);
 }
 
 Answer Router::get(const std::string& what, const Asked& asked) {
   if (what == "state") {
     const auto page = whole(asked, "page", -1);
-    if (!page) return error(kBadRequest, "`page` is no revision");
+    if (!page) return refused(kBadRequest, "`page` is no revision");
     return answer_of(session_.state(*page, programs_.running()));
   }
   if (what == "changes") {
     const auto revision = whole(asked, "revision", 0);
-    if (!revision) return error(kBadRequest, "`revision` is no revision");
+    if (!revision) return refused(kBadRequest, "`revision` is no revision");
     return answer_of(session_.changes(*revision, kLongPollS));
   }
   if (what == "run") {
     const auto after = whole(asked, "after", 0), row = whole(asked, "row", 0);
-    if (!after || !row) return error(kBadRequest, "`after` or `row` is no number");
+    if (!after || !row) return refused(kBadRequest, "`after` or `row` is no number");
     return answer_of(programs_.output(static_cast<std::uint64_t>(*after),
                                       static_cast<std::uint64_t>(*row), kLongPollS));
   }
@@ -136,11 +135,11 @@ Answer Router::get(const std::string& what, const Asked& asked) {
   if (what == "schema") return answer_of({200, session_.schema()});
   if (what == "result") {
     auto page = programs_.result();
-    return page ? html(std::move(*page)) : error(kNotFound, "no page has been made");
+    return page ? html(std::move(*page)) : refused(kNotFound, "no page has been made");
   }
   std::string problem;
   auto page = session_.page(problem);
-  return page ? html(std::move(*page)) : error(kFailed, problem);
+  return page ? html(std::move(*page)) : refused(kFailed, problem);
 }
 
 Answer Router::post(const std::string& what, const Json& request) {

@@ -52,8 +52,10 @@ class EndingSignals {
 
 int serve(Workshop& workshop, const ServeOptions& options) {
   constexpr int kLookEveryMs = 200;
-  if (const std::string why = why_no_http(); !why.empty()) {
-    complain("{}\n", why);
+  std::string problem;
+  const auto http = load_http(workshop.http_module(), problem);
+  if (http == nullptr) {
+    complain("{}\n", problem);
     return kInputOutput;
   }
   Session session(workshop, options.graph);
@@ -61,10 +63,9 @@ int serve(Workshop& workshop, const ServeOptions& options) {
     complain("error: cannot read `{}`: {}\n", options.graph, session.problem());
     return kInputOutput;
   }
-  EndingSignals signals;
+  EndingSignals signals;  // before there is a thread
   const std::string token = new_token();
-  HttpServer http;
-  const int port = http.bind(options.port);
+  const int port = http->bind(options.port);
   if (token.empty() || port == 0) {
     complain_text(token.empty() ? "error: the system gives no random numbers\n"
                                 : fmt::format("error: port {} of 127.0.0.1 cannot be had\nhelp: "
@@ -76,7 +77,7 @@ int serve(Workshop& workshop, const ServeOptions& options) {
   Router router(session, programs, token, port);
   std::atomic<bool> has_ended = false;
   std::thread thread([&] {
-    http.run(router);
+    http->run(router);
     has_ended = true;
   });
   say("{}\n", router.address());
@@ -85,7 +86,7 @@ int serve(Workshop& workshop, const ServeOptions& options) {
   const bool failed = has_ended;
   session.end();
   programs.end();
-  if (!failed) http.stop();
+  if (!failed) http->stop();
   thread.join();
   return failed ? kInputOutput : kDone;
 }

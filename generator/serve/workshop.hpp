@@ -30,6 +30,8 @@ class Workshop {
   virtual Json library(const std::string& path, const std::string& text) = 0;
   /// `{"sections": {…}}`: the keys that entries may have.
   virtual Json schema(const std::string& path, const std::string& text) = 0;
+  /// The file of the module with the server (http.hpp).
+  [[nodiscard]] virtual std::string http_module() const = 0;
   /// The command line that starts eagerx-gen itself.
   [[nodiscard]] virtual std::vector<std::string> self() const = 0;
 };
