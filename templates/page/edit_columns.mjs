@@ -24,7 +24,7 @@ function columnsOf(model) {
 
 /** Whether a wire goes from left to right. */
 export function isForward(wire, columns) {
-  return wire.connection.skip !== "true" && columns[wire.from] < columns[wire.to];
+  return columns[wire.from] < columns[wire.to];
 }
 
 /** What lies in each column: boxes, and lanes of wires that go past it. */

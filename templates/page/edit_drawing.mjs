@@ -39,7 +39,10 @@ function portElement(box, b, side, number) {
   const port = box[side][number], [x, y] = portPoint(b, side, number);
   const isMissing = side === "inputs" && box.kind === "node" && !port.taken && !port.optional && !port.unsaid;
   const isOut = side === "outputs";
-  const name = ["port", isOut ? "output" : "", port.unsaid ? "unsaid" : "", isMissing ? "missing" : ""].filter(Boolean);
+  const name = [
+    "port", isOut ? "output" : "", port.unsaid && (box.entity || box.kind === "end") ? "unsaid" : "",
+    isMissing ? "missing" : ""
+  ].filter(Boolean);
   const element = svg(
       "g", {class: name.join(" ")}, svg("title", {}, portTitle(port, isMissing)), svg("circle", {cx: x, cy: y, r: 5}),
       svg("text", {x: x + (isOut ? -12 : 12), y: y + 4, class: isOut ? "out" : "in"}, port.name));

@@ -188,7 +188,7 @@ function connectionForm(w) {
 export const inspectPanel = el("div.inspect", {"aria-label": "Selected", tabIndex: -1});
 
 function showForm(what) {
-  if (what === "notice") return;
+  if (what === "notice" || what === "library") return;
   const {selected} = editing, b = selectedBox(), w = selectedWire();
   if (selected?.adding) {
     if (what === "state" && inspectPanel.querySelector("form")) return;  // what is being typed stays

@@ -23,11 +23,13 @@ function roundedPath(points) {
   return d + `L${points.at(-1).join(" ")}`;
 }
 
-/** A height where nothing lies between the two boxes: between them, or below all that is between. */
+/** A height for the way back where nothing lies: between the two boxes, or below all that is between them. */
 function heightOfReturn(places, source, target, left, right) {
   const [upper, lower] = source.y < target.y ? [source, target] : [target, source];
-  if (lower.y - (upper.y + upper.height) > 16) return (lower.y + upper.y + upper.height) / 2;
   const between = places.filter((place) => place.x < right && place.x + place.width > left);
+  const y = (lower.y + upper.y + upper.height) / 2;
+  const isClear = (place) => y < place.y - 4 || y > place.y + place.height + 4;
+  if (lower.y - (upper.y + upper.height) > 16 && between.every(isClear)) return y;
   return Math.max(...between.map((place) => place.y + place.height)) + 14;
 }
 

@@ -14,7 +14,7 @@ export const editing = {
 };
 
 const editWatchers = [];
-/** `changed(what)` with "state", "selected" or "notice". */
+/** `changed(what)` with "state", "selected", "library" or "notice". */
 export function watchEditing(changed) {
   editWatchers.push(changed);
 }
@@ -22,8 +22,12 @@ function tellEditing(what) {
   for (const changed of editWatchers) changed(what);
 }
 
+let folders = "";  // of entities, as the file names them
+
 function takeState(why) {
-  const {state} = editing.client;
+  const {state} = editing.client, now = JSON.stringify(state.tree?.library ?? null);
+  if (folders !== "" && folders !== now) learn().then(() => takeState());
+  folders = now;
   if (why !== undefined) editing.notice = why;
   editing.model = modelOf(state.tree, editing.library);
   editing.places = placedBoxes(editing.model, state.layout ?? {});
@@ -107,10 +111,16 @@ export function arrange() {
   tellEditing("state");
 }
 
-export async function openGraph() {
+/** Asks which entities and keys there are: both depend on the file's `library:`. */
+async function learn() {
   const [library, schema] = await Promise.all([editing.client.get("library"), editing.client.get("schema")]);
-  for (const entity of library?.entities ?? []) editing.library.set(entity.id, entity);
+  editing.library = new Map((library?.entities ?? []).map((entity) => [entity.id, entity]));
   editing.sections = schema?.sections ?? {};
+  tellEditing("library");
+}
+
+export async function openGraph() {
+  await learn();
   if (await editing.client.load())
     editing.client.followForEver();
   else

@@ -74,16 +74,14 @@ function showNotice() {
       editing.notice, button("×", () => say(""), {className: "plain", title: "Close", "aria-label": "Close"}));
 }
 
-let libraryShown = false;
 watchEditing((what) => {
   showNotice();
+  if (what === "library") editLibrary.show();
   if (what !== "state") return;
   const told = editing.client.state;
   document.title = `${told.file} – eagerx-gen`;
   document.getElementById("title").textContent = told.file;
   document.getElementById("summary").textContent = editing.client.lost ? "no connection to eagerx-gen serve" : "";
-  if (!libraryShown) editLibrary.show();
-  libraryShown = true;
   showSteps(told);
   showGoodness(told);
   showFreshness(told);

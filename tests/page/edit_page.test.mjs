@@ -72,11 +72,12 @@ const kNoRun = {
 
 /** Answers as the server does; `asked` are the bodies of POSTs. What waits for a change waits forever. */
 function serverWith(state) {
-  const server = {state: {...kState, ...state}, asked: [], refuse: null};
+  const server = {state: {...kState, ...state}, asked: [], read: [], refuse: null};
   server.ask = async (address, options = {}) => {
     const reply = (body, status = 200) => ({status, json: async () => structuredClone(body)});
     const name = address.replace("./", "").replace(/\?.*/, "");
     if (options.method !== "POST") {
+      server.read.push(name);
       const answers = {library: {entities: kEntities}, schema: {sections: kSections}, run: kNoRun, state: server.state};
       return name === "changes" ? new Promise(() => {}) : reply(answers[name]);
     }
@@ -388,6 +389,18 @@ test("the library is searched by words", () => {
   assert.deepEqual(found("smooths"), ["LowPassFilter"]);
   assert.deepEqual(found("low"), ["LowPassFilter", "Motor"]);  // ids before texts, whatever the kind
   assert.deepEqual(found("xyz"), []);
+});
+
+test("the library is asked for again when the file names other folders", async () => {
+  await show({tree: kServo});
+  server.next = {tree: {...kServo, library: ["mine"]}};
+  await editing.client.edit([]);
+  await settle();
+  assert.ok(server.read.includes("library"));
+  server.read.length = 0;
+  await editing.client.edit([]);
+  await settle();
+  assert.ok(!server.read.includes("library"));
 });
 
 test("agents, words of a command line, output of programs, curves", () => {
