@@ -100,9 +100,9 @@ export function showRun() {
       ...(run.result && !run.running ?
               [" ", el("a", {href: "./result", target: "_blank", rel: "noopener"}, "Open the page")] :
               []));
-  const atEnd = linesBox.scrollTop + linesBox.clientHeight >= linesBox.scrollHeight - 20;
+  const atEnd = runPanel.scrollTop + runPanel.clientHeight >= runPanel.scrollHeight - 30;
   linesBox.replaceChildren(...run.lines.map(({text, error}) => el("span" + (error ? ".error" : ""), {}, text + "\n")));
-  if (atEnd) linesBox.scrollTop = linesBox.scrollHeight;
+  if (atEnd) runPanel.scrollTop = runPanel.scrollHeight;
   drawCurve();
   for (const one of runButtons) one.disabled = run.running || (one.needsGood && !editing.client.state?.good);
   stopButton.disabled = !run.running;
