@@ -1,8 +1,7 @@
 // Programs that the server starts: what they print, and of training the curve as it grows.
-import {colour, prepare} from "./canvas.mjs";
+import {curveBox, drawCurve, progressRows} from "./edit_curve.mjs";
 import {editing, say} from "./edit_store.mjs";
 import {button, el} from "./elements.mjs";
-import {short, stepOf} from "./numbers.mjs";
 
 const kMostShown = 2000;  // lines
 export const run = {
@@ -14,17 +13,32 @@ export const run = {
   lines: [],
   columns: [],
   rows: [],
+  progress: [],  // rows of the curve that are told before there is its table
   exit_code: null,
   result: false
 };
 
+const kNothingYet = {
+  next: 0,
+  row: 0,
+  lines: [],
+  columns: [],
+  rows: [],
+  progress: []
+};
+
 /** Adds what the server tells: lines from `next` on, rows of the curve. True: there is something new. */
 export function takeRun(known, told) {
-  if (told.id !== known.id) Object.assign(known, {id: told.id, next: 0, row: 0, lines: [], columns: [], rows: []});
+  if (told.id !== known.id) {
+    const wasAskedFromThere = known.next > 0 || known.row > 0;
+    Object.assign(known, structuredClone(kNothingYet), {id: told.id});
+    if (wasAskedFromThere) return true;  // of another run: this one is asked for from its beginning
+  }
   const isOther = known.running !== told.running;
   Object.assign(
       known, {kind: told.kind, running: told.running, exit_code: told.exit_code, result: told.result, next: told.next});
   known.lines.push(...told.lines);
+  known.progress.push(...progressRows(told.lines));
   known.lines.splice(0, known.lines.length - kMostShown);
   if (told.curve) {
     known.columns = told.curve.columns;
@@ -34,58 +48,9 @@ export function takeRun(known, told) {
   return isOther || told.lines.length > 0 || (told.curve?.rows.length ?? 0) > 0;
 }
 
-/** [steps, value] of a column of the curve that can be plotted, by the first of `names` that there is. */
-export function curveOf(columns, rows, names) {
-  const x = columns.findIndex((name) => /step/.test(name)),
-        y = names.map((name) => columns.indexOf(name)).find((at) => at >= 0);
-  if (x < 0 || y === undefined) return [];
-  return rows.map((row) => [Number(row[x]), row[y] === "" || row[y] === null ? NaN : Number(row[y])])
-      .filter(([, value]) => Number.isFinite(value));
-}
-
-const curveCanvas = el("canvas", {role: "img", "aria-label": "Learning curve: return over steps"});
-const curveBox =
-    el("div.curve", {hidden: true}, curveCanvas,
-       el("small.block", {}, el("i.mean"), "return, ", el("i.evaluation"), "of episodes without noise, over steps"));
 const linesBox = el("pre.lines", {tabIndex: 0, "aria-label": "What the program prints", "aria-live": "polite"});
 const runStatus = el("p.note", {role: "status"}, "Nothing has run yet.");
 export const runPanel = el("div.run", {}, runStatus, curveBox, linesBox);
-
-function drawCurve() {
-  const lines = [
-    ["c0", curveOf(run.columns, run.rows, ["return"])], ["c1", curveOf(run.columns, run.rows, ["evaluation_return"])]
-  ];
-  const points = lines.flatMap(([, line]) => line);
-  curveBox.hidden = run.kind !== "train" || points.length < 1;
-  if (curveBox.hidden) return;
-  const width = curveBox.clientWidth - 8, height = 170, context = prepare(curveCanvas, width, height);
-  if (!context) return;
-  const right = Math.max(1, ...points.map(([x]) => x)), ys = points.map(([, y]) => y);
-  let low = Math.min(...ys), high = Math.max(...ys);
-  if (high - low < 1e-9) [low, high] = [low - 1, high + 1];
-  const left = 64, top = 8, bottom = height - 20;
-  const px = (x) => left + (x / right) * (width - left - 12),
-        py = (y) => bottom - ((y - low) / (high - low)) * (bottom - top);
-  context.fillStyle = colour("faint");
-  context.strokeStyle = colour("grid");
-  const step = stepOf(high - low, 4);
-  for (let y = Math.ceil(low / step) * step; y <= high; y += step) {
-    context.fillText(short(y, 3), 4, py(y));
-    context.beginPath();
-    context.moveTo(left, py(y));
-    context.lineTo(width - 12, py(y));
-    context.stroke();
-  }
-  context.fillText("0", left, height - 8);
-  context.fillText(`${short(right, 3)} steps`, width - 90, height - 8);
-  for (const [name, line] of lines) {
-    context.strokeStyle = colour(name);
-    context.lineWidth = 2;
-    context.beginPath();
-    line.forEach(([x, y], i) => context[i ? "lineTo" : "moveTo"](px(x), py(y)));
-    context.stroke();
-  }
-}
 
 function statusText() {
   if (!run.id) return "Nothing has run yet.";
@@ -103,7 +68,7 @@ export function showRun() {
   const atEnd = runPanel.scrollTop + runPanel.clientHeight >= runPanel.scrollHeight - 30;
   linesBox.replaceChildren(...run.lines.map(({text, error}) => el("span" + (error ? ".error" : ""), {}, text + "\n")));
   if (atEnd) runPanel.scrollTop = runPanel.scrollHeight;
-  drawCurve();
+  drawCurve(run);
   for (const one of runButtons) one.disabled = run.running || (one.needsGood && !editing.client.state?.good);
   stopButton.disabled = !run.running;
 }
@@ -118,7 +83,7 @@ export async function followRun() {
     if (!told) break;
     const isNew = takeRun(run, told);
     showRun();
-    more = told.running || (isNew && told.lines.length > 0);
+    more = told.running || isNew;
   }
   following = false;
 }
@@ -154,13 +119,14 @@ const runKinds = [
   ["Check", "check", "eagerx-gen check: all of it, as before a commit", false],
   ["Run", "run", "eagerx-gen run: build the program and run it", true],
   ["Report", "report", "eagerx-gen report: a page to send to others", true],
+  ["Simulate", "simulate", "eagerx-gen report --simulate: a page with the simulation in it", true],
   ["Train", "train", "eagerx-gen train: a policy for this graph's task", true]
 ];
 const stopButton =
     button("Stop", () => editing.client.call("./stop", {}), {title: "Interrupts the program", disabled: true});
 const runButtons = runKinds.map(([name, kind, title, needsGood]) => {
   const one = button(
-      name, () => startRun(kind, kind === "check" || kind === "report" ? [] : wordsOf(runArguments.value)), {title});
+      name, () => startRun(kind, kind === "run" || kind === "train" ? wordsOf(runArguments.value) : []), {title});
   one.needsGood = needsGood;
   return one;
 });
