@@ -9,8 +9,8 @@ function columnsOf(model) {
   const follow = (b) => {
     if (done.has(b)) return;
     doing.add(b);
-    for (const {from, to, connection} of model.wires) {
-      if (to !== b || doing.has(from) || connection.skip === "true") continue;
+    for (const {from, connection} of model.incoming[b].map((w) => model.wires[w])) {
+      if (doing.has(from) || connection.skip === "true") continue;
       follow(from);
       columns[b] = Math.max(columns[b], columns[from] + 1);
     }
@@ -51,8 +51,9 @@ function wantedY(item, model, columns, columnOfLanes, placed) {
     return lane && lane.y + kLaneHeight / 2;
   };
   if (item.wire !== undefined) return heightAt(item.wire, columnOfLanes - 1) - kLaneHeight / 2;
-  const ys = model.wires.flatMap((wire, w) => {
-    if (wire.to !== item.box || !isForward(wire, columns)) return [];
+  const ys = model.incoming[item.box].flatMap((w) => {
+    const wire = model.wires[w];
+    if (!isForward(wire, columns)) return [];
     return [heightAt(w, columnOfLanes - 1) - portPlace(item, "inputs", wire.input)[1]];
   });
   return ys.length ? ys.reduce((sum, y) => sum + y, 0) / ys.length : null;
@@ -78,6 +79,12 @@ function stack(items) {
 
 /** {places: of boxes by their names, lanes: of each wire the points [left, right, y] at the columns that it passes}. */
 export function columnLayout(model) {
+  if (!layouts.has(model)) layouts.set(model, newLayout(model));
+  return layouts.get(model);
+}
+const layouts = new WeakMap();
+
+function newLayout(model) {
   const columns = columnsOf(model), items = itemsOf(model, columns), placed = new Map(), places = {};
   const lanes = model.wires.map(() => []);
   let x = 0;

@@ -106,16 +106,22 @@ function portNumber(box, side, {port}, entity) {
   return box[side].push({name: port, address: `${entity}.${port}`, unsaid: true}) - 1;
 }
 
-function wireOf(connection, number, boxes) {
+/** The number of the box that has an end: its own, or that of the composite around it. */
+function boxWith(end, numbers) {
+  for (let name = end?.entity; name; name = name.slice(0, Math.max(0, name.lastIndexOf("/"))))
+    if (numbers.has(name)) return numbers.get(name);
+  return -1;
+}
+
+function wireOf(connection, number, boxes, numbers) {
   const from = endOf(connection?.from), to = endOf(connection?.to);
-  const source = from && boxes.find(({name}) => name === from.entity || from.entity.startsWith(name + "/"));
-  const target = to && boxes.find(({name}) => name === to.entity || to.entity.startsWith(name + "/"));
-  if (!source || !target) return null;
-  const output = portNumber(source, "outputs", from, from.entity);
-  const input = portNumber(target, "inputs", to, to.entity);
-  target.inputs[input].taken = true;
-  source.outputs[output].used = true;
-  return {number, connection, from: boxes.indexOf(source), to: boxes.indexOf(target), output, input};
+  const b = boxWith(from, numbers), t = boxWith(to, numbers);
+  if (b < 0 || t < 0) return null;
+  const output = portNumber(boxes[b], "outputs", from, from.entity);
+  const input = portNumber(boxes[t], "inputs", to, to.entity);
+  boxes[t].inputs[input].taken = true;
+  boxes[b].outputs[output].used = true;
+  return {number, connection, from: b, to: t, output, input};
 }
 
 /** Boxes and wires of `tree`, what the file says as texts, lists and mappings. `library`: entities by their ids. */
@@ -127,8 +133,11 @@ export function modelOf(tree, library) {
       if (!Array.isArray(top[section])) boxes.push(entityBox(section, name, top[section][name], library));
   boxes.push(endBox("observations", top.observations));
   const connections = Array.isArray(top.connections) ? top.connections : [];
-  const wires = connections.map((connection, number) => wireOf(connection, number, boxes)).filter(Boolean);
-  return {top, boxes, wires, connections};
+  const numbers = new Map(boxes.map(({name}, b) => [name, b]));
+  const wires = connections.map((connection, number) => wireOf(connection, number, boxes, numbers)).filter(Boolean);
+  const incoming = boxes.map(() => []);  // numbers of wires to each box
+  wires.forEach(({to}, w) => incoming[to].push(w));
+  return {top, boxes, wires, connections, incoming};
 }
 
 /** All names that another object or node cannot have. */

@@ -38,13 +38,13 @@ function heightOfReturn(places, source, target, left, right) {
  * made.
  */
 export function wireRoutes(model, places, isFree) {
-  const {lanes} = columnLayout(model);
+  const lanes = isFree ? columnLayout(model).lanes : [];
   let returns = 0;
   return model.wires.map((wire, w) => {
     const source = places[wire.from], target = places[wire.to];
     const [dx, dy] = portPlace(source, "outputs", wire.output), [ex, ey] = portPlace(target, "inputs", wire.input);
     const from = [source.x + dx, source.y + dy], to = [target.x + ex, target.y + ey];
-    if (to[0] > from[0] + 20) return forwardRoute(from, to, isFree ? lanes[w] : []);
+    if (to[0] > from[0] + 20) return forwardRoute(from, to, lanes[w] ?? []);
     const shift = 6 * (returns++ % 6), right = from[0] + kReach + shift, left = to[0] - kReach - shift;
     const y = heightOfReturn(places, source, target, left, right) + shift;
     return roundedPath([from, [right, from[1]], [right, y], [left, y], [left, to[1]], to]);
