@@ -33,7 +33,7 @@ export function drawCurve(run) {
   const points = lines.flatMap(([, line]) => line);
   curveBox.hidden = run.kind !== "train" || points.length < 1;
   if (curveBox.hidden) return;
-  const width = curveBox.clientWidth - 8, height = 170, context = prepare(curveCanvas, width, height);
+  const width = curveBox.clientWidth - 8, height = 140, context = prepare(curveCanvas, width, height);
   if (!context) return;
   const right = Math.max(1, ...points.map(([x]) => x)), ys = points.map(([, y]) => y);
   let low = Math.min(...ys), high = Math.max(...ys);

@@ -50,7 +50,7 @@ export function takeRun(known, told) {
 
 const linesBox = el("pre.lines", {tabIndex: 0, "aria-label": "What the program prints", "aria-live": "polite"});
 const runStatus = el("p.note", {role: "status"}, "Nothing has run yet.");
-export const runPanel = el("div.run", {}, runStatus, curveBox, linesBox);
+export const runPanel = el("div.run", {}, runStatus, linesBox, curveBox);
 
 function statusText() {
   if (!run.id) return "Nothing has run yet.";
@@ -65,9 +65,9 @@ export function showRun() {
       ...(run.result && !run.running ?
               [" ", el("a", {href: "./result", target: "_blank", rel: "noopener"}, "Open the page")] :
               []));
-  const atEnd = runPanel.scrollTop + runPanel.clientHeight >= runPanel.scrollHeight - 30;
+  const atEnd = linesBox.scrollTop + linesBox.clientHeight >= linesBox.scrollHeight - 30;
   linesBox.replaceChildren(...run.lines.map(({text, error}) => el("span" + (error ? ".error" : ""), {}, text + "\n")));
-  if (atEnd) runPanel.scrollTop = runPanel.scrollHeight;
+  if (atEnd) linesBox.scrollTop = linesBox.scrollHeight;
   drawCurve(run);
   for (const one of runButtons) one.disabled = run.running || (one.needsGood && !editing.client.state?.good);
   stopButton.disabled = !run.running;

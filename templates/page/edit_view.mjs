@@ -110,6 +110,8 @@ document.addEventListener("keydown", (event) => {
   }
 });
 
+connectDialog.addEventListener("keydown", (event) => event.stopPropagation());  // single keys mean nothing there
+
 function makeEditView(panel) {
   panel.append(
       el("div.toolbar", {}, el("div.segment", {role: "group", "aria-label": "Steps"}, undoButton, redoButton), runTools,

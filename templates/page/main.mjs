@@ -69,6 +69,12 @@ document.getElementById("tabs").addEventListener("keydown", (event) => {
   next.tab.focus();
 });
 
+const kEditKeys = [
+  ["l", "edit: search the library"], ["c", "edit: connect the box"], ["Shift and arrows", "edit: move the box"],
+  ["Enter", "edit: to the form, or send what was typed"], ["Delete", "edit: delete what is selected"],
+  ["Ctrl+Z, Ctrl+Shift+Z", "edit: undo, redo"]
+];
+
 // ---- Keys -----------------------------------------------------------------------------------------------------------
 const help = document.getElementById("help");
 function showHelp() {
@@ -78,7 +84,7 @@ function showHelp() {
     ["+ −", "zoom"], ["0", "show all"], ["e", "graph: as written, as it runs"],
     ["Enter", "graph: opens a composite, or closes the one around"], ["o", "graph: all of them"],
     ["Space", "plots: plays the drawing"], ["wheel", "zoom where the pointer is; in a long timetable with Ctrl"],
-    ["?", "these keys"]
+    ...(moreViews.has("edit") ? kEditKeys : []), ["?", "these keys"]
   ];
   help.replaceChildren(
       el("h2", {}, "Keys"),
