@@ -16,7 +16,8 @@ import {freshness, moreViews, views} from "./views.mjs";
 
 const editLibrary = libraryPanel();
 const noticeBox = el("p.notice", {role: "status", hidden: true});
-const undoButton = button("↶ Undo", () => stepBack("undo")), redoButton = button("↷ Redo", () => stepBack("redo"));
+const undoButton = button("↶ Undo", () => stepBack("undo"), {disabled: true}),
+      redoButton = button("↷ Redo", () => stepBack("redo"), {disabled: true});
 const problemsBox = el("div.list"), goodness = el("p.goodness", {role: "status"});
 
 // ---- Below: one of three ------------------------------------------------------------------------------------------
