@@ -25,7 +25,7 @@ export function curveOf(columns, rows, names) {
 const curveCanvas = el("canvas", {role: "img", "aria-label": "Learning curve: return over steps"});
 export const curveBox =
     el("div.curve", {hidden: true}, curveCanvas,
-       el("small.block", {}, el("i.mean"), "return, ", el("i.evaluation"), "of episodes without noise, over steps"));
+       el("small.block", {}, el("i.mean"), "return", el("i.evaluation"), "return without noise, over steps"));
 /** Return over steps of what trains: of its table, or before there is one, of what it tells meanwhile. */
 export function drawCurve(run) {
   const columns = run.rows.length ? run.columns : kProgressColumns, rows = run.rows.length ? run.rows : run.progress;

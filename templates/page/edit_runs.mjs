@@ -49,6 +49,10 @@ export function takeRun(known, told) {
 }
 
 const linesBox = el("pre.lines", {tabIndex: 0, "aria-label": "What the program prints", "aria-live": "polite"});
+let follows = true;  // the last line, until somebody scrolls up
+linesBox.addEventListener("scroll", () => {
+  follows = linesBox.scrollTop + linesBox.clientHeight >= linesBox.scrollHeight - 30;
+});
 const runStatus = el("p.note", {role: "status"}, "Nothing has run yet.");
 export const runPanel = el("div.run", {}, runStatus, linesBox, curveBox);
 
@@ -65,10 +69,9 @@ export function showRun() {
       ...(run.result && !run.running ?
               [" ", el("a", {href: "./result", target: "_blank", rel: "noopener"}, "Open the page")] :
               []));
-  const atEnd = linesBox.scrollTop + linesBox.clientHeight >= linesBox.scrollHeight - 30;
   linesBox.replaceChildren(...run.lines.map(({text, error}) => el("span" + (error ? ".error" : ""), {}, text + "\n")));
-  if (atEnd) linesBox.scrollTop = linesBox.scrollHeight;
   drawCurve(run);
+  if (follows) linesBox.scrollTop = linesBox.scrollHeight;
   for (const one of runButtons) one.disabled = run.running || (one.needsGood && !editing.client.state?.good);
   stopButton.disabled = !run.running;
 }
