@@ -56,27 +56,27 @@ bool differs_only_at(const Written& before, const Written& after, const OutlineP
 bool has_name(const Written& written, const std::string& section, const std::string& name) {
   const OutlineNode* const all = written.top().find(section);
   return all != nullptr && std::ranges::any_of(all->entries, [&](const OutlineEntry& entry) {
-    return entry.key == name || entry.value.text == name;
-  });
+           return entry.key == name || entry.value.text == name;
+         });
 }
 
 bool is_name(const std::string& name) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
-  return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, [&](char c) {
-    return is_letter(c) || (c >= '0' && c <= '9');
-  });
+  return !name.empty() && is_letter(name.front()) &&
+         std::ranges::all_of(name, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
 }
 
 bool is_taken(const Written& written, const std::string& section, const std::string& name) {
   if (is_among(kAgentSections, section)) return has_name(written, section, name);
-  return std::ranges::any_of(
-      kEntitySections, [&](const char* each) { return has_name(written, each, name); });
+  return std::ranges::any_of(kEntitySections,
+                             [&](const char* each) { return has_name(written, each, name); });
 }
 
 bool add_name(Written& written, const OutlinePath& path, const std::string& name) {
-  if (written.node(path) == nullptr) return insert_key(written, {}, key_at(path, 0), "[" + name + "]");
+  if (written.node(path) == nullptr)
+    return insert_key(written, {}, key_at(path, 0), "[" + name + "]");
   const OutlineNode& node = *written.node(path);
   if (node.kind == OutlineNode::Kind::map && !node.entries.empty())
     return insert_key(written, path, name, "{}");

@@ -13,8 +13,8 @@ namespace {
 std::vector<std::string> lines_of_item(const std::vector<KeyValue>& values) {
   std::vector<std::string> lines;
   for (const KeyValue& each : values)
-    lines.push_back(fmt::format("{}{}: {}", lines.empty() ? "- " : "  ", yaml_text(each.key),
-                                each.value));
+    lines.push_back(
+        fmt::format("{}{}: {}", lines.empty() ? "- " : "  ", yaml_text(each.key), each.value));
   return lines;
 }
 
@@ -36,7 +36,8 @@ std::optional<std::size_t> connection_of(const Written& written, const std::stri
   if (all == nullptr || all->kind != OutlineNode::Kind::list) return std::nullopt;
   for (std::size_t i = all->entries.size(); i-- > 0;) {
     const OutlineNode& each = all->entries[i].value;
-    if (is_port_of(text_at(each, "from"), owner) || is_port_of(text_at(each, "to"), owner)) return i;
+    if (is_port_of(text_at(each, "from"), owner) || is_port_of(text_at(each, "to"), owner))
+      return i;
   }
   return std::nullopt;
 }
@@ -74,11 +75,13 @@ bool choose_port(Written& written, const std::string& port, bool sends) {
   if (!is_name(name)) return true;
   for (const char* const section : kEntitySections) {
     const bool is_object = std::string_view(section) == "objects";
-    const std::string list = is_object ? (sends ? "sensors" : "actuators")
-                                       : (sends ? "outputs" : "inputs");
+    const std::string list =
+        is_object ? (sends ? "sensors" : "actuators") : (sends ? "outputs" : "inputs");
     const OutlinePath path{section, owner, list};
     const OutlineNode* const chosen = written.node(path);
-    if (chosen == nullptr || (chosen->kind != OutlineNode::Kind::list && chosen->kind != OutlineNode::Kind::map)) continue;
+    if (chosen == nullptr ||
+        (chosen->kind != OutlineNode::Kind::list && chosen->kind != OutlineNode::Kind::map))
+      continue;
     const bool has = std::ranges::any_of(chosen->entries, [&](const OutlineEntry& entry) {
       return entry.key == name || entry.value.text == name;
     });
@@ -102,7 +105,8 @@ Change remove_entry(std::string_view text, const OutlinePath& written_path) {
   if (path.size() == 2 && is_among(kAgentSections, section))
     owner = section + "." + (entry->key.empty() ? entry->value.text : entry->key);
   const bool done =
-      take_away(after, path) && content_of(before.top(), path) == content_of(after.top(), [&] {
+      take_away(after, path) &&
+      content_of(before.top(), path) == content_of(after.top(), [&] {
         OutlinePath above(path.begin(), path.end() - 1);
         above.emplace_back(std::string());  // nothing: only what holds nothing above is left out
         return above;
@@ -126,8 +130,7 @@ Change connect_ports(std::string_view text, const std::string& from, const std::
   const Written before(text);
   Written after = before;
   const std::string item = "{" + flow_of(all) + "}";
-  if (before.top().find("connections") == nullptr &&
-      !insert_key(after, {}, "connections", "[]"))
+  if (before.top().find("connections") == nullptr && !insert_key(after, {}, "connections", "[]"))
     return refused("`connections` cannot be added as the file is written", kByHand);
   const OutlinePath list{"connections"};
   const std::size_t count = after.node(list)->entries.size();

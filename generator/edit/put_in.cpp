@@ -11,9 +11,9 @@ namespace eagerx::gen {
 namespace {
 
 /// The order in which people write a graph's sections.
-constexpr std::array kSections = {
-    "extends", "name", "rate", "real", "library", "engine", "objects",   "nodes", "actions",
-    "observations", "connections", "task", "render", "agent", "safety"};
+constexpr std::array kSections = {"extends",     "name",    "rate",   "real",    "library",
+                                  "engine",      "objects", "nodes",  "actions", "observations",
+                                  "connections", "task",    "render", "agent",   "safety"};
 
 std::size_t rank_of(std::string_view section) {
   return static_cast<std::size_t>(std::ranges::find(kSections, section) - kSections.begin());
@@ -56,8 +56,7 @@ bool put_on_lines(Written& written, std::size_t end, std::size_t indent,
                   const std::vector<std::string>& lines) {
   const std::size_t place = written.line_end(end);
   std::string text;
-  for (const std::string& line : lines)
-    text += written.newline() + std::string(indent, ' ') + line;
+  for (const std::string& line : lines) text += written.newline() + std::string(indent, ' ') + line;
   written.replace({place, place}, text);
   return true;
 }
@@ -85,8 +84,8 @@ bool insert_section(Written& written, const std::string& line) {
     if (rank_of(entry.key) <= rank) before = &entry;
   }
   if (before != nullptr)
-    return put_on_lines(written, written.end_of(*before),
-                        written.column(before->whole.begin), {line});
+    return put_on_lines(written, written.end_of(*before), written.column(before->whole.begin),
+                        {line});
   if (!top.entries.empty()) {
     const std::size_t begin = written.line_begin(top.entries.front().whole.begin);
     written.replace({begin, begin}, line + written.newline());

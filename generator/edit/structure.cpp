@@ -83,8 +83,7 @@ Change add_entry(std::string_view text, const NewEntry& entry) {
     return refused(fmt::format("`{}` is no name", entry.name),
                    "a name has letters, digits and `_`, and begins with no digit");
   constexpr std::array kReserved = {"actions", "observations", "engine", "environment"};
-  if (is_taken(before, entry.section, entry.name) ||
-      (is_entity && is_among(kReserved, entry.name)))
+  if (is_taken(before, entry.section, entry.name) || (is_entity && is_among(kReserved, entry.name)))
     return refused(fmt::format("there is `{}` already", entry.name), "choose another name");
   if (is_entity && !is_name(entry.type))
     return refused(fmt::format("`{}` is no id of an entity", entry.type));
@@ -103,8 +102,10 @@ Change add_entry(std::string_view text, const NewEntry& entry) {
   bool done = false;
   OutlinePath place{entry.section, entry.name};
   if (keys.empty() && (names || section->kind == Kind::nothing)) {
-    if (section != nullptr && section->kind == Kind::map) done = add_to_section(after, entry, keys);
-    else done = add_name(after, {entry.section}, entry.name);
+    if (section != nullptr && section->kind == Kind::map)
+      done = add_to_section(after, entry, keys);
+    else
+      done = add_name(after, {entry.section}, entry.name);
     if (const OutlineNode* now = after.top().find(entry.section);
         now != nullptr && now->kind == Kind::list && !now->entries.empty())
       place.back() = now->entries.size() - 1;
@@ -117,16 +118,17 @@ Change add_entry(std::string_view text, const NewEntry& entry) {
     if (done && section != nullptr && section->kind == Kind::list) place = {entry.section};
   }
   if (!done || after.node(place) == nullptr || !differs_only_at(before, after, place))
-    return refused(fmt::format("`{}` cannot be added to `{}` as it is written", entry.name,
-                               entry.section),
-                   kByHand);
+    return refused(
+        fmt::format("`{}` cannot be added to `{}` as it is written", entry.name, entry.section),
+        kByHand);
   return made(fmt::format("Add `{}`", entry.name), text, after);
 }
 
 Change set_value(std::string_view text, const OutlinePath& path, const std::string& value) {
   if (path.empty()) return refused("there is no path");
-  if (!is_one_value(value)) return refused(fmt::format("`{}` is not one value of YAML", value),
-                                           "put a text that has another meaning in quotes");
+  if (!is_one_value(value))
+    return refused(fmt::format("`{}` is not one value of YAML", value),
+                   "put a text that has another meaning in quotes");
   const Written before(text);
   Written after = before;
   const std::string name = shown(path);
@@ -143,8 +145,9 @@ Change set_value(std::string_view text, const OutlinePath& path, const std::stri
         std::string_view("&!").find(before.text()[begin + first]) != std::string_view::npos)
       return refused(fmt::format("`{}` has an anchor or a tag", name), kByHand);
     const bool is_item = entry->key.empty() && !before.has_dash(*entry);
-    after.replace({begin, end}, fmt::format("{}{}{}", entry->has_colon || entry->key.empty() ? "" : ":",
-                                            is_item ? "" : " ", value));
+    after.replace({begin, end},
+                  fmt::format("{}{}{}", entry->has_colon || entry->key.empty() ? "" : ":",
+                              is_item ? "" : " ", value));
   } else {
     std::size_t known = path.size() - 1;
     while (known > 0 && before.node({path.begin(), path.begin() + known}) == nullptr) --known;

@@ -88,8 +88,7 @@ bool take_away(Written& written, const OutlinePath& path) {
   const OutlinePath owner(path.begin(), path.end() - 1);
   const OutlineNode& node = *written.node(owner);
   const auto index = static_cast<std::size_t>(entry - node.entries.data());
-  return node.flow ? out_of_flow(written, node, index)
-                   : out_of_lines(written, node, owner, index);
+  return node.flow ? out_of_flow(written, node, index) : out_of_lines(written, node, owner, index);
 }
 
 }  // namespace eagerx::gen

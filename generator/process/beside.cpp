@@ -67,8 +67,10 @@ class Lines {
       return;
     }
     for (const char c : std::string_view(bytes.data(), static_cast<std::size_t>(count))) {
-      if (c == '\n' || c == '\r') flush();
-      else if (line_.size() < kLongestLine) line_ += c;
+      if (c == '\n' || c == '\r')
+        flush();
+      else if (line_.size() < kLongestLine)
+        line_ += c;
     }
   }
   void flush() {
@@ -118,8 +120,7 @@ std::optional<int> run_beside(const std::vector<std::string>& command,
   if (output.ends[0] < 0 || error.ends[0] < 0 || trouble.ends[0] < 0) return std::nullopt;
   const pid_t child = fork();
   if (child == 0)
-    start(arguments.data(), options.folder.c_str(), output.ends[1], error.ends[1],
-          trouble.ends[1]);
+    start(arguments.data(), options.folder.c_str(), output.ends[1], error.ends[1], trouble.ends[1]);
   if (child < 0) return std::nullopt;
   setpgid(child, child);  // as the child does itself: whoever comes first
   for (Pipe* const pipe : {&output, &error, &trouble}) pipe->close_end(1);

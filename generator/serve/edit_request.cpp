@@ -19,7 +19,7 @@ constexpr std::size_t kMostEdits = 1000;
 class OneEdit {
  public:
   OneEdit(std::string_view text, const Json& edit, const std::vector<Diagnostic>& problems,
-        bool is_first)
+          bool is_first)
       : text_(text), edit_(edit), problems_(problems), is_first_(is_first) {}
 
   /// Nothing: `problem` says what is wrong with the request.
@@ -73,11 +73,14 @@ class OneEdit {
   Change fix() {
     const Json* const number = member(&edit_, "problem");
     const auto* const index = number != nullptr ? number->as<std::int64_t>() : nullptr;
-    if (index == nullptr) problem_ = "`problem` is no whole number";
-    else if (!is_first_) problem_ = "a `fix` is the first edit of a request";
+    if (index == nullptr)
+      problem_ = "`problem` is no whole number";
+    else if (!is_first_)
+      problem_ = "a `fix` is the first edit of a request";
     if (!problem_.empty()) return {};
     const bool is_there = *index >= 0 && static_cast<std::size_t>(*index) < problems_.size();
-    auto edit = is_there ? fix_of(problems_[static_cast<std::size_t>(*index)], text_) : std::nullopt;
+    auto edit =
+        is_there ? fix_of(problems_[static_cast<std::size_t>(*index)], text_) : std::nullopt;
     if (!edit) return {std::nullopt, "the help of this problem is no change of the text", ""};
     return {std::move(edit)};
   }
@@ -139,8 +142,8 @@ Edited edited(std::string_view text, const Json* edits, const std::vector<Diagno
   std::string reason;
   for (result.index = 0; result.index < list->size(); ++result.index) {
     std::string problem;
-    auto change = OneEdit(result.text, (*list)[result.index], problems, result.index == 0)
-                      .change(problem);
+    auto change =
+        OneEdit(result.text, (*list)[result.index], problems, result.index == 0).change(problem);
     if (!change) return fail(kBadRequest, problem);
     if (!change->edit) return fail(kImpossible, change->problem, change->help);
     if (reason.empty()) reason = change->edit->reason;

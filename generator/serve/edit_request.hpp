@@ -13,10 +13,10 @@ namespace eagerx::gen::serve {
 
 /// The changes of a request, one after the other, as one; or why there is none.
 struct Edited {
-  Edit edit = {};             // of the whole, with one splice
-  std::string text = {};      // what it makes
-  int status = 200;           // of HTTP: 400 it is no edit, 422 it is impossible
-  std::size_t index = 0;      // of the edit that is not possible
+  Edit edit = {};         // of the whole, with one splice
+  std::string text = {};  // what it makes
+  int status = 200;       // of HTTP: 400 it is no edit, 422 it is impossible
+  std::size_t index = 0;  // of the edit that is not possible
   std::string problem = {}, help = {};
 };
 

@@ -92,8 +92,7 @@ GraphFile::Stamp GraphFile::stamp() const {
   if (stat(path_.c_str(), &facts) != 0) return {};
   constexpr long long kNs = 1'000'000'000;
   return {static_cast<long long>(facts.st_dev), static_cast<long long>(facts.st_ino),
-          static_cast<long long>(facts.st_size),
-          facts.st_mtim.tv_sec * kNs + facts.st_mtim.tv_nsec,
+          static_cast<long long>(facts.st_size), facts.st_mtim.tv_sec * kNs + facts.st_mtim.tv_nsec,
           facts.st_ctim.tv_sec * kNs + facts.st_ctim.tv_nsec};
 }
 

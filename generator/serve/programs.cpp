@@ -106,8 +106,8 @@ Reply Programs::start(const Json& request) {
   if (kind == "train") {
     const auto own = std::ranges::find(*words, "--csv");
     const bool is_told = own != words->end() && own + 1 != words->end();
-    curve_file_ = is_told ? (fs::path(graph_).parent_path() / *(own + 1)).string()
-                          : place_of(kCurve);
+    curve_file_ =
+        is_told ? (fs::path(graph_).parent_path() / *(own + 1)).string() : place_of(kCurve);
     if (!is_told) command.insert(command.end(), {"--csv", curve_file_});
   }
   command.insert(command.end(), words->begin(), words->end());

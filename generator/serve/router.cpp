@@ -26,8 +26,8 @@ bool is_among(const std::array<const char*, N>& words, std::string_view word) {
 bool is_same(std::string_view a, std::string_view b) {
   unsigned difference = a.size() == b.size() ? 0U : 1U;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    difference |= static_cast<unsigned>(static_cast<unsigned char>(a[i]) ^
-                                        static_cast<unsigned char>(b[i]));
+    difference |=
+        static_cast<unsigned>(static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(b[i]));
   return difference == 0;
 }
 
@@ -46,7 +46,8 @@ bool is_json(std::string_view type) {
 /// A whole number that is a parameter; `otherwise` where there is none, nothing where it is none.
 std::optional<std::int64_t> whole(const Asked& asked, const std::string& name,
                                   std::int64_t otherwise) {
-  const auto found = std::ranges::find(asked.query, name, &std::pair<std::string, std::string>::first);
+  const auto found =
+      std::ranges::find(asked.query, name, &std::pair<std::string, std::string>::first);
   if (found == asked.query.end()) return otherwise;
   const std::string* const text = &found->second;
   std::int64_t number = 0;
@@ -79,8 +80,8 @@ std::string Router::address() const {
 }
 
 Answer Router::error(int status) const {
-  return refused(status, status == kTooLarge ? "the body is too large"
-                                             : "the request is none that is known");
+  return refused(
+      status, status == kTooLarge ? "the body is too large" : "the request is none that is known");
 }
 
 std::optional<Answer> Router::refusal(const Asked& asked) const {
@@ -94,7 +95,7 @@ std::optional<Answer> Router::refusal(const Asked& asked) const {
       path.substr(std::min<std::size_t>(1, path.size()), end == path.npos ? path.npos : end - 1);
   if (end == path.npos || !is_same(token, token_))
     return refused(kForbidden, "the address has no valid token",
-                 "open the address that eagerx-gen serve has printed");
+                   "open the address that eagerx-gen serve has printed");
   const std::string_view what = rest_of(path, token_);
   const bool gets = is_among(kGets, what), posts = is_among(kPosts, what);
   if (!gets && !posts) return refused(kNotFound, fmt::format("there is no `{}`", what));

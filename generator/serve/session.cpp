@@ -74,8 +74,10 @@ Json Session::state_json(std::optional<std::int64_t> known_page, const Json& run
             {"text", text_},
             {"good", !checked.diagnostics.has_errors()},
             {"problems", problems_json(checked, path_, text_)}};
-  if (!page_) json["page"] = nullptr;
-  else if (known_page != page_revision_) json["page"] = *page_;
+  if (!page_)
+    json["page"] = nullptr;
+  else if (known_page != page_revision_)
+    json["page"] = *page_;
   json["page_revision"] = page_revision_;
   json["layout"] = layout_;
   json["undo"] = or_null(history_.undo_reason());
@@ -119,8 +121,7 @@ Reply Session::write(std::string text, const Json& running, const Done& done) {
       take_from_disk();
       return conflict(kOnDisk, running);
     case GraphFile::Written::failed:
-      return failure(kFailed,
-                     fmt::format("cannot write `{}`: {}", path_, file_.problem()));
+      return failure(kFailed, fmt::format("cannot write `{}`: {}", path_, file_.problem()));
   }
   done();
   take_text(std::move(text), true);

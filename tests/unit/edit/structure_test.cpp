@@ -52,8 +52,9 @@ TEST(Add, WritesAsTheOthersAreWritten) {
   EXPECT_EQ(added("nodes:\n  a:\n    type: A # why\n    rate: 1\n# end\n", kLowPass),
             "nodes:\n  a:\n    type: A # why\n    rate: 1\n  low_pass:\n    type: Filter\n"
             "    rate: 30\n    config: {order: 2}\n# end\n");
-  EXPECT_EQ(added("nodes: {a: {type: A}}  # all\n", kLowPass),
-            "nodes: {a: {type: A}, low_pass: {type: Filter, rate: 30, config: {order: 2}}}  # all\n");
+  EXPECT_EQ(
+      added("nodes: {a: {type: A}}  # all\n", kLowPass),
+      "nodes: {a: {type: A}, low_pass: {type: Filter, rate: 30, config: {order: 2}}}  # all\n");
   EXPECT_EQ(added("nodes: {\n  a: {type: A},  # a\n  b: {type: B}  # b\n}\n", {"nodes", "c", "C"}),
             "nodes: {\n  a: {type: A},  # a\n  b: {type: B},\n  c: {type: C}  # b\n}\n");
   EXPECT_EQ(added("nodes: {}  # none\n", {"nodes", "c", "C"}), "nodes:  # none\n  c: {type: C}\n");
@@ -80,12 +81,19 @@ TEST(Add, KeepsLineEndsByteOrderMarksAndMissingNewlines) {
 
 TEST(Add, RefusesWhatIsNoEntry) {
   const std::string text = "objects: {a: {type: A}}\n";
-  for (const NewEntry& entry : std::vector<NewEntry>{
-           {"nodes", "a", "A"}, {"nodes", "", "A"}, {"nodes", "1a", "A"}, {"nodes", "a b", "A"},
-           {"nodes", "b", ""}, {"nodes", "b", "B: {"}, {"wires", "b", "B"},
-           {"nodes", "engine", "B"}, {"nodes", "b", "B", {{"rate", "1}"}}},
-           {"nodes", "b", "B", {{"rate", "1 # fast"}}}, {"nodes", "b", "B", {{"rate", "1\n2"}}},
-           {"nodes", "b", "B", {{"", "1"}}}, {"nodes", "b", "B", {}, {{"x", ""}}}})
+  for (const NewEntry& entry : std::vector<NewEntry>{{"nodes", "a", "A"},
+                                                     {"nodes", "", "A"},
+                                                     {"nodes", "1a", "A"},
+                                                     {"nodes", "a b", "A"},
+                                                     {"nodes", "b", ""},
+                                                     {"nodes", "b", "B: {"},
+                                                     {"wires", "b", "B"},
+                                                     {"nodes", "engine", "B"},
+                                                     {"nodes", "b", "B", {{"rate", "1}"}}},
+                                                     {"nodes", "b", "B", {{"rate", "1 # fast"}}},
+                                                     {"nodes", "b", "B", {{"rate", "1\n2"}}},
+                                                     {"nodes", "b", "B", {{"", "1"}}},
+                                                     {"nodes", "b", "B", {}, {{"x", ""}}}})
     EXPECT_FALSE(add_entry(text, entry).edit) << entry.name << entry.type;
   EXPECT_FALSE(add_entry("nodes: 3\n", {"nodes", "b", "B"}).edit);
   EXPECT_FALSE(add_entry("- 1\n- 2\n", {"nodes", "b", "B"}).edit);
@@ -233,8 +241,8 @@ TEST(Rename, FindsActionsAndObservationsEverywhere) {
   EXPECT_NE(text.find("{from: pid.u, to: arm.u}"), std::string::npos) << text;
   EXPECT_EQ(renamed(text, {"actions", "torque"}, "u"), kWrittenGraph);
   text = renamed(kWrittenGraph, {"observations", "q"}, "angle");
-  for (const char* const changed :
-       {"observations: [angle]  # one", "to: observations.angle}", "agent: {observations: [angle]}"})
+  for (const char* const changed : {"observations: [angle]  # one", "to: observations.angle}",
+                                    "agent: {observations: [angle]}"})
     EXPECT_NE(text.find(changed), std::string::npos) << changed << text;
   EXPECT_NE(renamed(kWrittenGraph, {"nodes", "pid"}, "loop").find("{from: loop.u, to: arm.u}"),
             std::string::npos);

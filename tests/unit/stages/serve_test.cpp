@@ -28,7 +28,8 @@ class NoWorkshop final : public Workshop {
     const FileId file = checked.sources.add(path, text);
     const std::size_t at = text.find("thetta");
     if (at != std::string::npos) {
-      const auto line = static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + at, '\n'));
+      const auto line =
+          static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + at, '\n'));
       const std::size_t newline = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
       const auto column = static_cast<std::uint32_t>(at - (newline + 1) + 1);
       checked.diagnostics.error("E0307", {file, line + 1, column, 6}, "no `thetta`").help =
@@ -232,10 +233,11 @@ TEST_F(Serve, AnswersThoseWhoHaveTheToken) {
 TEST_F(Serve, RunsOneProgramAndKeepsItsOutput) {
   Programs programs(workshop_.self(), graph());
   EXPECT_EQ(programs.start(Json{{"kind", "explode"}}).status, 400);
-  EXPECT_EQ(programs.start(Json{{"kind", "check"},
-                                {"arguments", Json(std::vector<std::string>{"a b", "c"})}})
-                .status,
-            200);
+  EXPECT_EQ(
+      programs
+          .start(Json{{"kind", "check"}, {"arguments", Json(std::vector<std::string>{"a b", "c"})}})
+          .status,
+      200);
   Reply told;
   do told = programs.output(0, 0, 10.0);
   while (truth_of(member(&told.body, "running")) == true);
@@ -259,20 +261,33 @@ TEST_F(Serve, UndoGivesTheExamplesBack) {
       // A place in it, and what is done there.
       OutlinePath path;
       const OutlineNode top = outline_of(text);
-      for (const OutlineNode* node = &top; !node->entries.empty() && (path.empty() || below(3) > 0);) {
+      for (const OutlineNode* node = &top;
+           !node->entries.empty() && (path.empty() || below(3) > 0);) {
         const std::size_t index = below(node->entries.size());
-        if (node->kind == OutlineNode::Kind::map) path.emplace_back(node->entries[index].key);
-        else path.emplace_back(index);
+        if (node->kind == OutlineNode::Kind::map)
+          path.emplace_back(node->entries[index].key);
+        else
+          path.emplace_back(index);
         node = &node->entries[index].value;
       }
       const std::string name = "new_" + std::to_string(i);
       Change change;
       switch (below(5)) {
-        case 0: change = set_value(text, path, "[1, {a: b}]"); break;
-        case 1: change = remove_entry(text, path); break;
-        case 2: change = add_entry(text, {"nodes", name, "Node", {{"rate", "30"}}}); break;
-        case 3: change = connect_ports(text, name + ".x", "b.z", {}); break;
-        default: path.emplace_back(name); change = set_value(text, path, "7");
+        case 0:
+          change = set_value(text, path, "[1, {a: b}]");
+          break;
+        case 1:
+          change = remove_entry(text, path);
+          break;
+        case 2:
+          change = add_entry(text, {"nodes", name, "Node", {{"rate", "30"}}});
+          break;
+        case 3:
+          change = connect_ports(text, name + ".x", "b.z", {});
+          break;
+        default:
+          path.emplace_back(name);
+          change = set_value(text, path, "7");
       }
       if (!change.edit) continue;
       ++made;
