@@ -10,6 +10,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/emitted.hpp"
 #include "generator/cli/judge.hpp"
+#include "generator/cli/manifest_check.hpp"
 #include "generator/cli/targets.hpp"
 #include "generator/compile/compile.hpp"
 #include "generator/resolve/needs.hpp"
@@ -39,7 +40,21 @@ struct CheckOptions : GraphOptions {
   bool compile = false;  // also the code of entities
 };
 
+/// Without a graph.
+int perform_manifest(const CheckOptions& options) {
+  Run run;
+  const auto file = load_yaml_file(options.graph, run.sources, run.diagnostics);
+  if (file) {
+    const std::string text = run.sources.text(*file);
+    check_manifest(run, options, options.graph, text);
+  }
+  const int code = finish(run, options);
+  if (code == kDone && !options.quiet) say("{}: no problems\n", options.graph);
+  return code;
+}
+
 int perform(const CheckOptions& options) {
+  if (is_manifest(options.graph)) return perform_manifest(options);
   Run run;
   const std::string output = options.compile ? "/" : "";  // the compiler gets whole paths
   const auto targets = make(run, options) ? judged_targets(run, options, output) : std::nullopt;
@@ -62,6 +77,8 @@ Command table(CheckOptions& options) {
       .name = "check",
       .about = "only look for problems",
       .examples = {{"look for problems", "eagerx-gen check pendulum.yaml"},
+                   {"a manifest, without a graph that uses it",
+                    "eagerx-gen check my_models/gain/manifest.yaml"},
                    {"also the code of the entities", "eagerx-gen check pendulum.yaml --compile"},
                    {"with entities of your own, messages as JSON",
                     "eagerx-gen check pendulum.yaml --path my_models --diagnostics json"}},

@@ -45,6 +45,8 @@ Command fix_command();
 Command rename_command();
 /// Serves an editor.
 Command lsp_command();
+/// Serves the page that edits a graph.
+Command serve_command();
 /// Looks into weight files: `policy info`, `test`, `golden`, `compare`.
 Command policy_command();
 /// Opens the reference.

@@ -15,6 +15,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/edit/helps.hpp"
 #include "generator/files/files.hpp"
 #include "generator/outline/lines.hpp"
 #include "generator/read/tree.hpp"

@@ -32,6 +32,13 @@ Diagnostic& Diagnostics::note(Span span, std::string message) {
   return all_.emplace_back(make(Severity::note, "", span, std::move(message)));
 }
 
+void Diagnostics::take(Diagnostic diagnostic) {
+  if (diagnostic.severity == Severity::error) ++errors_;
+  if (diagnostic.io) ++io_errors_;
+  if (diagnostic.usage) ++usage_errors_;
+  all_.push_back(std::move(diagnostic));
+}
+
 void Diagnostics::drop_repeats() {
   std::set<std::tuple<std::string, FileId, std::uint32_t, std::uint32_t, std::string>> seen;
   std::erase_if(all_, [&](const Diagnostic& d) {

@@ -90,6 +90,9 @@ class Diagnostics {
   /// An error of the command line that only shows once files are read.
   Diagnostic& usage_error(std::string code, std::string message);
 
+  /// One that was found elsewhere.
+  void take(Diagnostic diagnostic);
+
   /// Problems in the order of the file they are in, those without a place first.
   void sort_by_place();
 

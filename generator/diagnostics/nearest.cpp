@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <runtime/host/base/nearest.hpp>
 #include <string>
 #include <string_view>
@@ -16,15 +14,13 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
                          std::string otherwise) {
-  const std::string near = nearest(word, candidates);
-  return near.empty() ? std::move(otherwise) : fmt::format("did you mean `{}`?", near);
+  std::string near = host::did_you_mean(word, candidates);
+  return near.empty() ? std::move(otherwise) : near;
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
                        const std::string& none) {
-  return did_you_mean(
-      word, candidates,
-      candidates.empty() ? none : fmt::format("there is {}", fmt::join(candidates, ", ")));
+  return candidates.empty() ? none : host::suggestion(word, candidates);
 }
 
 }  // namespace eagerx::gen

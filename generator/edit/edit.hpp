@@ -25,10 +25,6 @@ struct Edit {
 /// The text with all splices that do not overlap an earlier one of the list.
 std::string applied(std::string_view text, std::vector<Splice> splices);
 
-/// What the help of a diagnostic says to write in its place ("did you mean `theta`?"), if that is
-/// what it says.
-std::optional<Edit> fix_of(const Diagnostic& diagnostic, std::string_view text);
-
 /// Every place that names an object or a node: its key, its ports in connections, what is set,
 /// limited, placed, measured or shown of it, also in variants. Empty: there is none of this name.
 std::vector<Bytes> uses_of(std::string_view text, const std::string& name);

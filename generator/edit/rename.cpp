@@ -7,13 +7,10 @@
 #include <utility>
 
 #include "generator/edit/edit.hpp"
+#include "generator/edit/words.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-bool is_letter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 constexpr std::array kOwners = {"objects", "nodes"};
 /// Sections in which a word alone, without a port, is an object or a node.
@@ -115,12 +112,12 @@ bool is_free_name(std::string_view text, const std::string& name) {
 }
 
 std::string name_at(std::string_view text, std::size_t at) {
-  for (const std::string& name : owners_of(text)) {
-    for (const Bytes& use : uses_of(text, name)) {
-      if (use.begin <= at && at <= use.end) return name;
-    }
-  }
-  return {};
+  std::size_t begin = std::min(at, text.size()), end = begin;
+  while (begin > 0 && is_letter(text[begin - 1])) --begin;
+  while (end < text.size() && is_letter(text[end])) ++end;
+  std::string name(text.substr(begin, end - begin));
+  const std::vector<Bytes> uses = uses_of(text, name);
+  return std::ranges::find(uses, begin, &Bytes::begin) != uses.end() ? name : std::string();
 }
 
 std::optional<Edit> rename(std::string_view text, const std::string& from, const std::string& to) {

@@ -146,15 +146,6 @@ class GraphView {
     view_["channels"] = std::move(channels);
   }
 
-  View space_view(const std::string& field, const Space& space, const std::string& prefix) {
-    View item = object();
-    item.set("field", field);
-    item.set("type", message_type(space));
-    item.set("constant", constants_.unique("k" + prefix + camel(field)));
-    item.set("literal", space_literal(space));
-    return item;
-  }
-
   /// The lines that set one state from `random`.
   View draw_lines(const Random& random, const Space& space, const std::string& field,
                   const std::string& constant) const {
@@ -233,7 +224,7 @@ class GraphView {
       }
       std::string constant;
       if (kind != RandomSpec::Kind::value && kind != RandomSpec::Kind::choice) {
-        View item = space_view(field, range, "State");
+        View item = space_view(field, range, "State", constants_);
         constant = item.get("constant")->string_value();
         item.set("state", owner + "." + state.name);
         ranges.push_back(item);

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "generator/emit/emit.hpp"
 #include "generator/emit/names.hpp"
@@ -15,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Calls f(root of the includes, class, place of the manifest) for each class of the program.
-template <class F>
-void for_each_class(const Plan& plan, const ProgramNames& names, F&& f) {
+template <class Names, class F>
+void for_each_class(const Plan& plan, const Names& names, F&& f) {
   const Graph& graph = *plan.graph;
   const auto add = [&](const Entity& entity, const CppClass& cpp, const Config& config) {
     f(entity.include_root, cpp, entity.id.span);
@@ -54,6 +56,18 @@ void for_each_class(const Plan& plan, const ProgramNames& names, F&& f) {
     }
   }
 }
+
+/// What of ProgramNames is asked of a program that is all of the graph, without its names, which
+/// take as long as the rest of a check.
+struct WholeProgram {
+  const Graph& graph;
+  [[nodiscard]] bool runs(std::size_t node) const { return runs_here(graph, Part::whole, node); }
+  [[nodiscard]] bool receives(std::size_t node) const {
+    return receives_here(graph, Part::whole, node);
+  }
+  [[nodiscard]] bool has_engine() const { return graph.has_engine() && runs(Graph::kEngine); }
+  static const CppClass& class_of(const Entity& entity) { return entity.cpp; }
+};
 
 }  // namespace
 
@@ -106,31 +120,35 @@ std::vector<UsedClass> used_classes(const Plan& plan) {
 
 void check_headers(const Plan& plan, const std::string& here, Diagnostics& diagnostics) {
   std::set<fs::path> missing;
-  const ProgramNames names(plan, Part::whole);
-  for_each_class(plan, names, [&](const std::string& root, const CppClass& cpp, const Span& place) {
-    if (cpp.include.empty() || root.empty()) return;
-    const fs::path header = fs::path(root) / cpp.include;
-    // As it is written; what both have in common is not.
-    const std::string text = here.empty() ? cpp.include : header.lexically_relative(here).string();
-    const bool writable = text.find_first_of("\"\n\r") == std::string::npos;
-    std::error_code ignored;
-    if ((writable && fs::is_regular_file(header, ignored)) || !missing.insert(header).second)
-      return;
-    if (!writable) {
-      diagnostics
-          .io_error("E0301", place,
-                    fmt::format("C++ cannot include `{}`: its path has a quotation mark or a line "
-                                "break",
-                                text))
-          .help = "rename the folder";
-      return;
-    }
-    diagnostics
-        .io_error("E0301", place,
-                  fmt::format("there is no header `{}`", header.filename().string()))
-        .help =
-        fmt::format("`header:` is a file beside the manifest, with the class `{}`", cpp.name);
-  });
+  std::set<std::pair<std::string_view, std::string_view>> seen;  // a file is looked for once
+  for_each_class(
+      plan, WholeProgram{*plan.graph},
+      [&](const std::string& root, const CppClass& cpp, const Span& place) {
+        if (cpp.include.empty() || root.empty() || !seen.emplace(root, cpp.include).second) return;
+        const fs::path header = fs::path(root) / cpp.include;
+        // As it is written; what both have in common is not.
+        const std::string text =
+            here.empty() ? cpp.include : header.lexically_relative(here).string();
+        const bool writable = text.find_first_of("\"\n\r") == std::string::npos;
+        std::error_code ignored;
+        if ((writable && fs::is_regular_file(header, ignored)) || !missing.insert(header).second)
+          return;
+        if (!writable) {
+          diagnostics
+              .io_error(
+                  "E0301", place,
+                  fmt::format("C++ cannot include `{}`: its path has a quotation mark or a line "
+                              "break",
+                              text))
+              .help = "rename the folder";
+          return;
+        }
+        diagnostics
+            .io_error("E0301", place,
+                      fmt::format("there is no header `{}`", header.filename().string()))
+            .help =
+            fmt::format("`header:` is a file beside the manifest, with the class `{}`", cpp.name);
+      });
 }
 
 }  // namespace eagerx::gen

@@ -25,25 +25,17 @@ class LimitsView {
   }
 
  private:
-  View space_view(const std::string& field, const Space& space, const std::string& prefix) {
-    View item = object();
-    item.set("field", field);
-    item.set("type", message_type(space));
-    item.set("constant", constants_.unique("k" + prefix + camel(field)));
-    item.set("literal", space_literal(space));
-    return item;
-  }
-
   void add_actions() {
     View actions = list(), actuators = list();
     std::vector<View> views;
     for (const auto& action : graph_.environment().outputs)
-      views.push_back(space_view(action.name, action.space, "Action"));
+      views.push_back(space_view(action.name, action.space, "Action", constants_));
     for (std::size_t i = 0; i < views.size(); ++i) {
       const AppliedAction& applied = graph_.applied[i];
       views[i].set("applied", views[i].get("constant")->string_value());
       if (!applied.narrowed_by.empty()) {
-        View item = space_view(graph_.environment().outputs[i].name, applied.space, "Applied");
+        View item =
+            space_view(graph_.environment().outputs[i].name, applied.space, "Applied", constants_);
         item.set("what", applied.narrowed_by);
         views[i].set("applied", item.get("constant")->string_value());
         actuators.push_back(item);
@@ -60,7 +52,7 @@ class LimitsView {
     View observations = list();
     if (names_.receives(Graph::kEnvironment)) {
       for (const auto& input : graph_.environment().inputs)
-        observations.push_back(space_view(input.name, input.space, "Observation"));
+        observations.push_back(space_view(input.name, input.space, "Observation", constants_));
     }
     view_.set("has_observations", observations.is_non_empty_list());
     view_["observations"] = std::move(observations);
@@ -91,7 +83,7 @@ class LimitsView {
       if (!guards) break;
       const Input& input = graph_.environment().inputs[output.input];
       ports.push_back(input);
-      View item = space_view(input.name, output.space, "Output");
+      View item = space_view(input.name, output.space, "Output", constants_);
       item.set("value", message_literal(shortened(output.value), output.space));
       const Rational steps = output.hold_s * graph_.environment().rate_hz;
       item.set("hold_steps", output.holds_always

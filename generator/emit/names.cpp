@@ -256,4 +256,14 @@ bool ProgramNames::has_io(std::size_t node) const {
   return false;
 }
 
+View space_view(const std::string& field, const Space& space, const std::string& prefix,
+                Names& constants) {
+  View item = object();
+  item.set("field", field);
+  item.set("type", message_type(space));
+  item.set("constant", constants.unique("k" + prefix + camel(field)));
+  item.set("literal", space_literal(space));
+  return item;
+}
+
 }  // namespace eagerx::gen

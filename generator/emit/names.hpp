@@ -149,4 +149,9 @@ ProgramMap program_map(const Plan& plan, const ProgramNames& names, const Marked
 View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network,
                 const std::vector<NodePolicy>& node_policies);
 
+/// A space of limits.hpp or graph.hpp: "field", "type", "constant" (its name, "k" and `prefix`
+/// before the field's), "literal".
+View space_view(const std::string& field, const Space& space, const std::string& prefix,
+                Names& constants);
+
 }  // namespace eagerx::gen

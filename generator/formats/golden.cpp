@@ -15,49 +15,21 @@ namespace {
 
 constexpr std::size_t kMaxRows = 1'000'000;
 
-/// What a column or an array may be called.
-enum class Column : std::uint8_t {
-  none,
-  start,
-  observation,
-  normalized,
-  output,
-  output_double,
-  action
-};
+/// What a column or an array holds; nullptr: nothing that is read.
+using Column = std::vector<std::vector<double>> GoldenRows::*;
 
 Column column_of(std::string_view name) {
   const std::size_t letters = name.find_last_not_of("0123456789");
   const std::string_view stem = name.substr(0, letters + 1);
   // "network_out_f64" and "float32" end in digits that are no index.
   if (name == "network_out_f64" || name == "float64" || stem == "network_out_f64_") {
-    return Column::output_double;
+    return &GoldenRows::outputs_double;
   }
-  if (name == "float32" || stem == "network_out" || stem == "output") return Column::output;
-  if (name == "episode_start") return Column::start;
-  if (stem == "obs" || stem == "observation") return Column::observation;
-  if (stem == "nobs" || stem == "obs_normalized") return Column::normalized;
-  if (stem == "action") return Column::action;
-  return Column::none;
-}
-
-std::vector<std::vector<double>>* rows_of(GoldenRows& golden, Column column) {
-  switch (column) {
-    case Column::start:
-      return &golden.starts;
-    case Column::observation:
-      return &golden.observations;
-    case Column::normalized:
-      return &golden.normalized;
-    case Column::output:
-      return &golden.outputs;
-    case Column::output_double:
-      return &golden.outputs_double;
-    case Column::action:
-      return &golden.actions;
-    case Column::none:
-      break;
-  }
+  if (name == "float32" || stem == "network_out" || stem == "output") return &GoldenRows::outputs;
+  if (name == "episode_start") return &GoldenRows::starts;
+  if (stem == "obs" || stem == "observation") return &GoldenRows::observations;
+  if (stem == "nobs" || stem == "obs_normalized") return &GoldenRows::normalized;
+  if (stem == "action") return &GoldenRows::actions;
   return nullptr;
 }
 
@@ -100,7 +72,7 @@ std::optional<GoldenRows> rows_of_csv(std::string_view text, PolicyProblem& prob
     const auto cells = cells_of(line);
     if (columns.empty()) {
       for (const std::string_view cell : cells) columns.push_back(column_of(cell));
-      if (std::count(columns.begin(), columns.end(), Column::observation) > 0) continue;
+      if (std::count(columns.begin(), columns.end(), &GoldenRows::observations) > 0) continue;
       return fail(fmt::format("has no column `obs0` in line {}: `{}`", number, printable(line)));
     }
     if (cells.size() != columns.size()) {
@@ -108,14 +80,13 @@ std::optional<GoldenRows> rows_of_csv(std::string_view text, PolicyProblem& prob
                               columns.size()));
     }
     if (golden.observations.size() >= kMaxRows) return fail("has too many rows");
-    for (const Column column : {Column::start, Column::observation, Column::normalized,
-                                Column::output, Column::output_double, Column::action}) {
-      if (std::count(columns.begin(), columns.end(), column) > 0)
-        rows_of(golden, column)->emplace_back();
+    for (const Column column :
+         {&GoldenRows::starts, &GoldenRows::observations, &GoldenRows::normalized,
+          &GoldenRows::outputs, &GoldenRows::outputs_double, &GoldenRows::actions}) {
+      if (std::count(columns.begin(), columns.end(), column) > 0) (golden.*column).emplace_back();
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      auto* rows = rows_of(golden, columns[i]);
-      if (rows == nullptr) continue;
+      if (columns[i] == nullptr) continue;
       double value = 0.0;
       const auto result =
           std::from_chars(cells[i].data(), cells[i].data() + cells[i].size(), value);
@@ -127,8 +98,9 @@ std::optional<GoldenRows> rows_of_csv(std::string_view text, PolicyProblem& prob
         return fail(fmt::format("has `{}` in line {}, column {}, which is not a finite number",
                                 printable(cells[i]), number, i + 1));
       }
-      rows->back().push_back(value);
-      if (columns[i] == Column::observation || columns[i] == Column::normalized) continue;
+      (golden.*columns[i]).back().push_back(value);
+      if (columns[i] == &GoldenRows::observations || columns[i] == &GoldenRows::normalized)
+        continue;
       digits = std::max(digits, decimals_of(cells[i]));
     }
   }
@@ -144,8 +116,8 @@ std::optional<GoldenRows> rows_of_npz(std::string_view bytes, PolicyProblem& pro
   if (!archive || !read_npz(*archive, table, problem)) return std::nullopt;
   GoldenRows golden;
   for (const auto& [name, tensor] : table.tensors) {
-    auto* rows = rows_of(golden, column_of(name));
-    if (rows == nullptr || tensor.shape.empty()) continue;
+    const Column column = column_of(name);
+    if (column == nullptr || tensor.shape.empty()) continue;
     const std::vector<double> values = values_of(tensor);
     if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); })) {
       return refuse(problem, "E0632",
@@ -156,7 +128,7 @@ std::optional<GoldenRows> rows_of_npz(std::string_view bytes, PolicyProblem& pro
     const std::size_t width = values.size() / count;
     for (std::size_t i = 0; i < count; ++i) {
       const auto first = values.begin() + static_cast<std::ptrdiff_t>(i * width);
-      rows->emplace_back(first, first + static_cast<std::ptrdiff_t>(width));
+      (golden.*column).emplace_back(first, first + static_cast<std::ptrdiff_t>(width));
     }
   }
   return golden;

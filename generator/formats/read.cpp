@@ -90,6 +90,35 @@ bool same_order(const std::vector<NamedPart>& a, const std::vector<NamedPart>& b
                     [](const NamedPart& x, const NamedPart& y) { return x.name == y.name; });
 }
 
+/// Whether `statistics` are those of `network`: E0627, E0631.
+bool check_normalization(const Normalization& statistics, const Network& network,
+                         const std::string& policy, PolicyProblem& problem) {
+  if (statistics.mean.size() != network.inputs()) {
+    return refuse(problem, "E0627",
+                  fmt::format("normalise {} numbers, but the policy `{}` takes {}",
+                              statistics.mean.size(), policy, network.inputs()),
+                  "name the statistics that were saved with this policy");
+  }
+  if (!same_order(statistics.parts, network.contract.observations)) {
+    return refuse(problem, "E0627",
+                  fmt::format("are of {}, but the policy `{}` takes {}", listed(statistics.parts),
+                              policy, listed(network.contract.observations)),
+                  "save them with all parts of the observation, in the order of its space");
+  }
+  const auto& own = network.normalization;
+  if (own && (own->mean != statistics.mean || own->variance != statistics.variance)) {
+    return refuse(problem, "E0631",
+                  fmt::format("differ from those that the policy `{}` holds itself", policy),
+                  "leave `normalize` out, or name the file that belongs to the policy");
+  }
+  return network.contract.choices.empty() ||
+         refuse(problem, "E0627",
+                fmt::format("normalise what the policy `{}` takes as choices, which stay whole "
+                            "numbers",
+                            policy),
+                "leave `normalize` out");
+}
+
 /// Adds the statistics that the graph names. False if they cannot be read or do not fit.
 bool add_normalization(const PolicyRequest& request, Network& network, Diagnostics& diagnostics) {
   const auto bytes = read_bytes(request.normalize_path, request.normalize_name,
@@ -97,37 +126,7 @@ bool add_normalization(const PolicyRequest& request, Network& network, Diagnosti
   if (!bytes) return false;
   PolicyProblem problem;
   auto statistics = read_statistics(*bytes, problem);
-  if (statistics && statistics->mean.size() != network.inputs()) {
-    problem = {"E0627",
-               fmt::format("normalise {} numbers, but the policy `{}` takes {}",
-                           statistics->mean.size(), request.name, network.inputs()),
-               "name the statistics that were saved with this policy"};
-    statistics.reset();
-  }
-  if (statistics && !same_order(statistics->parts, network.contract.observations)) {
-    problem = {"E0627",
-               fmt::format("are of {}, but the policy `{}` takes {}", listed(statistics->parts),
-                           request.name, listed(network.contract.observations)),
-               "save them with all parts of the observation, in the order of its space"};
-    statistics.reset();
-  }
-  if (statistics && network.normalization &&
-      (network.normalization->mean != statistics->mean ||
-       network.normalization->variance != statistics->variance)) {
-    problem = {"E0631",
-               fmt::format("differ from those that the policy `{}` holds itself", request.name),
-               "leave `normalize` out, or name the file that belongs to the policy"};
-    statistics.reset();
-  }
-  if (statistics && !network.contract.choices.empty()) {
-    problem = {"E0627",
-               fmt::format("normalise what the policy `{}` takes as choices, which stay whole "
-                           "numbers",
-                           request.name),
-               "leave `normalize` out"};
-    statistics.reset();
-  }
-  if (!statistics) {
+  if (!statistics || !check_normalization(*statistics, network, request.name, problem)) {
     report_problem(problem, "statistics", request.normalize_name, request.normalize_span,
                    diagnostics);
     return false;

@@ -20,7 +20,7 @@ constexpr const char* kStatisticsHelp =
 
 constexpr std::int64_t kMostNumbers = std::int64_t{1} << 23U;  // one array may be named often
 
-std::nullopt_t unusable(PolicyProblem& problem, std::string how) {
+Refused unusable(PolicyProblem& problem, std::string how) {
   return refuse(problem, "E0627", std::move(how), kStatisticsHelp);
 }
 
@@ -34,10 +34,8 @@ bool append_rms(const Pickle& pickle, const PickleValue& rms, Normalization& sta
   constexpr std::size_t kMostFacts = 64;  // one dictionary may be there often
   const PickleValue* facts = pickle.dictionary_of(rms);
   if (facts == nullptr || facts->items.size() > 2 * kMostFacts) return false;
-  const PickleValue* mean = pickle.find(rms, "mean");
-  const PickleValue* variance = pickle.find(rms, "var");
-  const auto means = mean != nullptr ? pickle.array(*mean) : std::nullopt;
-  const auto variances = variance != nullptr ? pickle.array(*variance) : std::nullopt;
+  const auto means = pickle.array(pickle.find(rms, "mean"));
+  const auto variances = pickle.array(pickle.find(rms, "var"));
   if (!means || !variances) return false;
   const std::size_t count = statistics.mean.size() + statistics.variance.size();
   const std::int64_t more = element_count(means->shape).value_or(kMostNumbers) +

@@ -44,6 +44,7 @@ std::optional<std::string> Mentions::next() {
 }
 
 void Mentions::add(const std::string& text) {
+  if (text.find('.') != std::string::npos) return;  // a port, which is no id
   if (!texts_.insert(text).second) return;
   todo_.push_back(text);
   const auto [first, last] = waiting_.equal_range(text);

@@ -1,11 +1,15 @@
 #include "generator/lsp/complete.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "generator/lsp/schema_view.hpp"
+#include "generator/lsp/snippets.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {
@@ -50,8 +54,12 @@ std::vector<std::string> types_in(const OutlineNode& node) {
 
 class Completer {
  public:
-  Completer(const LibraryFacts& library, std::string_view text, std::size_t at)
-      : library_(library), text_(text), top_(outline_of(text)), cursor_(cursor_at(text, at)) {}
+  Completer(const LibraryFacts& library, std::string_view text, std::size_t at, bool snippets)
+      : library_(library),
+        text_(text),
+        top_(outline_of(text)),
+        cursor_(cursor_at(text, at)),
+        snippets_(snippets) {}
 
   Completion all() {
     if (cursor_.is_key || cursor_.may_be_key) keys();
@@ -59,7 +67,7 @@ class Completer {
       if (!ports()) values();
     }
     const auto distance_of = [&](const Proposal& each) {
-      return distance(each.label, cursor_.typed);
+      return distance(each.filter.empty() ? each.label : each.filter, cursor_.typed);
     };
     std::ranges::stable_sort(proposals_, std::less{}, distance_of);
     std::erase_if(proposals_, [&](const Proposal& each) { return distance_of(each) == 2; });
@@ -80,6 +88,17 @@ class Completer {
       std::string insert = key.name + (has_colon() ? "" : ": ");
       proposals_.push_back(
           {std::move(key.name), std::move(insert), std::move(key.about), Proposal::Kind::key});
+    }
+    if (snippets_ && cursor_.path.size() == 1) new_entities(key_of(cursor_.path, 1));
+  }
+  /// A whole object or node where the name of one is expected.
+  void new_entities(const std::string& section) {
+    if ((section != "objects" && section != "nodes") || has_colon()) return;
+    for (SchemaValue& type : values_in(schemas_at(library_.schema, top_, {section, "x", "type"}))) {
+      if (distance(type.text, cursor_.typed) == 2) continue;
+      std::string insert = entity_snippet(library_, top_, section, type.text);
+      proposals_.push_back({fmt::format("name: {{type: {}, …}}", type.text), std::move(insert),
+                            std::move(type.about), Proposal::Kind::snippet, type.text});
     }
   }
   [[nodiscard]] std::string key_before(const OutlineNode* map) const {
@@ -115,10 +134,25 @@ class Completer {
       });
     }
     for (SchemaValue& value : values) {
-      std::string insert = value.text;
-      proposals_.push_back({std::move(value.text), std::move(insert), std::move(value.about),
-                            Proposal::Kind::value});
+      proposals_.push_back({value.text, value.text, value.about, Proposal::Kind::value});
+      if (snippets_ && key_of(cursor_.path, 1) == "type") with_what_it_needs(value);
     }
+  }
+  void with_what_it_needs(const SchemaValue& type) {
+    if (distance(type.text, cursor_.typed) == 2) return;
+    const OutlinePath owner(cursor_.path.begin(), std::prev(cursor_.path.end()));
+    const OutlineNode* const map = node_at(top_, owner);
+    if (map == nullptr) return;
+    const std::size_t indent = map->entries.empty() ? 0 : column_of(map->entries.front().key_place);
+    std::string insert = type_snippet(library_, {top_, owner, map->flow, indent}, type.text);
+    if (insert == type.text) return;
+    proposals_.push_back(
+        {type.text + " …", std::move(insert), type.about, Proposal::Kind::snippet, type.text});
+  }
+  [[nodiscard]] std::size_t column_of(Bytes place) const {
+    const std::size_t newline =
+        place.begin == 0 ? std::string_view::npos : text_.rfind('\n', place.begin - 1);
+    return newline == std::string_view::npos ? place.begin : place.begin - newline - 1;
   }
 
   /// False: no name of a port stands here.
@@ -153,35 +187,74 @@ class Completer {
   std::string_view text_;
   OutlineNode top_;
   Cursor cursor_;
+  bool snippets_;
   std::vector<Proposal> proposals_;
 };
 
 }  // namespace
 
-Completion complete(const LibraryFacts& library, std::string_view text, std::size_t at) {
-  return Completer(library, text, at).all();
+Completion complete(const LibraryFacts& library, std::string_view text, std::size_t at,
+                    bool snippets) {
+  return Completer(library, text, at, snippets).all();
 }
 
-Hover hover(const LibraryFacts& library, std::string_view text, std::size_t at) {
+namespace {
+
+void append(std::string& text, const std::string& more) {
+  if (!more.empty()) text += (text.empty() ? "" : "\n\n") + more;
+}
+
+/// What the last good text says of a word: a port, by which a connection ends, an object or a node.
+std::string resolved_about(const Resolved& resolved, const Cursor& cursor,
+                           const std::string& word) {
+  const std::string name = without_indices(word);
+  std::string text;
+  const auto add = [&](const auto& map, const std::string& key) {
+    if (const auto found = map.find(key); found != map.end()) append(text, found->second);
+  };
+  const bool is_owner = cursor.is_key && cursor.path.size() == 1 &&
+                        (key_of(cursor.path, 1) == "objects" || key_of(cursor.path, 1) == "nodes");
+  if (is_owner) add(resolved.owners, name);
+  if (!cursor.is_key && key_of(cursor.path, 1) == "type" && cursor.path.size() == 3)
+    add(resolved.owners, without_indices(key_of(cursor.path, 2)));
+  if (cursor.is_key) return text;
+  const auto connection = resolved.connections.find(name);
+  if (key_of(cursor.path, 1) == "to" && connection != resolved.connections.end())
+    append(text, connection->second.about);
+  else
+    add(resolved.ports, name);
+  return text;
+}
+
+/// What the library says.
+std::string library_about(const LibraryFacts& library, const OutlineNode& top, const Cursor& cursor,
+                          const std::string& word) {
+  if (cursor.is_key) {
+    OutlinePath path = cursor.path;
+    path.emplace_back(word);
+    return about(schemas_at(library.schema, top, path));
+  }
+  for (const SchemaValue& value : values_in(schemas_at(library.schema, top, cursor.path))) {
+    if (value.text == word && !value.about.empty()) return value.about;
+  }
+  for (const NamedPort& port : ports_of(library, top)) {
+    if (port.name == word && !port.about.empty()) return port.about;
+  }
+  return {};
+}
+
+}  // namespace
+
+Hover hover(const LibraryFacts& library, std::string_view text, std::size_t at,
+            const Resolved* resolved) {
   const OutlineNode top = outline_of(text);
   const Cursor cursor = cursor_at(text, at);
   const std::string word(text.substr(cursor.word.begin, cursor.word.end - cursor.word.begin));
   if (word.empty()) return {};
-  if (cursor.is_key) {
-    OutlinePath path = cursor.path;
-    path.emplace_back(word);
-    const std::string said = about(schemas_at(library.schema, top, path));
-    return {cursor.word, said.empty() ? "" : "**" + word + "**: " + said};
-  }
-  for (const SchemaValue& value : values_in(schemas_at(library.schema, top, cursor.path))) {
-    if (value.text == word && !value.about.empty())
-      return {cursor.word, "**" + word + "**: " + value.about};
-  }
-  for (const NamedPort& port : ports_of(library, top)) {
-    if (port.name == word && !port.about.empty())
-      return {cursor.word, "**" + word + "**: " + port.about};
-  }
-  return {};
+  std::string said = library_about(library, top, cursor, word);
+  if (!said.empty()) said = "**" + word + "**: " + said;
+  if (resolved != nullptr) append(said, resolved_about(*resolved, cursor, word));
+  return {cursor.word, std::move(said)};
 }
 
 }  // namespace eagerx::gen::lsp

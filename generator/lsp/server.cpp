@@ -3,47 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <utility>
 
-#include "generator/edit/edit.hpp"
 #include "generator/files/uri.hpp"
 #include "generator/lsp/convert.hpp"
+#include "generator/lsp/errors.hpp"
 #include "generator/outline/lines.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {
 
-// JSON-RPC 2.0, and LSP 3.17 "ErrorCodes".
-constexpr int kParseError = -32700, kInvalidRequest = -32600, kMethodNotFound = -32601,
-              kInvalidParams = -32602, kServerNotInitialized = -32002;
 constexpr int kIncremental = 2;  // TextDocumentSyncKind
 constexpr std::size_t kMostDocuments = 1000;
 constexpr std::size_t kMostText = 16U << 20U;  // bytes, of a document
 
-bool is_manifest(std::string_view path) {
-  return path.ends_with("/manifest.yaml");
-}
-
 std::string uri_in(const Json& params) {
   return text_of(member(member(&params, "textDocument"), "uri"));
-}
-
-Json location(const std::string& uri, std::string_view text, Bytes bytes) {
-  return Json{{"uri", uri}, {"range", range_of(text, bytes)}};
-}
-
-/// The entry of the object or node that a port's name begins with, or nullptr.
-const OutlineEntry* owner_of(const OutlineNode& top, std::string_view port) {
-  const std::string_view owner = port.substr(0, port.find_first_of(".["));
-  for (const char* const section : {"objects", "nodes"}) {
-    const OutlineNode* const all = top.find(section);
-    if (all == nullptr) continue;
-    for (const OutlineEntry& entry : all->entries) {
-      if (entry.key.substr(0, entry.key.find('[')) == owner) return &entry;
-    }
-  }
-  return nullptr;
 }
 
 }  // namespace
@@ -88,7 +64,7 @@ void Server::refuse(const Json& id, int code, const std::string& message) {
 Server::Answer Server::answer(const std::string& method, const Json& params) {
   if (method == "initialize") {
     initialized_ = true;
-    return {initialize()};
+    return {initialize(params)};
   }
   if (!initialized_) return {{}, kServerNotInitialized, "`initialize` comes first"};
   if (method == "shutdown") {
@@ -100,25 +76,19 @@ Server::Answer Server::answer(const std::string& method, const Json& params) {
   const Document* const document = document_of(params);
   if (document == nullptr)
     return {{}, kInvalidParams, fmt::format("`{}` is not open", uri_in(params))};
-  if (method == "textDocument/documentSymbol") return {symbols(*document)};
-  if (method == "textDocument/codeAction") return {actions(*document, params)};
-  const auto position = position_in(member(&params, "position"));
-  constexpr std::array kAtPositions = {"textDocument/completion",    "textDocument/hover",
-                                       "textDocument/definition",    "textDocument/references",
-                                       "textDocument/prepareRename", "textDocument/rename"};
-  if (std::ranges::find(kAtPositions, method) == kAtPositions.end())
-    return {{}, kMethodNotFound, fmt::format("there is no `{}`", method)};
-  if (!position) return {{}, kInvalidParams, "`position` is none"};
-  if (method == "textDocument/references") return {references(*document, *position)};
-  if (method == "textDocument/prepareRename") return {prepare_rename(*document, *position)};
-  if (method == "textDocument/rename")
-    return renamed(*document, *position, text_of(member(&params, "newName")));
-  if (method == "textDocument/completion") return {completion(*document, *position)};
-  if (method == "textDocument/hover") return {hover_text(*document, *position)};
-  return {definition(*document, *position)};
+  return of_document(method, *document, params);
 }
 
-Json Server::initialize() {
+Json Server::initialize(const Json& params) {
+  const auto can = [&](std::initializer_list<const char*> path) {
+    const Json* at = member(&params, "capabilities");
+    for (const char* const key : path) at = member(at, key);
+    return truth_of(at).value_or(false);
+  };
+  takes_snippets_ = can({"textDocument", "completion", "completionItem", "snippetSupport"});
+  watches_ = can({"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
+  watches_folders_ = can({"workspace", "didChangeWatchedFiles", "relativePatternSupport"});
+  refreshes_ = can({"workspace", "inlayHint", "refreshSupport"});
   Json capabilities{
       {"positionEncoding", "utf-16"},
       {"textDocumentSync", Json{{"openClose", true}, {"change", kIncremental}, {"save", true}}},
@@ -129,9 +99,37 @@ Json Server::initialize() {
       {"referencesProvider", true},
       {"renameProvider", Json{{"prepareProvider", true}}},
       {"documentSymbolProvider", true},
+      {"foldingRangeProvider", true},
+      {"inlayHintProvider", true},
       {"codeActionProvider", Json{{"codeActionKinds", std::vector<std::string>{"quickfix"}}}}};
   return Json{{"capabilities", std::move(capabilities)},
               {"serverInfo", Json{{"name", "eagerx-gen"}, {"version", EAGERX_GEN_VERSION}}}};
+}
+
+void Server::ask(const std::string& method, Json params) {
+  Json request{
+      {"jsonrpc", "2.0"}, {"id", fmt::format("eagerx-gen/{}", ++asked_)}, {"method", method}};
+  if (!params.is<std::monostate>()) request["params"] = std::move(params);
+  answers_.push_back(dump_json(request));
+}
+
+void Server::initialized() {
+  if (!watches_) return;
+  // Graphs, manifests, tables, weights, and headers of entities.
+  const std::string files = "**/*.{yaml,csv,hpp,onnx,safetensors,pt,pth,zip,pkl,npz,json}";
+  Json watchers = Json::list();
+  watchers.push_back(Json{{"globPattern", files}});
+  for (const std::string& folder : analyst_.folders()) {
+    if (watches_folders_)
+      watchers.push_back(
+          Json{{"globPattern", Json{{"baseUri", uri_of_path(folder)}, {"pattern", files}}}});
+  }
+  Json registration{{"id", "files"},
+                    {"method", "workspace/didChangeWatchedFiles"},
+                    {"registerOptions", Json{{"watchers", std::move(watchers)}}}};
+  Json registrations = Json::list();
+  registrations.push_back(std::move(registration));
+  ask("client/registerCapability", Json{{"registrations", std::move(registrations)}});
 }
 
 void Server::notify(const std::string& method, const Json& params) {
@@ -139,6 +137,8 @@ void Server::notify(const std::string& method, const Json& params) {
     ended_ = true;
   } else if (!initialized_ || shut_down_) {
     return;
+  } else if (method == "initialized") {
+    initialized();
   } else if (method == "textDocument/didOpen") {
     open(params);
   } else if (method == "textDocument/didChange") {
@@ -173,6 +173,16 @@ void Server::open(const Json& params) {
   here.text = std::move(text);
   here.version = static_cast<std::int64_t>(number_of(member(document, "version")).value_or(0));
   here.changed = true;
+  analyst_.set_text(here.path, here.text);
+  mark_users_of(here);
+}
+
+void Server::mark_users_of(const Document& document) {
+  for (auto& [uri, other] : documents_) {
+    const bool uses = is_manifest(document.path) ? !is_manifest(other.path)
+                                                 : other.text.find("extends:") != std::string::npos;
+    other.changed = other.changed || (uses && uri != document.uri);
+  }
 }
 
 void Server::change(const Json& params) {
@@ -196,6 +206,8 @@ void Server::change(const Json& params) {
   document->version = static_cast<std::int64_t>(
       number_of(member(member(&params, "textDocument"), "version")).value_or(0));
   document->changed = true;
+  analyst_.set_text(document->path, document->text);
+  mark_users_of(*document);
 }
 
 void Server::close(const Json& params) {
@@ -203,17 +215,22 @@ void Server::close(const Json& params) {
   if (document == nullptr) return;
   document->diagnostics = {};
   publish(*document);
+  analyst_.set_text(document->path, std::nullopt);
+  mark_users_of(*document);
   documents_.erase(document->uri);
 }
 
 void Server::check_changed() {
+  bool is_new = false;
   for (auto& [uri, document] : documents_) {
-    if (std::exchange(document.changed, false)) check(document);
+    if (!std::exchange(document.changed, false)) continue;
+    check(document);
+    is_new = true;
   }
+  if (is_new && refreshes_) ask("workspace/inlayHint/refresh", nullptr);
 }
 
 void Server::check(Document& document) {
-  if (is_manifest(document.path)) return;  // its graphs are checked, which it is part of
   Analyst::Checked checked = analyst_.check(document.path, document.text);
   document.diagnostics = std::move(checked.diagnostics);
   document.sources = std::move(checked.sources);
@@ -237,10 +254,10 @@ void Server::publish(Document& document) {
       const std::string& other = document.sources.name(note.span.file);
       const std::string& text =
           other == document.path ? document.text : document.sources.text(note.span.file);
-      related.push_back(
-          Json{{"location", location(other == document.path ? document.uri : uri_of_path(other),
+      related.push_back(Json{
+          {"location", location_json(other == document.path ? document.uri : uri_of_path(other),
                                      text, bytes_of(text, note.span))},
-               {"message", note.message.empty() ? note.label : note.message}});
+          {"message", note.message.empty() ? note.label : note.message}});
     }
     one["relatedInformation"] = std::move(related);
     Json& list = lists.try_emplace(uri, Json::list()).first->second;
@@ -256,96 +273,6 @@ void Server::publish(Document& document) {
   send("textDocument/publishDiagnostics", Json{{"uri", document.uri},
                                                {"version", document.version},
                                                {"diagnostics", std::move(own.mapped())}});
-}
-
-Json Server::completion(const Document& document, Position position) {
-  const std::size_t at = byte_at(document.text, position);
-  return completion_json(complete(library_of(document), document.text, at), document.text);
-}
-
-Json Server::hover_text(const Document& document, Position position) {
-  const Hover found = hover(library_of(document), document.text, byte_at(document.text, position));
-  if (found.text.empty()) return nullptr;
-  return Json{{"contents", Json{{"kind", "markdown"}, {"value", found.text}}},
-              {"range", range_of(document.text, found.word)}};
-}
-
-Json Server::definition(const Document& document, Position position) {
-  const OutlineNode top = outline_of(document.text);
-  const Cursor cursor = cursor_at(document.text, byte_at(document.text, position));
-  const std::string word =
-      document.text.substr(cursor.word.begin, cursor.word.end - cursor.word.begin);
-  if (word.empty() || cursor.is_key) return nullptr;
-  const auto* const key =
-      cursor.path.empty() ? nullptr : std::get_if<std::string>(&cursor.path.back());
-  if (key != nullptr && (*key == "type" || *key == "processor")) {
-    const std::string manifest = analyst_.manifest_of(document.path, document.text, word);
-    if (!manifest.empty()) return location(uri_of_path(manifest), {}, {});
-  }
-  if (const OutlineEntry* const owner = owner_of(top, word))
-    return location(document.uri, document.text, owner->key_place);
-  return nullptr;
-}
-
-Json Server::references(const Document& document, Position position) {
-  Json result = Json::list();
-  const std::string name = name_at(document.text, byte_at(document.text, position));
-  for (const Bytes& use : uses_of(document.text, name))
-    result.push_back(location(document.uri, document.text, use));
-  return result;
-}
-
-Json Server::prepare_rename(const Document& document, Position position) {
-  const std::size_t at = byte_at(document.text, position);
-  const std::string name = name_at(document.text, at);
-  for (const Bytes& use : uses_of(document.text, name)) {
-    if (use.begin <= at && at <= use.end)
-      return Json{{"range", range_of(document.text, use)}, {"placeholder", name}};
-  }
-  return nullptr;
-}
-
-Server::Answer Server::renamed(const Document& document, Position position, const std::string& to) {
-  const std::string name = name_at(document.text, byte_at(document.text, position));
-  const auto edit = rename(document.text, name, to);
-  if (name.empty()) return {{}, kInvalidParams, "no object and no node is named here"};
-  if (!edit) return {{}, kInvalidParams, fmt::format("`{}` is taken, or cannot be a name", to)};
-  // A name that is written where nobody looked for it is an error now.
-  const auto now = analyst_.check(document.path, applied(document.text, edit->splices));
-  const auto before = analyst_.check(document.path, document.text);
-  if (now.diagnostics.error_count() > before.diagnostics.error_count()) {
-    const auto& first = now.diagnostics.all().front();
-    return {{}, kInvalidParams, fmt::format("the graph would have an error: {}", first.message)};
-  }
-  return {edit_json(*edit, document.uri, document.text)};
-}
-
-Json Server::symbols(const Document& document) {
-  return symbols_json(outline_of(document.text), document.text);
-}
-
-Json Server::actions(const Document& document, const Json& params) {
-  Json result = Json::list();
-  const auto start = position_in(member(member(&params, "range"), "start"));
-  const auto end = position_in(member(member(&params, "range"), "end"));
-  if (!start || !end || document.changed) return result;
-  for (const Diagnostic& each : document.diagnostics.all()) {
-    const FileId file = each.span.file;
-    if (file == FileId::none || document.sources.name(file) != document.path) continue;
-    const auto fix = fix_of(each, document.text);
-    if (!fix) continue;
-    const Bytes place = fix->splices.front().place;
-    if (place.end < byte_at(document.text, *start) || place.begin > byte_at(document.text, *end))
-      continue;
-    Json diagnostics = Json::list();
-    diagnostics.push_back(diagnostic_json(each, document.text));
-    result.push_back(Json{{"title", fix->reason},
-                          {"kind", "quickfix"},
-                          {"isPreferred", true},
-                          {"diagnostics", std::move(diagnostics)},
-                          {"edit", edit_json(*fix, document.uri, document.text)}});
-  }
-  return result;
 }
 
 }  // namespace eagerx::gen::lsp

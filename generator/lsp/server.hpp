@@ -7,36 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/edit/edit.hpp"
 #include "generator/json/json.hpp"
-#include "generator/lsp/ports.hpp"
+#include "generator/lsp/analyst.hpp"
 #include "generator/lsp/text.hpp"
+#include "generator/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
-
-/// What the server needs of the rest of eagerx-gen.
-class Analyst {
- public:
-  Analyst() = default;
-  Analyst(const Analyst&) = delete;
-  Analyst& operator=(const Analyst&) = delete;
-  virtual ~Analyst() = default;
-
-  struct Checked {
-    SourceMap sources;
-    Diagnostics diagnostics;
-  };
-  /// What `eagerx-gen check` finds in a graph of this text. The file itself is not looked at.
-  virtual Checked check(const std::string& path, const std::string& text) = 0;
-  /// With the entities of the graph's library; valid until the next call.
-  virtual const LibraryFacts& of_graph(const std::string& path, const std::string& text) = 0;
-  virtual const LibraryFacts& of_manifests() = 0;
-  /// The manifest of an entity, by its id, as the graph finds it; empty: there is none.
-  virtual std::string manifest_of(const std::string& path, const std::string& text,
-                                  const std::string& id) = 0;
-  /// Other files have changed: libraries, manifests, weight files.
-  virtual void forget() = 0;
-};
 
 /// LSP 3.17. Messages go in, and what is to be sent comes out, in its order.
 class Server {
@@ -77,7 +54,12 @@ class Server {
   void respond(const Json& id, Answer answer);
   void refuse(const Json& id, int code, const std::string& message);
 
-  Json initialize();
+  Answer at_position(const std::string& method, const Document& document, const Json& params);
+  Answer of_document(const std::string& method, const Document& document, const Json& params);
+  Json initialize(const Json& params);
+  /// Asks the editor to tell of files that change, and to ask for hints again.
+  void initialized();
+  void ask(const std::string& method, Json params);
   void open(const Json& params);
   void change(const Json& params);
   void close(const Json& params);
@@ -85,13 +67,29 @@ class Server {
   Json hover_text(const Document& document, Position position);
   Json definition(const Document& document, Position position);
   static Json references(const Document& document, Position position);
-  static Json prepare_rename(const Document& document, Position position);
+  Json prepare_rename(const Document& document, Position position);
   Answer renamed(const Document& document, Position position, const std::string& to);
-  static Json symbols(const Document& document);
   static Json actions(const Document& document, const Json& params);
+  Json hints(const Document& document, const Json& params);
   void check(Document& document);
+  /// All documents that a change of this one may concern.
+  void mark_users_of(const Document& document);
   /// Tells of the diagnostics that are in other files than the document, too.
   void publish(Document& document);
+
+  // A new name of a port: port_rename.cpp.
+  struct PortToRename {
+    std::string id, port, manifest, header;
+    Bytes place;
+  };
+  std::optional<PortToRename> port_at(const Document& document, Position position);
+  Answer port_renamed(const PortToRename& port, const std::string& to);
+  struct Change {
+    std::string path, uri, text;
+    std::vector<Splice> splices;
+  };
+  std::vector<Change> changes_of(const PortToRename& port, const std::string& to);
+  std::string why_not(const std::vector<Change>& changes);
 
   [[nodiscard]] Document* document_of(const Json& params);
   [[nodiscard]] const LibraryFacts& library_of(const Document& document);
@@ -100,6 +98,9 @@ class Server {
   std::map<std::string, Document, std::less<>> documents_;  // by URI
   std::vector<std::string> answers_;
   bool initialized_ = false, shut_down_ = false, ended_ = false;
+  // What the editor can do:
+  bool takes_snippets_ = false, watches_ = false, watches_folders_ = false, refreshes_ = false;
+  int asked_ = 0;  // requests to the editor
 };
 
 }  // namespace eagerx::gen::lsp

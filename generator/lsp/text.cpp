@@ -1,6 +1,7 @@
 #include "generator/lsp/text.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "generator/diagnostics/utf8.hpp"
 #include "generator/outline/lines.hpp"
@@ -12,6 +13,16 @@ namespace {
 std::uint32_t units_of(char32_t code_point) {
   constexpr char32_t kOneUnit = 0x10000;
   return code_point >= kOneUnit ? 2 : 1;
+}
+
+std::uint32_t units_between(std::string_view text, std::size_t begin, std::size_t end) {
+  std::uint32_t units = 0;
+  while (begin < end) {
+    const CodePoint next = decode_utf8(text, begin);
+    units += units_of(next.value);
+    begin += next.size;
+  }
+  return units;
 }
 
 }  // namespace
@@ -32,14 +43,19 @@ Position position_at(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, byte);
   const std::size_t newline = before.rfind('\n');
   const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;
-  Position position;
-  position.line = static_cast<std::uint32_t>(std::ranges::count(before, '\n'));
-  for (std::size_t at = begin; at < byte;) {
-    const CodePoint next = decode_utf8(text, at);
-    position.character += units_of(next.value);
-    at += next.size;
-  }
-  return position;
+  return {static_cast<std::uint32_t>(std::ranges::count(before, '\n')),
+          units_between(text, begin, byte)};
+}
+
+Lines::Lines(std::string_view text) : text_(text) {
+  for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
+    starts_.push_back(at + 1);
+}
+
+Position Lines::position(std::size_t byte) const {
+  byte = std::min(byte, text_.size());
+  const auto line = std::prev(std::ranges::upper_bound(starts_, byte));
+  return {static_cast<std::uint32_t>(line - starts_.begin()), units_between(text_, *line, byte)};
 }
 
 }  // namespace eagerx::gen::lsp

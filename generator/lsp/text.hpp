@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace eagerx::gen::lsp {
 
@@ -15,5 +16,16 @@ struct Position {
 /// The byte at a position. Behind the end of its line: that end; behind the last line: the end.
 std::size_t byte_at(std::string_view text, Position position);
 Position position_at(std::string_view text, std::size_t byte);
+
+/// The same for many places of one text, whose lines are counted once.
+class Lines {
+ public:
+  explicit Lines(std::string_view text);
+  [[nodiscard]] Position position(std::size_t byte) const;
+
+ private:
+  std::string_view text_;
+  std::vector<std::size_t> starts_ = {0};
+};
 
 }  // namespace eagerx::gen::lsp

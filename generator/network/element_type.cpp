@@ -16,25 +16,44 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "values are read as they lie in the file");
 
+template <class T>
+T read(const char* from) {
+  T value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+template <class T>
+double number(const char* from) {
+  return static_cast<double>(read<T>(from));
+}
+double half_number(const char* from) {
+  return half(read<std::uint16_t>(from));
+}
+double bfloat_number(const char* from) {
+  return static_cast<double>(std::bit_cast<float>(std::uint32_t{read<std::uint16_t>(from)} << 16U));
+}
+
 struct ElementNames {
   ElementType type;
   std::size_t size;
   std::string_view numpy, safetensors, torch_storage;
   std::int64_t onnx;
+  double (*value)(const char* from);
 };
 
 /// In the order of ElementType. NumPy has no bfloat16.
 constexpr std::array kElements = {
-    ElementNames{ElementType::float16, 2, "f2", "F16", "torch.HalfStorage", 10},
-    ElementNames{ElementType::bfloat16, 2, "", "BF16", "torch.BFloat16Storage", 16},
-    ElementNames{ElementType::float32, 4, "f4", "F32", "torch.FloatStorage", 1},
-    ElementNames{ElementType::float64, 8, "f8", "F64", "torch.DoubleStorage", 11},
-    ElementNames{ElementType::int8, 1, "i1", "I8", "torch.CharStorage", 3},
-    ElementNames{ElementType::uint8, 1, "u1", "U8", "torch.ByteStorage", 2},
-    ElementNames{ElementType::int16, 2, "i2", "I16", "torch.ShortStorage", 5},
-    ElementNames{ElementType::int32, 4, "i4", "I32", "torch.IntStorage", 6},
-    ElementNames{ElementType::int64, 8, "i8", "I64", "torch.LongStorage", 7},
-    ElementNames{ElementType::boolean, 1, "b1", "BOOL", "torch.BoolStorage", 9},
+    ElementNames{ElementType::float16, 2, "f2", "F16", "torch.HalfStorage", 10, half_number},
+    ElementNames{ElementType::bfloat16, 2, "", "BF16", "torch.BFloat16Storage", 16, bfloat_number},
+    ElementNames{ElementType::float32, 4, "f4", "F32", "torch.FloatStorage", 1, number<float>},
+    ElementNames{ElementType::float64, 8, "f8", "F64", "torch.DoubleStorage", 11, number<double>},
+    ElementNames{ElementType::int8, 1, "i1", "I8", "torch.CharStorage", 3, number<std::int8_t>},
+    ElementNames{ElementType::uint8, 1, "u1", "U8", "torch.ByteStorage", 2, number<std::uint8_t>},
+    ElementNames{ElementType::int16, 2, "i2", "I16", "torch.ShortStorage", 5, number<std::int16_t>},
+    ElementNames{ElementType::int32, 4, "i4", "I32", "torch.IntStorage", 6, number<std::int32_t>},
+    ElementNames{ElementType::int64, 8, "i8", "I64", "torch.LongStorage", 7, number<std::int64_t>},
+    ElementNames{ElementType::boolean, 1, "b1", "BOOL", "torch.BoolStorage", 9,
+                 number<std::uint8_t>},
 };
 
 std::optional<ElementType> type_called(std::string_view name,
@@ -52,13 +71,6 @@ constexpr std::array<std::string_view, 21> kOnnxNames = {
     "UINT32",         "UINT64",     "COMPLEX64",     "COMPLEX128", "BFLOAT16", "FLOAT8E4M3FN",
     "FLOAT8E4M3FNUZ", "FLOAT8E5M2", "FLOAT8E5M2FNUZ"};
 
-template <class T>
-T read(const char* from) {
-  T value;
-  std::memcpy(&value, from, sizeof value);
-  return value;
-}
-
 }  // namespace
 
 std::size_t size_of(ElementType type) {
@@ -70,30 +82,14 @@ bool is_real(ElementType type) {
          type == ElementType::float32 || type == ElementType::float64;
 }
 
+std::uint64_t little_endian(std::string_view bytes, std::size_t count) {
+  std::uint64_t value = 0;
+  for (std::size_t i = count; i-- > 0;) value = value << 8U | static_cast<unsigned char>(bytes[i]);
+  return value;
+}
+
 double value_at(ElementType type, const char* from) {
-  switch (type) {
-    case ElementType::float16:
-      return half(read<std::uint16_t>(from));
-    case ElementType::bfloat16:
-      return static_cast<double>(
-          std::bit_cast<float>(std::uint32_t{read<std::uint16_t>(from)} << 16U));
-    case ElementType::float32:
-      return static_cast<double>(read<float>(from));
-    case ElementType::float64:
-      return read<double>(from);
-    case ElementType::int8:
-      return read<std::int8_t>(from);
-    case ElementType::uint8:
-    case ElementType::boolean:
-      return read<std::uint8_t>(from);
-    case ElementType::int16:
-      return read<std::int16_t>(from);
-    case ElementType::int32:
-      return read<std::int32_t>(from);
-    case ElementType::int64:
-      return static_cast<double>(read<std::int64_t>(from));
-  }
-  return 0.0;
+  return kElements.at(static_cast<std::size_t>(type)).value(from);
 }
 
 std::optional<ElementType> onnx_type(std::int64_t number) {
@@ -116,11 +112,10 @@ bool all_finite(const std::vector<double>& values, std::string_view name, std::s
                 PolicyProblem& problem) {
   for (const double value : values) {
     if (std::isfinite(value)) continue;
-    problem = {"E0616",
-               fmt::format("has {} in tensor `{}`", std::isnan(value) ? "NaN" : "infinity",
-                           printable(name)),
-               fmt::format("the training diverged: {} a policy that works", verb)};
-    return false;
+    return refuse(problem, "E0616",
+                  fmt::format("has {} in tensor `{}`", std::isnan(value) ? "NaN" : "infinity",
+                              printable(name)),
+                  fmt::format("the training diverged: {} a policy that works", verb));
   }
   return true;
 }

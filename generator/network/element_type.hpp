@@ -27,6 +27,9 @@ enum class ElementType : std::uint8_t {
 std::size_t size_of(ElementType type);
 bool is_real(ElementType type);
 
+/// The whole number in the first `count` bytes, little-endian.
+std::uint64_t little_endian(std::string_view bytes, std::size_t count);
+
 /// The element that begins at `from`, little-endian.
 double value_at(ElementType type, const char* from);
 

@@ -1,8 +1,10 @@
 #include "generator/network/evaluate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <eagerx/policy.hpp>
+#include <utility>
 
 #include "generator/network/buffers.hpp"
 #include "generator/network/evaluate_layer.hpp"
@@ -18,29 +20,17 @@ void apply_all(std::vector<float>& y, float slope) {
   for (float& value : y) value = runtime::policy::activated<A>(value, slope);
 }
 
+/// In the order of Activation, which is the runtime's.
+template <std::size_t... Kinds>
+constexpr auto activations(std::index_sequence<Kinds...> /*all*/) {
+  return std::array{&apply_all<static_cast<runtime::Activation>(Kinds)>...};
+}
+
 void activate(Activation activation, float slope, std::vector<float>& y) {
-  switch (activation) {
-    case Activation::identity:
-      return;
-    case Activation::relu:
-      return apply_all<runtime::Activation::relu>(y, slope);
-    case Activation::tanh:
-      return apply_all<runtime::Activation::tanh>(y, slope);
-    case Activation::elu:
-      return apply_all<runtime::Activation::elu>(y, slope);
-    case Activation::leaky_relu:
-      return apply_all<runtime::Activation::leaky_relu>(y, slope);
-    case Activation::silu:
-      return apply_all<runtime::Activation::silu>(y, slope);
-    case Activation::gelu:
-      return apply_all<runtime::Activation::gelu>(y, slope);
-    case Activation::gelu_tanh:
-      return apply_all<runtime::Activation::gelu_tanh>(y, slope);
-    case Activation::softplus:
-      return apply_all<runtime::Activation::softplus>(y, slope);
-    case Activation::sigmoid:
-      return apply_all<runtime::Activation::sigmoid>(y, slope);
-  }
+  constexpr auto kKinds = static_cast<std::size_t>(Activation::sigmoid) + 1;
+  static_assert(kKinds == static_cast<std::size_t>(runtime::Activation::sigmoid) + 1);
+  constexpr auto kAll = activations(std::make_index_sequence<kKinds>());
+  kAll.at(static_cast<std::size_t>(activation))(y, slope);
 }
 
 double activated(Activation activation, double slope, double x) {

@@ -12,14 +12,6 @@
 namespace eagerx::gen {
 namespace {
 
-bool all_of_width(const std::vector<std::vector<double>>& rows, std::size_t count,
-                  std::size_t width) {
-  return rows.empty() ||
-         (rows.size() == count && std::all_of(rows.begin(), rows.end(), [&](const auto& row) {
-            return row.size() == width;
-          }));
-}
-
 /// Whether the rows have the network's sizes; what is wrong otherwise.
 std::string misfit(const Network& network, const GoldenRows& rows) {
   const std::size_t count = rows.observations.size();
@@ -193,6 +185,14 @@ void report_wrong(const Network& network, const GoldenRows& rows, const GoldenRe
 }
 
 }  // namespace
+
+bool all_of_width(const std::vector<std::vector<double>>& rows, std::size_t count,
+                  std::size_t width) {
+  return rows.empty() ||
+         (rows.size() == count && std::all_of(rows.begin(), rows.end(), [&](const auto& row) {
+            return row.size() == width;
+          }));
+}
 
 bool starts_episode(const GoldenRows& rows, std::size_t i) {
   return i == 0 || rows.starts.empty() || rows.starts[i].front() != 0.0;

@@ -27,6 +27,10 @@ struct GoldenRows {
   double printed = 0.0;  // half of the last digit that a text has of outputs and actions
 };
 
+/// Whether there are `count` rows of `width` numbers, or none at all.
+bool all_of_width(const std::vector<std::vector<double>>& rows, std::size_t count,
+                  std::size_t width);
+
 /// Whether an episode starts with row `i`.
 bool starts_episode(const GoldenRows& rows, std::size_t i);
 

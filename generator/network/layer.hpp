@@ -146,8 +146,8 @@ struct Layer {
   }
 };
 
-/// Of a form that has no weights; `bias` is what an Elementwise calculates with.
+/// `bias`: also what an Elementwise calculates with.
 Layer layer_of(LayerForm form, std::uint32_t inputs, std::uint32_t outputs,
-               std::vector<float> bias = {});
+               std::vector<float> bias = {}, std::vector<float> weights = {});
 
 }  // namespace eagerx::gen

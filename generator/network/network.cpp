@@ -5,13 +5,14 @@
 
 namespace eagerx::gen {
 
-Layer layer_of(LayerForm form, std::uint32_t inputs, std::uint32_t outputs,
-               std::vector<float> bias) {
+Layer layer_of(LayerForm form, std::uint32_t inputs, std::uint32_t outputs, std::vector<float> bias,
+               std::vector<float> weights) {
   Layer layer;
   layer.inputs = inputs;
   layer.outputs = outputs;
   layer.form = std::move(form);
   layer.bias = std::move(bias);
+  layer.weights = std::move(weights);
   return layer;
 }
 namespace {

@@ -97,13 +97,11 @@ bool check_observations(const Network& network, const GoldenRows& rows, const st
     return misfit(fmt::format("have rows of {} numbers, but the policy `{}` takes {}",
                               wrong->size(), network.file, network.inputs()));
   }
-  const auto fits = [&](const std::vector<std::vector<double>>& beside, std::size_t width) {
-    return beside.empty() ||
-           (beside.size() == rows.observations.size() &&
-            std::ranges::all_of(beside, [&](const auto& row) { return row.size() == width; }));
-  };
-  if (!fits(rows.starts, 1)) return misfit("do not have one `episode_start` for each row");
-  if (!fits(rows.normalized, network.inputs())) {
+  const std::size_t count = rows.observations.size();
+  if (!all_of_width(rows.starts, count, 1)) {
+    return misfit("do not have one `episode_start` for each row");
+  }
+  if (!all_of_width(rows.normalized, count, network.inputs())) {
     return misfit("have different numbers of normalised observations and observations");
   }
   if (!network.has_memory() || !rows.starts.empty()) return true;

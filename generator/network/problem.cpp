@@ -4,10 +4,9 @@
 
 namespace eagerx::gen {
 
-std::nullopt_t refuse(PolicyProblem& problem, const char* code, std::string message,
-                      std::string help) {
-  problem = {code, std::move(message), std::move(help)};
-  return std::nullopt;
+Refused refuse(PolicyProblem& problem, std::string code, std::string message, std::string help) {
+  problem = {std::move(code), std::move(message), std::move(help)};
+  return {};
 }
 
 std::string printable(std::string_view name) {

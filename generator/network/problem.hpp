@@ -1,6 +1,7 @@
 // Why a file is not usable, in words that can be shown.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,9 +15,26 @@ struct PolicyProblem {
   std::string help;
 };
 
-/// Sets `problem` and returns nothing, for `return refuse(...)`.
-std::nullopt_t refuse(PolicyProblem& problem, const char* code, std::string message,
-                      std::string help);
+/// What `return refuse(...)` gives back: false, nothing, or no pointer, as the function has it.
+struct Refused {
+  // NOLINTBEGIN(google-explicit-constructor): that is what it is for
+  template <std::same_as<bool> Bool>
+  operator Bool() const {
+    return false;
+  }
+  template <class T>
+  operator std::optional<T>() const {
+    return std::nullopt;
+  }
+  template <class T>
+  operator T*() const {
+    return nullptr;
+  }
+  // NOLINTEND(google-explicit-constructor)
+};
+
+/// Sets `problem`.
+Refused refuse(PolicyProblem& problem, std::string code, std::string message, std::string help);
 
 /// A name out of a file as it can be shown: ASCII, no control characters, not too long.
 std::string printable(std::string_view name);

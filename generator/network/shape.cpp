@@ -36,6 +36,11 @@ std::optional<std::int64_t> element_count(const Dims& dims) {
   return empty ? 0 : bound;
 }
 
+std::optional<std::int64_t> place_in(std::int64_t at, std::int64_t count) {
+  const std::int64_t place = at < 0 ? at + count : at;
+  return place >= 0 && place < count ? std::optional(place) : std::nullopt;
+}
+
 std::string show(const Dims& dims) {
   return fmt::format("[{}]", fmt::join(dims, ", "));
 }

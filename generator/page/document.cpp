@@ -72,22 +72,27 @@ std::optional<std::string> load_module(const std::string& path, Diagnostics& dia
 
 std::optional<std::string> page_text(const std::string& folder, const PageContents& contents,
                                      Diagnostics& diagnostics) {
+  const PageForm form{entries_of(contents), contents.module.has_value(), contents.is_live};
+  return page_of(folder, form, page_json(contents), diagnostics);
+}
+
+std::optional<std::string> page_of(const std::string& folder, const PageForm& form,
+                                   const Json& data, Diagnostics& diagnostics) {
   const std::filesystem::path here = folder;
   auto text = read_part(here / "page.html", diagnostics);
   const auto style = text ? read_part(here / "page.css", diagnostics) : std::nullopt;
-  const auto script =
-      style ? joined_modules(here, entries_of(contents), diagnostics) : std::nullopt;
+  const auto script = style ? joined_modules(here, form.entries, diagnostics) : std::nullopt;
   if (!script) return std::nullopt;
   replace(*text, "@style@", *style);
   replace(*text, "@script@", *script);
   // Compiling a module counts as evaluating text; nothing else is allowed with it.
-  replace(*text, "@wasm@", contents.module ? " 'wasm-unsafe-eval'" : "");
-  replace(*text, "@connect@", contents.is_live ? "; connect-src 'self'" : "");
+  replace(*text, "@wasm@", form.runs_module ? " 'wasm-unsafe-eval'" : "");
+  replace(*text, "@connect@", form.connects ? "; connect-src 'self'" : "");
   const std::string style_hash = sha256_base64(element(*text, "style"));
   const std::string script_hash = sha256_base64(element(*text, "script"));
   replace(*text, "@style-hash@", style_hash);
   replace(*text, "@script-hash@", script_hash);
-  replace(*text, "@data@", for_markup(dump_json(page_json(contents))));
+  replace(*text, "@data@", for_markup(dump_json(data)));
   return text;
 }
 

@@ -45,6 +45,17 @@ Json page_json(const PageContents& contents);
 std::optional<std::string> page_text(const std::string& folder, const PageContents& contents,
                                      Diagnostics& diagnostics);
 
+/// What a page is made of besides its data, and what it may do.
+struct PageForm {
+  std::vector<std::string> entries;  // the modules that it begins with, in their order
+  bool runs_module = false;          // of WebAssembly
+  bool connects = false;             // to who shows it
+};
+
+/// The page of any data, as page_text() makes it.
+std::optional<std::string> page_of(const std::string& folder, const PageForm& form,
+                                   const Json& data, Diagnostics& diagnostics);
+
 /// The bytes of a module of WebAssembly. Problems: E0301 it cannot be read, is none, or is too
 /// large for a page.
 std::optional<std::string> load_module(const std::string& path, Diagnostics& diagnostics);

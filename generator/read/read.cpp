@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "generator/read/locator.hpp"
+#include "generator/read/memory.hpp"
 #include "generator/read/text.hpp"
 #include "generator/read/tree.hpp"
 #include "generator/read/tree_builder.hpp"
@@ -89,8 +90,8 @@ void parse(const Locator& locator, TreeBuilder& builder, Tags tags, Diagnostics&
   }
 }
 
-YamlValue read_text(FileId file, std::string_view text, Diagnostics& diagnostics, Tags tags,
-                    const ReadLimits& limits) {
+YamlValue read_whole(FileId file, std::string_view text, Diagnostics& diagnostics, Tags tags,
+                     const ReadLimits& limits) {
   const std::size_t errors_before = diagnostics.error_count();
   const Locator locator(file, text);
   if (!check_brackets(locator, limits, diagnostics)) return {};
@@ -103,6 +104,20 @@ YamlValue read_text(FileId file, std::string_view text, Diagnostics& diagnostics
         "comments alone do not count";
   }
   return root;
+}
+
+YamlValue read_text(FileId file, std::string_view text, Diagnostics& diagnostics, Tags tags,
+                    const ReadLimits& limits) {
+  ReadMemory* const memory = tags == Tags::refuse ? ReadMemory::current() : nullptr;
+  if (memory != nullptr) {
+    const auto parse = [&](std::string_view part, const ReadLimits& of_part) {
+      Diagnostics found;
+      YamlValue root = read_whole(file, part, found, tags, of_part);
+      return found.all().empty() ? std::optional(std::move(root)) : std::nullopt;
+    };
+    if (auto root = memory->read(file, text, limits, parse)) return std::move(*root);
+  }
+  return read_whole(file, text, diagnostics, tags, limits);
 }
 
 }  // namespace

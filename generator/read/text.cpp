@@ -13,6 +13,7 @@
 
 #include "generator/diagnostics/utf8.hpp"
 #include "generator/files/files.hpp"
+#include "generator/files/unsaved.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -43,6 +44,11 @@ bool is_utf16(std::string_view text) {
 }  // namespace
 
 LoadedFile load_file(const std::string& path, std::size_t max_bytes) {
+  if (auto text = unsaved_text(path)) {
+    const bool fits = text->size() <= max_bytes;
+    return fits ? LoadedFile{LoadedFile::Status::loaded, std::move(*text), {}}
+                : LoadedFile{LoadedFile::Status::too_large, {}, {}};
+  }
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
+#include <unordered_map>
 
 #include "generator/resolve/draft.hpp"
 
@@ -34,7 +36,7 @@ void check_names(Draft& draft) {
   const GraphSpec& spec = draft.spec;
   static constexpr std::array kTaken = {"actions", "observations", "environment", "engine",
                                         "agent"};
-  std::vector<const EntitySpec*> seen;
+  std::unordered_map<std::string_view, const EntitySpec*> seen;
   for (const auto* entities : {&spec.objects, &spec.nodes}) {
     for (const auto& entity : *entities) {
       if (spec.task && entity.name.value == kTask) {
@@ -55,17 +57,14 @@ void check_names(Draft& draft) {
             fmt::format("every graph already has {}: choose another name", fmt::join(kTaken, ", "));
         draft.doubtful.insert(entity.name.value);
       }
-      const auto same = std::ranges::find(
-          seen, entity.name.value,
-          [](const EntitySpec* s) -> const auto& { return s->name.value; });
-      if (same != seen.end()) {
+      const auto [same, is_new] = seen.emplace(entity.name.value, &entity);
+      if (!is_new) {
         draft.diagnostics
             .error("E0315", entity.name.span,
                    fmt::format("an object is already called `{}`", entity.name.value))
-            .notes.push_back({"this one", (*same)->name.span, ""});
+            .notes.push_back({"this one", same->second->name.span, ""});
         draft.doubtful.insert(entity.name.value);
       }
-      seen.push_back(&entity);
     }
   }
 }

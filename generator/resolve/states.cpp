@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
 
 #include "generator/resolve/draft.hpp"
 
@@ -310,6 +312,8 @@ void find_kept_states(Draft& draft, const EntitySpec& spec, Object& object) {
 }  // namespace
 
 void resolve_states(Draft& draft) {
+  std::unordered_map<std::string_view, const EntitySpec*> specs;
+  for (const EntitySpec& each : draft.spec.nodes) specs.try_emplace(each.name.value, &each);
   for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
     DraftNode& node = draft.nodes[n];
     if (node.node.entity == nullptr || draft.is_added(n)) continue;
@@ -317,7 +321,8 @@ void resolve_states(Draft& draft) {
       add_unnamed_states(node.node, {}, draft.diagnostics);
       continue;
     }
-    const EntitySpec* spec = find_named(draft.spec.nodes, node.node.name);
+    const auto found = specs.find(node.node.name);
+    const EntitySpec* const spec = found != specs.end() ? found->second : nullptr;
     const bool engine = node.node.role == NodeRole::engine;
     const bool other_engine = engine && node.node.entity->id.value !=
                                             draft.spec.engine.type.value;  // of the command line

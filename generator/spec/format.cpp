@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <unordered_set>
 
 namespace eagerx::gen {
 namespace format {
@@ -138,18 +139,18 @@ namespace {
 
 /// Names that <cfloat>, <climits>, <cmath>, <cstdint>, <cstdio> and <cstdlib> define as macros.
 bool is_macro(std::string_view text) {
-  static constexpr auto kMacros = std::to_array<std::string_view>(
-      {"BUFSIZ",      "DECIMAL_DIG", "EXIT_FAILURE",     "EXIT_SUCCESS", "FILENAME_MAX",
-       "FOPEN_MAX",   "HUGE_VAL",    "HUGE_VALF",        "HUGE_VALL",    "L_tmpnam",
-       "MATH_ERRNO",  "MB_CUR_MAX",  "MATH_ERREXCEPT",   "MB_LEN_MAX",   "M_1_PI",
-       "M_2_PI",      "M_2_SQRTPI",  "math_errhandling", "M_E",          "M_LN10",
-       "M_LN2",       "M_LOG10E",    "M_LOG2E",          "M_PI",         "M_PI_2",
-       "M_PI_4",      "M_SQRT1_2",   "M_SQRT2",          "P_tmpdir",     "RAND_MAX",
-       "SEEK_CUR",    "SEEK_END",    "SEEK_SET",         "TMP_MAX",      "PTRDIFF_MAX",
-       "PTRDIFF_MIN", "SIZE_MAX",    "SIG_ATOMIC_MAX",   "SSIZE_MAX",    "SIG_ATOMIC_MIN",
-       "WCHAR_MAX",   "WCHAR_MIN",   "WINT_MAX",         "WINT_MIN",     "CHAR_BIT",
-       "SCHAR_MAX",   "SCHAR_MIN",   "CHAR_MAX",         "CHAR_MIN"});
-  if (std::ranges::find(kMacros, text) != kMacros.end()) return true;
+  static const std::unordered_set<std::string_view> kMacros{
+      "BUFSIZ",      "DECIMAL_DIG", "EXIT_FAILURE",     "EXIT_SUCCESS", "FILENAME_MAX",
+      "FOPEN_MAX",   "HUGE_VAL",    "HUGE_VALF",        "HUGE_VALL",    "L_tmpnam",
+      "MATH_ERRNO",  "MB_CUR_MAX",  "MATH_ERREXCEPT",   "MB_LEN_MAX",   "M_1_PI",
+      "M_2_PI",      "M_2_SQRTPI",  "math_errhandling", "M_E",          "M_LN10",
+      "M_LN2",       "M_LOG10E",    "M_LOG2E",          "M_PI",         "M_PI_2",
+      "M_PI_4",      "M_SQRT1_2",   "M_SQRT2",          "P_tmpdir",     "RAND_MAX",
+      "SEEK_CUR",    "SEEK_END",    "SEEK_SET",         "TMP_MAX",      "PTRDIFF_MAX",
+      "PTRDIFF_MIN", "SIZE_MAX",    "SIG_ATOMIC_MAX",   "SSIZE_MAX",    "SIG_ATOMIC_MIN",
+      "WCHAR_MAX",   "WCHAR_MIN",   "WINT_MAX",         "WINT_MIN",     "CHAR_BIT",
+      "SCHAR_MAX",   "SCHAR_MIN",   "CHAR_MAX",         "CHAR_MIN"};
+  if (kMacros.contains(text)) return true;
   const bool capitals = std::ranges::all_of(text, [](char c) {
     return c == '_' || std::isupper(static_cast<unsigned char>(c)) != 0 ||
            std::isdigit(static_cast<unsigned char>(c)) != 0;
@@ -173,37 +174,37 @@ bool is_macro(std::string_view text) {
 }  // namespace
 
 bool is_reserved_name(std::string_view text) {
-  static constexpr auto kReserved = std::to_array<std::string_view>(
-      {"alignas",      "alignof",     "and",          "asm",
-       "auto",         "bool",        "break",        "case",
-       "catch",        "char",        "class",        "concept",
-       "const",        "continue",    "decltype",     "default",
-       "delete",       "do",          "double",       "else",
-       "enum",         "explicit",    "export",       "extern",
-       "false",        "float",       "for",          "friend",
-       "goto",         "if",          "inline",       "int",
-       "long",         "mutable",     "namespace",    "new",
-       "noexcept",     "not",         "nullptr",      "operator",
-       "or",           "private",     "protected",    "public",
-       "register",     "requires",    "return",       "short",
-       "signed",       "sizeof",      "static",       "struct",
-       "switch",       "template",    "this",         "throw",
-       "true",         "try",         "typedef",      "typeid",
-       "typename",     "union",       "unsigned",     "using",
-       "virtual",      "void",        "volatile",     "wchar_t",
-       "while",        "xor",         "eagerx",       "graphs",
-       "std",          "constexpr",   "bitand",       "bitor",
-       "compl",        "co_await",    "co_yield",     "co_return",
-       "main",         "consteval",   "constinit",    "static_assert",
-       "thread_local", "not_eq",      "and_eq",       "or_eq",
-       "xor_eq",       "const_cast",  "dynamic_cast", "reinterpret_cast",
-       "static_cast",  "char8_t",     "char16_t",     "char32_t",
-       "linux",        "unix",        "NULL",         "EOF",
-       "NAN",          "INFINITY",    "errno",        "assert",
-       "Action",       "Observation", "States",       "Inputs",
-       "Outputs",      "Config",      "for_each",     "stdin",
-       "stdout",       "stderr"});
-  return std::ranges::find(kReserved, text) != kReserved.end() || is_macro(text);
+  static const std::unordered_set<std::string_view> kReserved{
+      "alignas",      "alignof",     "and",          "asm",
+      "auto",         "bool",        "break",        "case",
+      "catch",        "char",        "class",        "concept",
+      "const",        "continue",    "decltype",     "default",
+      "delete",       "do",          "double",       "else",
+      "enum",         "explicit",    "export",       "extern",
+      "false",        "float",       "for",          "friend",
+      "goto",         "if",          "inline",       "int",
+      "long",         "mutable",     "namespace",    "new",
+      "noexcept",     "not",         "nullptr",      "operator",
+      "or",           "private",     "protected",    "public",
+      "register",     "requires",    "return",       "short",
+      "signed",       "sizeof",      "static",       "struct",
+      "switch",       "template",    "this",         "throw",
+      "true",         "try",         "typedef",      "typeid",
+      "typename",     "union",       "unsigned",     "using",
+      "virtual",      "void",        "volatile",     "wchar_t",
+      "while",        "xor",         "eagerx",       "graphs",
+      "std",          "constexpr",   "bitand",       "bitor",
+      "compl",        "co_await",    "co_yield",     "co_return",
+      "main",         "consteval",   "constinit",    "static_assert",
+      "thread_local", "not_eq",      "and_eq",       "or_eq",
+      "xor_eq",       "const_cast",  "dynamic_cast", "reinterpret_cast",
+      "static_cast",  "char8_t",     "char16_t",     "char32_t",
+      "linux",        "unix",        "NULL",         "EOF",
+      "NAN",          "INFINITY",    "errno",        "assert",
+      "Action",       "Observation", "States",       "Inputs",
+      "Outputs",      "Config",      "for_each",     "stdin",
+      "stdout",       "stderr"};
+  return kReserved.contains(text) || is_macro(text);
 }
 
 bool is_identifier(std::string_view text) {

@@ -36,8 +36,8 @@ constexpr std::array<std::string_view, 13> kNotWithLogs{
 std::string nearest_option(std::string_view name) {
   std::vector<std::string> names;
   for (const Option& option : all_options()) names.emplace_back(option.name);
-  const std::string nearest = host::nearest_name(name, names);
-  return nearest.empty() ? "`--help` lists all options" : "did you mean `" + nearest + "`?";
+  const std::string near = host::did_you_mean(name, names);
+  return near.empty() ? "`--help` lists all options" : near;
 }
 
 std::string quoted(std::string_view text) {

@@ -71,10 +71,9 @@ std::optional<StateSetting> parse_setting(std::string_view text) {
 std::string unknown_state(const std::string& name, const std::vector<std::string>& known) {
   std::string list;
   for (const std::string& state : known) list += (list.empty() ? "" : ", ") + state;
-  const std::string near = host::nearest_name(name, known);
-  return "error: this program has no state `" + name +
-         "`\nhelp: " + (near.empty() ? "" : "did you mean `" + near + "`? ") +
-         (known.empty() ? "it has none" : "it has " + list) +
+  const std::string near = host::did_you_mean(name, known);
+  return "error: this program has no state `" + name + "`\nhelp: " + near +
+         (near.empty() ? "" : " ") + (known.empty() ? "it has none" : "it has " + list) +
          "; others are named under `states:` in the graph, and parameters of nodes under "
          "`tunable:`. What else is under `config:` is compiled into the program: change it in the "
          "graph";

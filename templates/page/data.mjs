@@ -2,7 +2,19 @@
 // it becomes text, never markup.
 import {parse} from "./numbers.mjs";
 
-export const data = JSON.parse(document.getElementById("data").textContent);
+// What a page has that is served before its graph was good for the first time.
+const kNoGraph = {
+  ...{
+    info: {name: "", engine: "none", ages: []},
+    schedule: {order: [], quantum: {seconds: 1}, hyperperiod: null, rates: []}
+  },
+  ...{agent: "zero", nodes: [], objects: [], composites: [], rings: [], channels: []},
+  ...{
+    policies: [], source: {name: "", lines: []}, diagnostics: [], images: [], logs: [], shows: ""
+  }
+};
+const told = JSON.parse(document.getElementById("data").textContent);
+export const data = told.nodes ? told : {...kNoGraph, ...told};
 
 export const nodes = data.nodes;
 nodes.forEach((node, number) => {

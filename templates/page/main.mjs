@@ -18,6 +18,7 @@ import {makeTracesView} from "./traces.mjs";
 import {moreViews, showView, views} from "./views.mjs";
 
 const allViews = [
+  {id: "edit", name: "Edit", make: moreViews.get("edit"), there: moreViews.has("edit")},
   {id: "live", name: "Live", make: moreViews.get("live"), there: moreViews.has("live")},
   {id: "graph", name: "Graph", make: makeGraphView, there: true},
   {id: "timetable", name: "Timetable", make: makeTimetableView, there: true},
@@ -62,10 +63,17 @@ for (const view of views) {
 document.getElementById("tabs").addEventListener("keydown", (event) => {
   const step = {ArrowLeft: -1, ArrowRight: 1}[event.key];
   if (!step) return;
-  const next = views[(views.indexOf(state.view) + step + views.length) % views.length];
+  const open = views.filter((view) => !view.tab.disabled);
+  const next = open[(open.indexOf(state.view) + step + open.length) % open.length];
   showView(next.id);
   next.tab.focus();
 });
+
+const kEditKeys = [
+  ["l", "edit: search the library"], ["c", "edit: connect the box"], ["Shift and arrows", "edit: move the box"],
+  ["Enter", "edit: to the form, or send what was typed"], ["Delete", "edit: delete what is selected"],
+  ["Ctrl+Z, Ctrl+Shift+Z", "edit: undo, redo"]
+];
 
 // ---- Keys -----------------------------------------------------------------------------------------------------------
 const help = document.getElementById("help");
@@ -76,7 +84,7 @@ function showHelp() {
     ["+ −", "zoom"], ["0", "show all"], ["e", "graph: as written, as it runs"],
     ["Enter", "graph: opens a composite, or closes the one around"], ["o", "graph: all of them"],
     ["Space", "plots: plays the drawing"], ["wheel", "zoom where the pointer is; in a long timetable with Ctrl"],
-    ["?", "these keys"]
+    ...(moreViews.has("edit") ? kEditKeys : []), ["?", "these keys"]
   ];
   help.replaceChildren(
       el("h2", {}, "Keys"),
@@ -100,7 +108,7 @@ document.addEventListener("keydown", (event) => {
   if (event.target.matches("input, select, textarea") || event.ctrlKey || event.metaKey || event.altKey || help.open)
     return;
   const number = Number(event.key);
-  if (number >= 1 && number <= views.length)
+  if (number >= 1 && number <= views.length && !views[number - 1].tab.disabled)
     showView(views[number - 1].id);
   else if (event.key === "/")
     searchBox.focus();
@@ -119,11 +127,14 @@ document.addEventListener("keydown", (event) => {
 const {info} = data;
 document.title = `${info.name} – eagerx-gen report`;
 document.getElementById("title").textContent = info.name;
-document.getElementById("summary").textContent = [
-  counted(nodes.length, "node"), info.engine === "none" ? "no engine" : `on ${info.engine}`, `${nodes[0].rate} Hz`,
-  `agent ${data.agent}`
-].join(" · ");
+document.getElementById("summary").textContent = nodes.length ?
+    [
+      counted(nodes.length, "node"), info.engine === "none" ? "no engine" : `on ${info.engine}`, `${nodes[0].rate} Hz`,
+      `agent ${data.agent}`
+    ].join(" · ") :
+                                                              "";
 new ResizeObserver(onFrame(() => state.view && state.view.parts.resized())).observe(document.getElementById("views"));
 addEventListener("hashchange", () => showView(location.hash.slice(1)));
 showTheme(prefersDark.matches);
-showView(location.hash.slice(1) || (data.live ? "live" : data.module ? "simulation" : "graph"));
+const firstView = data.served ? "edit" : data.live ? "live" : data.module ? "simulation" : "graph";
+showView(nodes.length ? location.hash.slice(1) || firstView : firstView);

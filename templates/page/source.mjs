@@ -24,12 +24,10 @@ export function sourceLine(text, i) {
   const at = comment ? text.length - comment[1].length : text.length;
   const key = /^(\s*(?:- )?)([\w./-]+)(:)(?=\s|$)/.exec(text.slice(0, at));
   const rest = key ? key[0].length : 0;
-  const line =
-      el("div.line", {}, el("span.number", {"aria-hidden": true}, i + 1),
-         el("code", {}, key ? [key[1], el("span.key", {}, key[2]), key[3]] : null, text.slice(rest, at),
-            at < text.length ? el("span.comment", {}, text.slice(at)) : null));
-  lineElements.set(i + 1, line);
-  return line;
+  return el(
+      "div.line", {}, el("span.number", {"aria-hidden": true}, i + 1),
+      el("code", {}, key ? [key[1], el("span.key", {}, key[2]), key[3]] : null, text.slice(rest, at),
+         at < text.length ? el("span.comment", {}, text.slice(at)) : null));
 }
 
 export function showLine(line) {
@@ -56,8 +54,9 @@ export function makeSourceView(panel) {
                                  {className: "problem " + severity})) :
                          el("p.note", {}, "no problems")));
   panel.append(...elsewhere.map(problemElement));
+  const lines = data.source.lines.map(sourceLine);
+  lines.forEach((line, i) => lineElements.set(i + 1, line));
   panel.append(
-      el("div.source", {tabIndex: 0},
-         data.source.lines.map((text, i) => [sourceLine(text, i), (at.get(i + 1) || []).map(problemElement)])));
+      el("div.source", {tabIndex: 0}, lines.map((line, i) => [line, (at.get(i + 1) || []).map(problemElement)])));
   return {shown() {}, resized() {}};
 }

@@ -3,10 +3,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "generator/edit/helps.hpp"
+#include "generator/edit/rename_port.hpp"
 #include "generator/lsp/complete.hpp"
+#include "generator/lsp/fold.hpp"
 #include "generator/lsp/server.hpp"
 #include "generator/lsp/stream.hpp"
 
@@ -23,9 +29,28 @@ class Nobody final : public lsp::Analyst {
     return facts_;
   }
   const lsp::LibraryFacts& of_manifests() override { return facts_; }
-  std::string manifest_of(const std::string& /*path*/, const std::string& /*text*/,
-                          const std::string& /*id*/) override {
-    return "/manifest.yaml";
+  Checked try_out(const std::string& /*path*/, const std::string& /*text*/) override { return {}; }
+  std::shared_ptr<const lsp::Resolved> resolved(const std::string& /*path*/) override {
+    return resolved_;
+  }
+  std::optional<EntityFiles> files_of(const std::string& /*path*/, const std::string& /*text*/,
+                                      const std::string& /*id*/) override {
+    return EntityFiles{"/manifest.yaml", "/b.hpp", true};
+  }
+  std::vector<std::string> own_manifests(const std::string& /*path*/,
+                                         const std::string& /*text*/) override {
+    return {"/manifest.yaml"};
+  }
+  [[nodiscard]] std::vector<std::string> folders() const override { return {"/"}; }
+  void set_text(const std::string& path, std::optional<std::string> text) override {
+    if (text)
+      texts_[path] = std::move(*text);
+    else
+      texts_.erase(path);
+  }
+  std::optional<std::string> text_of(const std::string& path) override {
+    const auto found = texts_.find(path);
+    return found != texts_.end() ? found->second : kManifest;
   }
   void forget() override {}
 
@@ -35,7 +60,47 @@ class Nobody final : public lsp::Analyst {
           R"({"properties":{"a":{"type":"object","description":"x","additionalProperties":{"properties":{"type":{"enum":["b","c"]}}}},
           "connections":{"items":{"properties":{"from":{},"to":{}}}}}})"),
       {{"b", {"goal"}}}};
+  const std::string kManifest = "id: b\ninputs:\n  in: {space: {like: in}}\n";
+  const std::shared_ptr<const lsp::Resolved> resolved_ = std::make_shared<const lsp::Resolved>(
+      lsp::Resolved{{{"x.in", {"1 a tick", "1 ms", "", "about"}}},
+                    {{"x.in", "p"}},
+                    {{"x", "o"}},
+                    {{"x", "1 Hz"}}});
+  std::map<std::string, std::string> texts_;
 };
+
+/// Splices lie in the text, and a help of a diagnostic anywhere can be applied.
+void edits(const std::string& text, std::size_t at) {
+  Diagnostic problem;
+  problem.code = "E0203";
+  problem.span = {static_cast<FileId>(0), static_cast<std::uint32_t>(at % 7),
+                  static_cast<std::uint32_t>(at % 11), static_cast<std::uint32_t>(at % 5)};
+  problem.message = "`x.in` is wrong";
+  for (const char* const help :
+       {"did you mean `a`?", "write `1`", "put it in quotes", "leave the tag out",
+        "quotes make it a text: leave them out",
+        "add `processor: A` or `processor: B` to the connection",
+        "add a connection `{from: …, to: x.in}`", "add `config: {n: …}`: x",
+        "add it to `inputs:` of `x`", "add `skip: true` to one", "add `rate:`, its rate",
+        "else `allow: [E0203]`", "add `x` to that list", "write `", "add `", "did you mean `"}) {
+    problem.help = help;
+    for (const Help& each : helps_of(problem, text)) {
+      for (const Splice& splice : each.edit.splices) {
+        if (splice.place.begin > splice.place.end || splice.place.end > text.size()) std::abort();
+      }
+      applied(text, each.edit.splices);
+    }
+  }
+  if (const auto port = port_in_graph(text, at)) {
+    uses_of_port(text, port->type, port->port);
+    uses_of_port_in_manifest(text, port->type, port->port);
+  }
+  port_in_manifest(text, at);
+  uses_of_port_in_header(text, "in");
+  for (const auto& fold : lsp::folds_of(text)) {
+    if (fold.first >= fold.last) std::abort();
+  }
+}
 
 }  // namespace
 
@@ -57,6 +122,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Cursor cursor = cursor_at(text, at);
   if (cursor.word.begin > at || cursor.word.end < at || cursor.word.end > size) std::abort();
   lsp::complete(nobody.of_graph({}, {}), text, at);
-  lsp::hover(nobody.of_graph({}, {}), text, at);
+  lsp::complete(nobody.of_graph({}, {}), text, at, true);
+  lsp::hover(nobody.of_graph({}, {}), text, at, nobody.resolved({}).get());
+  for (const auto& hint : lsp::inlay_hints(outline_of(text), *nobody.resolved({}), {0, size})) {
+    if (hint.at > size) std::abort();
+  }
+  edits(text, at);
   return 0;
 }

@@ -132,6 +132,13 @@ export class Element {
     this.focused = true;
   }
   blur() {}
+  select() {}
+  setSelectionRange() {}
+  contains(other) {
+    for (let at = other; at; at = at.parentElement)
+      if (at === this) return true;
+    return false;
+  }
   setPointerCapture() {}
   scrollIntoView() {}
   showModal() {

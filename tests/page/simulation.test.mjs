@@ -23,7 +23,7 @@ test("it is said and painted, then the module is called, and a problem is text",
   shown();  // somebody comes back to it meanwhile
   timers.shift()();
   assert.equal(compiled, 1);
-  for (let i = 0; i < 100 && !panel.textContent.startsWith("The simulation cannot"); ++i)
+  for (let i = 0; i < 100000 && !panel.textContent.startsWith("The simulation cannot"); ++i)
     await new Promise(setImmediate);
   assert.match(panel.textContent, /^The simulation cannot run here: .*magic/s);
 });

@@ -41,19 +41,15 @@ class Assembly {
   }
 
  private:
-  bool fail(const char* code, std::string message, std::string help = kOtherActor) {
-    problem_ = {code, std::move(message), std::move(help)};
-    return false;
-  }
-
   /// Parts that would silently be left out, and change the function.
   bool check_supported() {
     if (facts_.unsupported) {
-      return fail("E0628", *facts_.unsupported, "export the actor to ONNX, or train without it");
+      return parts_.fail("E0628", *facts_.unsupported,
+                         "export the actor to ONNX, or train without it");
     }
     const std::string known = " FlattenExtractor NatureCNN CombinedExtractor ";
     if (facts_.extractor && known.find(" " + *facts_.extractor + " ") == std::string::npos) {
-      return fail(
+      return parts_.fail(
           "E0628",
           fmt::format("has a features extractor of its own (`{}`)", printable(*facts_.extractor)),
           "export the actor to ONNX");
@@ -65,8 +61,8 @@ class Assembly {
   bool add_observation() {
     if (facts_.scales_pixels && facts_.observations) {
       if (*facts_.observations > kMaxValues) {
-        return fail("E0619", fmt::format("takes images of more than {} values", kMaxValues),
-                    "use smaller images");
+        return parts_.fail("E0619", fmt::format("takes images of more than {} values", kMaxValues),
+                           "use smaller images");
       }
       const auto count = static_cast<std::uint32_t>(*facts_.observations);
       Layer layer = layer_of(Elementwise{Elementwise::Operation::divide}, count, count, {255.0F});
@@ -88,20 +84,21 @@ class Assembly {
   bool check_algorithm() {
     const std::string& said = facts_.contract.algorithm;
     if (said.empty() || layout_.algorithms.empty()) return true;
-    const std::string known = " " + layout_.algorithms + " ";
+    const std::string known = fmt::format(" {} ", layout_.algorithms);
     if (known.find(" " + said + " ") != std::string::npos) return true;
-    return fail("E0626", fmt::format("says that it is of {}, but its tensors are those of {}",
-                                     printable(said), layout_.about));
+    return parts_.fail("E0626",
+                       fmt::format("says that it is of {}, but its tensors are those of {}",
+                                   printable(said), layout_.about));
   }
 
   bool choose_activation() {
     // A zip of SB3 that names none has its class's.
     const auto in_file = facts_.activation || !is_zip() ? facts_.activation : layout_.activation;
     if (context_.activation && in_file && *context_.activation != *in_file) {
-      return fail("E0626",
-                  fmt::format("says that its activation is {}, but the graph says {}",
-                              to_string(*in_file), to_string(*context_.activation)),
-                  "leave the graph's `activation` out");
+      return parts_.fail("E0626",
+                         fmt::format("says that its activation is {}, but the graph says {}",
+                                     to_string(*in_file), to_string(*context_.activation)),
+                         "leave the graph's `activation` out");
     }
     const bool needed =
         std::any_of(layout_.modules.begin(), layout_.modules.end(),
@@ -109,13 +106,13 @@ class Assembly {
     const auto said = in_file ? in_file : context_.activation;
     if (!said && !layout_.activation && needed) {
       const bool both = layout_.output_rule == OutputRule::unknown && !context_.output_activation;
-      return fail("E0629", "does not say which activation follows its hidden layers",
-                  both
-                      ? "say it in the graph, and what follows the last layer: `agent: {policy: …, "
-                        "activation: elu, output_activation: none}`; for `policy` with "
-                        "`--activation elu --output-activation none`"
-                      : "say it in the graph: `agent: {policy: …, activation: elu}`; for `policy` "
-                        "with `--activation elu`");
+      return parts_.fail(
+          "E0629", "does not say which activation follows its hidden layers",
+          both ? "say it in the graph, and what follows the last layer: `agent: {policy: …, "
+                 "activation: elu, output_activation: none}`; for `policy` with "
+                 "`--activation elu --output-activation none`"
+               : "say it in the graph: `agent: {policy: …, activation: elu}`; for `policy` "
+                 "with `--activation elu`");
     }
     activation_ = said ? *said : layout_.activation.value_or(Activation::identity);
     if (!said && needed) {
@@ -132,20 +129,22 @@ class Assembly {
     for (std::size_t i = features_; i < network_.layers.size(); ++i) {
       if (network_.layers[i].is_dense()) hidden.push_back(network_.layers[i].outputs);
     }
-    if (hidden.empty()) return fail("E0624", "has an actor without layers");
+    if (hidden.empty()) return parts_.fail("E0624", "has an actor without layers");
     hidden.pop_back();
     if (facts_.hidden && *facts_.hidden != hidden) {
-      return fail("E0626", fmt::format("says that its hidden layers are {}, but its tensors are {}",
-                                       show(*facts_.hidden), show(hidden)));
+      return parts_.fail("E0626",
+                         fmt::format("says that its hidden layers are {}, but its tensors are {}",
+                                     show(*facts_.hidden), show(hidden)));
     }
     if (facts_.observations && *facts_.observations != network_.inputs()) {
-      return fail("E0626",
-                  fmt::format("says that it takes {} numbers, but its first layer takes {}",
-                              *facts_.observations, network_.inputs()));
+      return parts_.fail("E0626",
+                         fmt::format("says that it takes {} numbers, but its first layer takes {}",
+                                     *facts_.observations, network_.inputs()));
     }
     if (facts_.actions && *facts_.actions != network_.outputs()) {
-      return fail("E0626", fmt::format("says that it gives {} numbers, but its last layer gives {}",
-                                       *facts_.actions, network_.outputs()));
+      return parts_.fail("E0626",
+                         fmt::format("says that it gives {} numbers, but its last layer gives {}",
+                                     *facts_.actions, network_.outputs()));
     }
     return true;
   }

@@ -2,6 +2,7 @@
 // between them, and whether the rest of the file agrees.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,7 +55,7 @@ std::optional<Network> make_actor(const TensorTable& table, const PolicyFacts& f
 /// largest number.
 bool check_statistics(Normalization& statistics, PolicyProblem& problem);
 
-/// When a tanh follows the last layer besides `ActorLayout::output`.
+/// When a tanh follows the last layer besides `KnownLayout::output`.
 enum class Squash : std::uint8_t {
   never,
   if_said,        // PolicyFacts::squash
@@ -71,27 +72,45 @@ enum class OutputRule : std::uint8_t {
   fixed,    // the library: there is no other
 };
 
-/// The modules of an actor in the order of evaluation.
+/// One of an actor, in the order of evaluation.
 struct ActorModule {
   std::string base;  // "actor.latent_pi.0"
   bool activation_after = false;
   std::optional<int> recurrent{};  // layer of a GRU or LSTM: base.weight_ih_l0
   bool is_limited = false;         // by PolicyFacts::limit
 };
-struct ActorLayout {
-  std::string about;       // "Stable-Baselines3's SAC"
-  std::string algorithms;  // "SAC TQC", empty: any
-  std::vector<ActorModule> modules;
+
+/// `bodies` are followed by an activation each, then comes `head`: a layer or a sequence.
+struct KnownLayout {
+  std::string_view about;            // "Stable-Baselines3's SAC"
+  std::string_view algorithms = "";  // "SAC TQC", empty: any
+  std::array<const char*, 2> bodies = {};
+  const char* head = nullptr;
+  bool head_is_sequence = false;
+  std::array<const char*, 2> must_have =
+      {};  // names that start like one of these tell layouts apart
+  const char* must_not_have = nullptr;
+  /// Names, or with a dot at their end beginnings of names, one of which a file without its zip
+  /// must have to be of this library. None: `must_have` is enough.
+  std::array<const char*, 5> marks = {};
   ActionKind action = ActionKind::raw;
-  std::optional<Activation> activation;      // what the library takes if nothing else is said
-  Activation output = Activation::identity;  // after the last layer
-  bool has_bias = false;                     // always
-  std::string memory;                        // "lstm_actor": a GRU or LSTM before the modules
+  std::optional<Activation> activation = std::nullopt;  // if nothing else is said
+  Activation output = Activation::identity;             // after the last layer
+  bool has_bias = false;                                // always
+  std::string_view memory = "";                         // a GRU or LSTM before the bodies
   MemoryPlace memory_place = MemoryPlace::unknown;
-  std::string extractor;  // what names in front of the modules start with
+  std::array<const char*, 2> extractors = {};  // the first that is there
   Squash squash = Squash::never;
   bool has_quantiles = false;
-  OutputRule output_rule = OutputRule::unknown;
+  OutputRule output_rule = OutputRule::fixed;
+  bool is_alone = false;  // the file has one tensor
+  bool is_list = false;   // of layers, with an activation after each but the last
+};
+
+/// An actor that was found: as its library has it, or a torch module.
+struct ActorLayout : KnownLayout {
+  std::vector<ActorModule> modules{};
+  std::string extractor{};  // what names in front of the modules start with
 };
 
 /// The one actor among the names. A file that is no Stable-Baselines3 `zip` is only said to be of a

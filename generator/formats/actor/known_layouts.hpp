@@ -2,37 +2,11 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "generator/formats/actor/actor.hpp"
 
 namespace eagerx::gen {
 
-/// `bodies` are followed by an activation each, then comes `head`: a layer or a sequence.
-struct KnownLayout {
-  const char* about;
-  const char* algorithms = "";
-  std::array<const char*, 2> bodies = {};
-  const char* head;
-  bool head_is_sequence = false;
-  std::array<const char*, 2> must_have;  // names that start like one of these tell layouts apart
-  const char* must_not_have = nullptr;
-  /// Names, or with a dot at their end beginnings of names, one of which a file without its zip
-  /// must have to be of this library. None: `must_have` is enough.
-  std::array<const char*, 5> marks = {};
-  ActionKind action = ActionKind::raw;
-  std::optional<Activation> activation = std::nullopt;
-  Activation output = Activation::identity;
-  bool has_bias = false;
-  const char* memory = "";  // a GRU or LSTM before the bodies
-  MemoryPlace memory_place = MemoryPlace::unknown;
-  std::array<const char*, 2> extractors = {};  // the first that is there
-  Squash squash = Squash::never;
-  bool has_quantiles = false;
-  OutputRule output_rule = OutputRule::fixed;
-  bool is_alone = false;  // the file has one tensor
-  bool is_list = false;   // of layers, with an activation after each but the last
-};
 inline constexpr std::array kKnownLayouts = {
     KnownLayout{.about = "eagerx-gen train",
                 .bodies = {"policy.hidden."},

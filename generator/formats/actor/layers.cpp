@@ -10,62 +10,53 @@
 namespace eagerx::gen {
 namespace {
 
-class Layers {
+class Layers : ActorParts {
  public:
   Layers(const ActorParts& parts, const ActorLayout& layout, Activation activation)
-      : parts_(parts),
-        table_(parts.table),
-        network_(parts.network),
-        problem_(parts.problem),
-        layout_(layout),
-        activation_(activation) {}
+      : ActorParts(parts), layout_(layout), activation_(activation) {}
 
   bool add(const ActorModule& module) {
-    if (network_.layers.size() >= kMaxLayers) {
+    if (network.layers.size() >= kMaxLayers) {
       return fail("E0619", fmt::format("has more than {} layers", kMaxLayers));
     }
     if (module.recurrent) return add_recurrent(module);
-    if (is_batch_norm(table_, module.base)) {
-      if (!add_batch_norm(parts_, module.base)) return false;
+    if (is_batch_norm(table, module.base)) {
+      if (!add_batch_norm(*this, module.base)) return false;
       return activate(module);
     }
-    const StoredTensor* weight = table_.find(module.base + ".weight");
+    const StoredTensor* weight = table.find(module.base + ".weight");
     if (weight == nullptr) return missing(module.base + ".weight");
     const bool added = weight->shape.size() == 1 ? add_norm(module.base, *weight)
                                                  : add_dense(module.base, *weight);
     if (!added) return false;
-    if (module.is_limited && parts_.facts.limit > 0.0) {
-      add_limits(network_, static_cast<float>(parts_.facts.limit));
+    if (module.is_limited && facts.limit > 0.0) {
+      add_limits(network, static_cast<float>(facts.limit));
     }
     return activate(module);
   }
 
  private:
-  bool fail(const char* code, std::string message, std::string help = kOtherActor) const {
-    return parts_.fail(code, std::move(message), std::move(help));
-  }
-
   bool add_recurrent(const ActorModule& module) {
     std::vector<std::string> names;
-    auto layer = recurrent_layer(table_, module.base, *module.recurrent, names, problem_);
+    auto layer = recurrent_layer(table, module.base, *module.recurrent, names, problem);
     if (!layer) return false;
-    if (!network_.layers.empty() && network_.outputs() != layer->inputs) {
+    if (!network.layers.empty() && network.outputs() != layer->inputs) {
       return fail("E0618", fmt::format("gives {} values to its memory `{}`, which takes {}",
-                                       network_.outputs(), printable(module.base), layer->inputs));
+                                       network.outputs(), printable(module.base), layer->inputs));
     }
-    parts_.used.insert(names.begin(), names.end());
-    network_.layers.push_back(std::move(*layer));
+    used.insert(names.begin(), names.end());
+    network.layers.push_back(std::move(*layer));
     return true;
   }
 
   bool activate(const ActorModule& module) {
     if (module.activation_after) {
-      network_.layers.back().activation = activation_;
-      network_.layers.back().slope = default_slope(activation_);
+      network.layers.back().activation = activation_;
+      network.layers.back().slope = default_slope(activation_);
     }
     return true;
   }
-  bool missing(const std::string& name) {
+  Refused missing(const std::string& name) {
     return fail("E0624", fmt::format("has an actor without tensor `{}`", printable(name)));
   }
 
@@ -73,20 +64,17 @@ class Layers {
   std::optional<std::vector<float>> bias_of(const std::string& base, std::int64_t count,
                                             bool required) {
     const std::string name = base + ".bias";
-    const StoredTensor* bias = table_.find(name);
+    const StoredTensor* bias = table.find(name);
     if (bias == nullptr) {
       if (!required) return std::vector<float>(static_cast<std::size_t>(count), 0.0F);
-      missing(name);
-      return std::nullopt;
+      return missing(name);
     }
     if (bias->shape != Dims{count}) {
-      return refuse(problem_, "E0618",
-                    fmt::format("has tensor `{}` of shape {} for {} outputs", printable(name),
-                                show(bias->shape), count),
-                    kOtherActor);
+      return fail("E0618", fmt::format("has tensor `{}` of shape {} for {} outputs",
+                                       printable(name), show(bias->shape), count));
     }
-    parts_.used.insert(name);
-    return floats_of(name, *bias, problem_);
+    used.insert(name);
+    return floats_of(name, *bias, problem);
   }
 
   bool add_dense(const std::string& base, const StoredTensor& weight) {
@@ -98,29 +86,24 @@ class Layers {
     }
     const std::int64_t outputs = weight.shape[0];
     const std::int64_t inputs = weight.shape[1];
-    if (!network_.layers.empty() && network_.outputs() != inputs) {
-      return fail("E0618",
-                  fmt::format("multiplies {} values by tensor `{}`, which takes {}",
-                              network_.outputs(), printable(name), inputs),
-                  kOtherActor);
+    if (!network.layers.empty() && network.outputs() != inputs) {
+      return fail("E0618", fmt::format("multiplies {} values by tensor `{}`, which takes {}",
+                                       network.outputs(), printable(name), inputs));
     }
-    auto weights = floats_of(name, weight, problem_);
+    auto weights = floats_of(name, weight, problem);
     if (!weights) return false;
     auto bias = bias_of(base, outputs, layout_.has_bias);
     if (!bias) return false;
-    parts_.used.insert(name);
-    Layer layer;
-    layer.inputs = static_cast<std::uint32_t>(inputs);
-    layer.outputs = static_cast<std::uint32_t>(outputs);
-    layer.weights = std::move(*weights);
-    layer.bias = std::move(*bias);
-    network_.layers.push_back(std::move(layer));
+    used.insert(name);
+    network.layers.push_back(layer_of(Dense{}, static_cast<std::uint32_t>(inputs),
+                                      static_cast<std::uint32_t>(outputs), std::move(*bias),
+                                      std::move(*weights)));
     return true;
   }
 
   bool add_norm(const std::string& base, const StoredTensor& weight) {
     const std::string name = base + ".weight";
-    Layer* layer = network_.layers.empty() ? nullptr : &network_.layers.back();
+    Layer* layer = network.layers.empty() ? nullptr : &network.layers.back();
     if (layer == nullptr || !layer->is_dense() || layer->norm ||
         layer->activation != Activation::identity) {
       return fail("E0628",
@@ -132,26 +115,22 @@ class Layers {
       return fail("E0618", fmt::format("has tensor `{}` of shape {} for {} values", printable(name),
                                        show(weight.shape), layer->outputs));
     }
-    if (table_.find(base + ".bias") == nullptr) {
+    if (table.find(base + ".bias") == nullptr) {
       return fail("E0628",
                   fmt::format("has a norm without a bias, which may be a LayerNorm or an RMSNorm: "
                               "`{}`",
                               printable(name)),
                   "export the actor to ONNX");
     }
-    auto gamma = floats_of(name, weight, problem_);
+    auto gamma = floats_of(name, weight, problem);
     if (!gamma) return false;
     auto beta = bias_of(base, layer->outputs, true);
     if (!beta) return false;
-    parts_.used.insert(name);
+    used.insert(name);
     layer->norm = LayerNorm{std::move(*gamma), std::move(*beta)};
     return true;
   }
 
-  const ActorParts& parts_;
-  const TensorTable& table_;
-  Network& network_;
-  PolicyProblem& problem_;
   const ActorLayout& layout_;
   Activation activation_;
 };

@@ -86,10 +86,7 @@ class Layouts {
   /// What libraries have besides the layouts that are known, by its names.
   bool check_supported() {
     constexpr const char* kExport = "export the actor to ONNX, which says every step";
-    const auto fail = [&](const char* how) {
-      problem_ = {"E0628", how, kExport};
-      return false;
-    };
+    const auto fail = [&](const char* how) { return refuse(problem_, "E0628", how, kExport); };
     if (any_starts_with("a2c_network.logits.0.")) {
       return fail("is of rl_games and makes several choices at once (MultiDiscrete)");
     }
@@ -109,13 +106,13 @@ class Layouts {
     return !remembers || !decodes || fail("is of Sample Factory, with a memory and a decoder");
   }
 
-  std::nullopt_t ambiguous(const std::string& a, const std::string& b) {
+  Refused ambiguous(std::string_view a, std::string_view b) {
     return refuse(
         problem_, "E0625", fmt::format("has two actors: {} and {}", a, b),
         "say which one by how its tensors' names begin: `agent: {policy: …, actor: NAME}`; "
         "for `policy` with `--actor NAME`");
   }
-  std::nullopt_t missing(const std::string& what) {
+  Refused missing(const std::string& what) {
     return refuse(problem_, "E0624",
                   fmt::format("has an actor without tensor `{}`", printable(what)), kOtherActor);
   }
@@ -131,9 +128,8 @@ class Layouts {
     for (auto it = sequence.begin(); it != sequence.end(); ++it) {
       // A hole wider than activation and dropout is a layer that is not there.
       if (it->first - before > (before < 0 ? 2 : kWidestGap)) {
-        missing(
+        return missing(
             fmt::format("{}{}.weight", prefix, dotted && before >= 0 ? before + 2 : before + 1));
-        return false;
       }
       const bool had_gap = before >= 0 && it->first - before > 1;
       before = it->first;
@@ -156,28 +152,16 @@ class Layouts {
   /// Of a ModuleList only its owner knows what comes between; in a Sequential nobody puts a Linear
   /// behind another.
   bool nothing_between(const std::string& a, const std::string& b) {
-    problem_ = {"E0628",
-                fmt::format("has nothing between the layers `{}` and `{}`, as a ModuleList, which "
-                            "does not say what follows its layers",
-                            printable(a), printable(b)),
-                "export the actor to ONNX, or save it as a `Sequential` with its activations"};
-    return false;
+    return refuse(
+        problem_, "E0628",
+        fmt::format("has nothing between the layers `{}` and `{}`, as a ModuleList, which "
+                    "does not say what follows its layers",
+                    printable(a), printable(b)),
+        "export the actor to ONNX, or save it as a `Sequential` with its activations");
   }
 
   std::optional<ActorLayout> make(const KnownLayout& known) {
-    ActorLayout layout{known.about,
-                       known.algorithms,
-                       {},
-                       known.action,
-                       known.activation,
-                       known.output,
-                       known.has_bias,
-                       known.memory,
-                       known.memory_place,
-                       "",
-                       known.squash,
-                       known.has_quantiles,
-                       known.output_rule};
+    ActorLayout layout{known};
     if (!is_certain(known)) {
       layout.about = "a torch module";
       layout.activation.reset();
@@ -207,12 +191,15 @@ class Layouts {
     return layout;
   }
 
+  static ActorLayout unknown(std::string_view about) {
+    return {{.about = about, .output_rule = OutputRule::unknown}};
+  }
+
   /// A GRU or LSTM with single Linear layers before or behind it: {"gru.weight_ih_l0",
   /// "head.weight"}.
   std::optional<ActorLayout> around_memory() const {
     constexpr std::string_view kInput = ".weight_ih_l0";
-    ActorLayout layout;
-    layout.about = "a torch module with a memory";
+    ActorLayout layout = unknown("a torch module with a memory");
     const StoredTensor* memory = nullptr;
     for (const auto& [name, tensor] : table_.tensors) {
       if (name.ends_with(kInput)) memory = memory == nullptr ? &tensor : nullptr;
@@ -269,8 +256,7 @@ class Layouts {
       return ambiguous(fmt::format("`{}…`", printable(sequences_.begin()->first)),
                        fmt::format("`{}…`", printable(second->first)));
     }
-    ActorLayout layout;
-    layout.about = "a torch `Sequential`";
+    ActorLayout layout = unknown("a torch `Sequential`");
     if (!append(sequences_.begin()->first, false, layout)) return std::nullopt;
     return layout;
   }

@@ -72,11 +72,10 @@ bool add_memory(const TensorTable& table, ActorLayout& layout, PolicyProblem& pr
   }
   if (bases.empty()) return true;
   if (bases.size() > 1) {
-    problem = {
-        "E0625",
+    return refuse(
+        problem, "E0625",
         fmt::format("has two memories: `{}` and `{}`", printable(bases[0]), printable(bases[1])),
-        "save a file with the tensors of one of them"};
-    return false;
+        "save a file with the tensors of one of them");
   }
   const std::string& base = bases.front();
   int count = 0;
@@ -87,22 +86,20 @@ bool add_memory(const TensorTable& table, ActorLayout& layout, PolicyProblem& pr
   const std::vector<std::size_t> places = places_of(table, layout, inputs, hidden);
   const auto place = place_of(layout, places);
   if (!place && places.size() > 1) {
-    problem = {
-        "E0625",
+    return refuse(
+        problem, "E0625",
         fmt::format("has a memory `{}` from {} to {} values, which fits both before and behind "
                     "other layers",
                     printable(base), inputs, hidden),
-        "export the actor to ONNX, which says in which order they are"};
-    return false;
+        "export the actor to ONNX, which says in which order they are");
   }
   if (!place) {
-    problem = {
-        "E0618",
+    return refuse(
+        problem, "E0618",
         fmt::format("has a memory `{}` from {} to {} values, which fits between no two of its "
                     "other layers",
                     printable(base), inputs, hidden),
-        kOtherActor};
-    return false;
+        kOtherActor);
   }
   for (int i = 0; i < count; ++i) {
     layout.modules.insert(layout.modules.begin() + static_cast<std::ptrdiff_t>(*place) + i,

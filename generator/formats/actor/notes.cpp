@@ -57,11 +57,14 @@ class Notes {
   std::optional<PolicyFacts> read() {
     PolicyFacts facts;
     facts.contract.algorithm = upper(text("algo"));
-    const bool read = read_observations(facts) && read_activation(facts) &&
-                      read_output_activation(facts) && read_action(facts) &&
-                      bounds("low", facts.contract.action_low) &&
-                      bounds("high", facts.contract.action_high) && one("clip_obs", facts.clip) &&
-                      one("epsilon", facts.epsilon) && one("rate", facts.contract.rate_hz);
+    const std::string said =
+        text("activation").empty() ? text("activation_fn") : text("activation");
+    const bool read =
+        read_observations(facts) && read_activation("activation", said, facts.activation) &&
+        read_activation("output_activation", text("output_activation"), facts.output_activation) &&
+        read_action(facts) && bounds("low", facts.contract.action_low) &&
+        bounds("high", facts.contract.action_high) && one("clip_obs", facts.clip) &&
+        one("epsilon", facts.epsilon) && one("rate", facts.contract.rate_hz);
     if (!read) return std::nullopt;
     return facts;
   }
@@ -71,11 +74,11 @@ class Notes {
     const auto found = table_.notes.find(key);
     return found == table_.notes.end() ? std::string() : found->second;
   }
-  bool fail(const char* key) {
-    problem_ = {"E0626",
-                fmt::format("has metadata `{}: {}` that makes no sense", key, printable(text(key))),
-                "correct it, or leave it out"};
-    return false;
+  Refused fail(const char* key) {
+    return refuse(
+        problem_, "E0626",
+        fmt::format("has metadata `{}: {}` that makes no sense", key, printable(text(key))),
+        "correct it, or leave it out");
   }
 
   bool read_observations(PolicyFacts& facts) {
@@ -88,18 +91,10 @@ class Notes {
     facts.contract.observations = std::move(*parts);
     return true;
   }
-  bool read_activation(PolicyFacts& facts) {
-    const std::string name =
-        text("activation").empty() ? text("activation_fn") : text("activation");
+  bool read_activation(const char* key, const std::string& name, std::optional<Activation>& out) {
     if (name.empty()) return true;
-    facts.activation = activation_of(name);
-    return facts.activation.has_value() || fail("activation");
-  }
-  bool read_output_activation(PolicyFacts& facts) {
-    const std::string name = text("output_activation");
-    if (name.empty()) return true;
-    facts.output_activation = activation_of(name);
-    return facts.output_activation.has_value() || fail("output_activation");
+    out = activation_of(name);
+    return out.has_value() || fail(key);
   }
   bool read_action(PolicyFacts& facts) {
     const std::string squash = upper(text("squash"));

@@ -8,49 +8,40 @@
 namespace eagerx::gen {
 namespace {
 
-class Output {
+class Output : ActorParts {
  public:
   Output(const ActorParts& parts, const ActorLayout& layout, const ReadContext& context)
-      : parts_(parts),
-        table_(parts.table),
-        facts_(parts.facts),
-        network_(parts.network),
-        layout_(layout),
-        context_(context) {}
+      : ActorParts(parts), layout_(layout), context_(context) {}
 
   bool finish() {
-    if (layout_.has_quantiles && !average_quantiles(parts_)) {
+    if (layout_.has_quantiles && !average_quantiles(*this)) {
       return false;
     }
     const auto output = choose_told_output() ? output_activation() : std::nullopt;
     if (!output) return false;
     if (*output != Activation::identity) {
-      network_.layers.back().activation = *output;
-      network_.layers.back().slope = default_slope(*output);
+      network.layers.back().activation = *output;
+      network.layers.back().slope = default_slope(*output);
     }
-    network_.action = facts_.action;
-    if (network_.action || layout_.output_rule == OutputRule::unknown) return true;
+    network.action = facts.action;
+    if (network.action || layout_.output_rule == OutputRule::unknown) return true;
     // rl_games' `clip_actions` maps -1…1 to the bounds, and is not in its checkpoints.
     if (layout_.about == "Sample Factory") {
-      network_.assumed.push_back("no `obs_subtract_mean`, `obs_scale` and `continuous_tanh_scale`");
+      network.assumed.push_back("no `obs_subtract_mean`, `obs_scale` and `continuous_tanh_scale`");
     }
     if (layout_.about == "rl_games" && layout_.action != ActionKind::argmax) {
-      network_.assumed.push_back(
+      network.assumed.push_back(
           "actions are clipped to the bounds; with rl_games' `clip_actions` and bounds other than "
           "-1…1 say `output: squashed`");
       return true;
     }
-    network_.action = *output == Activation::tanh ? ActionKind::squashed : layout_.action;
-    network_.action_of = layout_.about;
+    network.action = *output == Activation::tanh ? ActionKind::squashed : layout_.action;
+    network.action_of = layout_.about;
     return true;
   }
 
  private:
-  bool fail(const char* code, std::string message, std::string help = kOtherActor) const {
-    return parts_.fail(code, std::move(message), std::move(help));
-  }
-
-  bool says_nothing_of_its_output() {
+  Refused says_nothing_of_its_output() {
     return fail("E0750", "does not say what follows its last layer",
                 "say it in the graph: `agent: {policy: …, output_activation: tanh}`, or `none` if "
                 "nothing does; for `policy` with `--output-activation tanh`");
@@ -60,14 +51,14 @@ class Output {
   /// says so.
   std::optional<bool> is_squashed() {
     if (layout_.squash == Squash::never) return layout_.output == Activation::tanh;
-    if (facts_.squash) return facts_.squash;
-    if (layout_.squash == Squash::unless_linear && facts_.action) {
-      return *facts_.action == ActionKind::squashed;
+    if (facts.squash) return facts.squash;
+    if (layout_.squash == Squash::unless_linear && facts.action) {
+      return *facts.action == ActionKind::squashed;
     }
     if (layout_.squash == Squash::if_said) return false;
     // One layer may be of ARS's LinearPolicy or of its MlpPolicy; only the latter has a tanh.
     if (layout_.modules.size() > 1) return true;
-    if (table_.find(layout_.modules.back().base + ".bias") == nullptr) return false;
+    if (table.find(layout_.modules.back().base + ".bias") == nullptr) return false;
     if (told_output_) return *told_output_ == Activation::tanh;
     says_nothing_of_its_output();
     return std::nullopt;
@@ -80,25 +71,23 @@ class Output {
       if (told_output_) return told_output_;
       if (layout_.output_rule == OutputRule::unknown) {
         // A file with `squash: False` says that its actions come out as they are.
-        if (facts_.action && *facts_.action != ActionKind::squashed) return Activation::identity;
-        says_nothing_of_its_output();
-        return std::nullopt;
+        if (facts.action && *facts.action != ActionKind::squashed) return Activation::identity;
+        return says_nothing_of_its_output();
       }
-      network_.assumed.push_back(
+      network.assumed.push_back(
           fmt::format("nothing after the last layer, which is {}'s unless it was told otherwise",
                       layout_.about));
       return layout_.output;
     }
     const auto squashes = is_squashed();
     if (!squashes) return std::nullopt;
-    const bool adds_tanh = *squashes && !(facts_.action && is_choice(*facts_.action));
+    const bool adds_tanh = *squashes && !(facts.action && is_choice(*facts.action));
     const Activation output = adds_tanh ? Activation::tanh : Activation::identity;
     if (told_output_ && *told_output_ != output) {
-      fail("E0626",
-           fmt::format("is {}, after whose last layer comes {}, but the graph says {}",
-                       layout_.about, output_name(output), output_name(*told_output_)),
-           "leave the graph's `output_activation` out");
-      return std::nullopt;
+      return fail("E0626",
+                  fmt::format("is {}, after whose last layer comes {}, but the graph says {}",
+                              layout_.about, output_name(output), output_name(*told_output_)),
+                  "leave the graph's `output_activation` out");
     }
     return output;
   }
@@ -107,22 +96,18 @@ class Output {
   }
 
   bool choose_told_output() {
-    if (facts_.output_activation && context_.output_activation &&
-        *facts_.output_activation != *context_.output_activation) {
+    if (facts.output_activation && context_.output_activation &&
+        *facts.output_activation != *context_.output_activation) {
       return fail("E0626",
                   fmt::format("says that {} follows its last layer, but the graph says {}",
-                              output_name(*facts_.output_activation),
+                              output_name(*facts.output_activation),
                               output_name(*context_.output_activation)),
                   "leave the graph's `output_activation` out");
     }
-    told_output_ = facts_.output_activation ? facts_.output_activation : context_.output_activation;
+    told_output_ = facts.output_activation ? facts.output_activation : context_.output_activation;
     return true;
   }
 
-  const ActorParts& parts_;
-  const TensorTable& table_;
-  const PolicyFacts& facts_;
-  Network& network_;
   const ActorLayout& layout_;
   const ReadContext& context_;
   std::optional<Activation> told_output_;
@@ -132,7 +117,7 @@ class Output {
 
 bool finish_output(const ActorParts& parts, const ActorLayout& layout, const ReadContext& context) {
   if (parts.network.layers.empty()) {
-    return parts.fail("E0624", "has an actor without layers", kOtherActor);
+    return parts.fail("E0624", "has an actor without layers");
   }
   return Output(parts, layout, context).finish();
 }

@@ -26,6 +26,22 @@ std::optional<std::vector<float>> numbers(const ActorParts& parts, const std::st
   return floats_of(name, *tensor, parts.problem);
 }
 
+/// `layer` with the numbers of `base`, and a relu behind it. E0618 and those of `floats_of`.
+bool add_weights(const ActorParts& parts, const std::string& base, const StoredTensor& weight,
+                 Layer layer) {
+  const std::string name = base + ".weight";
+  auto weights = floats_of(name, weight, parts.problem);
+  const auto outputs = static_cast<std::uint32_t>(weight.shape[0]);
+  auto bias = weights ? numbers(parts, base + ".bias", outputs) : std::nullopt;
+  if (!bias) return false;
+  parts.used.insert(name);
+  layer.activation = Activation::relu;
+  layer.weights = std::move(*weights);
+  layer.bias = std::move(*bias);
+  parts.network.layers.push_back(std::move(layer));
+  return true;
+}
+
 void add_elementwise(Network& network, std::uint32_t count, Elementwise::Operation operation,
                      std::vector<float> values) {
   network.layers.push_back(layer_of(Elementwise{operation}, count, count, std::move(values)));
@@ -87,20 +103,10 @@ bool add_convolution(const ActorParts& parts, const std::string& base, std::uint
   if (!has_room(parts, name, weight->shape[0], places, std::int64_t{channels} * size * size)) {
     return false;
   }
-  Layer layer;
-  layer.inputs = channels * height * width;
-  layer.outputs = form.channels * form.kernel.places();
-  layer.activation = Activation::relu;
-  auto weights = floats_of(name, *weight, parts.problem);
-  auto bias = weights ? numbers(parts, base + ".bias", form.channels) : std::nullopt;
-  if (!bias) return false;
-  parts.used.insert(name);
-  layer.weights = std::move(*weights);
-  layer.bias = std::move(*bias);
   shape = {form.channels, form.kernel.out_height, form.kernel.out_width};
-  layer.form = form;
-  parts.network.layers.push_back(std::move(layer));
-  return true;
+  return add_weights(
+      parts, base, *weight,
+      layer_of(form, channels * height * width, form.channels * form.kernel.places()));
 }
 
 }  // namespace
@@ -139,21 +145,11 @@ bool add_nature_cnn(const ActorParts& parts, const std::string& prefix) {
     return parts.fail(
         "E0618",
         fmt::format("has {} values behind its convolutions, but `{}` {}", inputs, printable(name),
-                    weight == nullptr ? "is missing" : "is " + show(weight->shape)),
-        kOtherActor);
+                    weight == nullptr ? "is missing" : "is " + show(weight->shape)));
   }
-  Layer layer;
-  layer.inputs = static_cast<std::uint32_t>(inputs);
-  layer.outputs = static_cast<std::uint32_t>(weight->shape[0]);
-  layer.activation = Activation::relu;
-  auto weights = floats_of(name, *weight, parts.problem);
-  auto bias = weights ? numbers(parts, prefix + "linear.0.bias", layer.outputs) : std::nullopt;
-  if (!bias) return false;
-  parts.used.insert(name);
-  layer.weights = std::move(*weights);
-  layer.bias = std::move(*bias);
-  network.layers.push_back(std::move(layer));
-  return true;
+  return add_weights(parts, prefix + "linear.0", *weight,
+                     layer_of(Dense{}, static_cast<std::uint32_t>(inputs),
+                              static_cast<std::uint32_t>(weight->shape[0])));
 }
 
 bool is_batch_norm(const TensorTable& table, const std::string& base) {
@@ -168,10 +164,8 @@ bool add_batch_norm(const ActorParts& parts, const std::string& base) {
   const std::int64_t size = first->shape.size() == 1 ? first->shape[0] : 0;
   const std::int64_t count = network.layers.empty() ? size : std::int64_t{network.outputs()};
   if (count < 1 || count > std::int64_t{UINT32_MAX}) {
-    return parts.fail(
-        "E0618",
-        fmt::format("has a batch norm `{}` of shape {}", printable(base), show(first->shape)),
-        kOtherActor);
+    return parts.fail("E0618", fmt::format("has a batch norm `{}` of shape {}", printable(base),
+                                           show(first->shape)));
   }
   const auto values = static_cast<std::uint32_t>(count);
   const std::string scale_name = base + (renorm ? ".scale" : ".weight");
@@ -191,8 +185,7 @@ bool add_batch_norm(const ActorParts& parts, const std::string& base) {
         static_cast<double>((*variance)[i]) + (renorm ? parts.facts.norm_epsilon : kNormEpsilon);
     if (!(sum > 0.0)) {
       return parts.fail(
-          "E0616", fmt::format("has a variance below zero in batch norm `{}`", printable(base)),
-          kOtherActor);
+          "E0616", fmt::format("has a variance below zero in batch norm `{}`", printable(base)));
     }
     (*scale)[i] = static_cast<float>(static_cast<double>((*scale)[i]) / std::sqrt(sum));
   }
@@ -211,10 +204,8 @@ bool average_quantiles(const ActorParts& parts) {
                       "give Stable-Baselines3's zip, or export the actor to ONNX");
   }
   if (!layer.is_dense() || layer.norm || layer.outputs % actions != 0) {
-    return parts.fail(
-        "E0626",
-        fmt::format("says that it has {} actions, but gives {} quantiles", actions, layer.outputs),
-        kOtherActor);
+    return parts.fail("E0626", fmt::format("says that it has {} actions, but gives {} quantiles",
+                                           actions, layer.outputs));
   }
   const auto count = static_cast<std::size_t>(actions);
   const std::size_t quantiles = layer.outputs / count;

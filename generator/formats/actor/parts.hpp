@@ -17,9 +17,8 @@ struct ActorParts {
   std::set<std::string>& used;  // names of tensors
   PolicyProblem& problem;
 
-  bool fail(const char* code, std::string message, std::string help) const {
-    problem = {code, std::move(message), std::move(help)};
-    return false;
+  Refused fail(const char* code, std::string message, std::string help = kOtherActor) const {
+    return refuse(problem, code, std::move(message), std::move(help));
   }
 };
 

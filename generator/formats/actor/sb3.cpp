@@ -29,10 +29,8 @@ bool is_space(const Pickle& pickle, const PickleValue& value, std::string_view n
 /// The bounds of a Box, or nothing.
 std::optional<std::vector<double>> bounds(const Pickle& pickle, const PickleValue& box,
                                           const char* key) {
-  const PickleValue* value = pickle.find(box, key);
-  const auto array = value != nullptr ? pickle.array(*value) : std::nullopt;
-  if (!array) return std::nullopt;
-  return values_of(*array);
+  const auto array = pickle.array(pickle.find(box, key));
+  return array ? std::optional(values_of(*array)) : std::nullopt;
 }
 
 class DataReader {
@@ -46,10 +44,9 @@ class DataReader {
   }
 
  private:
-  bool fail(const std::string& how) {
-    problem_ = {"E0626", fmt::format("has `data` {}", how),
-                "save it again, or use the ONNX file of the actor"};
-    return false;
+  Refused fail(const std::string& how) {
+    return refuse(problem_, "E0626", fmt::format("has `data` {}", how),
+                  "save it again, or use the ONNX file of the actor");
   }
 
   /// From the module of its policy: "stable_baselines3.sac.policies".
@@ -130,8 +127,7 @@ class DataReader {
   std::optional<Pickle> space(const char* key, std::string& bytes) {
     const Json* value = member(data_, key);
     if (value == nullptr) {
-      fail(fmt::format("without `{}`", key));
-      return std::nullopt;
+      return fail(fmt::format("without `{}`", key));
     }
     PolicyProblem why;
     auto pickle = unpickled(*value, bytes, why);
@@ -148,15 +144,14 @@ class DataReader {
   std::optional<std::uint64_t> size_of_box(const Pickle& pickle, const PickleValue& box) const {
     const PickleValue* shape = pickle.find(box, "_shape");
     if (shape == nullptr) shape = pickle.find(box, "shape");
-    const auto dims = shape != nullptr ? pickle.integers(*shape) : std::nullopt;
+    const auto dims = pickle.integers(shape);
     const auto count = dims ? element_count(*dims) : std::nullopt;
     return count ? std::optional<std::uint64_t>(static_cast<std::uint64_t>(*count)) : std::nullopt;
   }
 
   /// An image is a Box of three dimensions of bytes from 0 to 255; SB3 puts its channels first.
   void read_image(const Pickle& pickle, const PickleValue& box) {
-    const PickleValue* shape = pickle.find(box, "_shape");
-    const auto dims = shape != nullptr ? pickle.integers(*shape) : std::nullopt;
+    const auto dims = pickle.integers(pickle.find(box, "_shape"));
     if (!dims || dims->size() != 3) return;
     facts_.image = *dims;
     const PickleValue* type = pickle.find(box, "dtype");
@@ -185,7 +180,7 @@ class DataReader {
     const auto starts_at_zero = [&] {
       const PickleValue* start = pickle.find(space, "start");
       if (start == nullptr || start->kind == PickleValue::Kind::none) return true;
-      const auto array = pickle.array(*start);
+      const auto array = pickle.array(start);
       if (!array) return pickle.number(start) == 0.0;
       const std::vector<double> starts = values_of(*array);
       return std::ranges::all_of(starts, [](double value) { return value == 0.0; });
@@ -196,8 +191,7 @@ class DataReader {
       return choices ? std::optional(std::vector{*choices}) : std::nullopt;
     }
     if (is_space(pickle, space, ".MultiDiscrete")) {
-      const PickleValue* value = pickle.find(space, "nvec");
-      const auto array = value != nullptr ? pickle.array(*value) : std::nullopt;
+      const auto array = pickle.array(pickle.find(space, "nvec"));
       if (!array || array->shape.size() != 1 || !starts_at_zero()) return std::nullopt;
       std::vector<std::uint32_t> all;
       for (const double n : values_of(*array)) {
@@ -212,7 +206,7 @@ class DataReader {
     auto size = is_plain ? size_of_box(pickle, space) : std::nullopt;
     if (is_plain && !size) {
       const auto n = pickle.number(pickle.find(space, "n"));
-      if (n && *n >= 1.0 && *n < kMost) size = static_cast<std::uint64_t>(*n);
+      if (n) size = count(*n);
     }
     if (!size || *size > kMostNumbers) return std::nullopt;
     return std::vector<std::uint32_t>(static_cast<std::size_t>(*size), 0);

@@ -60,8 +60,7 @@ std::optional<std::vector<double>> one_for_each_input(const ActorParts& parts, c
 bool add_known(const ActorParts& parts, const KnownStatistics& known) {
   if (parts.table.find(known.mean) == nullptr || parts.table.find(known.spread) == nullptr) {
     return parts.fail("E0627",
-                      fmt::format("has only one of `{}` and `{}`", known.mean, known.spread),
-                      kOtherActor);
+                      fmt::format("has only one of `{}` and `{}`", known.mean, known.spread));
   }
   auto mean = one_for_each_input(parts, known.mean);
   auto spread = mean ? one_for_each_input(parts, known.spread) : std::nullopt;
@@ -114,11 +113,10 @@ bool add_scaled_bounds(const ActorParts& parts) {
     return parts.fail("E0626",
                       fmt::format("has `action_scale` of {} and `action_bias` of {} numbers for {} "
                                   "actions",
-                                  scales->size(), centres->size(), parts.network.outputs()),
-                      kOtherActor);
+                                  scales->size(), centres->size(), parts.network.outputs()));
   }
   if (std::any_of(scales->begin(), scales->end(), [](double value) { return value < 0; })) {
-    return parts.fail("E0626", "has an `action_scale` below zero", kOtherActor);
+    return parts.fail("E0626", "has an `action_scale` below zero");
   }
   PolicyContract& contract = parts.network.contract;
   contract.action_low.clear();
@@ -134,8 +132,7 @@ bool add_scaled_bounds(const ActorParts& parts) {
 
 bool check_statistics(Normalization& statistics, PolicyProblem& problem) {
   const auto fail = [&](const char* how) {
-    problem = {"E0627", fmt::format("has statistics {}", how), kOtherActor};
-    return false;
+    return refuse(problem, "E0627", fmt::format("has statistics {}", how), kOtherActor);
   };
   if (statistics.mean.empty() || statistics.mean.size() != statistics.variance.size()) {
     return fail("with different numbers of means and variances");

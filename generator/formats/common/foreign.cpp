@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 
+#include "generator/network/element_type.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -16,73 +18,60 @@ constexpr const char* kBaselines2Way =
     "export its TensorFlow graph to ONNX with tf2onnx, or train with Stable-Baselines3";
 constexpr const char* kUnpackWay = "unpack it, and name the policy in it";
 
-struct Beginning {
-  std::size_t at;
-  std::string_view bytes;
+/// What tells a file or folder, what it is then, and what to do.
+struct Mark {
+  std::string_view text;
   const char* what;
   const char* way;
+  std::size_t at = 0;  // of bytes: where they are
 };
 using namespace std::string_view_literals;
 constexpr std::array kBeginnings = {
-    Beginning{0, "version https://git-lfs"sv, "a Git LFS pointer, not the file itself",
-              "run `git lfs pull`"},
-    Beginning{0, "\x93NUMPY"sv, "one NumPy array, not an archive of them (npz)",
-              "save all arrays of the actor with `numpy.savez`"},
-    Beginning{0, "\x89HDF"sv, "an HDF5 file, as Keras saves its weights", kKerasWay},
-    Beginning{4, "TFL3"sv, "a TensorFlow Lite model",
-              "name the file that it was converted from, as ONNX: `python -m tf2onnx.convert "
-              "--tflite FILE`"},
-    Beginning{0, "ftrt"sv, "a TensorRT engine, which is made for one kind of GPU",
-              "name the ONNX file that it was built from"},
-    Beginning{0, "ptrt"sv, "a TensorRT engine, which is made for one kind of GPU",
-              "name the ONNX file that it was built from"},
-    Beginning{0, "GGUF"sv, "a GGUF file", "export the actor to ONNX"},
-    Beginning{0, "\x1f\x8b"sv, "packed with gzip", kUnpackWay},
-    Beginning{0,
-              "\xfd"
-              "7zXZ"sv,
-              "packed with xz", kUnpackWay},
-    Beginning{0, "BZh"sv, "packed with bzip2", kUnpackWay},
-    Beginning{0, "\x28\xb5\x2f\xfd"sv, "packed with zstd", kUnpackWay},
-    Beginning{0, "7z\xbc\xaf"sv, "a 7z archive", kUnpackWay},
-    Beginning{257, "ustar"sv, "a tar archive", kUnpackWay},
+    Mark{"version https://git-lfs"sv, "a Git LFS pointer, not the file itself",
+         "run `git lfs pull`"},
+    Mark{"\x93NUMPY"sv, "one NumPy array, not an archive of them (npz)",
+         "save all arrays of the actor with `numpy.savez`"},
+    Mark{"\x89HDF"sv, "an HDF5 file, as Keras saves its weights", kKerasWay},
+    Mark{"TFL3"sv, "a TensorFlow Lite model",
+         "name the file that it was converted from, as ONNX: `python -m tf2onnx.convert "
+         "--tflite FILE`",
+         4},
+    Mark{"ftrt"sv, "a TensorRT engine, which is made for one kind of GPU",
+         "name the ONNX file that it was built from"},
+    Mark{"ptrt"sv, "a TensorRT engine, which is made for one kind of GPU",
+         "name the ONNX file that it was built from"},
+    Mark{"GGUF"sv, "a GGUF file", "export the actor to ONNX"},
+    Mark{"\x1f\x8b"sv, "packed with gzip", kUnpackWay},
+    Mark{"\xfd"
+         "7zXZ"sv,
+         "packed with xz", kUnpackWay},
+    Mark{"BZh"sv, "packed with bzip2", kUnpackWay},
+    Mark{"\x28\xb5\x2f\xfd"sv, "packed with zstd", kUnpackWay},
+    Mark{"7z\xbc\xaf"sv, "a 7z archive", kUnpackWay},
+    Mark{"ustar"sv, "a tar archive", kUnpackWay, 257},
 };
 
 /// What names in a pickle tell of it, the more special first.
-struct PickleMark {
-  std::string_view name;
-  const char* what;
-  const char* way;
-};
 constexpr std::array kPickleMarks = {
-    PickleMark{"vec_normalize", "VecNormalize's statistics, not a policy",
-               "name the policy as `policy`, and this file as its `normalize`"},
-    PickleMark{"stable_baselines3.common.buffers", "a replay buffer, not a policy",
-               "name the file that `model.save` wrote"},
-    PickleMark{"stable_baselines.", "a model of Stable-Baselines 2, with TensorFlow's weights",
-               kBaselines2Way},
-    PickleMark{"ray.rllib", "a pickle of RLlib", "export the policy with `export_model` as ONNX"},
-    PickleMark{"ray.cloudpickle", "a pickle of RLlib",
-               "export the policy with `export_model` as ONNX"},
-    PickleMark{"brax", "a pickle of Brax, with JAX's arrays", kJaxWay},
-    PickleMark{"flax", "a pickle of Flax, with JAX's arrays", kJaxWay},
-    PickleMark{"jax", "a pickle with JAX's arrays", kJaxWay},
-    PickleMark{"tensorflow", "a pickle with TensorFlow's objects", kTensorFlowWay},
-    PickleMark{"keras", "a pickle with Keras' objects", kKerasWay},
-    PickleMark{"torch", "a pickle with torch's objects, which torch.save did not write",
-               "save `actor.state_dict()` with `torch.save`"},
+    Mark{"vec_normalize", "VecNormalize's statistics, not a policy",
+         "name the policy as `policy`, and this file as its `normalize`"},
+    Mark{"stable_baselines3.common.buffers", "a replay buffer, not a policy",
+         "name the file that `model.save` wrote"},
+    Mark{"stable_baselines.", "a model of Stable-Baselines 2, with TensorFlow's weights",
+         kBaselines2Way},
+    Mark{"ray.rllib", "a pickle of RLlib", "export the policy with `export_model` as ONNX"},
+    Mark{"ray.cloudpickle", "a pickle of RLlib", "export the policy with `export_model` as ONNX"},
+    Mark{"brax", "a pickle of Brax, with JAX's arrays", kJaxWay},
+    Mark{"flax", "a pickle of Flax, with JAX's arrays", kJaxWay},
+    Mark{"jax", "a pickle with JAX's arrays", kJaxWay},
+    Mark{"tensorflow", "a pickle with TensorFlow's objects", kTensorFlowWay},
+    Mark{"keras", "a pickle with Keras' objects", kKerasWay},
+    Mark{"torch", "a pickle with torch's objects, which torch.save did not write",
+         "save `actor.state_dict()` with `torch.save`"},
 };
 
 PolicyProblem foreign(std::string_view what, std::string_view way) {
   return {"E0603", fmt::format("is {}", what), fmt::format("{}; {}", way, kKnownFormats)};
-}
-
-std::uint64_t little(std::string_view bytes, std::size_t at, std::size_t count) {
-  std::uint64_t value = 0;
-  for (std::size_t i = count; i-- > 0;) {
-    value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-  }
-  return value;
 }
 
 bool is_printable(std::string_view bytes) {
@@ -107,11 +96,12 @@ bool is_barracuda(std::string_view bytes) {
   constexpr std::size_t kName = 16;
   constexpr std::uint64_t kNewestVersion = 31;
   constexpr std::uint64_t kMostInputs = 64;
-  if (bytes.size() < kName || little(bytes, 0, 8) == 0 || little(bytes, 0, 8) > kNewestVersion) {
+  if (bytes.size() < kName || little_endian(bytes, 8) == 0 ||
+      little_endian(bytes, 8) > kNewestVersion) {
     return false;
   }
-  const std::uint64_t inputs = little(bytes, 8, 4);
-  const std::uint64_t length = little(bytes, 12, 4);
+  const std::uint64_t inputs = little_endian(bytes.substr(8), 4);
+  const std::uint64_t length = little_endian(bytes.substr(12), 4);
   return inputs >= 1 && inputs <= kMostInputs && length >= 1 && length <= bytes.size() - kName &&
          length < 256 && is_printable(bytes.substr(kName, length));
 }
@@ -144,8 +134,8 @@ bool is_pickle(std::string_view bytes) {
 }
 
 PolicyProblem foreign_pickle(std::string_view bytes) {
-  for (const PickleMark& mark : kPickleMarks) {
-    if (bytes.find(mark.name) == std::string_view::npos) continue;
+  for (const Mark& mark : kPickleMarks) {
+    if (bytes.find(mark.text) == std::string_view::npos) continue;
     return foreign(mark.what, mark.way);
   }
   return foreign("a Python pickle", "save the actor's `state_dict()` with `torch.save`");
@@ -165,41 +155,37 @@ PolicyProblem foreign_text(std::string_view bytes) {
   return foreign("a text file", "name the weight file");
 }
 
-struct KnownEntry {
-  std::string_view name;  // at the end of an entry's name
-  const char* what;
-  const char* way;
-};
+/// Ends of names of entries.
 constexpr std::array kArchives = {
-    KnownEntry{"parameter_list", "a model of Stable-Baselines 2, with TensorFlow's weights",
-               kBaselines2Way},
-    KnownEntry{"model.weights.h5", "a Keras model", kKerasWay},
-    KnownEntry{"saved_model.pb", "a TensorFlow SavedModel", kTensorFlowWay},
-    KnownEntry{"policy.pth", "a zip archive with a folder in it", kUnpackWay},
-    KnownEntry{".onnx", "a zip archive with ONNX files in it", kUnpackWay},
-    KnownEntry{".pt", "a zip archive with torch files in it", kUnpackWay},
-    KnownEntry{".pth", "a zip archive with torch files in it", kUnpackWay},
-    KnownEntry{".safetensors", "a zip archive with safetensors in it", kUnpackWay},
-    KnownEntry{".zip", "a zip archive with others in it", kUnpackWay},
+    Mark{"parameter_list", "a model of Stable-Baselines 2, with TensorFlow's weights",
+         kBaselines2Way},
+    Mark{"model.weights.h5", "a Keras model", kKerasWay},
+    Mark{"saved_model.pb", "a TensorFlow SavedModel", kTensorFlowWay},
+    Mark{"policy.pth", "a zip archive with a folder in it", kUnpackWay},
+    Mark{".onnx", "a zip archive with ONNX files in it", kUnpackWay},
+    Mark{".pt", "a zip archive with torch files in it", kUnpackWay},
+    Mark{".pth", "a zip archive with torch files in it", kUnpackWay},
+    Mark{".safetensors", "a zip archive with safetensors in it", kUnpackWay},
+    Mark{".zip", "a zip archive with others in it", kUnpackWay},
 };
 constexpr std::array kFolders = {
-    KnownEntry{"saved_model.pb", "a TensorFlow SavedModel",
-               "convert it to ONNX: `python -m tf2onnx.convert --saved-model FOLDER`"},
-    KnownEntry{"manifest.ocdbt", "a checkpoint of JAX's Orbax", kJaxWay},
-    KnownEntry{"_METADATA", "a checkpoint of JAX's Orbax", kJaxWay},
-    KnownEntry{"_CHECKPOINT_METADATA", "a checkpoint of JAX's Orbax", kJaxWay},
-    KnownEntry{"rllib_checkpoint.json", "a checkpoint of RLlib",
-               "export the policy with `export_model` as ONNX"},
-    KnownEntry{"algorithm_state.pkl", "a checkpoint of RLlib",
-               "export the policy with `export_model` as ONNX"},
-    KnownEntry{"policy.pth", "an unpacked zip of Stable-Baselines3", "name the zip itself"},
-    KnownEntry{"data.pkl", "an unpacked file of torch.save", "name the file itself"},
+    Mark{"saved_model.pb", "a TensorFlow SavedModel",
+         "convert it to ONNX: `python -m tf2onnx.convert --saved-model FOLDER`"},
+    Mark{"manifest.ocdbt", "a checkpoint of JAX's Orbax", kJaxWay},
+    Mark{"_METADATA", "a checkpoint of JAX's Orbax", kJaxWay},
+    Mark{"_CHECKPOINT_METADATA", "a checkpoint of JAX's Orbax", kJaxWay},
+    Mark{"rllib_checkpoint.json", "a checkpoint of RLlib",
+         "export the policy with `export_model` as ONNX"},
+    Mark{"algorithm_state.pkl", "a checkpoint of RLlib",
+         "export the policy with `export_model` as ONNX"},
+    Mark{"policy.pth", "an unpacked zip of Stable-Baselines3", "name the zip itself"},
+    Mark{"data.pkl", "an unpacked file of torch.save", "name the file itself"},
 };
 
 std::optional<PolicyProblem> among(const auto& known, const std::vector<std::string>& names) {
-  for (const KnownEntry& entry : known) {
+  for (const Mark& entry : known) {
     const bool there = std::ranges::any_of(
-        names, [&](const std::string& name) { return name.ends_with(entry.name); });
+        names, [&](const std::string& name) { return name.ends_with(entry.text); });
     if (there) return foreign(entry.what, entry.way);
   }
   return std::nullopt;
@@ -208,9 +194,9 @@ std::optional<PolicyProblem> among(const auto& known, const std::vector<std::str
 }  // namespace
 
 std::optional<PolicyProblem> foreign_file(std::string_view bytes) {
-  for (const Beginning& known : kBeginnings) {
+  for (const Mark& known : kBeginnings) {
     if (bytes.size() < known.at) continue;
-    if (bytes.substr(known.at).starts_with(known.bytes)) return foreign(known.what, known.way);
+    if (bytes.substr(known.at).starts_with(known.text)) return foreign(known.what, known.way);
   }
   if (is_pickle(bytes)) return foreign_pickle(bytes);
   if (is_barracuda(bytes)) {

@@ -53,9 +53,9 @@ class External {
   }
 
  private:
-  bool fail(const onnx::TensorProto& tensor, const char* how) {
-    problem_ = {"E0617", fmt::format(fmt::runtime(how), printable(tensor.name())), kOneFile};
-    return false;
+  Refused fail(const onnx::TensorProto& tensor, const char* how) {
+    return refuse(problem_, "E0617", fmt::format(fmt::runtime(how), printable(tensor.name())),
+                  kOneFile);
   }
 
   static std::optional<std::uint64_t> number(const std::string& text) {
@@ -90,11 +90,10 @@ class External {
     if (name.starts_with("./")) name.erase(0, 2);
     if (const auto known = known_.find(name); known != known_.end()) return &known->second;
     const auto refuse_file = [&](const std::string& how) {
-      problem_ = {"E0617",
-                  fmt::format("keeps the values of tensor `{}` in another file, `{}`, {}",
-                              printable(tensor.name()), printable(name), how),
-                  kOneFile};
-      return nullptr;
+      return refuse(problem_, "E0617",
+                    fmt::format("keeps the values of tensor `{}` in another file, `{}`, {}",
+                                printable(tensor.name()), printable(name), how),
+                    kOneFile);
     };
     if (!is_beside(name)) return refuse_file("which is not in the same folder");
     if (!files_) return refuse_file("which is not at hand");

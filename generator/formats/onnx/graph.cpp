@@ -41,10 +41,9 @@ class GraphWalk {
     if (const auto producer = names_.producers.find(name); producer != names_.producers.end()) {
       State& state = state_[producer->second];
       if (state == State::open) {
-        problem_ = {"E0610",
-                    fmt::format("needs `{}` to compute `{}`", printable(name), printable(name)),
-                    kExportAgain};
-        return false;
+        return refuse(problem_, "E0610",
+                      fmt::format("needs `{}` to compute `{}`", printable(name), printable(name)),
+                      kExportAgain);
       }
       if (state == State::unseen) {
         state = State::open;
@@ -59,9 +58,9 @@ class GraphWalk {
       return true;
     }
     if (names_.tensors.contains(name)) return true;
-    problem_ = {"E0609", fmt::format("uses `{}`, which is not in the file", printable(name)),
-                kExportAgain};
-    return false;
+    return refuse(problem_, "E0609",
+                  fmt::format("uses `{}`, which is not in the file", printable(name)),
+                  kExportAgain);
   }
 
   const OnnxNames& names_;
@@ -77,10 +76,10 @@ class GraphWalk {
 std::optional<OnnxNames> collect_names(const onnx::GraphProto& graph, PolicyProblem& problem) {
   OnnxNames names;
   std::unordered_map<std::string_view, bool> taken;
-  const auto take = [&](std::string_view name) {
+  const auto take = [&](std::string_view name) -> bool {
     if (taken.emplace(name, true).second) return true;
-    problem = {"E0611", fmt::format("defines `{}` twice", printable(name)), kExportAgain};
-    return false;
+    return refuse(problem, "E0611", fmt::format("defines `{}` twice", printable(name)),
+                  kExportAgain);
   };
   for (const onnx::TensorProto& tensor : graph.initializer()) {
     if (!take(tensor.name())) return std::nullopt;

@@ -26,8 +26,7 @@ std::optional<Dims> input_shape(const onnx::ValueInfoProto& input, bool has_memo
   const std::string name = printable(input.name());
   const onnx::TypeProto::Tensor& type = input.type().tensor_type();
   const auto fail = [&](const std::string& what) {
-    problem = {"E0608", fmt::format("has input `{}` {}", name, what), kExportActor};
-    return std::nullopt;
+    return refuse(problem, "E0608", fmt::format("has input `{}` {}", name, what), kExportActor);
   };
   if (!input.type().has_tensor_type() || !type.has_shape() || type.shape().dim_size() == 0) {
     return fail("of unknown shape");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/network/graph/operators.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -51,8 +53,9 @@ bool is_short_integer(ElementType type) {
   return type == ElementType::int8 || type == ElementType::uint8 || type == ElementType::int16;
 }
 
-std::optional<const NetTensor*> checked(const TensorProto& tensor, std::deque<NetTensor>& made,
-                                        PolicyProblem& problem) {
+/// nullptr, and a problem, for what is not read.
+const NetTensor* checked(const TensorProto& tensor, std::deque<NetTensor>& made,
+                         PolicyProblem& problem) {
   const std::string name = printable(tensor.name());
   if (tensor.data_location() == TensorProto::EXTERNAL || tensor.external_data_size() > 0) {
     return refuse(problem, "E0617",
@@ -131,12 +134,8 @@ void renew(NetNode& node, std::int64_t opset, std::vector<const NetValue*>& inpu
 
 NetValue tensor_value(const TensorProto& tensor, std::deque<NetTensor>& made) {
   NetValue value;
-  const auto found = checked(tensor, made, value.problem);
-  value.kind = found ? NetValue::Kind::constant : NetValue::Kind::other;
-  if (found) {
-    value.shape = (*found)->dims;
-    value.constant = {*found, (*found)->dims, false};
-  }
+  if (const NetTensor* found = checked(tensor, made, value.problem)) return constant_value(*found);
+  value.kind = NetValue::Kind::other;
   return value;
 }
 

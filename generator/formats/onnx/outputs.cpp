@@ -129,13 +129,12 @@ class Chooser {
     }
     for (const onnx::TensorProto* tensor : rest) {
       if (known.contains(tensor)) continue;
-      problem_ = {"E0752",
-                  fmt::format("has weights that lead to none of its outputs: `{}` {}",
-                              printable(tensor->name()),
-                              show({tensor->dims().begin(), tensor->dims().end()})),
-                  fmt::format("export the actor again; if `{}` is the action, {}",
-                              printable(name(action.output)), kSayOutput)};
-      return false;
+      return refuse(problem_, "E0752",
+                    fmt::format("has weights that lead to none of its outputs: `{}` {}",
+                                printable(tensor->name()),
+                                show({tensor->dims().begin(), tensor->dims().end()})),
+                    fmt::format("export the actor again; if `{}` is the action, {}",
+                                printable(name(action.output)), kSayOutput));
     }
     return true;
   }
@@ -191,7 +190,7 @@ class Chooser {
     }
     return 0;
   }
-  std::nullopt_t unknown() {
+  Refused unknown() {
     return refuse(problem_, "E0751",
                   fmt::format("has {} outputs, and it is not known which one is the action: {}",
                               graph_.output_size(), listed()),

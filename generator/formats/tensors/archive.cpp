@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "generator/network/element_type.hpp"
 #include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
@@ -22,11 +23,7 @@ constexpr std::uint32_t kEncrypted = 1;
 
 /// `count` bytes at `at`, little-endian; the caller has checked that they exist.
 std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t count) {
-  std::uint32_t value = 0;
-  for (std::size_t i = count; i-- > 0;) {
-    value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-  }
-  return value;
+  return static_cast<std::uint32_t>(little_endian(bytes.substr(at), count));
 }
 
 /// Position of the record at the end of the archive.
@@ -139,6 +136,13 @@ std::optional<std::string_view> Archive::read(std::string_view name, std::string
     return fail("has another checksum than its directory says");
   }
   return content;
+}
+
+bool count_unpacked(std::size_t more, std::size_t& sum, const char* help, PolicyProblem& problem) {
+  sum += more;
+  return sum <= kMaxPolicyBytes ||
+         refuse(problem, "E0621",
+                "is a zip archive that unpacks to more than the 64 MB that are read", help);
 }
 
 }  // namespace eagerx::gen

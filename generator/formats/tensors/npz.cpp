@@ -74,10 +74,7 @@ std::optional<StoredTensor> read_npy(std::string_view bytes, const std::string& 
   };
   if (bytes.size() < 12 || !bytes.starts_with(kMagic)) return fail("that is not NumPy's format");
   const std::size_t width = bytes[kVersion] == 1 ? 2 : 4;
-  std::size_t length = 0;
-  for (std::size_t i = width; i-- > 0;) {
-    length = length << 8U | static_cast<unsigned char>(bytes[8 + i]);
-  }
+  const auto length = static_cast<std::size_t>(little_endian(bytes.substr(8), width));
   if (length > bytes.size() - 8 - width) return fail("that ends early");
   const std::string_view header = bytes.substr(8 + width, length);
   const std::string_view code = quoted_text(header_entry(header, "descr"));
@@ -108,12 +105,7 @@ bool read_npz(const Archive& archive, TensorTable& table, PolicyProblem& problem
     std::string& buffer = table.buffers.emplace_back();
     const auto bytes = archive.read(entry_name, buffer, problem);
     if (!bytes) return false;
-    unpacked += bytes->size();
-    if (unpacked > kMaxPolicyBytes) {
-      problem = {"E0621", "is a zip archive that unpacks to more than the 64 MB that are read",
-                 kNumpyHelp};
-      return false;
-    }
+    if (!count_unpacked(bytes->size(), unpacked, kNumpyHelp, problem)) return false;
     auto tensor = read_npy(*bytes, name, problem);
     if (!tensor || !table.add(name, std::move(*tensor), problem)) return false;
   }

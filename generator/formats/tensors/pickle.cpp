@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <bit>
+#include <initializer_list>
 #include <map>
 
 namespace eagerx::gen {
@@ -34,10 +36,9 @@ class Reader {
   }
 
  private:
-  bool fail(const std::string& how) {
-    problem_ = {"E0623", fmt::format("has a pickle that {} (byte {})", how, start_),
-                "the file is damaged, or was not made by `save`: save it again"};
-    return false;
+  Refused fail(const std::string& how) {
+    return refuse(problem_, "E0623", fmt::format("has a pickle that {} (byte {})", how, start_),
+                  "the file is damaged, or was not made by `save`: save it again");
   }
   bool damaged() { return fail("is damaged"); }
 
@@ -50,8 +51,7 @@ class Reader {
   bool number(std::size_t count, std::uint64_t& out) {
     std::string_view raw;
     if (!take(count, raw)) return false;
-    out = 0;
-    for (std::size_t i = count; i-- > 0;) out = out << 8U | static_cast<unsigned char>(raw[i]);
+    out = little_endian(raw, count);
     return true;
   }
   /// A count of `count` bytes, then as many bytes.
@@ -114,12 +114,44 @@ class Reader {
     sequence.items = std::move(items);
     return push(std::move(sequence));
   }
-  bool tuple(std::size_t count) {
-    std::vector<Index> items(count);
+  bool pop_many(std::size_t count, std::vector<Index>& out) {
+    out.resize(count);
     for (std::size_t i = count; i-- > 0;) {
-      if (!pop(items[i])) return false;
+      if (!pop(out[i])) return false;
     }
-    return push_sequence(std::move(items));
+    return true;
+  }
+  bool tuple(std::size_t count) {
+    std::vector<Index> items;
+    return pop_many(count, items) && push_sequence(std::move(items));
+  }
+  bool list() {
+    std::vector<Index> items;
+    return pop_to_mark(items) && push_sequence(std::move(items));
+  }
+  bool append() {
+    std::vector<Index> items;
+    return pop_many(1, items) && extend(items, false);
+  }
+  bool set_item() {
+    std::vector<Index> items;
+    return pop_many(2, items) && extend(items, true);
+  }
+  bool extend_to_mark(bool pairs) {
+    std::vector<Index> items;
+    return pop_to_mark(items) && extend(items, pairs);
+  }
+  bool drop() {
+    Index ignored = 0;
+    return pop(ignored);
+  }
+  bool drop_to_mark() {
+    std::vector<Index> ignored;
+    return pop_to_mark(ignored);
+  }
+  bool skip(std::size_t count) {
+    std::string_view ignored;
+    return take(count, ignored);
   }
   /// Adds `items` to the container on top of the stack.
   bool extend(const std::vector<Index>& items, bool pairs) {
@@ -135,10 +167,10 @@ class Reader {
   bool import(std::string_view module, std::string_view name) {
     std::string whole = fmt::format("{}.{}", module, name);
     if (!is_known_in_pickles(whole, known_)) {
-      problem_ = {"E0622", fmt::format("has a pickle that imports `{}`", printable(whole)),
-                  "it was not run: only tensors, arrays and plain values are read; do not "
-                  "open files from strangers in Python"};
-      return false;
+      return refuse(problem_, "E0622",
+                    fmt::format("has a pickle that imports `{}`", printable(whole)),
+                    "it was not run: only tensors, arrays and plain values are read; do not "
+                    "open files from strangers in Python");
     }
     pickle_.names.push_back(std::move(whole));
     return push_text(Kind::name, pickle_.names.back());
@@ -267,8 +299,13 @@ class Reader {
     return pop(pickle_.root);
   }
 
-  bool step(unsigned char code);
-  bool collect(unsigned char code);
+  using Instruction = bool (*)(Reader&);
+  static std::array<Instruction, 256> instructions();
+  bool step(unsigned char code) {
+    static const auto kInstructions = instructions();
+    if (const Instruction known = kInstructions.at(code)) return known(*this);
+    return fail(fmt::format("has instruction 0x{:02x}, which data does not need", code));
+  }
 
   static constexpr Index kNothing = 0xffffffff;
   std::string_view bytes_;
@@ -283,116 +320,57 @@ class Reader {
   std::uint64_t next_memo_ = 0;
 };
 
-/// Instructions that gather what is on the stack.
-bool Reader::collect(unsigned char code) {
-  std::vector<Index> items;
-  Index one = 0;
-  switch (code) {
-    case 't':   // TUPLE
-    case 0x91:  // FROZENSET
-    case 'l':   // LIST
-      return pop_to_mark(items) && push_sequence(std::move(items));
-    case 'a':  // APPEND
-      return pop(one) && extend({one}, false);
-    case 'e':   // APPENDS
-    case 0x90:  // ADDITEMS
-      return pop_to_mark(items) && extend(items, false);
-    case 's': {  // SETITEM
-      Index key = 0;
-      return pop(one) && pop(key) && extend({key, one}, true);
-    }
-    case 'u':  // SETITEMS
-      return pop_to_mark(items) && extend(items, true);
-    case '0':  // POP
-      return pop(one);
-    case '1':  // POP_MARK
-      return pop_to_mark(items);
-    case 0x92:  // NEWOBJ_EX: its keyword arguments are not looked at
-      return pop(one) && call();
-    default:
-      return fail(fmt::format("has instruction 0x{:02x}, which data does not need", code));
-  }
-}
-
-bool Reader::step(unsigned char code) {
-  std::string_view ignored;
-  switch (code) {
-    case 0x80:  // PROTO
-      return take(1, ignored);
-    case 0x95:  // FRAME
-      return take(8, ignored);
-    case '.':
-      return stop();
-    case '(':
-      return push_empty(Kind::mark);
-    case 'N':
-      return push(PickleValue{});
-    case 0x88:
-    case 0x89:
-      return push(with(Kind::boolean, code == 0x88 ? 1 : 0));
-    case 'J':
-      return push_int(4);
-    case 'K':
-      return push_int(1);
-    case 'M':
-      return push_int(2);
-    case 0x8a:
-      return push_long(1);
-    case 0x8b:
-      return push_long(4);
-    case 'G':
-      return push_real();
-    case 'X':
-    case 'T':
-      return push_counted(Kind::text, 4);
-    case 0x8c:
-    case 'U':
-      return push_counted(Kind::text, 1);
-    case 0x8d:
-      return push_counted(Kind::text, 8);
-    case 'C':
-      return push_counted(Kind::bytes, 1);
-    case 'B':
-      return push_counted(Kind::bytes, 4);
-    case 0x8e:
-    case 0x96:
-      return push_counted(Kind::bytes, 8);
-    case ')':
-    case ']':
-    case 0x8f:
-      return push_empty(Kind::sequence);
-    case '}':
-      return push_empty(Kind::dictionary);
-    case 0x85:
-      return tuple(1);
-    case 0x86:
-      return tuple(2);
-    case 0x87:
-      return tuple(3);
-    case 'h':
-      return recall(1);
-    case 'j':
-      return recall(4);
-    case 'q':
-      return store(1);
-    case 'r':
-      return store(4);
-    case 0x94:
-      return memoize(next_memo_);
-    case 'c':
-      return import_from_lines();
-    case 0x93:
-      return import_from_stack();
-    case 'R':
-    case 0x81:
-      return call();
-    case 'b':
-      return build();
-    case 'Q':
-      return persistent();
-    default:
-      return collect(code);
-  }
+/// nullptr: what data does not need.
+std::array<Reader::Instruction, 256> Reader::instructions() {
+  std::array<Instruction, 256> all{};
+  const auto on = [&](std::initializer_list<unsigned char> codes, Instruction what) {
+    for (const unsigned char code : codes) all.at(code) = what;
+  };
+  on({0x80}, [](Reader& r) { return r.skip(1); });  // PROTO
+  on({0x95}, [](Reader& r) { return r.skip(8); });  // FRAME
+  on({'.'}, [](Reader& r) { return r.stop(); });
+  on({'('}, [](Reader& r) { return r.push_empty(Kind::mark); });
+  on({'N'}, [](Reader& r) { return r.push(PickleValue{}); });
+  on({0x88}, [](Reader& r) { return r.push(with(Kind::boolean, 1)); });
+  on({0x89}, [](Reader& r) { return r.push(with(Kind::boolean, 0)); });
+  on({'J'}, [](Reader& r) { return r.push_int(4); });
+  on({'K'}, [](Reader& r) { return r.push_int(1); });
+  on({'M'}, [](Reader& r) { return r.push_int(2); });
+  on({0x8a}, [](Reader& r) { return r.push_long(1); });
+  on({0x8b}, [](Reader& r) { return r.push_long(4); });
+  on({'G'}, [](Reader& r) { return r.push_real(); });
+  on({'X', 'T'}, [](Reader& r) { return r.push_counted(Kind::text, 4); });
+  on({0x8c, 'U'}, [](Reader& r) { return r.push_counted(Kind::text, 1); });
+  on({0x8d}, [](Reader& r) { return r.push_counted(Kind::text, 8); });
+  on({'C'}, [](Reader& r) { return r.push_counted(Kind::bytes, 1); });
+  on({'B'}, [](Reader& r) { return r.push_counted(Kind::bytes, 4); });
+  on({0x8e, 0x96}, [](Reader& r) { return r.push_counted(Kind::bytes, 8); });
+  on({')', ']', 0x8f}, [](Reader& r) { return r.push_empty(Kind::sequence); });
+  on({'}'}, [](Reader& r) { return r.push_empty(Kind::dictionary); });
+  on({0x85}, [](Reader& r) { return r.tuple(1); });
+  on({0x86}, [](Reader& r) { return r.tuple(2); });
+  on({0x87}, [](Reader& r) { return r.tuple(3); });
+  on({'t', 0x91, 'l'}, [](Reader& r) { return r.list(); });            // TUPLE, FROZENSET, LIST
+  on({'a'}, [](Reader& r) { return r.append(); });                     // APPEND
+  on({'e', 0x90}, [](Reader& r) { return r.extend_to_mark(false); });  // APPENDS, ADDITEMS
+  on({'s'}, [](Reader& r) { return r.set_item(); });                   // SETITEM
+  on({'u'}, [](Reader& r) { return r.extend_to_mark(true); });         // SETITEMS
+  on({'0'}, [](Reader& r) { return r.drop(); });                       // POP
+  on({'1'}, [](Reader& r) { return r.drop_to_mark(); });               // POP_MARK
+  on({'h'}, [](Reader& r) { return r.recall(1); });
+  on({'j'}, [](Reader& r) { return r.recall(4); });
+  on({'q'}, [](Reader& r) { return r.store(1); });
+  on({'r'}, [](Reader& r) { return r.store(4); });
+  on({0x94}, [](Reader& r) { return r.memoize(r.next_memo_); });
+  on({'c'}, [](Reader& r) { return r.import_from_lines(); });
+  on({0x93}, [](Reader& r) { return r.import_from_stack(); });
+  on({'R', 0x81}, [](Reader& r) { return r.call(); });
+  on({0x92}, [](Reader& r) {
+    return r.drop() && r.call();
+  });  // NEWOBJ_EX: its keyword arguments are not looked at
+  on({'b'}, [](Reader& r) { return r.build(); });
+  on({'Q'}, [](Reader& r) { return r.persistent(); });
+  return all;
 }
 
 }  // namespace

@@ -53,10 +53,11 @@ struct Pickle {
   [[nodiscard]] const PickleValue* find(const PickleValue& in, std::string_view key) const;
   /// True for an object that `name` ("module.name") made.
   [[nodiscard]] bool made_by(const PickleValue& value, std::string_view name) const;
+  /// What a value is, if it is that; nothing of nullptr.
   [[nodiscard]] std::optional<double> number(const PickleValue* value) const;
-  [[nodiscard]] std::optional<std::vector<std::int64_t>> integers(const PickleValue& value) const;
+  [[nodiscard]] std::optional<std::vector<std::int64_t>> integers(const PickleValue* value) const;
   /// A NumPy array, or a NumPy scalar as one of no dimensions; its bytes are checked.
-  [[nodiscard]] std::optional<StoredTensor> array(const PickleValue& value) const;
+  [[nodiscard]] std::optional<StoredTensor> array(const PickleValue* value) const;
 };
 
 enum class PickleNames : std::uint8_t {

@@ -117,33 +117,35 @@ std::optional<double> Pickle::number(const PickleValue* value) const {
   if (value == nullptr) return std::nullopt;
   if (value->kind == Kind::real) return value->real;
   if (value->kind == Kind::integer) return static_cast<double>(value->integer);
-  const auto scalar = array(*value);
+  const auto scalar = array(value);
   if (!scalar || element_count(scalar->shape) != 1) return std::nullopt;
   return values_of(*scalar).front();
 }
 
-std::optional<std::vector<std::int64_t>> Pickle::integers(const PickleValue& value) const {
+std::optional<std::vector<std::int64_t>> Pickle::integers(const PickleValue* value) const {
   constexpr std::size_t kMostDimensions = 64;  // NumPy's; one shape may be named often
-  if (value.kind != Kind::sequence || value.items.size() > kMostDimensions) return std::nullopt;
+  if (value == nullptr || value->kind != Kind::sequence || value->items.size() > kMostDimensions) {
+    return std::nullopt;
+  }
   std::vector<std::int64_t> result;
-  for (const Index item : value.items) {
+  for (const Index item : value->items) {
     if (at(item).kind != Kind::integer) return std::nullopt;
     result.push_back(at(item).integer);
   }
   return result;
 }
 
-std::optional<StoredTensor> Pickle::array(const PickleValue& value) const {
-  if (value.kind != Kind::object) return std::nullopt;
-  const std::string_view function = at(value.function).text;
-  const std::vector<Index>& arguments = at(value.arguments).items;
-  const std::vector<Index>& state = at(value.state).items;
+std::optional<StoredTensor> Pickle::array(const PickleValue* value) const {
+  if (value == nullptr || value->kind != Kind::object) return std::nullopt;
+  const std::string_view function = at(value->function).text;
+  const std::vector<Index>& arguments = at(value->arguments).items;
+  const std::vector<Index>& state = at(value->state).items;
   StoredTensor tensor;
   std::optional<ElementType> type;
   std::optional<std::vector<std::int64_t>> shape;
   if (function.ends_with("multiarray._reconstruct") && state.size() == 5) {
     // (version, shape, dtype, is Fortran order, bytes)
-    shape = integers(at(state[1]));
+    shape = integers(&at(state[1]));
     type = numpy_dtype_of(*this, at(state[2]));
     if (at(state[3]).integer != 0 && shape && shape->size() > 1) return std::nullopt;
     tensor.bytes = at(state[4]).text;
@@ -151,7 +153,7 @@ std::optional<StoredTensor> Pickle::array(const PickleValue& value) const {
     // (bytes, dtype, shape, order)
     tensor.bytes = at(arguments[0]).text;
     type = numpy_dtype_of(*this, at(arguments[1]));
-    shape = integers(at(arguments[2]));
+    shape = integers(&at(arguments[2]));
     if (at(arguments[3]).text == "F" && shape && shape->size() > 1) return std::nullopt;
   } else if (function.ends_with("multiarray.scalar") && arguments.size() == 2) {
     type = numpy_dtype_of(*this, at(arguments[0]));

@@ -53,14 +53,10 @@ std::optional<Place> add_tensor(const std::string& name, const Json& entry, std:
 
 bool read_safetensors_table(std::string_view bytes, TensorTable& table, PolicyProblem& problem) {
   const auto fail = [&](const char* how) {
-    problem = {"E0604", fmt::format("is a safetensors file {}", how), kCutShort};
-    return false;
+    return refuse(problem, "E0604", fmt::format("is a safetensors file {}", how), kCutShort);
   };
   if (bytes.size() < kLengthSize) return fail("without a header");
-  std::uint64_t length = 0;
-  for (std::size_t i = kLengthSize; i-- > 0;) {
-    length = length << 8U | static_cast<unsigned char>(bytes[i]);
-  }
+  const std::uint64_t length = little_endian(bytes, kLengthSize);
   if (length > bytes.size() - kLengthSize) return fail("that ends inside of its header");
   const auto header = parse_json(bytes.substr(kLengthSize, static_cast<std::size_t>(length)));
   const auto* entries = header ? header->as<Json::Object>() : nullptr;
@@ -84,11 +80,10 @@ bool read_safetensors_table(std::string_view bytes, TensorTable& table, PolicyPr
   });
   for (std::size_t i = 1; i < places.size(); ++i) {
     if (places[i].begin >= places[i - 1].end) continue;
-    problem = {"E0614",
-               fmt::format("has tensors `{}` and `{}` in the same place",
-                           printable(places[i - 1].name), printable(places[i].name)),
-               kCutShort};
-    return false;
+    return refuse(problem, "E0614",
+                  fmt::format("has tensors `{}` and `{}` in the same place",
+                              printable(places[i - 1].name), printable(places[i].name)),
+                  kCutShort);
   }
   return true;
 }

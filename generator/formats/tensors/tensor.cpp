@@ -37,11 +37,10 @@ bool fits(const std::string& name, const StoredTensor& tensor, PolicyProblem& pr
     // Strides of zero would let a few bytes stand for a terabyte.
     if (static_cast<std::uint64_t>(*element_count(tensor.shape)) <= held) return true;
   }
-  problem = {"E0614",
-             fmt::format("says that tensor `{}` has shape {}, but holds {} values", printable(name),
-                         show(tensor.shape), held),
-             kSaveAgain};
-  return false;
+  return refuse(problem, "E0614",
+                fmt::format("says that tensor `{}` has shape {}, but holds {} values",
+                            printable(name), show(tensor.shape), held),
+                kSaveAgain);
 }
 
 std::vector<double> values_of(const StoredTensor& tensor) {
@@ -74,10 +73,9 @@ std::optional<std::vector<double>> finite_values_of(const std::string& name,
 std::optional<std::vector<float>> floats_of(const std::string& name, const StoredTensor& tensor,
                                             PolicyProblem& problem) {
   if (!is_real(tensor.type)) {
-    problem = {"E0615",
-               fmt::format("has weights that are integers in tensor `{}`", printable(name)),
-               "save the actor in float32"};
-    return std::nullopt;
+    return refuse(problem, "E0615",
+                  fmt::format("has weights that are integers in tensor `{}`", printable(name)),
+                  "save the actor in float32");
   }
   const auto values = finite_values_of(name, tensor, problem);
   if (!values) return std::nullopt;
@@ -87,14 +85,12 @@ std::optional<std::vector<float>> floats_of(const std::string& name, const Store
 bool TensorTable::add(const std::string& name, StoredTensor tensor, PolicyProblem& problem) {
   if (!fits(name, tensor, problem)) return false;
   if (tensors.size() >= kMaxTensors) {
-    problem = {"E0619", fmt::format("has more than {} tensors", kMaxTensors),
-               "save the tensors of the actor alone"};
-    return false;
+    return refuse(problem, "E0619", fmt::format("has more than {} tensors", kMaxTensors),
+                  "save the tensors of the actor alone");
   }
   if (tensors.emplace(name, std::move(tensor)).second) return true;
-  problem = {"E0610", fmt::format("has two tensors `{}`", printable(name)),
-             "give each tensor a name of its own"};
-  return false;
+  return refuse(problem, "E0610", fmt::format("has two tensors `{}`", printable(name)),
+                "give each tensor a name of its own");
 }
 
 }  // namespace eagerx::gen

@@ -105,10 +105,7 @@ class TorchReader {
       const auto type = types.find(name);
       if (type == types.end()) return fail("a storage that no tensor is in");
       if (bytes.size() < kCount) return cut_short();
-      std::uint64_t count = 0;
-      for (std::size_t i = kCount; i-- > 0;) {
-        count = count << 8U | static_cast<unsigned char>(bytes[i]);
-      }
+      const std::uint64_t count = little_endian(bytes, kCount);
       bytes.remove_prefix(kCount);
       if (count > bytes.size() / size_of(type->second)) return cut_short();
       const std::size_t size = static_cast<std::size_t>(count) * size_of(type->second);
@@ -117,14 +114,10 @@ class TorchReader {
     }
     return true;
   }
-  bool cut_short() {
-    problem_ = {"E0623", "ends before its tensors do", kCutShort};
-    return false;
-  }
+  bool cut_short() { return refuse(problem_, "E0623", "ends before its tensors do", kCutShort); }
 
-  bool fail(const std::string& how) {
-    problem_ = {"E0623", fmt::format("has {}", how), kTorchHelp};
-    return false;
+  Refused fail(const std::string& how) {
+    return refuse(problem_, "E0623", fmt::format("has {}", how), kTorchHelp);
   }
 
   bool check_byte_order() {
@@ -156,7 +149,7 @@ class TorchReader {
         if (!add_tensor(name, *item)) return false;
       } else if (item->kind == Kind::object &&
                  pickle_.at(item->function).text.ends_with("multiarray._reconstruct")) {
-        auto array = pickle_.array(*item);
+        auto array = pickle_.array(item);
         // Statistics that cannot be read must not be left out.
         if (!array && !all_) {
           return fail(fmt::format("a NumPy array `{}` that cannot be read", printable(name)));
@@ -188,18 +181,12 @@ class TorchReader {
     const std::string name = fmt::format("{}data/{}", folder_, key);
     if (const auto known = storages_.find(name); known != storages_.end()) return known->second;
     if (archive_ == nullptr) {
-      fail(fmt::format("a tensor in a storage `{}` that is not there", printable(key)));
-      return std::nullopt;
+      return fail(fmt::format("a tensor in a storage `{}` that is not there", printable(key)));
     }
     const auto bytes = archive_->read(name, table_.buffers.emplace_back(), problem_);
     if (bytes) storages_.emplace(name, *bytes);
-    unpacked_ += table_.buffers.back().size();
-    if (unpacked_ > kMaxPolicyBytes) {
-      return refuse(problem_, "E0621",
-                    "is a zip archive that unpacks to more than the 64 MB that are read",
-                    kTorchHelp);
-    }
-    return bytes;
+    const std::size_t more = table_.buffers.back().size();
+    return count_unpacked(more, unpacked_, kTorchHelp, problem_) ? bytes : std::nullopt;
   }
 
   const Archive* archive_;
@@ -226,8 +213,8 @@ std::optional<StoredTensor> rebuilt_tensor(const Pickle& pickle, const PickleVal
   const std::vector<std::uint32_t>& arguments = pickle.at(call.arguments).items;
   if (arguments.size() < 4) return damaged();
   const PickleValue& reference = pickle.at(arguments[0]);
-  const auto shape = pickle.integers(pickle.at(arguments[2]));
-  const auto strides = pickle.integers(pickle.at(arguments[3]));
+  const auto shape = pickle.integers(&pickle.at(arguments[2]));
+  const auto strides = pickle.integers(&pickle.at(arguments[3]));
   const std::int64_t offset = pickle.at(arguments[1]).integer;
   if (reference.kind != Kind::persistent || !shape || !strides || offset < 0 ||
       offset > kMaxElements || strides->size() != shape->size()) {

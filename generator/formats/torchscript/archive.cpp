@@ -48,11 +48,8 @@ std::optional<std::string_view> TorchArchive::storage(int which, std::string_vie
   if (const auto known = storages_.find(name); known != storages_.end()) return known->second;
   const auto bytes = archive_.read(name, buffers_.emplace_back(), problem);
   if (!bytes) return std::nullopt;
-  unpacked_ += buffers_.back().size();
-  if (unpacked_ > kMaxPolicyBytes) {
-    return refuse(problem, "E0621",
-                  "is a zip archive that unpacks to more than the 64 MB that are read",
-                  "use a smaller network");
+  if (!count_unpacked(buffers_.back().size(), unpacked_, "use a smaller network", problem)) {
+    return std::nullopt;
   }
   storages_.emplace(name, *bytes);
   return bytes;
@@ -113,10 +110,9 @@ const TorchFunction* TorchArchive::function(const std::string& module, const std
   const TorchFunctions* functions = code(module, problem);
   if (functions == nullptr) return nullptr;
   if (const auto found = functions->find(name); found != functions->end()) return &found->second;
-  problem = {"E0753",
-             fmt::format("has no code of `{}` in `{}`", printable(name), printable(module)),
-             "the file is damaged: export the actor again"};
-  return nullptr;
+  return refuse(problem, "E0753",
+                fmt::format("has no code of `{}` in `{}`", printable(name), printable(module)),
+                "the file is damaged: export the actor again");
 }
 
 std::vector<std::int64_t> TorchArchive::sizes() const {
@@ -126,7 +122,7 @@ std::vector<std::int64_t> TorchArchive::sizes() const {
     if (!modules.made_by(value, kRebuild)) continue;
     const std::vector<std::uint32_t>& arguments = modules.at(value.arguments).items;
     if (arguments.size() < 3) continue;
-    const auto shape = modules.integers(modules.at(arguments[2]));
+    const auto shape = modules.integers(&modules.at(arguments[2]));
     for (const std::int64_t dim : shape.value_or(std::vector<std::int64_t>{})) {
       if (dim >= 1 && dim <= kMaxValues) found.insert(dim);
     }

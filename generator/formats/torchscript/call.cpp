@@ -58,34 +58,69 @@ std::optional<Integers> TorchCall::list(std::size_t i, std::string_view name) co
 }
 
 NetValue TorchCall::node(const char* type, const std::vector<NetValue>& inputs,
-                         std::vector<NetAttribute> attributes, int output) const {
+                         std::vector<NetAttribute> attributes) const {
   const std::string result = fmt::format("{}:0", name_);
-  const NetNode node{type, where_, {}, result, output + 1, std::move(attributes)};
+  const NetNode node{type, where_, {}, result, 1, std::move(attributes)};
   std::vector<const NetValue*> given;
   given.reserve(inputs.size());
   for (const NetValue& input : inputs) given.push_back(&input);
-  const NetCall call(node, std::move(given), state_);
-  NetValue first = evaluate(call);
-  return output == 0 ? first : later_output(call, first, output);
-}
-
-std::optional<NetValue> TorchCall::node_of_two(const char* type) const {
-  const auto a = tensor(0);
-  const auto b = tensor(1, "other");
-  return a && b ? std::optional(node(type, {*a, *b})) : std::nullopt;
+  return evaluate(NetCall(node, std::move(given), state_));
 }
 
 NetValue TorchCall::constant(const std::vector<float>& numbers, const Dims& dims) const {
   return constant_value(made_tensor(state_.made, name_, numbers, dims));
 }
 
-NetValue TorchCall::integers(const Integers& values) const {
-  return integers_value(values);
-}
-
 PolicyProblem TorchCall::misused(const std::string& how) const {
   return {"E0754", fmt::format("calls `{}` {} ({})", printable(name_), how, where_),
           "export the actor alone, or export it to ONNX with `torch.onnx.export`"};
+}
+
+namespace {
+
+/// The attribute as the call has it; nothing if it is not there, or not what it must be.
+std::optional<NetAttribute> attribute_of(const TorchCall& call, const TorchGiven& given) {
+  using As = TorchGiven::As;
+  const auto& [at, name] = given.argument;
+  const auto whole =
+      given.otherwise ? std::optional(static_cast<std::int64_t>(*given.otherwise)) : std::nullopt;
+  NetAttribute made{given.attribute};
+  if (given.as == As::list) {
+    made.list = call.list(at, name);
+  } else if (given.as == As::number) {
+    made.real = call.number(at, name, given.otherwise);
+  } else {
+    made.whole = call.whole(at, name, whole);
+  }
+  const bool is_there = made.list || made.real || made.whole;
+  const bool is_fixed = given.attribute.empty();
+  const bool is_usual = made.real ? made.real == given.otherwise : made.whole == whole;
+  return is_there && (!is_fixed || is_usual) ? std::optional(made) : std::nullopt;
+}
+
+}  // namespace
+
+TorchRun torch_of(const char* type, std::vector<TorchArgument> tensors,
+                  std::vector<TorchGiven> given) {
+  return [type, tensors, given](const TorchCall& call) -> std::optional<NetValue> {
+    std::vector<NetValue> inputs;
+    for (const auto& [at, name] : tensors) {
+      auto x = call.tensor(at, name);
+      if (!x) return std::nullopt;
+      inputs.push_back(std::move(*x));
+    }
+    std::vector<NetAttribute> attributes;
+    for (const TorchGiven& each : given) {
+      auto attribute = attribute_of(call, each);
+      if (!attribute) return std::nullopt;
+      if (!each.attribute.empty()) attributes.push_back(std::move(*attribute));
+    }
+    return call.node(type, inputs, std::move(attributes));
+  };
+}
+
+TorchRun torch_of_two(const char* type) {
+  return torch_of(type, {{0}, {1, "other"}});
 }
 
 }  // namespace eagerx::gen

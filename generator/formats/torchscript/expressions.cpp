@@ -23,10 +23,9 @@ bool is_whole_slice(const std::vector<TorchValue>& arguments) {
   };
   const auto& shape = arguments.front().tensor->value.shape;
   if (!shape || shape->empty()) return false;
-  const auto rank = static_cast<std::int64_t>(shape->size());
-  const std::int64_t axis = given(1, 0) < 0 ? given(1, 0) + rank : given(1, 0);
-  if (axis < 0 || axis >= rank) return false;
-  const std::int64_t size = (*shape)[static_cast<std::size_t>(axis)];
+  const auto axis = place_in(given(1, 0), static_cast<std::int64_t>(shape->size()));
+  if (!axis) return false;
+  const std::int64_t size = (*shape)[static_cast<std::size_t>(*axis)];
   return given(2, 0) == 0 && given(3, size) >= size && given(4, 1) == 1;
 }
 
@@ -139,12 +138,11 @@ std::optional<TorchValue> TorchInterpreter::evaluate_subscript(const TorchExpres
   const auto list = evaluate(expression.parts[0], variables);
   const auto index = list ? evaluate(expression.parts[1], variables) : std::nullopt;
   if (!index) return std::nullopt;
-  const auto size = static_cast<std::int64_t>(list->items.size());
-  const std::int64_t at = index->integer < 0 ? index->integer + size : index->integer;
-  if (list->kind != Has::sequence || index->kind != Has::integer || at < 0 || at >= size) {
+  const auto at = place_in(index->integer, static_cast<std::int64_t>(list->items.size()));
+  if (list->kind != Has::sequence || index->kind != Has::integer || !at) {
     return fail("takes a part that is not there");
   }
-  return list->items[static_cast<std::size_t>(at)];
+  return list->items[static_cast<std::size_t>(*at)];
 }
 
 std::optional<TorchValue> TorchInterpreter::evaluate_call(const TorchExpression& expression,

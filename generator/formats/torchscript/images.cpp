@@ -157,7 +157,7 @@ Result pad(const Torch& call) {
     sides[2 * rank - 1 - i] = (*pads)[2 * i + 1];
   }
   // Opset 17 has them as an input.
-  return call.node("Pad", {*x, call.integers(sides)});
+  return call.node("Pad", {*x, integers_value(sides)});
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::string TorchInterpreter::where() const {
   return fmt::format("line {} of {}", line_, file_ == nullptr ? "" : printable(*file_));
 }
 
-std::nullopt_t TorchInterpreter::fail(const std::string& what) {
+Refused TorchInterpreter::fail(const std::string& what) {
   return refuse(problem_, "E0754", fmt::format("has code that {} ({})", what, where()),
                 kExportOnnx);
 }
@@ -115,8 +115,7 @@ bool TorchInterpreter::assign(const std::vector<TorchExpression>& targets, Torch
   // `a, = x` takes x apart as `a, b, = x` does, but the code of torch writes it only for tuples.
   if (targets.size() > 1) {
     if (value.kind != Held::sequence || value.items.size() != targets.size()) {
-      fail("takes apart a value that has other parts");
-      return false;
+      return fail("takes apart a value that has other parts");
     }
     for (std::size_t i = 0; i < targets.size(); ++i) {
       if (!assign({targets[i]}, value.items[i], variables)) return false;
@@ -131,14 +130,12 @@ bool TorchInterpreter::assign(const std::vector<TorchExpression>& targets, Torch
   const auto module = evaluate(target.parts.front(), variables);
   if (!module) return false;
   if (module->kind != Held::module || !value.is_tensor()) {
-    fail("changes a member that is no tensor of a module");
-    return false;
+    return fail("changes a member that is no tensor of a module");
   }
   const auto old = member(*module, target.text);
   if (!old) return false;
   if (!old->is_tensor() || old->tensor->is_part) {
-    fail("changes a member that is no tensor of a module");
-    return false;
+    return fail("changes a member that is no tensor of a module");
   }
   // Who has the old tensor keeps it.
   auto cell = std::make_shared<TorchTensor>();

@@ -54,7 +54,7 @@ class TorchInterpreter {
   Value member(const TorchValue& module, const std::string& name);
   Value value_of(int pickle, std::uint32_t index, const std::string& name, int depth = 0);
 
-  std::nullopt_t fail(const std::string& what);
+  Refused fail(const std::string& what);
   [[nodiscard]] std::string where() const;
 
   TorchArchive& archive_;

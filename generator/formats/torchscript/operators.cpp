@@ -38,14 +38,14 @@ Result subtract_from(const Torch& call) {  // rsub(a, b): b - a
 }
 Result divide(const Torch& call) {
   if (!call.argument(2, "rounding_mode").is_none()) return std::nullopt;
-  return call.node_of_two("Div");
+  return torch_of_two("Div")(call);
 }
 /// Of two tensors: `max` and `min` are other things with one, and with an axis.
 Result maximum(const Torch& call) {
-  return call.argument(1, "other").is_tensor() ? call.node_of_two("Max") : std::nullopt;
+  return call.argument(1, "other").is_tensor() ? torch_of_two("Max")(call) : std::nullopt;
 }
 Result minimum(const Torch& call) {
-  return call.argument(1, "other").is_tensor() ? call.node_of_two("Min") : std::nullopt;
+  return call.argument(1, "other").is_tensor() ? torch_of_two("Min")(call) : std::nullopt;
 }
 Result reciprocal(const Torch& call) {
   const auto x = call.tensor(0);
@@ -79,28 +79,6 @@ Result linear(const Torch& call) {
   if (call.argument(2, "bias").is_none()) return product;
   return bias ? Result(call.node("Add", {product, *bias})) : std::nullopt;
 }
-Result addmm(const Torch& call) {  // addmm(b, x, w): beta b + alpha x w
-  const auto bias = call.tensor(0);
-  const auto x = call.tensor(1);
-  const auto weight = call.tensor(2);
-  const auto beta = call.number(3, "beta", 1.0);
-  const auto alpha = call.number(4, "alpha", 1.0);
-  if (!bias || !x || !weight || !beta || !alpha) return std::nullopt;
-  return call.node("Gemm", {*x, *weight, *bias}, {{"alpha", {}, alpha}, {"beta", {}, beta}});
-}
-Result elu(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto alpha = call.number(1, "alpha", 1.0);
-  const bool usual =
-      call.number(2, "scale", 1.0) == 1.0 && call.number(3, "input_scale", 1.0) == 1.0;
-  if (!x || !alpha || !usual) return std::nullopt;
-  return call.node("Elu", {*x}, {{"alpha", {}, alpha}});
-}
-Result leaky_relu(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto slope = call.number(1, "negative_slope", 0.01);
-  return x && slope ? Result(call.node("LeakyRelu", {*x}, {{"alpha", {}, slope}})) : std::nullopt;
-}
 Result silu(const Torch& call) {
   const auto x = call.tensor(0);
   return x ? Result(call.node("Mul", {*x, call.node("Sigmoid", {*x})})) : std::nullopt;
@@ -112,25 +90,6 @@ Result gelu(const Torch& call) {
   if (!x || (!how.is_none() && how.text != "none" && !by_tanh)) return std::nullopt;
   return call.node("Gelu", {*x}, {{"approximate", {}, {}, {}, by_tanh ? "tanh" : "none"}});
 }
-Result softplus(const Torch& call) {
-  const auto x = call.tensor(0);
-  const bool usual =
-      call.number(1, "beta", 1.0) == 1.0 && call.number(2, "threshold", 20.0) == 20.0;
-  return x && usual ? Result(call.node("Softplus", {*x})) : std::nullopt;
-}
-Result softmax(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto axis = call.whole(1, "dim", std::nullopt);
-  return x && axis ? Result(call.node("Softmax", {*x}, {{"axis", axis}})) : std::nullopt;
-}
-Result arg_max(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto axis = call.whole(1, "dim", std::nullopt);
-  const auto keeps = call.whole(2, "keepdim", 0);
-  if (!x || !axis || !keeps) return std::nullopt;
-  return call.node("ArgMax", {*x}, {{"axis", axis}, {"keepdims", keeps}});
-}
-
 Result clamped(const Torch& call, const TorchValue& low, const TorchValue& high) {
   const auto x = call.tensor(0);
   if (!x) return std::nullopt;
@@ -183,21 +142,6 @@ Result layer_norm(const Torch& call) {
   if (beta) inputs.push_back(*beta);
   return call.node("LayerNormalization", inputs, {{"axis", -1}, {"epsilon", {}, epsilon}});
 }
-Result batch_norm(const Torch& call) {  // x, weight, bias, mean, var, training, momentum, eps
-  const auto x = call.tensor(0);
-  const auto gamma = call.tensor(1);
-  const auto beta = call.tensor(2);
-  const auto mean = call.tensor(3);
-  const auto variance = call.tensor(4);
-  const auto epsilon = call.number(7, "eps", 1e-5);
-  if (!x || !gamma || !beta || !mean || !variance || !epsilon ||
-      call.whole(5, "training", 0) != 0) {
-    return std::nullopt;
-  }
-  return call.node("BatchNormalization", {*x, *gamma, *beta, *mean, *variance},
-                   {{"epsilon", {}, epsilon}});
-}
-
 Result reduce(const Torch& call, const char* type, std::size_t first) {
   const auto x = call.tensor(0);
   auto axes = call.list(first, "dim");
@@ -244,59 +188,75 @@ Result number(const Torch& call) {
 }  // namespace
 
 std::vector<TorchRow> torch_plain_rows() {
-  return {{"relu", torch_of_one<"Relu">},
-          {"tanh", torch_of_one<"Tanh">},
-          {"sigmoid", torch_of_one<"Sigmoid">},
-          {"selu", torch_of_one<"Selu">},
-          {"sin", torch_of_one<"Sin">},
-          {"cos", torch_of_one<"Cos">},
-          {"exp", torch_of_one<"Exp">},
-          {"abs", torch_of_one<"Abs">},
-          {"sqrt", torch_of_one<"Sqrt">},
-          {"neg", torch_of_one<"Neg">},
-          {"add", add},
-          {"sub", subtract},
-          {"rsub", subtract_from},
-          {"mul", torch_of_two<"Mul">},
-          {"div", divide},
-          {"maximum", maximum},
-          {"max", maximum},
-          {"min", minimum},
-          {"minimum", minimum},
-          {"reciprocal", reciprocal},
-          {"rsqrt", inverse_root},
-          {"pow", power},
-          {"square", power},
-          {"linear", linear},
-          {"addmm", addmm},
-          {"matmul", torch_of_two<"MatMul">},
-          {"mm", torch_of_two<"MatMul">},
-          {"elu", elu},
-          {"leaky_relu", leaky_relu},
-          {"silu", silu},
-          {"gelu", gelu},
-          {"mish", torch_of_one<"Mish">},
-          {"softplus", softplus},
-          {"softmax", softmax},
-          {"argmax", arg_max},
-          {"clamp", clamp},
-          {"clip", clamp},
-          {"clamp_min", clamp_min},
-          {"clamp_max", clamp_max},
-          {"hardtanh", hard_tanh},
-          {"relu6", relu6},
-          {"layer_norm", layer_norm},
-          {"batch_norm", batch_norm},
-          {"mean", mean},
-          {"norm", norm},
-          {"linalg_vector_norm", norm},
-          {"cat", cat},
-          {"concat", cat},
-          {"zeros", zeros},
-          {"ones", zeros},
-          {"zeros_like", zeros},
-          {"ones_like", zeros},
-          {"tensor", number}};
+  using As = TorchGiven::As;
+  return {
+      {"relu", torch_of("Relu")},
+      {"tanh", torch_of("Tanh")},
+      {"sigmoid", torch_of("Sigmoid")},
+      {"selu", torch_of("Selu")},
+      {"sin", torch_of("Sin")},
+      {"cos", torch_of("Cos")},
+      {"exp", torch_of("Exp")},
+      {"abs", torch_of("Abs")},
+      {"sqrt", torch_of("Sqrt")},
+      {"neg", torch_of("Neg")},
+      {"add", add},
+      {"sub", subtract},
+      {"rsub", subtract_from},
+      {"mul", torch_of_two("Mul")},
+      {"div", divide},
+      {"maximum", maximum},
+      {"max", maximum},
+      {"min", minimum},
+      {"minimum", minimum},
+      {"reciprocal", reciprocal},
+      {"rsqrt", inverse_root},
+      {"pow", power},
+      {"square", power},
+      {"linear", linear},
+      // addmm(b, x, w): beta b + alpha x w
+      {"addmm", torch_of("Gemm", {{1}, {2}, {0}},
+                         {{As::number, "alpha", {4, "alpha"}, 1.0},
+                          {As::number, "beta", {3, "beta"}, 1.0}})},
+      {"matmul", torch_of_two("MatMul")},
+      {"mm", torch_of_two("MatMul")},
+      {"elu", torch_of("Elu", {{0}},
+                       {{As::number, "alpha", {1, "alpha"}, 1.0},
+                        {As::number, "", {2, "scale"}, 1.0},
+                        {As::number, "", {3, "input_scale"}, 1.0}})},
+      {"leaky_relu",
+       torch_of("LeakyRelu", {{0}}, {{As::number, "alpha", {1, "negative_slope"}, 0.01}})},
+      {"silu", silu},
+      {"gelu", gelu},
+      {"mish", torch_of("Mish")},
+      {"softplus",
+       torch_of("Softplus", {{0}},
+                {{As::number, "", {1, "beta"}, 1.0}, {As::number, "", {2, "threshold"}, 20.0}})},
+      {"softmax", torch_of("Softmax", {{0}}, {{As::whole, "axis", {1, "dim"}}})},
+      {"argmax",
+       torch_of("ArgMax", {{0}},
+                {{As::whole, "axis", {1, "dim"}}, {As::whole, "keepdims", {2, "keepdim"}, 0.0}})},
+      {"clamp", clamp},
+      {"clip", clamp},
+      {"clamp_min", clamp_min},
+      {"clamp_max", clamp_max},
+      {"hardtanh", hard_tanh},
+      {"relu6", relu6},
+      {"layer_norm", layer_norm},
+      // batch_norm(x, weight, bias, mean, var, training, momentum, eps)
+      {"batch_norm", torch_of("BatchNormalization", {{0}, {1}, {2}, {3}, {4}},
+                              {{As::whole, "", {5, "training"}, 0.0},
+                               {As::number, "epsilon", {7, "eps"}, 1e-5}})},
+      {"mean", mean},
+      {"norm", norm},
+      {"linalg_vector_norm", norm},
+      {"cat", cat},
+      {"concat", cat},
+      {"zeros", zeros},
+      {"ones", zeros},
+      {"zeros_like", zeros},
+      {"ones_like", zeros},
+      {"tensor", number}};
 }
 
 const TorchRow* torch_row(std::string_view name) {
@@ -322,11 +282,10 @@ std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProble
   }
   const TorchRow* row = torch_row(name);
   if (row == nullptr) {
-    problem = {
-        "E0754",
+    return refuse(
+        problem, "E0754",
         fmt::format("calls `{}`, which is not supported ({})", printable(name), call.where()),
-        "export the actor alone, or export it to ONNX with `torch.onnx.export`"};
-    return std::nullopt;
+        "export the actor alone, or export it to ONNX with `torch.onnx.export`");
   }
   auto value = row->run(call);
   if (value) return TorchValue::of(std::move(*value));

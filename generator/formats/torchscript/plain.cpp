@@ -88,9 +88,9 @@ Plain of_shape(const std::string& name, const Arguments& arguments) {
     for (const std::int64_t size : *shape) sizes.push_back(TorchValue::of(size));
     return TorchValue::of(std::move(sizes));
   }
-  const std::int64_t axis = wanted < 0 ? wanted + rank : wanted;
-  if (axis < 0 || axis >= rank) return std::nullopt;
-  return TorchValue::of((*shape)[static_cast<std::size_t>(axis)]);
+  const auto axis = place_in(wanted, rank);
+  if (!axis) return std::nullopt;
+  return TorchValue::of((*shape)[static_cast<std::size_t>(*axis)]);
 }
 
 bool is_one_of(const std::string& name, const auto& names) {

@@ -134,9 +134,7 @@ class TorchReading {
         inputs.push_back(observation_part(made.state, "observation", {1, size}));
         continue;
       }
-      NetValue& input = inputs.emplace_back();
-      input.kind = NetValue::Kind::data;
-      input.shape = Dims{1, size};
+      inputs.push_back(data_value(-1, {1, size}));
       made.state.observed = size;
     }
     made.interpreter.emplace(archive_, made.state, statements_, made.problem);
@@ -152,8 +150,7 @@ class TorchReading {
     std::vector<TorchResult> results;
     add_results(all, "", results);
     const auto fail = [&](const char* code, std::string message, const char* help) {
-      made.problem = {code, std::move(message), help};
-      return nullptr;
+      return refuse(made.problem, code, std::move(message), help);
     };
     if (results.empty()) {
       return fail("E0754", "has a `forward` that returns no tensor",
@@ -241,9 +238,8 @@ class TorchReading {
   /// Buffers that are written hold what cells remember, each its own, from zeros on.
   bool check_states(const TorchTry& made) {
     const auto fail = [&](const std::string& name, const char* what) {
-      problem_ = {"E0756", fmt::format("has a buffer `{}` {}", printable(name), what),
-                  "export the actor with its state as an input and an output, to ONNX"};
-      return false;
+      return refuse(problem_, "E0756", fmt::format("has a buffer `{}` {}", printable(name), what),
+                    "export the actor with its state as an input and an output, to ONNX");
     };
     PolicyProblem ignored;
     const std::vector<NetStep>& steps = made.state.steps;
@@ -255,10 +251,8 @@ class TorchReading {
         return fail(std::string(cell->buffer),
                     "that is changed, and is not the state of a GRU or LSTM");
       for (std::size_t slot = 0; slot < parts.size(); ++slot) {
-        const auto& work =
-            std::get<NetRecurrence>(steps[static_cast<std::size_t>(parts[slot].step)].what);
-        const auto& from = parts[slot].is_cell ? work.c : work.h;
-        const bool is_own = from && from->name.data() == cell->buffer.data() &&
+        const NetStateSource* from = state_before(steps, parts[slot]);
+        const bool is_own = from != nullptr && from->name.data() == cell->buffer.data() &&
                             from->slot == static_cast<std::int64_t>(slot);
         if (!is_own) {
           return fail(std::string(cell->buffer), "that does not come back to the layer it is of");
@@ -272,11 +266,10 @@ class TorchReading {
       }
       kept.insert(cell->buffer.data());
     }
-    for (const NetStep& step : steps) {
-      const auto* work = std::get_if<NetRecurrence>(&step.what);
-      for (int i = 0; work != nullptr && i < 2; ++i) {
-        const auto& from = i == 0 ? work->h : work->c;
-        if (from && !kept.contains(from->name.data())) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      for (const bool is_cell : {false, true}) {
+        const NetStateSource* from = state_before(steps, {static_cast<std::int32_t>(i), is_cell});
+        if (from != nullptr && !kept.contains(from->name.data())) {
           return fail(std::string(from->name),
                       "that a GRU or LSTM starts from and that is not kept");
         }

@@ -60,9 +60,9 @@ class Recurrent {
   }
 
  private:
-  std::optional<TorchValue> fail(const std::string& how) {
+  Refused fail(const std::string& how) {
     problem_ = call_.misused(how);
-    return std::nullopt;
+    return {};
   }
   static bool is_one_step(const NetValue& x) {
     return x.shape && x.shape->size() == 3 && (*x.shape)[0] == 1 && (*x.shape)[1] == 1;
@@ -103,15 +103,13 @@ class Recurrent {
     for (std::size_t i = 0; i < each; ++i) {
       const TorchValue& weight = weights[each * static_cast<std::size_t>(layer) + i];
       if (!weight.is_tensor() || weight.tensor->value.kind != NetValue::Kind::constant) {
-        problem_ = call_.misused("with weights that are computed");
-        return std::nullopt;
+        return fail("with weights that are computed");
       }
       const NetConstant& constant = weight.tensor->value.constant;
       const std::int64_t gates = is_lstm_ ? 4 : 3;
       const std::int64_t count = element_count(constant.dims).value_or(0);
       if (constant.dims.empty() || constant.transposed || count % gates != 0) {
-        problem_ = call_.misused("with weights of an impossible size");
-        return std::nullopt;
+        return fail("with weights of an impossible size");
       }
       if (i >= 2) {
         const auto numbers = read_floats(constant, problem_);
@@ -134,8 +132,7 @@ class Recurrent {
     for (std::size_t i = 0; i < (is_lstm_ ? 2U : 1U); ++i) {
       const TorchValue* state = is_lstm_ && i < states.items.size() ? &states.items[i] : &states;
       if (!state->is_tensor()) {
-        problem_ = call_.misused("with a state that is no tensor");
-        return std::nullopt;
+        return fail("with a state that is no tensor");
       }
       inputs.push_back(state_of(*state->tensor, layer, layers));
     }

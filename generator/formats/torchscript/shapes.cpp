@@ -12,9 +12,7 @@ std::int64_t torch_rank(const NetValue& x) {
   return static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
 }
 std::optional<std::int64_t> torch_axis(const NetValue& x, std::optional<std::int64_t> axis) {
-  if (!axis || !x.shape) return std::nullopt;
-  const std::int64_t place = *axis < 0 ? *axis + torch_rank(x) : *axis;
-  return place >= 0 && place < torch_rank(x) ? std::optional(place) : std::nullopt;
+  return axis ? place_in(*axis, torch_rank(x)) : std::nullopt;
 }
 
 namespace {
@@ -62,11 +60,6 @@ Result flatten(const Torch& call) {
     }
   }
   return call.node("Reshape", {*x}, {{"shape", {}, {}, shape}});
-}
-Result unsqueeze(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto axis = call.list(1, "dim");
-  return x && axis ? Result(call.node("Unsqueeze", {*x}, {{"axes", {}, {}, axis}})) : std::nullopt;
 }
 Result squeeze(const Torch& call) {
   auto x = call.tensor(0);
@@ -206,8 +199,9 @@ Result index_put(const Torch& call) {
   if (!places || places->empty() || !where.shape || where.shape->size() != 1) return std::nullopt;
   const std::int64_t size = (*x->shape)[*axis];
   for (std::int64_t& place : *places) {
-    if (place < -size || place >= size) return std::nullopt;
-    if (place < 0) place += size;
+    const auto found = place_in(place, size);
+    if (!found) return std::nullopt;
+    place = *found;
   }
   Dims shape = *x->shape;
   shape[*axis] = static_cast<std::int64_t>(places->size());
@@ -221,13 +215,24 @@ Result index_put(const Torch& call) {
 }  // namespace
 
 std::vector<TorchRow> torch_shape_rows() {
-  return {
-      {"t", transpose, true},     {"numpy_T", transpose, true},   {"transpose", transpose, true},
-      {"permute", permute, true}, {"reshape", reshape, true},     {"view", reshape, true},
-      {"flatten", flatten, true}, {"unsqueeze", unsqueeze, true}, {"squeeze", squeeze, true},
-      {"expand", expand, true},   {"expand_as", expand, true},    {"slice", slice, true},
-      {"narrow", narrow, true},   {"select", select, true},       {"index", index},
-      {"index_put", index_put},   {"index_select", index_select}};
+  return {{"t", transpose, true},
+          {"numpy_T", transpose, true},
+          {"transpose", transpose, true},
+          {"permute", permute, true},
+          {"reshape", reshape, true},
+          {"view", reshape, true},
+          {"flatten", flatten, true},
+          {"unsqueeze", torch_of("Unsqueeze", {{0}}, {{TorchGiven::As::list, "axes", {1, "dim"}}}),
+           true},
+          {"squeeze", squeeze, true},
+          {"expand", expand, true},
+          {"expand_as", expand, true},
+          {"slice", slice, true},
+          {"narrow", narrow, true},
+          {"select", select, true},
+          {"index", index},
+          {"index_put", index_put},
+          {"index_select", index_select}};
 }
 
 std::optional<TorchValue> torch_parts(const Torch& call) {

@@ -54,12 +54,11 @@ class Parser {
     next();
     return true;
   }
-  bool fail(const std::string& what) {
-    problem_ = {"E0753",
-                fmt::format("has code that is not understood: {} (line {} of {})", what, now().line,
-                            printable(file_)),
-                "export the actor to ONNX with `torch.onnx.export`"};
-    return false;
+  Refused fail(const std::string& what) {
+    return refuse(problem_, "E0753",
+                  fmt::format("has code that is not understood: {} (line {} of {})", what,
+                              now().line, printable(file_)),
+                  "export the actor to ONNX with `torch.onnx.export`");
   }
   bool want(std::string_view text) {
     return take(text) || fail(fmt::format("`{}` is expected before `{}`", text,

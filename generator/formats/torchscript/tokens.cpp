@@ -100,12 +100,11 @@ class Tokenizer {
     return true;
   }
 
-  bool fail(const char* what) {
-    problem_ = {"E0753",
-                fmt::format("has code that is not understood: {} (line {} of {})", what, line_,
-                            printable(file_)),
-                "the file is damaged: export the actor again"};
-    return false;
+  Refused fail(const char* what) {
+    return refuse(problem_, "E0753",
+                  fmt::format("has code that is not understood: {} (line {} of {})", what, line_,
+                              printable(file_)),
+                  "the file is damaged: export the actor again");
   }
 
   std::string_view text_;

@@ -2,9 +2,8 @@
 // values.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -105,13 +104,10 @@ class TorchCall {
   /// A list of whole numbers, or one alone.
   [[nodiscard]] std::optional<Integers> list(std::size_t i, std::string_view name = {}) const;
 
-  /// The operator that ONNX calls `type`: its output `output`.
+  /// The first output of the operator that ONNX calls `type`.
   [[nodiscard]] NetValue node(const char* type, const std::vector<NetValue>& inputs,
-                              std::vector<NetAttribute> attributes = {}, int output = 0) const;
-  /// The same of the arguments 0 and `other`; nothing if one of them is no tensor.
-  [[nodiscard]] std::optional<NetValue> node_of_two(const char* type) const;
+                              std::vector<NetAttribute> attributes = {}) const;
   [[nodiscard]] NetValue constant(const std::vector<float>& numbers, const Dims& dims) const;
-  [[nodiscard]] NetValue integers(const Integers& values) const;
   [[nodiscard]] NetCall::State& state() const { return state_; }
   [[nodiscard]] const std::string& where() const { return where_; }
 
@@ -129,12 +125,35 @@ class TorchCall {
 /// The result of an operator; nothing, and a problem, if it is not known or not used as it can be.
 std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProblem& problem);
 
+/// What an operator does; nothing if it is not used as it can be.
+using TorchRun = std::function<std::optional<NetValue>(const TorchCall&)>;
+
 /// All there is to say of one operator.
 struct TorchRow {
   std::string_view name;
-  std::optional<NetValue> (*run)(const TorchCall&);
+  TorchRun run;
   bool is_view = false;  // the result lies in the memory of the first argument
 };
+
+/// Argument `at`, or the one of that name.
+struct TorchArgument {
+  std::size_t at = 0;
+  std::string_view name{};
+};
+/// An attribute of ONNX's operator that an argument says.
+struct TorchGiven {
+  enum class As : std::uint8_t { whole, number, list };
+  As as = As::whole;
+  std::string_view attribute;  // empty: there is none, so that the argument must be `otherwise`
+  TorchArgument argument;
+  std::optional<double> otherwise{};  // if it is left out; nothing: it must be there
+};
+/// ONNX's operator `type` of these tensors, in its order.
+TorchRun torch_of(const char* type, std::vector<TorchArgument> tensors = {{}},
+                  std::vector<TorchGiven> given = {});
+/// Of the first argument and `other`.
+TorchRun torch_of_two(const char* type);
+
 /// Operators that compute (operators.cpp), that shape, pick and reorder (shapes.cpp), over images
 /// and sequences (images.cpp), that compare and pick (conditions.cpp).
 std::vector<TorchRow> torch_plain_rows();
@@ -143,23 +162,6 @@ std::vector<TorchRow> torch_image_rows();
 std::vector<TorchRow> torch_condition_rows();
 /// The row of `name`; nullptr for others, and for those with several results.
 const TorchRow* torch_row(std::string_view name);
-
-/// ONNX's operator `Type` of one argument or of two.
-template <std::size_t Size>
-struct TorchName {
-  // NOLINTNEXTLINE(google-explicit-constructor): a text is the name
-  consteval TorchName(const char (&name)[Size]) { std::copy_n(name, Size, text.begin()); }
-  std::array<char, Size> text{};
-};
-template <TorchName Type>
-std::optional<NetValue> torch_of_one(const TorchCall& call) {
-  const auto x = call.tensor(0);
-  return x ? std::optional(call.node(Type.text.data(), {*x})) : std::nullopt;
-}
-template <TorchName Type>
-std::optional<NetValue> torch_of_two(const TorchCall& call) {
-  return call.node_of_two(Type.text.data());
-}
 
 /// Neighbouring parts along an axis, as a list: split and chunk.
 std::optional<TorchValue> torch_parts(const TorchCall& call);

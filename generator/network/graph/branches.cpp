@@ -23,11 +23,8 @@ NetValue function(const NetCall& call) {
 /// Over the last axis.
 NetValue norm(const NetCall& call) {
   const NetValue& x = call.input(0);
-  const auto axes = call.integers(1, "axes");
-  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
-  const bool last =
-      axes && axes->size() == 1 && rank > 0 && (axes->front() == -1 || axes->front() == rank - 1);
-  if (x.kind != Kind::data || !last) return call.misused("that is not over the last axis");
+  if (x.kind != Kind::data || !is_over_last_axis(call))
+    return call.misused("that is not over the last axis");
   Dims shape = *x.shape;
   shape.back() = 1;
   if (call.integer("keepdims", 1) == 0) shape.pop_back();
@@ -57,10 +54,7 @@ std::optional<NetValue> materialized(const NetCall& call, const NetValue& value)
       part.role == Role::mean || part.role == Role::square || part.role == Role::centred;
   if (value.kind != Kind::other || !simple || !value.shape) return std::nullopt;
   const std::int64_t count = call.count_after(part.of);
-  NetValue x;
-  x.kind = Kind::data;
-  x.step = part.of;
-  x.shape = part.role == Role::mean ? Dims{count} : *value.shape;
+  const NetValue x = data_value(part.of, part.role == Role::mean ? Dims{count} : *value.shape);
   NetValue result;
   if (part.role == Role::square) {
     result = call.data_of({x, x}, Combination::Operation::product, *value.shape);

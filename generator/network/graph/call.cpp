@@ -60,10 +60,8 @@ std::optional<Dims> NetCall::common_shape() const {
 }
 
 std::optional<std::size_t> NetCall::axis(std::size_t rank, std::int64_t otherwise) const {
-  const auto count = static_cast<std::int64_t>(rank);
-  const std::int64_t given = integer("axis", otherwise);
-  if (given < -count || given >= count) return std::nullopt;
-  return static_cast<std::size_t>(given < 0 ? given + count : given);
+  const auto place = place_in(integer("axis", otherwise), static_cast<std::int64_t>(rank));
+  return place ? std::optional(static_cast<std::size_t>(*place)) : std::nullopt;
 }
 
 const NetStep* NetCall::step_of(const NetValue& data) const {
@@ -106,10 +104,7 @@ NetValue NetCall::data_after(std::int32_t before, NetWork what, Dims shape) cons
          fmt::format("has {} values after {}; at most {} are possible", count, who(), kMaxValues),
          "use a smaller network"});
   }
-  NetValue value;
-  value.kind = NetValue::Kind::data;
-  value.shape = std::move(shape);
-  value.step = static_cast<std::int32_t>(state_.steps.size());
+  NetValue value = data_value(static_cast<std::int32_t>(state_.steps.size()), std::move(shape));
   state_.steps.push_back({before, std::move(what), printable(node_.name), count});
   return value;
 }
@@ -128,6 +123,14 @@ NetValue NetCall::data_of(const std::vector<NetValue>& values, Combination::Oper
   return result;
 }
 
+NetValue data_value(std::int32_t step, Dims shape) {
+  NetValue value;
+  value.kind = NetValue::Kind::data;
+  value.step = step;
+  value.shape = std::move(shape);
+  return value;
+}
+
 std::optional<float> scalar_of(const NetValue& value) {
   PolicyProblem ignored;
   if (value.kind != NetValue::Kind::constant || element_count(value.constant.dims) != 1) {
@@ -135,6 +138,14 @@ std::optional<float> scalar_of(const NetValue& value) {
   }
   const auto numbers = read_floats(value.constant, ignored);
   return numbers ? std::optional(numbers->front()) : std::nullopt;
+}
+
+bool is_over_last_axis(const NetCall& call) {
+  const NetValue& x = call.input(0);
+  const auto axes = call.integers(1, "axes");
+  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
+  return axes && axes->size() == 1 && rank > 0 &&
+         (axes->front() == -1 || axes->front() == rank - 1);
 }
 
 std::optional<std::vector<std::int64_t>> integers_of(const NetValue& value) {

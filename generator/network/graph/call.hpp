@@ -45,6 +45,9 @@ struct NetNode {
   [[nodiscard]] bool is_usual() const { return domain.empty() || domain == "ai.onnx"; }
 };
 
+/// The observation after `step`, in this shape; -1: the observation itself.
+NetValue data_value(std::int32_t step, Dims shape);
+
 /// What an operator sees.
 class NetCall {
  public:

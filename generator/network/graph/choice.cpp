@@ -71,8 +71,9 @@ NetValue reduction(const NetCall& call) {
   const bool all = !axes || axes->empty();
   if (all && call.integer("noop_with_empty_axes", 0) == 0) shape.assign(shape.size(), 1);
   for (const std::int64_t axis : axes.value_or(std::vector<std::int64_t>{})) {
-    if (axis < -rank || axis >= rank) return call.misused("with axes that are not there");
-    shape[static_cast<std::size_t>(axis < 0 ? axis + rank : axis)] = 1;
+    const auto place = place_in(axis, rank);
+    if (!place) return call.misused("with axes that are not there");
+    shape[static_cast<std::size_t>(*place)] = 1;
   }
   if (call.integer("keepdims", 1) == 0) return call.misused("on the way to the action");
   return call.misused("on the way to the action", shape);
@@ -118,9 +119,7 @@ std::optional<NetValue> exact_of(const NetValue& value) {
   if (value.kind != Kind::other || value.part.role != Role::ordered || value.part.exact < 0) {
     return std::nullopt;
   }
-  NetValue exact;
-  exact.kind = Kind::data;
-  exact.step = value.part.exact;
+  NetValue exact = data_value(value.part.exact, {});
   exact.shape = value.shape;
   exact.time = value.time;
   return exact;

@@ -73,42 +73,11 @@ NetValue less_or_equal(const NetCall& call) {
   return or_unknown(call, opposite(call, above(call, call.input(0), call.input(1))));
 }
 
-/// Whether integer list `i` of a shape's calculation is as long as `count`, or one alone.
-bool fits(const std::optional<Integers>& values, std::size_t count) {
-  return values && (values->size() == count || values->size() == 1);
-}
-std::int64_t at(const Integers& values, std::size_t i) {
-  return values[values.size() == 1 ? 0 : i];
-}
-
-/// Of sizes: exporters compare a shape with -1.
-Result of_integers(const NetCall& call,
-                   std::int64_t (*pick)(const std::vector<std::int64_t>& given)) {
-  std::vector<std::optional<Integers>> inputs;
-  std::size_t count = 1;
-  for (std::size_t i = 0; i < call.input_count(); ++i) {
-    inputs.push_back(integers_of(call.input(i)));
-    if (inputs.back()) count = std::max(count, inputs.back()->size());
-  }
-  const auto shape = call.common_shape();
-  const bool known = shape && element_count(*shape) == static_cast<std::int64_t>(count) &&
-                     count <= kMaxRank &&
-                     std::ranges::all_of(inputs, [&](const auto& one) { return fits(one, count); });
-  if (!known) return std::nullopt;
-  Integers result;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::vector<std::int64_t> given;
-    given.reserve(inputs.size());
-    for (const auto& one : inputs) given.push_back(at(*one, i));
-    result.push_back(pick(given));
-  }
-  return integers_value(std::move(result), *shape);
-}
-
+/// Of sizes, too: exporters compare a shape with -1.
 NetValue equal(const NetCall& call) {
-  const auto same = [](const std::vector<std::int64_t>& x) -> std::int64_t { return x[0] == x[1]; };
+  const auto same = [](const Integers& x) -> std::int64_t { return x[0] == x[1] ? 1 : 0; };
   if (call.input_count() != 2) return unknown(call);
-  if (const auto sizes = of_integers(call, same)) return *sizes;
+  if (const auto sizes = each_of_integers(call, 2, same)) return *sizes;
   const Result off = difference(call, call.input(0), call.input(1));
   return or_unknown(call, off ? opposite(call, is_not_zero(call, *off)) : std::nullopt);
 }
@@ -174,9 +143,9 @@ Result chosen(const NetCall& call, const NetValue& condition, const NetValue& a,
 }
 
 NetValue where(const NetCall& call) {
-  const auto pick = [](const std::vector<std::int64_t>& x) { return x[0] != 0 ? x[1] : x[2]; };
+  const auto pick = [](const Integers& x) { return x[0] != 0 ? x[1] : x[2]; };
   if (call.input_count() != 3) return unknown(call);
-  if (const auto sizes = of_integers(call, pick)) return *sizes;
+  if (const auto sizes = each_of_integers(call, 3, pick)) return *sizes;
   for (std::size_t i = 1; i < 3; ++i) {
     PolicyProblem problem;
     const NetValue& value = call.input(i);

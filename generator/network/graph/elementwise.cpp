@@ -23,21 +23,6 @@ bool is_all_zero(const NetConstant& constant) {
   return values && std::all_of(values->begin(), values->end(), [](float v) { return v == 0.0F; });
 }
 
-/// The data and the constant of an operator of two inputs; nothing if it has others.
-struct Operands {
-  const NetValue& data;
-  const NetValue& constant;
-  bool data_left;
-};
-
-std::optional<Operands> operands_of(const NetCall& call) {
-  const NetValue& a = call.input(0);
-  const NetValue& b = call.input(1);
-  if (a.kind == Kind::data && b.kind == Kind::constant) return Operands{a, b, true};
-  if (a.kind == Kind::constant && b.kind == Kind::data) return Operands{b, a, false};
-  return std::nullopt;
-}
-
 NetValue with_constant(const NetCall& call, Operation operation) {
   const std::optional<Dims> shape = broadcast(call.input(0).shape, call.input(1).shape);
   const auto operands = operands_of(call);
@@ -260,6 +245,14 @@ NetValue batch_normalization(const NetCall& call) {
 }
 
 }  // namespace
+
+std::optional<NetOperands> operands_of(const NetCall& call) {
+  const NetValue& a = call.input(0);
+  const NetValue& b = call.input(1);
+  if (a.kind == Kind::data && b.kind == Kind::constant) return NetOperands{a, b, true};
+  if (a.kind == Kind::constant && b.kind == Kind::data) return NetOperands{b, a, false};
+  return std::nullopt;
+}
 
 NetValue made_constant(const NetCall& call, const std::vector<float>& numbers, const Dims& shape) {
   return constant_value(made_tensor(call.state().made, call.node().output, numbers, shape));

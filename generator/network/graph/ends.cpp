@@ -12,10 +12,7 @@ NetValue observation_part(NetCall::State& state, const std::string& name, Dims s
   Reorder order;
   order.from.resize(static_cast<std::size_t>(count));
   std::iota(order.from.begin(), order.from.end(), static_cast<std::uint32_t>(state.observed));
-  NetValue part;
-  part.kind = NetValue::Kind::data;
-  part.shape = std::move(shape);
-  part.step = static_cast<std::int32_t>(state.steps.size());
+  NetValue part = data_value(static_cast<std::int32_t>(state.steps.size()), std::move(shape));
   state.steps.push_back({-1, NetLayer{std::move(order)}, printable(name), count});
   state.observed += count;
   return part;
@@ -31,6 +28,13 @@ std::optional<NetAction> action_of(const NetValue& value, const char* help,
   if (result.part.role == NetPart::Role::choice) return NetAction{result.part.of, true};
   problem = result.problem;
   return std::nullopt;
+}
+
+const NetStateSource* state_before(const std::vector<NetStep>& steps, const NetRemembered& part) {
+  const auto* work = std::get_if<NetRecurrence>(&steps[static_cast<std::size_t>(part.step)].what);
+  if (work == nullptr) return nullptr;
+  const auto& from = part.is_cell ? work->c : work->h;
+  return from ? &*from : nullptr;
 }
 
 }  // namespace eagerx::gen

@@ -18,4 +18,8 @@ struct NetAction {
 /// What `value` is as an action; E0620 with `help` if it is constant, or why it is none.
 std::optional<NetAction> action_of(const NetValue& value, const char* help, PolicyProblem& problem);
 
+/// Where the layer of `part` takes that part of its state from; nullptr if it starts from zeros, or
+/// has no memory.
+const NetStateSource* state_before(const std::vector<NetStep>& steps, const NetRemembered& part);
+
 }  // namespace eagerx::gen

@@ -9,30 +9,13 @@ namespace {
 
 using Kind = NetValue::Kind;
 
-/// Sizes that are calculated from a shape.
+/// Sizes that are calculated from a shape, as far as 30 bits hold them.
 std::optional<NetValue> folded_integers(const NetCall& call, const NetFolding& folding) {
   constexpr std::int64_t kLargest = std::int64_t{1} << 30U;
   const auto is_usual = [](std::int64_t x) { return x <= kLargest && x >= -kLargest; };
-  const auto a = integers_of(call.input(0));
-  const auto b = integers_of(call.input(1));
-  if (!a || !b || a->empty() || b->empty() || a->size() > kMaxRank || b->size() > kMaxRank) {
-    return std::nullopt;
-  }
-  const std::size_t count = std::max(a->size(), b->size());
-  if ((a->size() != 1 && a->size() != count) || (b->size() != 1 && b->size() != count)) {
-    return std::nullopt;
-  }
-  const auto shape = broadcast(call.input(0).shape, call.input(1).shape);
-  if (!shape || element_count(*shape) != static_cast<std::int64_t>(count)) return std::nullopt;
-  std::vector<std::int64_t> result;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::int64_t x = (*a)[a->size() == 1 ? 0 : i];
-    const std::int64_t y = (*b)[b->size() == 1 ? 0 : i];
-    const auto value = is_usual(x) && is_usual(y) ? folding.integers(x, y) : std::nullopt;
-    if (!value) return std::nullopt;
-    result.push_back(*value);
-  }
-  return integers_value(std::move(result), *shape);
+  return each_of_integers(call, 2, [&](const Integers& x) {
+    return is_usual(x[0]) && is_usual(x[1]) ? folding.integers(x[0], x[1]) : std::nullopt;
+  });
 }
 
 std::optional<std::vector<float>> numbers_of(const NetValue& value) {
@@ -42,6 +25,34 @@ std::optional<std::vector<float>> numbers_of(const NetValue& value) {
 }
 
 }  // namespace
+
+std::optional<NetValue> each_of_integers(const NetCall& call, std::size_t inputs,
+                                         const NetPick& pick) {
+  std::vector<Integers> given;
+  std::size_t count = 1;
+  std::optional<Dims> shape = Dims{};
+  for (std::size_t i = 0; i < inputs; ++i) {
+    const auto values = integers_of(call.input(i));
+    if (!values) return std::nullopt;
+    given.push_back(*values);
+    count = std::max(count, values->size());
+    shape = broadcast(shape, call.input(i).shape);
+  }
+  const auto fits = [&](const Integers& one) { return one.size() == count || one.size() == 1; };
+  if (!shape || element_count(*shape) != static_cast<std::int64_t>(count) || count > kMaxRank ||
+      !std::ranges::all_of(given, fits)) {
+    return std::nullopt;
+  }
+  Integers result;
+  for (std::size_t i = 0; i < count; ++i) {
+    Integers row;
+    for (const Integers& one : given) row.push_back(one[one.size() == 1 ? 0 : i]);
+    const auto value = pick(row);
+    if (!value) return std::nullopt;
+    result.push_back(*value);
+  }
+  return integers_value(std::move(result), *shape);
+}
 
 std::vector<float> broadcast_to(const std::vector<float>& values, const Dims& from,
                                 const Dims& to) {

@@ -102,16 +102,12 @@ class Formula {
 
   Result mean() const {
     if (!is_data(a_) && !is(a_, Role::centred_square)) return std::nullopt;
-    const auto axes = call_.integers(1, "axes");
     const Dims& dims = *a_.shape;
-    const auto rank = static_cast<std::int64_t>(dims.size());
-    const bool last = axes && axes->size() == 1 && rank > 0 &&
-                      (axes->front() == -1 || axes->front() == rank - 1) &&
-                      element_count(dims) == dims.back() && call_.integer("keepdims", 1) != 0;
-    if (!last) return std::nullopt;
+    const bool whole = is_over_last_axis(call_) && element_count(dims) == dims.back() &&
+                       call_.integer("keepdims", 1) != 0;
+    if (!whole) return std::nullopt;
     if (is(a_, Role::centred_square)) return change(a_, Role::variance);
-    NetValue value = part(Role::mean, a_.step, Dims(dims.size(), 1));
-    return value;
+    return part(Role::mean, a_.step, Dims(dims.size(), 1));
   }
   Result subtract() const {
     const bool fits = is_data(a_) && is(b_, Role::mean) && b_.part.of == a_.step;

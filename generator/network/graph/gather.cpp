@@ -23,10 +23,10 @@ NetValue picked_by_list(const NetCall& call, const NetValue& x, std::size_t axis
   Reorder order;
   for (std::int64_t o = 0; o < outer; ++o) {
     for (const std::int64_t index : which) {
-      const std::int64_t place = index < 0 ? index + size : index;
-      if (place < 0 || place >= size) return call.misused("with an index that is not there");
+      const auto place = place_in(index, size);
+      if (!place) return call.misused("with an index that is not there");
       for (std::int64_t i = 0; i < inner; ++i) {
-        order.from.push_back(static_cast<std::uint32_t>((o * size + place) * inner + i));
+        order.from.push_back(static_cast<std::uint32_t>((o * size + *place) * inner + i));
       }
     }
   }
@@ -49,10 +49,9 @@ NetValue gather_values(const NetCall& call, const NetValue& x) {
       x.kind == Kind::data && which && which->size() > 1 && form && form->size() == 1 && axis;
   if (has_many) return picked_by_list(call, x, *axis, *which);
   if (!one || !axis) return call.misused("of several values");
-  const std::int64_t size = (*x.shape)[*axis];
-  const std::int64_t index = which->front() < 0 ? which->front() + size : which->front();
-  if (index < 0 || index >= size) return call.misused("with an index that is not there");
-  return picked(call, x, *axis, index, 1, 1, !form->empty());
+  const auto index = place_in(which->front(), (*x.shape)[*axis]);
+  if (!index) return call.misused("with an index that is not there");
+  return picked(call, x, *axis, *index, 1, 1, !form->empty());
 }
 
 NetValue gather(const NetCall& call) {
@@ -70,8 +69,9 @@ NetValue gather(const NetCall& call) {
   Integers picked;
   const auto size = static_cast<std::int64_t>(from->size());
   for (const std::int64_t index : *indices) {
-    if (index < -size || index >= size) return call.misused("with an index that is not there");
-    picked.push_back((*from)[static_cast<std::size_t>(index < 0 ? index + size : index)]);
+    const auto place = place_in(index, size);
+    if (!place) return call.misused("with an index that is not there");
+    picked.push_back((*from)[static_cast<std::size_t>(*place)]);
   }
   return integers_value(std::move(picked), *call.input(1).shape);
 }

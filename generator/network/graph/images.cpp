@@ -229,10 +229,9 @@ NetValue reduce_mean(const NetCall& call) {
   const NetValue& x = call.input(0);
   auto axes = call.integers(1, "axes");
   if (x.kind == Kind::data && axes && axes->size() == 1) {
-    const auto size = static_cast<std::int64_t>(x.shape->size());
-    const std::int64_t axis = axes->front() < 0 ? axes->front() + size : axes->front();
-    if (axis < 0 || axis >= size) return call.misused("with axes that are not there");
-    if (size != 3 || axis != 2) return mean_along(call, axis);
+    const auto axis = place_in(axes->front(), rank_of(x));
+    if (!axis) return call.misused("with axes that are not there");
+    if (rank_of(x) != 3 || *axis != 2) return mean_along(call, *axis);
   }
   if (!is_image(x) || !axes || axes->size() + 2 != x.shape->size()) {
     return call.misused("that is neither of a LayerNorm nor of an image", x.shape);
@@ -240,8 +239,9 @@ NetValue reduce_mean(const NetCall& call) {
   const auto rank = static_cast<std::int64_t>(x.shape->size());
   std::int64_t sum = 0;
   for (const std::int64_t axis : *axes) {
-    if (axis < -rank || axis >= rank) return call.misused("with axes that are not there");
-    sum += axis < 0 ? axis + rank : axis;
+    const auto place = place_in(axis, rank);
+    if (!place) return call.misused("with axes that are not there");
+    sum += *place;
   }
   if (sum != (rank == 4 ? 5 : 2)) return call.misused("over other axes than an image's");
   NetValue value = pool(call, Pooling::Kind::average, true);

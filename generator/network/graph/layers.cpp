@@ -89,11 +89,9 @@ NetValue gemm(const NetCall& call) {
   const NetValue& c = call.input(2);
   const bool trans_a = call.integer("transA", 0) != 0;
   const bool trans_b = call.integer("transB", 0) != 0;
-  const bool data_left = a.kind == Kind::data && b.kind == Kind::constant;
-  const bool data_right = a.kind == Kind::constant && b.kind == Kind::data;
-  if (!data_left && !data_right) return call.misused("without exactly one constant matrix");
-  const NetValue& data = data_left ? a : b;
-  const NetValue& matrix = data_left ? b : a;
+  const auto operands = operands_of(call);
+  if (!operands) return call.misused("without exactly one constant matrix");
+  const auto& [data, matrix, data_left] = *operands;
   // y = x B is W = B^T; y = A x is W = A.
   const bool transposed = data_left ? !trans_b : trans_a;
   const bool has_rows = data_left && !trans_a && data.shape->size() == 2 &&
@@ -127,17 +125,16 @@ NetValue gemm(const NetCall& call) {
 NetValue matmul(const NetCall& call) {
   const NetValue& a = call.input(0);
   const NetValue& b = call.input(1);
-  const bool data_left = a.kind == Kind::data && b.kind == Kind::constant;
-  const bool data_right = a.kind == Kind::constant && b.kind == Kind::data;
-  if (!data_left && !data_right) return call.misused("without exactly one constant matrix");
-  const NetValue& data = data_left ? a : b;
-  const NetConstant& matrix = (data_left ? b : a).constant;
+  const auto operands = operands_of(call);
+  if (!operands) return call.misused("without exactly one constant matrix");
+  const auto& [data, constant, data_left] = *operands;
+  const NetConstant& matrix = constant.constant;
   Dims result = *data.shape;
   // Left [..., 1, K] or [K]; right [K, 1] or [K]: one vector, not a batch of them.
   const std::size_t along = data_left ? result.size() - 1 : 0;
   const bool vector = !result.empty() && element_count(result) == result[along];
   const bool has_rows = data_left && result.size() > 1;
-  if (matrix.dims.size() != 2 || (!vector && !has_rows) || (data_right && result.size() > 2)) {
+  if (matrix.dims.size() != 2 || (!vector && !has_rows) || (!data_left && result.size() > 2)) {
     return call.misused(fmt::format("on shapes {} and {}, not a matrix and one row of values",
                                     show(*a.shape), show(*b.shape)));
   }

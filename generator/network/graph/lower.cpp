@@ -75,9 +75,8 @@ class LayerBuilder {
   /// Whether what follows may become a part of the layer before: nobody else takes its result.
   bool may_extend() const { return takes_.front() >= 0 && !is_shared_; }
 
-  bool fail(const char* code, std::string message, std::string help = kLayersHelp) {
-    problem_ = {code, std::move(message), std::move(help)};
-    return false;
+  Refused fail(const char* code, std::string message, std::string help = kLayersHelp) {
+    return refuse(problem_, code, std::move(message), std::move(help));
   }
 
   bool add(const NetLayer& work) {
@@ -299,8 +298,7 @@ std::optional<std::vector<Layer>> make_layers(const std::vector<NetStep>& steps,
     computes = computes || step.form<Reorder>() == nullptr;
   }
   if (!computes) {
-    problem = {"E0620", "has no layer between its input and its action", kLayersHelp};
-    return std::nullopt;
+    return refuse(problem, "E0620", "has no layer between its input and its action", kLayersHelp);
   }
   return builder.take();
 }

@@ -1,6 +1,7 @@
 // The rows of operators, one each, and what they share.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -74,6 +75,16 @@ std::vector<NetOperator> condition_operators();
 /// The result of an operator all of whose inputs are constants, if it can be calculated.
 std::optional<NetValue> folded(const NetCall& call, const NetFolding& folding);
 
+/// Whether the call reduces the last axis of its input, and no other.
+bool is_over_last_axis(const NetCall& call);
+
+/// What becomes of a number of each input; nothing if it is not known.
+using NetPick = std::function<std::optional<std::int64_t>(const Integers& given)>;
+/// The first `inputs` inputs, which are lists of integers, number by number, with NumPy's
+/// broadcasting; nothing if they are something else, or do not fit.
+std::optional<NetValue> each_of_integers(const NetCall& call, std::size_t inputs,
+                                         const NetPick& pick);
+
 /// The small integers a value stands for, if it does.
 std::optional<Integers> integers_of(const NetValue& value);
 
@@ -92,6 +103,14 @@ bool fits_as_bias(const NetValue& bias, const Dims& result, std::int64_t outputs
 
 /// The constant as one number, if it is a single finite one.
 std::optional<float> scalar_of(const NetValue& value);
+
+/// The data and the constant of an operator of two inputs; nothing if it has others.
+struct NetOperands {
+  const NetValue& data;
+  const NetValue& constant;
+  bool data_left;
+};
+std::optional<NetOperands> operands_of(const NetCall& call);
 
 /// x op c as one more step; nothing if c cannot be broadcast to x.
 std::optional<NetValue> elementwise_step(const NetCall& call, const NetValue& data,

@@ -267,11 +267,9 @@ NetValue slice(const NetCall& call) {
   if (from && !is_list(x)) return call.misused("on values that are not a shape");
   const Dims dims = x.shape.value_or(Dims{});
   const auto rank = static_cast<std::int64_t>(dims.size());
-  if (axes->size() != 1 || axes->front() < -rank || axes->front() >= rank || step < 1) {
-    return call.misused("with axes or steps that are not there");
-  }
-  const auto axis =
-      static_cast<std::size_t>(axes->front() < 0 ? axes->front() + rank : axes->front());
+  const auto given = axes->size() == 1 ? place_in(axes->front(), rank) : std::nullopt;
+  if (!given || step < 1) return call.misused("with axes or steps that are not there");
+  const auto axis = static_cast<std::size_t>(*given);
   const std::int64_t size = dims[axis];
   const auto place = [size](std::int64_t at) {
     return std::clamp<std::int64_t>(at < 0 ? (at < -size ? 0 : at + size) : at, 0, size);

@@ -189,9 +189,9 @@ std::optional<Integers> axes_of(const NetCall& call, std::size_t rank) {
   std::optional<Integers> axes = call.integers(1, "axes");
   if (!axes || axes->size() > kMaxRank) return std::nullopt;
   for (std::int64_t& axis : *axes) {
-    const auto limit = static_cast<std::int64_t>(rank);
-    if (axis < -limit || axis >= limit) return std::nullopt;
-    if (axis < 0) axis += limit;
+    const auto place = place_in(axis, static_cast<std::int64_t>(rank));
+    if (!place) return std::nullopt;
+    axis = *place;
   }
   std::sort(axes->begin(), axes->end());
   return axes;

@@ -89,4 +89,16 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return best != nullptr ? *best : std::string();
 }
 
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+  const std::string near = nearest_name(name, known);
+  return near.empty() ? near : "did you mean `" + near + "`?";
+}
+
+std::string suggestion(std::string_view name, const std::vector<std::string>& known) {
+  if (std::string near = did_you_mean(name, known); !near.empty()) return near;
+  std::string all;
+  for (const std::string& each : known) all += (all.empty() ? "there is " : ", ") + each;
+  return all;
+}
+
 }  // namespace eagerx::host

@@ -12,4 +12,9 @@ namespace eagerx::host {
 /// none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
+/// "did you mean `…`?" with it, or empty.
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
+/// The same, or "there is A, B, C"; empty if nothing is known.
+std::string suggestion(std::string_view name, const std::vector<std::string>& known);
+
 }  // namespace eagerx::host

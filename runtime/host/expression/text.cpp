@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/expression/text.hpp>
 #include <utility>
 
@@ -132,14 +131,6 @@ std::string Text::next() {
 
 void Text::fail(std::size_t place, std::string message, std::string help) {
   if (good()) problem_ = {place, std::move(message), std::move(help)};
-}
-
-std::string Text::suggest(const std::string& word, const std::vector<std::string>& known) {
-  const std::string near = host::nearest_name(word, known);
-  if (!near.empty()) return "did you mean `" + near + "`?";
-  std::string all;
-  for (const std::string& each : known) all += (all.empty() ? "there is " : ", ") + each;
-  return all;
 }
 
 Text::Nested::Nested(Text& text) : text_(text) {

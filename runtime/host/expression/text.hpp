@@ -49,8 +49,6 @@ class Text {
 
   /// A problem at this place.
   void fail(std::size_t place, std::string message, std::string help = {});
-  /// "did you mean `…`?", else what there is.
-  static std::string suggest(const std::string& word, const std::vector<std::string>& known);
 
   /// Counts how deep a descent is, so that no text can exhaust the stack.
   struct Nested {

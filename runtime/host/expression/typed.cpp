@@ -2,6 +2,7 @@
 #include <array>
 #include <numbers>
 #include <numeric>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/expression/typed.hpp>
 #include <utility>
 
@@ -151,7 +152,7 @@ class Typer {
       std::vector<std::string> known;
       for (const Variable& variable : names_.variables) known.push_back(variable.name);
       known.insert(known.end(), {"time", "pi"});
-      help = Text::suggest(tree.text, known);
+      help = host::suggestion(tree.text, known);
     }
     fail(tree.begin, "unknown name " + quoted(tree.text), std::move(help));
   }
@@ -287,7 +288,7 @@ class Typer {
     std::vector<std::string> known = {"sum", "norm",     "mean",   "min",
                                       "max", "angle_of", "before", "where"};
     for (const Function& each : kFunctions) known.emplace_back(each.name);
-    fail(tree.begin, "unknown function " + quoted(name), Text::suggest(name, known));
+    fail(tree.begin, "unknown function " + quoted(name), host::suggestion(name, known));
     return {};
   }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <eagerx/random.hpp>
 #include <limits>
-#include <numeric>
+#include <runtime/host/base/nearest.hpp>
 #include <set>
 #include <utility>
 
@@ -28,33 +28,14 @@ std::vector<std::string> columns_of(const std::vector<Space>& states) {
   return names;
 }
 
-/// Letters to insert, remove or replace (Levenshtein).
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t above = row[j + 1];
-      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0U : 1U)});
-      diagonal = above;
-    }
-  }
-  return row.back();
-}
-
 [[noreturn]] void refuse_name(const std::string& name, const Description& description) {
-  std::string near;
   std::vector<std::string> names;
-  for (const Space& state : description.states) {
-    names.push_back(state.name);
-    if (near.empty() || distance(name, state.name) < distance(name, near)) near = state.name;
-  }
+  for (const Space& state : description.states) names.push_back(state.name);
   const std::string write =
       "a state that can be varied is under `states:` of the graph, a delay has "
       "a range in the graph: what is only in `config:` is compiled in";
-  const bool is_near = !near.empty() && distance(name, near) <= 2;
-  const std::string help = is_near ? fmt::format("did you mean `{}`?", near)
+  const std::string near = host::did_you_mean(name, names);
+  const std::string help = !near.empty() ? near
                            : names.empty()
                                ? "this graph has nothing to vary; " + write
                                : fmt::format("there is {}; {}", fmt::join(names, ", "), write);

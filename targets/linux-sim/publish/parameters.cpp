@@ -109,9 +109,8 @@ std::string Parameters::set(ClientId client, const ClientMessage::Parameter& wan
   if (found == known_.end()) {
     std::vector<std::string> names;
     for (const Known& each : known_) names.push_back(each.name);
-    const std::string near = host::nearest_name(wanted.name, names);
-    return "there is no parameter `" + wanted.name + "`" +
-           (near.empty() ? "" : "; did you mean `" + near + "`?");
+    const std::string near = host::did_you_mean(wanted.name, names);
+    return "there is no parameter `" + wanted.name + "`" + (near.empty() ? "" : "; " + near);
   }
   if (wanted.is_wrong) return "`" + wanted.name + "` takes numbers";
   if (!wanted.numbers.empty()) {

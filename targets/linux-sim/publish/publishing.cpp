@@ -73,9 +73,9 @@ std::string unknown_channel(const std::string& name, const PublishedChannels& ch
     known.push_back(channel.name);
     list += (list.empty() ? "" : ", ") + channel.name;
   }
-  const std::string near = host::nearest_name(name, known);
+  const std::string near = host::did_you_mean(name, known);
   return "error: this program has no channel `" + name +
-         "`\nhelp: " + (near.empty() ? "it has " + list : "did you mean `" + near + "`?");
+         "`\nhelp: " + (near.empty() ? "it has " + list : near);
 }
 
 }  // namespace

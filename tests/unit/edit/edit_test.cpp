@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "generator/edit/helps.hpp"
+#include "generator/edit/rename_port.hpp"
 #include "generator/outline/lines.hpp"
 
 namespace eagerx::gen {
@@ -91,6 +95,126 @@ TEST(Rename, RefusesNamesThatAreNone) {
   EXPECT_FALSE(rename(kGraph, "nobody", "x"));
   EXPECT_EQ(name_at(kGraph, std::string_view(kGraph).find("arm[0]") + 1), "arm");
   EXPECT_EQ(name_at(kGraph, 0), "");
+}
+
+std::string part(std::string_view text, Bytes place) {
+  return std::string(text.substr(place.begin, place.end - place.begin));
+}
+
+/// The text with the first help of a diagnostic at `word`.
+std::string helped(const std::string& text, const std::string& word, const std::string& help,
+                   const std::string& code = "E0203", const std::string& message = "") {
+  const std::size_t at = text.find(word);
+  Diagnostic problem;
+  problem.code = code;
+  problem.message = message;
+  problem.help = help;
+  const auto line = static_cast<std::uint32_t>(
+      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  const std::size_t begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+  problem.span = {static_cast<FileId>(0), line + 1, static_cast<std::uint32_t>(at - begin + 1),
+                  static_cast<std::uint32_t>(word.size())};
+  if (code[0] == 'W') problem.severity = Severity::warning;
+  const auto helps = helps_of(problem, text);
+  return helps.empty() ? "" : applied(text, helps.front().edit.splices);
+}
+
+TEST(Helps, AreWrittenAsTheLinesAround) {
+  EXPECT_EQ(helped("rate: 30hz\n", "30hz", "write `30 Hz`", "E0209"), "rate: 30 Hz\n");
+  EXPECT_EQ(helped("rate: 30hz\n", "30hz", "write `30 Hz`", "E0999"), "");
+  EXPECT_EQ(helped("a: '1'\n", "'1'", "quotes make it a text: leave them out"), "a: 1\n");
+  EXPECT_EQ(helped("a: !x 1\n", "!x", "leave the tag out", "E0108"), "a: 1\n");
+  const std::string block =
+      "connections:\n  - from: a.b # c\n    to: c.d # e\r\n  - {from: x.y, to: z.w}\n";
+  EXPECT_EQ(helped(block, "c.d", "add `processor: P` to the connection", "E0306"),
+            "connections:\n  - from: a.b # c\n    to: c.d # e\n    processor: P\r\n  - {from: x.y, "
+            "to: z.w}\n");
+  EXPECT_EQ(helped(block, "z.w", "add `processor: P` or `processor: Q` to the connection", "E0306"),
+            "connections:\n  - from: a.b # c\n    to: c.d # e\r\n  - {from: x.y, to: z.w, "
+            "processor: P}\n");
+  EXPECT_EQ(helped("nodes:\n  a: {}\n", "a:", "add a connection `{from: …, to: a.b}`", "E0310"),
+            "nodes:\n  a: {}\nconnections:\n  - {from: , to: a.b}\n");
+  EXPECT_EQ(helped("connections: [{from: x.y, to: z.w}]", "x.y",
+                   "add a connection `{from: …, to: a.b}`", "E0310"),
+            "connections: [{from: x.y, to: z.w}, {from: , to: a.b}]");
+  EXPECT_EQ(
+      helped("rate: 5\nnodes:\n  a: {type: B}\n", "{", "add `rate:`, its rate in Hz", "E0202"),
+      "rate: 5\nnodes:\n  a: {type: B, rate: 5}\n");
+  EXPECT_EQ(helped("nodes:\n  a:\n    type: B\n", "type", "add `rate:`, its rate in Hz", "E0202"),
+            "nodes:\n  a:\n    type: B\n    rate: \n");
+  EXPECT_EQ(helped("nodes:\n  a: {type: B}\n", "a:", "add `config: {n: …}`: samples", "E0321"),
+            "nodes:\n  a: {type: B, config: {n: }}\n");
+  EXPECT_EQ(helped("nodes:\n  a: {type: B, config: {}}\n", "a:", "add `config: {n: …}`: samples",
+                   "E0321"),
+            "nodes:\n  a: {type: B, config: {n: }}\n");
+  EXPECT_EQ(
+      helped("objects:\n  p: {type: P, sensors: [x]}\nconnections:\n  - {from: p.y, to: q.z}\n",
+             "p.y", "add it to `sensors:` of `p`, or leave that key out", "E0307"),
+      "objects:\n  p: {type: P, sensors: [x, y]}\nconnections:\n  - {from: p.y, to: q.z}\n");
+  EXPECT_EQ(helped("rate: 400000\n", "400000",
+                   "numbers without a unit are in Hz: write `rate: 400 Hz` if that is meant; else "
+                   "`allow: [W0115]`",
+                   "W0115"),
+            "rate: 400 Hz\n");
+}
+
+TEST(Helps, SayNothingWhereThereIsNothingToWrite) {
+  for (const char* const help :
+       {"", "add `", "write `", "choose another name", "add `…` to the connection"})
+    EXPECT_EQ(helped("a: b\n", "b", help), "") << help;
+}
+
+constexpr const char* kManifest = R"(kind: object
+id: Arm
+sensors:
+  q: {rate: $(config rate), space: {dtype: float32}, about: q of the arm}
+actuators:
+  u: {rate: 30, space: {like: q}}
+engines:
+  OdeEngine:
+    nodes:
+      x: {type: OdeOutput, rate: $(sensors q rate)}
+      q: {type: FloatOutput, rate: $(actuators u rate), config: {safe: $(safe u)}}
+    connections:
+      - {from: q.observation, to: sensors.q}
+      - {from: actuators.u, to: x.u}
+)";
+
+TEST(RenamePort, FindsItInItsManifest) {
+  std::vector<std::size_t> lines;
+  for (const Bytes& use : uses_of_port_in_manifest(kManifest, "Arm", "q")) {
+    EXPECT_EQ(part(kManifest, use), "q");
+    lines.push_back(static_cast<std::size_t>(std::count(kManifest, kManifest + use.begin, '\n')) +
+                    1);
+  }
+  EXPECT_EQ(lines, (std::vector<std::size_t>{4, 6, 10, 13}));  // not the engine node `q`
+  EXPECT_EQ(uses_of_port_in_manifest(kManifest, "Arm", "u").size(), 4U);
+  EXPECT_TRUE(uses_of_port_in_manifest(kManifest, "Leg", "u").empty());
+  EXPECT_EQ(why_no_port(kManifest, "q", "angle"), "");
+  EXPECT_NE(why_no_port(kManifest, "q", "u"), "");
+  EXPECT_NE(why_no_port(kManifest, "none", "angle"), "");
+  EXPECT_NE(why_no_port(kManifest, "q", "1x"), "");
+}
+
+TEST(RenamePort, FindsItInAGraph) {
+  const std::string text =
+      "objects:\n  arm: {type: Arm, sensors: [q]}\n  other: {type: Leg, sensors: {q: {}}}\n"
+      "connections:\n  - {from: arm.q, to: x.arm}\n  - {from: other.q, to: x.q}\n"
+      "  - {from: \"arm[*].sensors.q[0]\", to: x.z}\n"
+      "task: {inputs: {a: arm.q, b: [big_arm.q, arm.qq]}}\n"
+      "variants: {v: {objects: {arm: {sensors: {q: {rate: 5}}}}}}\n";
+  const auto uses = uses_of_port(text, "Arm", "q");
+  for (const Bytes& use : uses) EXPECT_EQ(part(text, use), "q");
+  EXPECT_EQ(uses.size(), 5U);
+  const auto port = port_in_graph(text, text.find("arm.q,") + 4);
+  ASSERT_TRUE(port);
+  EXPECT_EQ(port->owner + " " + port->type + " " + port->port, "arm Arm q");
+  EXPECT_FALSE(port_in_graph(text, text.find("arm.q,") + 1));
+}
+
+TEST(RenamePort, FindsItInAHeader) {
+  const std::string text = "in.q + begin.q + Io::Inputs::q; q = out.q; in.qq; this.in.q2";
+  EXPECT_EQ(uses_of_port_in_header(text, "q").size(), 3U);
 }
 
 }  // namespace

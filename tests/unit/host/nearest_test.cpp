@@ -40,5 +40,14 @@ TEST(Nearest, OddInput) {
   EXPECT_EQ(nearest_name("\xff\xfe\xfd", {"x"}), "");
 }
 
+TEST(Nearest, AsASentenceForPeople) {
+  const std::vector<std::string> names = {"theta", "voltage"};
+  EXPECT_EQ(did_you_mean("thta", names), "did you mean `theta`?");
+  EXPECT_EQ(did_you_mean("mass", names), "");
+  EXPECT_EQ(suggestion("thta", names), "did you mean `theta`?");
+  EXPECT_EQ(suggestion("mass", names), "there is theta, voltage");
+  EXPECT_EQ(suggestion("mass", {}), "");
+}
+
 }  // namespace
 }  // namespace eagerx::host

@@ -157,5 +157,27 @@ TEST(NetGraph, PartsOfAnObservationComeOneBehindTheOther) {
               ElementsAre(2, 3, 4));
 }
 
+TEST(NetGraph, PlacesCountFromBothEnds) {
+  EXPECT_EQ(place_in(0, 3), 0);
+  EXPECT_EQ(place_in(-1, 3), 2);
+  EXPECT_EQ(place_in(-3, 3), 0);
+  EXPECT_EQ(place_in(3, 3), std::nullopt);
+  EXPECT_EQ(place_in(-4, 3), std::nullopt);
+  EXPECT_EQ(place_in(0, 0), std::nullopt);
+}
+
+TEST(NetGraph, WhatIsRefusedIsNothingOfAnyKind) {
+  PolicyProblem problem;
+  const bool truth = refuse(problem, "E0618", "does not fit", "export it again");
+  const std::optional<double> number = refuse(problem, "E0618", "does not fit", "export it again");
+  const int* place = refuse(problem, "E0618", "does not fit", "export it again");
+  EXPECT_FALSE(truth);
+  EXPECT_EQ(number, std::nullopt);
+  EXPECT_EQ(place, nullptr);
+  EXPECT_EQ(problem.code, "E0618");
+  EXPECT_EQ(problem.message, "does not fit");
+  EXPECT_EQ(problem.help, "export it again");
+}
+
 }  // namespace
 }  // namespace eagerx::gen

@@ -1,0 +1,18 @@
+// Texts that somebody has in an editor and has not saved: what reads a file reads these instead.
+//
+// One list for the process, like that of inputs and outputs: a reader far from the commands cannot
+// be forgotten by the one that has an editor.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace eagerx::gen {
+
+/// The text that counts for the file at `path`, by whatever name; nothing: the one on the disk.
+void set_unsaved(const std::string& path, std::optional<std::string> text);
+
+/// Nothing: there is none, and the disk is asked.
+std::optional<std::string> unsaved_text(const std::string& path);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,30 @@
+// A program that runs beside eagerx-gen, in a thread of its own.
+#pragma once
+
+#include <sys/types.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eagerx::gen {
+
+struct BesideOptions {
+  std::string folder;  // that it is started in
+  /// Called with each line of its output as it comes, without what ends it.
+  std::function<void(std::string_view line, bool is_error)> line;
+  /// Called with its group of processes when it has started, and with 0 before that number can be
+  /// another one's.
+  std::function<void(pid_t group)> group;
+};
+
+/// Runs a program, by its path, until it ends; the calling thread waits. Its standard input is
+/// empty, and it has a group of processes of its own. If that thread ends before, it gets SIGTERM.
+/// Returns its exit code, 128 + N if signal N ended it, or nothing if it could not be started:
+/// errno says why.
+std::optional<int> run_beside(const std::vector<std::string>& command,
+                              const BesideOptions& options);
+
+}  // namespace eagerx::gen

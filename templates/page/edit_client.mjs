@@ -1,0 +1,110 @@
+// What the server of `eagerx-gen serve` is asked and told: one question after the other, so that an edit always knows
+// the newest revision. generator/serve/README.md has the protocol.
+
+const kJson = {
+  "Content-Type": "application/json"
+};
+const kPatience_ms = 2000;  // until a server that did not answer is asked again
+
+export class EditClient {
+  /** `changed(why)` after each new state; `ask` is fetch, or what a test has in its place. */
+  constructor(changed, ask = (address, options) => fetch(address, options)) {
+    Object.assign(this, {changed, ask, state: null, before: "", waiting: Promise.resolve(), lost: false});
+  }
+
+  /** After everything that was asked before. What fails does not stop what follows. */
+  inTurn(action) {
+    const done = this.waiting.then(action);
+    this.waiting = done.catch(() => {});
+    return done;
+  }
+
+  /** {status, body}. Status 0: nobody answered. */
+  async call(address, body) {
+    const options = body === undefined ? {} : {method: "POST", headers: kJson, body: JSON.stringify(body)};
+    try {
+      const answer = await this.ask(address, options);
+      return {status: answer.status, body: await answer.json()};
+    } catch (problem) {
+      return {
+        status: 0,
+        body: {error: "no answer: `eagerx-gen serve` does not run any more", help: String(problem.message)}
+      };
+    }
+  }
+
+  take(state, why) {
+    const known = this.state;
+    if (known && state.page === undefined) state.page = known.page;
+    // What the last change of the text was is shown beside it.
+    if (known && known.text !== state.text) this.before = known.text;
+    if (!known) this.before = state.text;
+    this.state = state;
+    this.changed(why);
+  }
+
+  async get(name) {
+    const {status, body} = await this.call(`./${name}`);
+    return status === 200 ? body : null;
+  }
+
+  load(why = "") {
+    return this.inTurn(async () => {
+      const state = await this.get("state");
+      if (state) this.take(state, why);
+      return state !== null;
+    });
+  }
+
+  /** "" when it is done, else what to tell. */
+  post(name, body, done = "") {
+    return this.inTurn(async () => {
+      const answer = await this.call(`./${name}`, {revision: this.state.revision, ...body});
+      if (answer.status === 200) {
+        this.take(answer.body, done);
+        return "";
+      }
+      const said = [answer.body.error, answer.body.help].filter(Boolean).join(": ") || `status ${answer.status}`;
+      if (answer.body.state) this.take(answer.body.state, said);
+      return said;
+    });
+  }
+
+  edit(edits) {
+    return this.post("edit", {edits});
+  }
+
+  undo() {
+    return this.post("undo", {});
+  }
+
+  redo() {
+    return this.post("redo", {});
+  }
+
+  /** Places of boxes; they are no revision. */
+  places(places) {
+    return this.inTurn(() => {
+      this.state.layout = places;
+      return this.call("./layout", {places});
+    });
+  }
+
+  /** Waits for the next change that is not this page's own. False: nobody answers. */
+  async follow() {
+    const {status, body} = await this.call(`./changes?revision=${this.state.revision}`);
+    const wasLost = this.lost;
+    this.lost = status !== 200;
+    if (this.lost !== wasLost) this.changed(this.lost ? body.error ?? `status ${status}` : "");
+    if (this.lost) return false;
+    await this.inTurn(() => {});  // an edit of this page may be on its way
+    if (body.revision !== this.state.revision)
+      await this.load("The file was changed on the disk: this is what it says now.");
+    return true;
+  }
+
+  async followForEver(later = (call) => setTimeout(call, kPatience_ms)) {
+    while (await this.follow()) continue;
+    later(() => this.followForEver(later));
+  }
+}

@@ -1,0 +1,69 @@
+// Fields for whatever a part of the file has: what is written, and what could be written there.
+import {field, shownValue} from "./edit_forms.mjs";
+import {change} from "./edit_store.mjs";
+import {button, el} from "./elements.mjs";
+
+/** Sets what is at `path`, or takes it away if there is nothing. */
+export function setOrRemove(path, text) {
+  const value = text.trim();
+  return change([value ? {kind: "set", path, value} : {kind: "remove", path}]);
+}
+
+const isMapping = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
+
+/** A field for one key. `about`: {name, about, values, required} of the format, if it is known. */
+export function keyField(path, value, about = {}) {
+  const key = path.join("."), values = (about.values ?? []).map(({text}) => text);
+  const isChoice =
+      values.length > 0 && (value === undefined || value === null || values.includes(value)) && about.kind !== "map";
+  return field({
+    key,
+    label: String(path.at(-1)),
+    about: about.about,
+    value: shownValue(value),
+    empty: isChoice    ? "default" :
+        about.required ? "required" :
+                         "",
+    choices: isChoice ? values.map((text) => [text, text]) : null,
+    changed: (text) => setOrRemove(path, text)
+  });
+}
+
+/** A key that is not there yet, with its value. */
+function newKey(path, keys) {
+  const name = field({key: `${path.join(".")}+name`, label: "new", suggestions: keys.map((key) => key.name)});
+  const value = field({key: `${path.join(".")}+value`, label: "value"});
+  const add = () => {
+    if (!name.text().trim() || !value.text().trim()) return (name.text().trim() ? value : name).input.focus();
+    change([{kind: "set", path: [...path, name.text().trim()], value: value.text().trim()}]);
+    name.input.value = value.input.value = "";
+    name.input.focus();
+  };
+  for (const one of [name, value]) one.input.addEventListener("keydown", (event) => event.key === "Enter" && add());
+  return el("div.new", {}, name, value, button("Add", add));
+}
+
+/** All that is written below `path`, and a row for more. `keys`: what the format says may be there. */
+export function mapFields(path, value, keys = [], depth = 0) {
+  const about = new Map(keys.map((key) => [key.name, key]));
+  const rows = Object.entries(isMapping(value) ? value : {}).map(([name, item]) => {
+    const here = [...path, name];
+    if (!isMapping(item) || depth > 2) return keyField(here, item, about.get(name));
+    return el(
+        "fieldset", {},
+        el("legend", {}, name,
+           button("×", () => setOrRemove(here, ""), {className: "plain remove", title: `Remove ${name}`})),
+        mapFields(here, item, [], depth + 1));
+  });
+  return [...rows, newKey(path, keys.filter(({name}) => !isMapping(value) || !(name in value)))];
+}
+
+/** A part that opens and closes, and stays so. */
+const isOpen = new Map();
+export function part(title, hint, children, open = false) {
+  const details =
+      el("details.part", {open: isOpen.get(title) ?? open},
+         el("summary", {}, title, hint ? el("small", {}, ` ${hint}`) : null), children);
+  details.addEventListener("toggle", () => isOpen.set(title, details.open));
+  return details;
+}

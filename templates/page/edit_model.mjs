@@ -1,0 +1,158 @@
+// The graph as it stands in the file, right or wrong: boxes with ports, and wires between them. Of entities the library
+// says which ports they have; of what it does not know, connections do.
+
+/** {entity, port} of `leg[0].phase` or `pendulum.states.model_state`; null if it is neither. */
+export function endOf(text) {
+  const parts = /^([^.[]+(?:\[[^\]]*\])?(?:\/[^.[]+(?:\[[^\]]*\])?)*)\.(.+)$/.exec(String(text ?? "").trim());
+  if (!parts) return null;
+  // An element of an array is drawn at the array, one of a message at its port; a composite hides what is in it.
+  return {entity: parts[1].replace(/\[[^\]]*\]/g, ""), port: parts[2].replace(/\[[^\]]*\]$/, "")};
+}
+
+/** Names of a list or of the keys of a mapping. */
+export function namesOf(value) {
+  if (Array.isArray(value)) return value.filter((name) => typeof name === "string");
+  return value && typeof value === "object" ? Object.keys(value) : [];
+}
+
+function portOf(entity, port, prefix = "") {
+  return {...port, name: prefix + port.name, address: `${entity}.${prefix}${port.name}`};
+}
+
+function spaceOf(settings) {
+  const space = settings && typeof settings === "object" ? settings.space : null;
+  if (!space || typeof space !== "object") return {};
+  const shape = Array.isArray(space.shape) ? space.shape.map(Number) : undefined;
+  return {...space, ...(shape ? {shape} : {})};
+}
+
+/** Actions on the left, observations on the right: the two ends of the environment. */
+function endBox(section, declared) {
+  const ports = namesOf(declared).map((name) => ({
+                                        ...spaceOf(declared[name]),
+                                        name,
+                                        address: `${section}.${name}`,
+                                      }));
+  const isLeft = section === "actions";
+  return {
+    name: section,
+    kind: "end",
+    section,
+    title: section,
+    subtitle: isLeft ? "what the agent decides" : "what the agent sees",
+    about: "",
+    inputs: isLeft ? [] : ports,
+    outputs: isLeft ? ports : []
+  };
+}
+
+function subtitleOf(settings) {
+  const count = settings.count ? ` × ${settings.count}` : "";
+  const what = typeof settings.type === "string" ? settings.type : settings.policy ? "policy" : "no type yet";
+  return what + count + (settings.rate ? ` · ${settings.rate} Hz` : "").replace(/ ?([kmM]?Hz) Hz$/, " $1");
+}
+
+const named = (names) => names.map((name) => ({name}));
+
+function objectBox(name, settings, entity) {
+  return {
+    kind: "object",
+    inputs: (entity?.actuators ?? named(namesOf(settings.actuators))).map((port) => portOf(name, port)),
+    outputs: (entity?.sensors ?? named(namesOf(settings.sensors))).map((port) => portOf(name, port))
+  };
+}
+
+function nodeBox(name, settings, entity) {
+  const chosen = (ports, written) => {
+    const names = namesOf(written);
+    if (!ports) return named(names);
+    return names.length ? ports.filter((port) => names.includes(port.name)) : ports;
+  };
+  const isReset = entity?.kind === "reset node";
+  const outputs = chosen(entity?.outputs, settings.outputs);
+  const inputs = chosen(entity?.inputs, settings.inputs);
+  if (settings.policy && !outputs.length) outputs.push({name: "action"});
+  return {
+    kind: isReset ? "reset" : "node",
+    inputs: [
+      ...inputs.map((port) => portOf(name, port)),
+      ...(isReset ? entity.targets ?? [] : []).map((port) => portOf(name, port, "targets.")),
+      ...(isReset ? outputs : []).map((port) => portOf(name, port, "feedthroughs."))
+    ],
+    outputs: outputs.map((port) => portOf(name, port))
+  };
+}
+
+function entityBox(section, name, written, library) {
+  const settings = written && typeof written === "object" && !Array.isArray(written) ? written : {};
+  const entity = library.get(settings.type);
+  return {
+    name,
+    section,
+    title: name,
+    subtitle: subtitleOf(settings),
+    about: entity?.summary ?? "",
+    type: settings.type,
+    settings,
+    entity,
+    ...(section === "objects" ? objectBox : nodeBox)(name, settings, entity)
+  };
+}
+
+/** The port of a box, made if no one has said of it. */
+function portNumber(box, side, {port}, entity) {
+  const at = box[side].findIndex(({name}) => name === port);
+  if (at >= 0) return at;
+  return box[side].push({name: port, address: `${entity}.${port}`, unsaid: true}) - 1;
+}
+
+/** The number of the box that has an end: its own, or that of the composite around it. */
+function boxWith(end, numbers) {
+  for (let name = end?.entity; name; name = name.slice(0, Math.max(0, name.lastIndexOf("/"))))
+    if (numbers.has(name)) return numbers.get(name);
+  return -1;
+}
+
+function wireOf(connection, number, boxes, numbers) {
+  const from = endOf(connection?.from), to = endOf(connection?.to);
+  const b = boxWith(from, numbers), t = boxWith(to, numbers);
+  if (b < 0 || t < 0) return null;
+  const output = portNumber(boxes[b], "outputs", from, from.entity);
+  const input = portNumber(boxes[t], "inputs", to, to.entity);
+  boxes[t].inputs[input].taken = true;
+  boxes[b].outputs[output].used = true;
+  return {number, connection, from: b, to: t, output, input};
+}
+
+/** Boxes and wires of `tree`, what the file says as texts, lists and mappings. `library`: entities by their ids. */
+export function modelOf(tree, library) {
+  const top = tree && typeof tree === "object" && !Array.isArray(tree) ? tree : {};
+  const boxes = [endBox("actions", top.actions)];
+  for (const section of ["objects", "nodes"])
+    for (const name of namesOf(top[section]))
+      if (!Array.isArray(top[section])) boxes.push(entityBox(section, name, top[section][name], library));
+  boxes.push(endBox("observations", top.observations));
+  const connections = Array.isArray(top.connections) ? top.connections : [];
+  const numbers = new Map(boxes.map(({name}, b) => [name, b]));
+  const wires = connections.map((connection, number) => wireOf(connection, number, boxes, numbers)).filter(Boolean);
+  const incoming = boxes.map(() => []);  // numbers of wires to each box
+  wires.forEach(({to}, w) => incoming[to].push(w));
+  return {top, boxes, wires, connections, incoming};
+}
+
+/** All names that another object or node cannot have. */
+export function takenNames(model) {
+  return new Set(model.boxes.map(({name}) => name).concat(["agent", "environment", "engine"]));
+}
+
+/** {box}, {wire}: what a path of the file is drawn as; null: nothing. */
+export function drawnAs(model, path) {
+  const [section, key] = path ?? [];
+  if (section === "connections") {
+    const wire = model.wires.findIndex(({number}) => number === Number(key));
+    return wire < 0 ? null : {wire};
+  }
+  const isEnd = section === "actions" || section === "observations";
+  const box = model.boxes.findIndex((one) => one.section === section && (isEnd || one.name === key));
+  return box < 0 ? null : {box};
+}

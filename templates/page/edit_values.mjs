@@ -1,0 +1,91 @@
+// Values of a graph's file as text: how they are written, and what is wrong with what somebody typed.
+
+const kPlain = /^[A-Za-z_./][\w./-]*( [\w./-]+)*$/;
+const kOther = /^(true|false|yes|no|on|off|null|~|nan|inf|\.nan|\.inf|[-+]?[0-9.]+(e[-+]?\d+)?)$/i;
+
+/** A text as one scalar of YAML, with quotes where it would be something else without them. */
+export function yamlText(text) {
+  return kPlain.test(text) && !kOther.test(text) ? text : JSON.stringify(text);
+}
+
+/** What the outline has (texts, lists, mappings) as one line of YAML, as a form shows it. */
+export function flowText(value) {
+  if (value === null || value === undefined) return "";
+  if (Array.isArray(value)) return `[${value.map(flowText).join(", ")}]`;
+  if (typeof value === "object")
+    return `{${Object.entries(value).map(([key, item]) => `${key}: ${flowText(item)}`.trimEnd()).join(", ")}}`;
+  const text = String(value);
+  return /^[-+]?[0-9.]|^[$]/.test(text) && !/[,[\]{}:#]/.test(text) || kPlain.test(text) ? text : JSON.stringify(text);
+}
+
+/** What can be the name of an object, a node, an action. */
+export function isName(text) {
+  return /^[A-Za-z][A-Za-z0-9_]*$/.test(text);
+}
+
+/** `butterworth_filter` of `ButterworthFilter`. */
+export function nameOfType(id) {
+  return id.replace(/([a-z0-9])([A-Z])/g, "$1_$2").replace(/([A-Z])([A-Z][a-z])/g, "$1_$2").toLowerCase();
+}
+
+/** `name`, or with the first number behind it that makes it another than those in `taken`. */
+export function freeName(name, taken) {
+  if (!taken.has(name)) return name;
+  let number = 2;
+  while (taken.has(`${name}_${number}`)) ++number;
+  return `${name}_${number}`;
+}
+
+/** The numbers of "1, 2" or "[1, 2]"; null if it is no list of numbers. */
+export function numberList(text) {
+  const inner = /^\[(.*)\]$/s.exec(text.trim())?.[1] ?? text;
+  const words = inner.split(/[,\s]+/).filter(Boolean);
+  const numbers = words.map(Number);
+  return words.length && numbers.every(Number.isFinite) ? numbers : null;
+}
+
+function outOfBounds({low, high}, number) {
+  if (typeof low === "number" && number < low) return `at least ${low}`;
+  if (typeof high === "number" && number > high) return `at most ${high}`;
+  return "";
+}
+
+/** Why a text cannot be the value of a parameter; "" if it can, or only the check knows. */
+export function faultOf(parameter, text) {
+  const trimmed = text.trim();
+  if (trimmed === "") return parameter.required ? "required" : "";
+  if (/^[{$]/.test(trimmed)) return "";  // {each: …}, {csv: …}, $(index)
+  const isOne = parameter.type === "int" || parameter.type === "float";
+  if (isOne || parameter.type === "ints" || parameter.type === "floats") {
+    if (/[A-Za-zµμ]$/.test(trimmed) && parameter.unit) return "";  // with a unit of its own
+    if (isOne && /^[-+]?\d+\/\d+$/.test(trimmed)) return "";
+    const numbers = numberList(trimmed);
+    if (!numbers || (isOne && (numbers.length !== 1 || trimmed.startsWith("["))))
+      return isOne ? "a number" : "numbers: [1, 2]";
+    if (parameter.type.startsWith("int") && !numbers.every(Number.isInteger)) return "whole numbers only";
+    return numbers.map((number) => outOfBounds(parameter, number)).find(Boolean) ?? "";
+  }
+  if (parameter.type === "bool" && !/^(true|false)$/.test(trimmed)) return "true or false";
+  if (parameter.type === "choice" && !parameter.options.includes(trimmed))
+    return `one of ${parameter.options.join(", ")}`;
+  return "";
+}
+
+/** What somebody typed for a parameter, as YAML. */
+export function parameterText(parameter, text) {
+  const trimmed = text.trim();
+  if (/^[{$[]/.test(trimmed) && parameter.type !== "string") return trimmed;
+  if (parameter.type === "floats" || parameter.type === "ints") return trimmed.includes(",") ? `[${trimmed}]` : trimmed;
+  if (parameter.type === "string" || parameter.type === "choice") return yamlText(trimmed);
+  return trimmed;
+}
+
+/** "float, 0 … 10 Hz, default 2": what there is to know of a parameter beside its text. */
+export function limitsOf(parameter) {
+  const {type, unit, low, high} = parameter;
+  const range = low !== undefined && high !== undefined ? `${low} … ${high}` :
+      low !== undefined ? `at least ${low}` :
+      high !== undefined ? `at most ${high}` :
+                           "";
+  return [type === "choice" ? "" : type, [range, unit].filter(Boolean).join(" ")].filter(Boolean).join(", ");
+}
