@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/curve.hpp"
 #include "targets/environments/train/model.hpp"
-#include "targets/environments/train/rollout.hpp"
+#include "targets/environments/train/sac/model.hpp"
 
 namespace eagerx::train {
 
@@ -39,16 +40,22 @@ std::string interface_of(const Settings& settings, const Description& descriptio
 
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
                           const Model& model, const Progressed& progressed);
+std::string checkpoint_of(const std::string& conditions, const std::string& interface,
+                          const sac::Model& model, const Progressed& progressed);
 
 /// Fills model and progress. `name` is the file's, for messages. Throws Problem if `bytes` are no
 /// checkpoint, are damaged, or belong to another training.
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
              Model& model, Progressed& progressed);
+void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+             sac::Model& model, Progressed& progressed);
 
 /// Fills `model` with what another training has learnt: actor, critic, deviation of the actions and
 /// statistics. Adam and its step size begin anew. Throws Problem as restore() does, and if the
 /// networks are of another interface.
 void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
                 Model& model);
+void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
+                sac::Model& model);
 
 }  // namespace eagerx::train

@@ -55,6 +55,16 @@ void Network::backward(const Kernels& kernels, const float* parameters, const Pa
   }
 }
 
+void Network::input_slopes(const Kernels& kernels, const float* parameters, const Pack* row,
+                           Pack* deltas) const {
+  for (std::size_t k = layers_.size(); k-- > 0;) {
+    const Layer& layer = layers_[k];
+    kernels.dense_transposed(layer.sizes, parameters + layer.weights, deltas + layer.to,
+                             deltas + layer.from);
+    if (k > 0) kernels.tanh_slope(row + layer.from, deltas + layer.from, layer.sizes.inputs);
+  }
+}
+
 void Adam::step(const Kernels& kernels, std::vector<float>& weights,
                 const std::vector<float>& gradient, float step_size, float gradient_scale) {
   ++steps;

@@ -41,6 +41,11 @@ class Network {
   void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
                 std::size_t tiles, Pack* scratch, float* gradient) const;
 
+  /// Fills the rest of `deltas` [row()], whose outputs' places have the derivatives of something:
+  /// its derivatives by the inputs are in the first places.
+  void input_slopes(const Kernels& kernels, const float* parameters, const Pack* row,
+                    Pack* deltas) const;
+
  private:
   std::vector<Layer> layers_;
   std::size_t parameters_ = 0, row_ = 0;

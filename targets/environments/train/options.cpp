@@ -36,8 +36,10 @@ std::vector<client::Setter> setters(Options& o) {
   return {
       {"--output", [&](Text v) { o.output = v; }},
       {"--algorithm",
-       [](Text v) {
-         if (v != "ppo") refuse("there is no algorithm `" + v + "`, only ppo");
+       [&](Text v) {
+         if (v != "ppo" && v != "sac")
+           refuse("there is no algorithm `" + v + "`, only ppo and sac");
+         settings.algorithm = v;
        }},
       {"--steps", [&](Text v) { o.steps = number<std::uint64_t>(v, 1, kMostSteps); }},
       {"--until-return",

@@ -5,6 +5,7 @@
 #include <eagerx/math.hpp>
 #include <utility>
 
+#include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/choice.hpp"
 
 namespace eagerx::train {
@@ -269,7 +270,7 @@ void Ppo::update(std::size_t minibatch) {
   }
 }
 
-Ppo::Result Ppo::iterate() {
+Algorithm::Result Ppo::iterate() {
   constexpr std::size_t kShift = 7;  // the minibatches of an epoch do not begin with the same one
   Result result{collect()};
   for (std::size_t epoch = 0; epoch < settings_.epochs; ++epoch) {
@@ -280,6 +281,37 @@ Ppo::Result Ppo::iterate() {
   ++iteration;
   result.divergence = divergence_;
   return result;
+}
+
+std::vector<float> Ppo::deployed_parameters() const {
+  return folded(model_.actor, model_.actor_parameters, model_.observations);
+}
+
+double Ppo::deviation() const {
+  double deviation = 0.0;
+  for (const float x : model_.log_deviation) deviation += exp(x);
+  return deviation / static_cast<double>(model_.log_deviation.size());
+}
+
+std::string Ppo::checkpoint(const std::string& conditions, const std::string& interface,
+                            Progressed& progressed, std::uint32_t iterations) const {
+  if (!progressed.succeeded) progressed.actions = actions(iterations);
+  std::string bytes = checkpoint_of(conditions, interface, model_, progressed);
+  progressed.actions = {};
+  return bytes;
+}
+
+void Ppo::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+                  Progressed& progressed, std::uint32_t era) {
+  train::restore(bytes, name, conditions, model_, progressed);
+  iteration = progressed.iteration;
+  // After a change of the task eras may be longer: then the rest of this one has new episodes.
+  take_up(std::exchange(progressed.actions, {}), iteration % era);
+}
+
+void Ppo::begin_from(const std::string& bytes, const std::string& name,
+                     const std::string& interface) {
+  train::begin_from(bytes, name, interface, model_);
 }
 
 }  // namespace eagerx::train

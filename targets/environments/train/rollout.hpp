@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/policy.hpp"
@@ -21,13 +22,6 @@ struct Frozen {
   std::vector<float> deviation;  // [outputs]
   float reward_scale;
   std::uint32_t iteration;
-};
-
-/// An episode that ended during a rollout.
-struct Episode {
-  double sum = 0.0;           // of its rewards
-  std::uint32_t step = 0;     // of the rollout
-  std::uint32_t success = 0;  // 1 if it did
 };
 
 /// One of kParts parts of the environments, in tiles of sixteen. Steps are in order of time:

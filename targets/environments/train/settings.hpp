@@ -4,12 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
+
+#include "targets/environments/train/sac/settings.hpp"
 
 namespace eagerx::train {
 
-/// Proximal policy optimisation (Schulman et al. 2017).
+/// Of proximal policy optimisation (Schulman et al. 2017), unless SAC has its own.
 struct Settings {
+  std::string algorithm = "ppo";  // or "sac"
+  sac::Settings sac;
   std::uint64_t seed = 1;
   std::vector<std::size_t> hidden = {64, 64};  // widths of the layers, of actor and critic
   float discount = 0.99F;                      // γ

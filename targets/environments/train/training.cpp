@@ -13,6 +13,8 @@
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/export.hpp"
+#include "targets/environments/train/ppo.hpp"
+#include "targets/environments/train/sac/sac.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -34,12 +36,17 @@ unsigned chosen_threads(unsigned threads) {
   return threads > 0 ? threads : host::usable_cores();
 }
 
+bool is_sac(const Settings& settings) {
+  return settings.algorithm == "sac";
+}
+
 /// Long enough for two episodes, so that environments do not all begin anew before one ends.
 std::uint32_t era_of(const Settings& settings, const Description& description) {
-  constexpr std::uint32_t kLeast = 32;
+  constexpr std::uint32_t kLeast = 1024;  // steps
   const auto steps = 2 * (description.episode_steps > 0 ? description.episode_steps : kLongest);
-  const auto horizon = static_cast<std::uint32_t>(settings.horizon);
-  return std::max(kLeast, (steps + horizon - 1) / horizon);
+  const auto horizon =
+      static_cast<std::uint32_t>(is_sac(settings) ? settings.sac.horizon : settings.horizon);
+  return (std::max(kLeast, steps) + horizon - 1) / horizon;
 }
 
 /// Each choice is an output of the network.
@@ -85,6 +92,14 @@ const Description& checked(const Library& library) {
   return library.description();
 }
 
+std::unique_ptr<Algorithm> chosen_algorithm(const Settings& settings, const Library& library,
+                                            const Kernels& kernels, Team& team,
+                                            std::uint32_t longest) {
+  if (is_sac(settings))
+    return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
+  return std::make_unique<Ppo>(settings, library, kernels, team, longest);
+}
+
 }  // namespace
 
 void check_files(const Options& options) {
@@ -109,30 +124,28 @@ Training::Training(const Options& options, const Library& library)
       interface_(interface_of(options.settings, library.description())),
       head_(library.description()),
       team_(chosen_threads(options.threads), Team::Size::at_most),
-      ppo_(options.settings, library, kernels_, team_, longest_),
+      algorithm_(chosen_algorithm(options.settings, library, kernels_, team_, longest_)),
       evaluator_(library, kernels_, team_, longest_),
       progress_(0, 0, false, true) {
   if (!options.resume.empty()) {
-    restore(read_file(options.resume), options.resume, conditions_, ppo_.model(), progressed_);
-    ppo_.iteration = first_iteration_ = progressed_.iteration;
-    // After a change of the task eras may be longer: then the rest of this one has new episodes.
-    ppo_.take_up(std::exchange(progressed_.actions, {}), ppo_.iteration % era_);
+    algorithm_->restore(read_file(options.resume), options.resume, conditions_, progressed_, era_);
+    first_iteration_ = algorithm_->iteration;
     goes_on_ = true;
   }
   if (!options.from.empty())
-    begin_from(read_file(options.from), options.from, interface_, ppo_.model());
-  if (!options.checkpoint.empty()) ppo_.remember_actions();
+    algorithm_->begin_from(read_file(options.from), options.from, interface_);
+  if (!options.checkpoint.empty()) algorithm_->remember_actions();
   progress_ = Progress(steps(), options.steps, library.description().has_success, options.is_quiet);
 }
 
 std::uint64_t Training::steps() const {
-  return std::uint64_t{ppo_.iteration} * ppo_.steps();
+  return std::uint64_t{algorithm_->iteration} * algorithm_->steps();
 }
 
 int Training::run(const Interrupt& is_interrupted) {
   if (!options_.is_quiet) {
-    fmt::print(stderr, "{} environments step {}\n", options_.settings.environments,
-               ppo_.stepping());
+    fmt::print(stderr, "{} environments step {}\n", algorithm_->environments(),
+               algorithm_->stepping());
   }
   const Ending ending = learn(is_interrupted);
   progress_.finish();
@@ -154,7 +167,7 @@ int Training::run(const Interrupt& is_interrupted) {
 void Training::tell_where(const Problem& problem) {
   progress_.finish();
   std::string saved;
-  if (ppo_.iteration > first_iteration_ && !options_.checkpoint.empty()) {
+  if (algorithm_->iteration > first_iteration_ && !options_.checkpoint.empty()) {
     const std::optional<Problem> unsaved = save();
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
@@ -182,37 +195,35 @@ Ending Training::iterate(const Interrupt& is_interrupted) {
       progressed_.succeeded = true;
       break;
     }
-    if (ppo_.iteration > first_iteration_) progress_.show(progressed_.curve.back());
+    if (algorithm_->iteration > first_iteration_) progress_.show(progressed_.curve.back());
     if (steps() >= options_.steps) return Ending::steps;
     if (is_interrupted) return Ending::interrupted;
     start_iteration();
-    progressed_.curve.push_back(note(ppo_.iterate()));
+    progressed_.curve.push_back(note(algorithm_->iterate()));
   }
   return Ending::success;
 }
 
 bool Training::is_evaluation_due() const {
-  return ppo_.iteration > 0 && ppo_.iteration % kEvaluationEvery == 0 &&
+  return algorithm_->iteration > 0 && algorithm_->iteration % kEvaluationEvery == 0 &&
          std::isnan(progressed_.curve.back().evaluation_return);
 }
 
 void Training::start_iteration() {
-  const bool begins_era = ppo_.iteration % era_ == 0;
-  if (ppo_.iteration > first_iteration_) save_if_due(begins_era);
+  const bool begins_era = algorithm_->iteration % era_ == 0;
+  if (algorithm_->iteration > first_iteration_) save_if_due(begins_era);
   if (begins_era) {
-    ppo_.begin_era(ppo_.iteration / era_);
+    algorithm_->begin_era(algorithm_->iteration / era_);
   } else if (goes_on_) {
-    ppo_.go_on(ppo_.iteration / era_);
+    algorithm_->go_on(algorithm_->iteration / era_);
   }
   goes_on_ = false;
 }
 
 void Training::write_checkpoint() {
-  progressed_.iteration = ppo_.iteration;
-  if (!progressed_.succeeded) progressed_.actions = ppo_.actions(ppo_.iteration % era_);
-  const std::string bytes = checkpoint_of(conditions_, interface_, ppo_.model(), progressed_);
-  progressed_.actions = {};
-  write_file(options_.checkpoint, bytes);
+  progressed_.iteration = algorithm_->iteration;
+  write_file(options_.checkpoint, algorithm_->checkpoint(conditions_, interface_, progressed_,
+                                                         algorithm_->iteration % era_));
 }
 
 /// Why it could not be written, if so.
@@ -240,7 +251,7 @@ void Training::save_if_due(bool begins_era) {
   fmt::print(stderr, "warning: {}; the training goes on and tries again\n", problem->what());
 }
 
-CurvePoint Training::note(const Ppo::Result& result) {
+CurvePoint Training::note(const Algorithm::Result& result) {
   std::vector<Episode>& recent = progressed_.recent;
   recent.insert(recent.end(), result.episodes.begin(), result.episodes.end());
   if (recent.size() > kRecent)
@@ -252,15 +263,13 @@ CurvePoint Training::note(const Ppo::Result& result) {
   }
   const auto count = static_cast<double>(recent.size());
   const bool has_success = library_.description().has_success;
-  double deviation = 0.0;
-  for (const float x : ppo_.model().log_deviation) deviation += exp(x);
   return {static_cast<double>(steps()),
           count > 0 ? returns / count : kNothing,
           count > 0 && has_success ? successes / count : kNothing,
           kNothing,
           kNothing,
-          deviation / static_cast<double>(ppo_.model().log_deviation.size()),
-          ppo_.model().step_size,
+          algorithm_->deviation(),
+          algorithm_->step_size(),
           result.divergence};
 }
 
@@ -273,9 +282,8 @@ bool Training::is_good(const Evaluation& evaluation) const {
 /// of many evaluations may be good by luck.
 bool Training::evaluate(CurvePoint& point) {
   const bool has_success = library_.description().has_success;
-  Policy now =
-      policy(folded(ppo_.model().actor, ppo_.model().actor_parameters, ppo_.model().observations));
-  const std::uint64_t seed = kEvaluationSeed + kEvaluations * std::uint64_t{ppo_.iteration};
+  Policy now = policy(algorithm_->deployed_parameters());
+  const std::uint64_t seed = kEvaluationSeed + kEvaluations * std::uint64_t{algorithm_->iteration};
   const Evaluation evaluation = evaluator_.run(now, seed);
   Best& best = progressed_.best;
   const bool is_better = evaluation.successes != best.successes
@@ -298,7 +306,7 @@ bool Training::evaluate(CurvePoint& point) {
 }
 
 Policy Training::policy(std::vector<float> parameters) const {
-  return {ppo_.model().actor, std::move(parameters), head_};
+  return {algorithm_->deployed(), std::move(parameters), head_};
 }
 
 void Training::report(const Evaluation& evaluation, Ending ending) const {
@@ -313,7 +321,7 @@ void Training::report(const Evaluation& evaluation, Ending ending) const {
   };
   say("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
       rounded(static_cast<double>(steps())), progress_.seconds(),
-      fmt::format("{} iterations", ppo_.iteration), kernels_.name);
+      fmt::format("{} iterations", algorithm_->iteration), kernels_.name);
   say("on 100 seeds that it was not trained on: ");
   if (description.has_success) say("success {} of {}, ", evaluation.successes, evaluation.episodes);
   say("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
@@ -345,7 +353,7 @@ void Training::write_policy() const {
   Random random({options_.settings.seed, 0, 0}, entity_id("train/golden"));
   std::vector<float> rows;
   for (std::size_t i = 0; i < kRows * width; ++i) {
-    const Statistics& seen = ppo_.model().observations;
+    const Statistics& seen = algorithm_->observations();
     rows.push_back(random.normal(static_cast<float>(seen.mean[i % width]),
                                  static_cast<float>(1.0 / seen.scale(i % width))));
   }

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 
+#include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/evaluation.hpp"
 #include "targets/environments/train/options.hpp"
-#include "targets/environments/train/ppo.hpp"
 #include "targets/environments/train/progress.hpp"
 
 namespace eagerx::train {
@@ -37,7 +38,7 @@ class Training {
   std::optional<Problem> save();
   void save_if_due(bool begins_era);
   [[noreturn]] void tell_where(const Problem& problem);
-  CurvePoint note(const Ppo::Result& result);
+  CurvePoint note(const Algorithm::Result& result);
   bool is_good(const Evaluation& evaluation) const;
   bool evaluate(CurvePoint& point);
   Policy policy(std::vector<float> parameters) const;
@@ -55,7 +56,7 @@ class Training {
   const std::string conditions_, interface_;
   const Head head_;
   Team team_;
-  Ppo ppo_;
+  const std::unique_ptr<Algorithm> algorithm_;
   Evaluator evaluator_;
   Progressed progressed_;
   std::uint32_t first_iteration_ = 0;  // of this run
