@@ -71,7 +71,7 @@ void Sac::update(const Normaliser& normaliser) {
                       settings_,
                       model_,
                       normaliser,
-                      static_cast<float>(model_.returns.scale(0)),
+                      settings_.sac.reward_size * static_cast<float>(model_.returns.scale(0)),
                       exp(model_.log_temperature.front())};
   team_.run_parts(kParts, [&](std::size_t part) {
     const Random random({settings_.seed, static_cast<std::uint32_t>(part), number},

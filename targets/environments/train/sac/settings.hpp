@@ -18,6 +18,7 @@ struct Settings {
   float step_size = 1e-3F;            // of Adam, for actor, critics and temperature
   float target_share = 0.005F;        // of the critics, which their targets take over each update
   float first_temperature = 0.1F;     // weight of the entropy against scaled rewards
+  float reward_size = 1.0F;           // of returns, in their deviations
   float entropy = -1.0F;              // for each number of an action: what the temperature keeps
   float least_log_deviation = -5.0F;  // of an action before tanh
   float most_log_deviation = 2.0F;
