@@ -11,7 +11,7 @@ inline constexpr Row kTrain[] = {
      .about = "the policy (default: policy.safetensors)",
      .use = Use::writes,
      .otherwise = "policy.safetensors"},
-    {.names = "--algorithm", .value = "NAME", .about = "ppo (default); there is no other"},
+    {.names = "--algorithm", .value = "NAME", .about = "ppo (default), or sac, which needs fewer steps and more time for each"},
     {.names = "--steps",
      .value = "N",
      .about = "steps of all environments, at most (default: 5000000)"},

@@ -92,12 +92,15 @@ const Description& checked(const Library& library) {
   return library.description();
 }
 
-std::unique_ptr<Algorithm> chosen_algorithm(const Settings& settings, const Library& library,
+/// `era`: iterations between two starts of all environments.
+std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
                                             const Kernels& kernels, Team& team,
-                                            std::uint32_t longest) {
-  if (is_sac(settings))
-    return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
-  return std::make_unique<Ppo>(settings, library, kernels, team, longest);
+                                            std::uint32_t longest, std::uint32_t era) {
+  if (!is_sac(settings)) return std::make_unique<Ppo>(settings, library, kernels, team, longest);
+  // A training that goes on takes the actions of its era from the memory.
+  sac::Settings& s = settings.sac;
+  s.capacity = std::max(s.capacity, era * s.horizon * s.environments);
+  return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
 }
 
 }  // namespace
@@ -124,7 +127,7 @@ Training::Training(const Options& options, const Library& library)
       interface_(interface_of(options.settings, library.description())),
       head_(library.description()),
       team_(chosen_threads(options.threads), Team::Size::at_most),
-      algorithm_(chosen_algorithm(options.settings, library, kernels_, team_, longest_)),
+      algorithm_(chosen_algorithm(options.settings, library, kernels_, team_, longest_, era_)),
       evaluator_(library, kernels_, team_, longest_),
       progress_(0, 0, false, true) {
   if (!options.resume.empty()) {

@@ -373,8 +373,8 @@ TEST(TrainOptions, WrongOnesAreRefused) {
   EXPECT_EQ(parse({"a.so", "--until-return", "inf"}),
             "--until-return: `inf` is not a number from -1e+30 to 1e+30");
   EXPECT_EQ(parse({"a.so", "--hidden", "64,"}), "--hidden: `` is not a number from 1 to 1024");
-  EXPECT_EQ(parse({"a.so", "--algorithm", "sac"}),
-            "--algorithm: there is no algorithm `sac`, only ppo");
+  EXPECT_EQ(parse({"a.so", "--algorithm", "td3"}),
+            "--algorithm: there is no algorithm `td3`, only ppo and sac");
   EXPECT_EQ(parse({"a.so", "--quiet=1"}), "`--quiet` takes no value");
   EXPECT_EQ(parse({"--help", "--more"}), "nothing");
   EXPECT_EQ(parse({"a.so", "--more"}), "there is no option `--more`");
