@@ -14,7 +14,7 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 4\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 5\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 /// Visits values of a checkpoint in its order: writes them.
@@ -75,12 +75,15 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.curve);
   visitor(progressed.recent);
   visitor(progressed.best.parameters);
-  visitor(progressed.best.successes);
-  visitor(progressed.best.mean_return);
+  for (auto* score : {&progressed.best.seen, &progressed.best.judged}) {
+    visitor(score->successes);
+    visitor(score->mean_return);
+  }
   visitor(progressed.actions);
   visitor(model.actor_parameters);
   visitor(model.critic_parameters);
   visitor(model.log_deviation);
+  visitor(model.averaged);
   for (auto* adam : {&model.actor_adam, &model.critic_adam, &model.deviation_adam}) {
     visitor(adam->mean);
     visitor(adam->square);
@@ -126,7 +129,7 @@ Parts parts_of(std::string_view bytes, const std::string& name) {
 /// Of all that has a number for each parameter, action or observation.
 std::vector<std::size_t> sizes_of(const Model& model) {
   std::vector<std::size_t> sizes = {model.actor_parameters.size(), model.critic_parameters.size(),
-                                    model.log_deviation.size()};
+                                    model.log_deviation.size(), model.averaged.size()};
   for (const auto* adam : {&model.actor_adam, &model.critic_adam, &model.deviation_adam}) {
     sizes.push_back(adam->mean.size());
     sizes.push_back(adam->square.size());
@@ -160,17 +163,18 @@ std::string names_and_sizes(const std::vector<Space>& spaces) {
 }  // namespace
 
 std::string conditions(const Settings& settings, const std::string& contract_hash) {
-  std::string text = fmt::format("graph {}, seed {}, layers {}, discount {}", contract_hash,
-                                 settings.seed, fmt::join(settings.hidden, ","), settings.discount);
+  std::string text =
+      fmt::format("graph {}; seed {}; {}", contract_hash, settings.seed, text_of(settings));
   if (std::isfinite(settings.until_return))
-    text += fmt::format(", until return {}", settings.until_return);
+    text += fmt::format("; until-return {}", settings.until_return);
   return text;
 }
 
 std::string interface_of(const Settings& settings, const Description& description) {
-  return fmt::format("observations {}, actions {}, layers {}",
+  return fmt::format("observations {}; actions {}; layers {}; activation {}",
                      names_and_sizes(description.observations),
-                     names_and_sizes(description.actions), fmt::join(settings.hidden, ","));
+                     names_and_sizes(description.actions), fmt::join(settings.layers, ","),
+                     settings.activation == Activation::relu ? "relu" : "tanh");
 }
 
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
@@ -187,8 +191,8 @@ void restore(const std::string& bytes, const std::string& name, const std::strin
   const Parts parts = parts_of(bytes, name);
   if (parts.conditions != conditions) {
     throw Problem(kInputOutput,
-                  fmt::format("`{}` belongs to another training: {}\nthis one is: {}", name,
-                              parts.conditions, conditions),
+                  fmt::format("`{}` belongs to another training: {}", name,
+                              difference(parts.conditions, conditions)),
                   "resume with the same graph and options, or begin with what it has learnt: "
                   "`--from`");
   }
@@ -199,10 +203,11 @@ void begin_from(const std::string& bytes, const std::string& name, const std::st
                 Model& model) {
   const Parts parts = parts_of(bytes, name);
   if (parts.interface != interface) {
-    throw Problem(kInputOutput,
-                  fmt::format("`{}` is of other networks: {}\nthis training has: {}", name,
-                              parts.interface, interface),
-                  "give the same --hidden, and a graph with the same observations and actions");
+    throw Problem(
+        kInputOutput,
+        fmt::format("`{}` is of other networks: {}", name, difference(parts.interface, interface)),
+        "give the same layers and activation, and a graph with the same observations and "
+        "actions");
   }
   Model learnt = model;
   Progressed ignored;
@@ -210,6 +215,7 @@ void begin_from(const std::string& bytes, const std::string& name, const std::st
   model.actor_parameters = std::move(learnt.actor_parameters);
   model.critic_parameters = std::move(learnt.critic_parameters);
   model.log_deviation = std::move(learnt.log_deviation);
+  model.averaged = std::move(learnt.averaged);
   model.observations = std::move(learnt.observations);
   model.returns = std::move(learnt.returns);
 }

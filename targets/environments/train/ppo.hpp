@@ -30,6 +30,7 @@ class Ppo {
   struct Result {
     std::vector<Episode> episodes;  // that ended, in order of time
     double divergence = 0.0;        // of the last minibatch
+    std::size_t updates = 0;        // that were made
   };
 
   Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
@@ -65,7 +66,13 @@ class Ppo {
   /// work(part) for each of the rollouts, at once if the library can.
   void in_parts(const std::function<void(std::size_t part)>& work);
   std::vector<Episode> collect();
-  void update(std::size_t minibatch);
+  /// False if the policy has moved far enough.
+  bool update(std::size_t minibatch);
+  void adapt_step_size();
+  void average();
+  bool is_frozen() const;
+  /// From 1 down, of the learning rate and of what keeps it.
+  float decay() const;
 
   const Settings settings_;
   const Head head_;

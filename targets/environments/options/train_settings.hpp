@@ -1,0 +1,217 @@
+// Settings of a training, each said once: the trainer reads its values with these rows, and
+// eagerx-gen checks `--settings FILE.yaml`, explains them and makes their schema with the same.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace eagerx::options {
+
+enum class SettingKind : std::uint8_t {
+  whole,
+  number,
+  layers,  // widths: `[64, 64]` in a file, `64,64` on a command line; bounds are those of a width
+  word,
+  truth,  // true or false
+};
+
+struct Setting {
+  const char* name;
+  SettingKind kind;
+  const char* otherwise;  // the value of whoever says nothing
+  const char* about;
+  double low = 0.0, high = 0.0;
+  const char* words = "";      // "tanh,relu": of a word
+  const char* algorithm = "";  // "ppo": of that one only; empty: of all
+};
+
+/// Widths of a network's layers.
+inline constexpr std::size_t kMostLayers = 8;
+
+inline constexpr Setting kTrainSettings[] = {
+    // The network.
+    {.name = "layers",
+     .kind = SettingKind::layers,
+     .otherwise = "64,64",
+     .about = "widths of the hidden layers, of actor and critic",
+     .low = 1,
+     .high = 1024},
+    {.name = "activation",
+     .kind = SettingKind::word,
+     .otherwise = "tanh",
+     .about = "what follows each hidden layer",
+     .words = "tanh,relu"},
+    // What is learnt.
+    {.name = "discount",
+     .kind = SettingKind::number,
+     .otherwise = "0.99",
+     .about = "weight of a reward one step later (γ)",
+     .low = 0,
+     .high = 0.99999},
+    {.name = "trace_decay",
+     .kind = SettingKind::number,
+     .otherwise = "0.95",
+     .about = "how far advantages look ahead (λ): 0 one step, 1 to the end",
+     .low = 0,
+     .high = 1,
+     .algorithm = "ppo"},
+    {.name = "environments",
+     .kind = SettingKind::whole,
+     .otherwise = "256",
+     .about = "how many run beside each other, a multiple of 128",
+     .low = 128,
+     .high = 65536,
+     .algorithm = "ppo"},
+    {.name = "horizon",
+     .kind = SettingKind::whole,
+     .otherwise = "32",
+     .about = "steps of each environment between two updates",
+     .low = 1,
+     .high = 4096,
+     .algorithm = "ppo"},
+    {.name = "minibatches",
+     .kind = SettingKind::whole,
+     .otherwise = "8",
+     .about = "parts of these steps, each with an update of its own; at most environments / 128 * "
+              "horizon",
+     .low = 1,
+     .high = 4096,
+     .algorithm = "ppo"},
+    {.name = "epochs",
+     .kind = SettingKind::whole,
+     .otherwise = "4",
+     .about = "how often each step is learnt from",
+     .low = 1,
+     .high = 100,
+     .algorithm = "ppo"},
+    {.name = "clip",
+     .kind = SettingKind::number,
+     .otherwise = "0.2",
+     .about = "how far the probability of an action is moved in one iteration",
+     .low = 0.001,
+     .high = 10,
+     .algorithm = "ppo"},
+    {.name = "entropy",
+     .kind = SettingKind::number,
+     .otherwise = "0.01",
+     .about = "weight of the entropy of a choice (whole numbers as actions)",
+     .low = 0,
+     .high = 1,
+     .algorithm = "ppo"},
+    {.name = "gradient_norm",
+     .kind = SettingKind::number,
+     .otherwise = "1",
+     .about = "gradients that are longer are made so long",
+     .low = 1e-6,
+     .high = 1e6,
+     .algorithm = "ppo"},
+    // How fast.
+    {.name = "learning_rate",
+     .kind = SettingKind::number,
+     .otherwise = "0.001",
+     .about = "step size of Adam, of the adaptive schedule at first",
+     .low = 1e-8,
+     .high = 1},
+    {.name = "schedule",
+     .kind = SettingKind::word,
+     .otherwise = "adaptive",
+     .about = "`adaptive`: the learning rate follows `divergence`; `constant`",
+     .words = "adaptive,constant",
+     .algorithm = "ppo"},
+    {.name = "least_learning_rate",
+     .kind = SettingKind::number,
+     .otherwise = "1e-05",
+     .about = "of the adaptive schedule",
+     .low = 1e-10,
+     .high = 1,
+     .algorithm = "ppo"},
+    {.name = "most_learning_rate",
+     .kind = SettingKind::number,
+     .otherwise = "0.003",
+     .about = "of the adaptive schedule",
+     .low = 1e-10,
+     .high = 1,
+     .algorithm = "ppo"},
+    {.name = "divergence",
+     .kind = SettingKind::number,
+     .otherwise = "0.01",
+     .about = "how far an iteration moves the policy (Kullback-Leibler), of the adaptive schedule",
+     .low = 1e-6,
+     .high = 1,
+     .algorithm = "ppo"},
+    {.name = "stop_divergence",
+     .kind = SettingKind::number,
+     .otherwise = "0",
+     .about = "an iteration ends once it has moved the policy so many times `divergence`; 0: never",
+     .low = 0,
+     .high = 100,
+     .algorithm = "ppo"},
+    {.name = "decay_steps",
+     .kind = SettingKind::number,
+     .otherwise = "0",
+     .about = "after so many steps learning rate and `divergence` are half, after twice as many a "
+              "third; 0: never",
+     .low = 0,
+     .high = 1e12,
+     .algorithm = "ppo"},
+    // What is tried.
+    {.name = "first_deviation",
+     .kind = SettingKind::number,
+     .otherwise = "1",
+     .about = "standard deviation of the actions at first; their range is -1 to 1",
+     .low = 1e-4,
+     .high = 10,
+     .algorithm = "ppo"},
+    {.name = "least_deviation",
+     .kind = SettingKind::number,
+     .otherwise = "0.36788",
+     .about = "it is never less",
+     .low = 1e-4,
+     .high = 10,
+     .algorithm = "ppo"},
+    {.name = "most_deviation",
+     .kind = SettingKind::number,
+     .otherwise = "2.71828",
+     .about = "it is never more",
+     .low = 1e-4,
+     .high = 10,
+     .algorithm = "ppo"},
+    // What the networks see, and what is kept.
+    {.name = "normalise",
+     .kind = SettingKind::truth,
+     .otherwise = "true",
+     .about = "observations are scaled by their mean and deviation, which the policy's file has in "
+              "its first layer",
+     .algorithm = "ppo"},
+    {.name = "freeze_after",
+     .kind = SettingKind::number,
+     .otherwise = "0",
+     .about = "steps after which mean and deviation of observations and returns stay; 0: never",
+     .low = 0,
+     .high = 1e12,
+     .algorithm = "ppo"},
+    {.name = "averaging",
+     .kind = SettingKind::number,
+     .otherwise = "0",
+     .about = "the policy is a running mean of the actor: weight of the past after an iteration; "
+              "0: none",
+     .low = 0,
+     .high = 0.9999,
+     .algorithm = "ppo"},
+    // When it is looked at.
+    {.name = "evaluation_every",
+     .kind = SettingKind::whole,
+     .otherwise = "5",
+     .about = "iterations between two evaluations",
+     .low = 1,
+     .high = 100000},
+    {.name = "evaluation_episodes",
+     .kind = SettingKind::whole,
+     .otherwise = "100",
+     .about = "of an evaluation, always the same; one that seems the best is judged by four times "
+              "as many",
+     .low = 1,
+     .high = 10000},
+};
+
+}  // namespace eagerx::options
