@@ -26,6 +26,7 @@ class Algorithm {
   struct Result {
     std::vector<Episode> episodes;  // that ended, in order of time
     double divergence = 0.0;        // of the last minibatch
+    std::size_t updates = 0;        // that were made
   };
 
   Algorithm() = default;

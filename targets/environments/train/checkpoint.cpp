@@ -14,7 +14,7 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 4\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 5\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 /// Visits values of a checkpoint in its order: writes them.
@@ -113,6 +113,7 @@ void visit_model(Visitor& visitor, SomeModel& model) {
   } else {
     visitor(model.critic_parameters);
     visitor(model.log_deviation);
+    visitor(model.averaged);
     for (auto* adam : {&model.actor_adam, &model.critic_adam, &model.deviation_adam})
       visit_adam(visitor, *adam);
     visit_statistics(visitor, model);
@@ -127,8 +128,10 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.curve);
   visitor(progressed.recent);
   visitor(progressed.best.parameters);
-  visitor(progressed.best.successes);
-  visitor(progressed.best.mean_return);
+  for (auto* score : {&progressed.best.seen, &progressed.best.judged}) {
+    visitor(score->successes);
+    visitor(score->mean_return);
+  }
   visitor(progressed.actions);
   visit_model(visitor, model);
   if constexpr (requires { model.memory; }) {
@@ -200,10 +203,6 @@ std::string names_and_sizes(const std::vector<Space>& spaces) {
   return fmt::format("{}", fmt::join(texts, " "));
 }
 
-std::string named_algorithm(const Settings& settings) {
-  return settings.algorithm == "ppo" ? "" : fmt::format("{}, ", settings.algorithm);
-}
-
 std::string bytes_of(const std::string& conditions, const std::string& interface,
                      const auto& model, const Progressed& progressed) {
   Writer writer;
@@ -218,8 +217,8 @@ void read_own(const std::string& bytes, const std::string& name, const std::stri
   const Parts parts = parts_of(bytes, name);
   if (parts.conditions != conditions) {
     throw Problem(kInputOutput,
-                  fmt::format("`{}` belongs to another training: {}\nthis one is: {}", name,
-                              parts.conditions, conditions),
+                  fmt::format("`{}` belongs to another training: {}", name,
+                              difference(parts.conditions, conditions)),
                   "resume with the same graph and options, or begin with what it has learnt: "
                   "`--from`");
   }
@@ -232,10 +231,11 @@ SomeModel learnt_by(const std::string& bytes, const std::string& name,
                     const std::string& interface, SomeModel learnt) {
   const Parts parts = parts_of(bytes, name);
   if (parts.interface != interface) {
-    throw Problem(kInputOutput,
-                  fmt::format("`{}` is of other networks: {}\nthis training has: {}", name,
-                              parts.interface, interface),
-                  "give the same --hidden, and a graph with the same observations and actions");
+    throw Problem(
+        kInputOutput,
+        fmt::format("`{}` is of other networks: {}", name, difference(parts.interface, interface)),
+        "give the same algorithm, layers and activation, and a graph with the same "
+        "observations and actions");
   }
   Progressed ignored;
   read_values(parts.values, name, learnt, ignored);
@@ -245,18 +245,18 @@ SomeModel learnt_by(const std::string& bytes, const std::string& name,
 }  // namespace
 
 std::string conditions(const Settings& settings, const std::string& contract_hash) {
-  std::string text = named_algorithm(settings);
-  text += fmt::format("graph {}, seed {}, layers {}, discount {}", contract_hash,
-                                 settings.seed, fmt::join(settings.hidden, ","), settings.discount);
+  std::string text = fmt::format("algorithm {}; graph {}; seed {}; {}", settings.algorithm,
+                                 contract_hash, settings.seed, text_of(settings));
   if (std::isfinite(settings.until_return))
-    text += fmt::format(", until return {}", settings.until_return);
+    text += fmt::format("; until-return {}", settings.until_return);
   return text;
 }
 
 std::string interface_of(const Settings& settings, const Description& description) {
-  return named_algorithm(settings) +
-         fmt::format("observations {}, actions {}, layers {}", names_and_sizes(description.observations),
-                     names_and_sizes(description.actions), fmt::join(settings.hidden, ","));
+  return fmt::format("algorithm {}; observations {}; actions {}; layers {}; activation {}",
+                     settings.algorithm, names_and_sizes(description.observations),
+                     names_and_sizes(description.actions), fmt::join(settings.layers, ","),
+                     settings.activation == Activation::relu ? "relu" : "tanh");
 }
 
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
@@ -287,6 +287,7 @@ void begin_from(const std::string& bytes, const std::string& name, const std::st
   model.actor_parameters = std::move(learnt.actor_parameters);
   model.critic_parameters = std::move(learnt.critic_parameters);
   model.log_deviation = std::move(learnt.log_deviation);
+  model.averaged = std::move(learnt.averaged);
   model.observations = std::move(learnt.observations);
   model.returns = std::move(learnt.returns);
 }

@@ -12,11 +12,22 @@
 
 namespace eagerx::train {
 
+/// How good a policy was in some episodes.
+struct Score {
+  std::uint64_t successes = 0;
+  double mean_return = 0.0;
+
+  bool is_better_than(const Score& other) const {
+    return successes != other.successes ? successes > other.successes
+                                        : mean_return > other.mean_return;
+  }
+};
+
 /// The best policy so far.
 struct Best {
   std::vector<float> parameters;  // folded; empty: none was evaluated
-  std::uint64_t successes = 0;
-  double mean_return = 0.0;
+  Score seen;                     // of the evaluation that each policy has
+  Score judged;                   // of that and those that only what seems the best has
 };
 
 /// Episodes that the mean return of a training is taken of.
@@ -31,7 +42,7 @@ struct Progressed {
   std::vector<float> actions;  // in this era so far; empty: it begins, or all has succeeded
 };
 
-/// What has to be the same when a training goes on, in words: "seed 1, layers 64 64, …".
+/// What has to be the same when a training goes on, in words: "graph 0x…; seed 1; layers 64,64; …".
 std::string conditions(const Settings& settings, const std::string& contract_hash);
 
 /// What has to be the same when another training begins with what was learnt, in words:

@@ -3,11 +3,18 @@
 #include <algorithm>
 
 namespace eagerx::train {
-namespace {
 
-constexpr std::uint32_t kEpisodes = 100;
-
-}  // namespace
+void Evaluation::add(const Evaluation& more) {
+  const auto mine = static_cast<double>(episodes), theirs = static_cast<double>(more.episodes);
+  const auto mean = [&](double a, double b) { return (mine * a + theirs * b) / (mine + theirs); };
+  mean_return = mean(mean_return, more.mean_return);
+  mean_steps = mean(mean_steps, more.mean_steps);
+  for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = mean(terms[i], more.terms[i]);
+  lowest_return = std::min(lowest_return, more.lowest_return);
+  highest_return = std::max(highest_return, more.highest_return);
+  successes += more.successes;
+  episodes += more.episodes;
+}
 
 struct Evaluator::Episode {
   double sum = 0.0;
@@ -80,10 +87,11 @@ class Evaluator::Part {
 };
 
 Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
-                     std::uint32_t longest)
+                     std::uint32_t longest, std::size_t episodes)
     : kernels_(kernels), team_(team), has_threads_(library.description().has_threads) {
-  for (std::uint32_t first = 0; first < kEpisodes; first += kLanes) {
-    const auto count = std::min(static_cast<std::uint32_t>(kLanes), kEpisodes - first);
+  const auto all = static_cast<std::uint32_t>(episodes);
+  for (std::uint32_t first = 0; first < all; first += kLanes) {
+    const auto count = std::min(static_cast<std::uint32_t>(kLanes), all - first);
     parts_.push_back(std::make_unique<Part>(library, first, count, longest));
   }
 }

@@ -18,15 +18,18 @@ struct Evaluation {
   std::vector<double> terms;  // [terms] of the return, mean over the episodes
 
   bool passed() const { return successes * 100 >= episodes * 99; }
+  /// As one evaluation of all the episodes.
+  void add(const Evaluation& more);
 };
 
 class Evaluator {
  public:
   /// `longest`: steps of an episode that the task does not end.
-  Evaluator(const Library& library, const Kernels& kernels, Team& team, std::uint32_t longest);
+  Evaluator(const Library& library, const Kernels& kernels, Team& team, std::uint32_t longest,
+            std::size_t episodes);
   ~Evaluator();
 
-  /// One episode in each of a hundred environments, the first of `seed`. Nothing is drawn.
+  /// One episode in each of `episodes` environments, the first of `seed`. Nothing is drawn.
   Evaluation run(const Policy& policy, std::uint64_t seed);
 
  private:

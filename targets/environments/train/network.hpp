@@ -1,10 +1,11 @@
-// A network of dense layers with tanh between them, forward and backward.
+// A network of dense layers with tanh or relu between them, forward and backward.
 #pragma once
 
 #include <eagerx/random.hpp>
 #include <vector>
 
 #include "targets/environments/train/kernels.hpp"
+#include "targets/environments/train/settings.hpp"
 
 namespace eagerx::train {
 
@@ -18,9 +19,11 @@ class Network {
     std::size_t from, to;       // where its inputs and outputs begin in the row of packs
   };
 
-  Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs);
+  Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs,
+          Activation activation);
 
   const std::vector<Layer>& layers() const { return layers_; }
+  Activation activation() const { return activation_; }
   std::size_t inputs() const { return layers_.front().sizes.inputs; }
   std::size_t outputs() const { return layers_.back().sizes.outputs; }
   std::size_t parameters() const { return parameters_; }
@@ -47,6 +50,7 @@ class Network {
                     Pack* deltas) const;
 
  private:
+  Activation activation_;
   std::vector<Layer> layers_;
   std::size_t parameters_ = 0, row_ = 0;
 };

@@ -13,17 +13,18 @@ namespace {
 using client::number;
 using client::refuse;
 
-std::vector<std::size_t> widths(const std::string& text) {
-  constexpr std::size_t kWidest = 1024, kMostLayers = 8;
-  std::vector<std::size_t> result;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    result.push_back(
-        number<std::size_t>(std::string_view(text).substr(at, comma - at), 1, kWidest));
-    at = comma + 1;
+/// "clip=0.1"
+void set_named(Settings& settings, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) refuse("`" + text + "` is not NAME=VALUE");
+  const std::string name = text.substr(0, equals);
+  try {
+    set(settings, name, text.substr(equals + 1));
+  } catch (const Problem& problem) {
+    throw Problem(problem.code,
+                  problem.help.empty() ? name + ": " + problem.what() : problem.what(),
+                  problem.help);
   }
-  if (result.size() > kMostLayers) refuse("there are at most 8 layers");
-  return result;
 }
 
 /// What each option does with its value.
@@ -46,8 +47,9 @@ std::vector<client::Setter> setters(Options& o) {
        [&](Text v) { settings.until_return = number<double>(v, -kMostReturn, kMostReturn); }},
       {"--seed", [&](Text v) { settings.seed = number<std::uint64_t>(v, 0, kMostSeed); }},
       {"--threads", [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
-      {"--hidden", [&](Text v) { settings.hidden = widths(v); }},
-      {"--discount", [&](Text v) { settings.discount = number<float>(v, 0.0F, 0.99999F); }},
+      {"--hidden", [&](Text v) { set(settings, "layers", v); }},
+      {"--discount", [&](Text v) { set(settings, "discount", v); }},
+      {"--setting", [&](Text v) { set_named(settings, v); }},
       {"--checkpoint", [&](Text v) { o.checkpoint = v; }},
       {"--resume", [&](Text v) { o.resume = v; }},
       {"--from", [&](Text v) { o.from = v; }},
@@ -68,12 +70,13 @@ std::vector<client::Option> table(Options& options) {
 
 Options parse_options(int argc, const char* const* argv) {
   Options options;
-  const auto check = [&] {
+  const auto check_all = [&] {
     if (!options.resume.empty() && !options.from.empty())
       refuse("--resume goes on with one training and --from begins another: give one of them");
+    check(options.settings);
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   };
-  client::parse({"train", table(options), &options.library, check}, argc, argv);
+  client::parse({"train", table(options), &options.library, check_all}, argc, argv);
   return options;
 }
 

@@ -15,12 +15,12 @@ void add_to(std::vector<float>& sum, const std::vector<float>& more) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
 }
 
-/// What makes the gradient of a mean of sums at most 1 long.
-float clipped_scale(const std::vector<float>& gradient, double count) {
+/// What makes the gradient of a mean of sums at most `longest` long.
+float clipped_scale(const std::vector<float>& gradient, double count, double longest) {
   double squares = 0.0;
   for (const float g : gradient) squares += double{g} * g;
   const double length = std::sqrt(squares) / count;
-  return static_cast<float>((length > 1.0 ? 1.0 / length : 1.0) / count);
+  return static_cast<float>((length > longest ? longest / length : 1.0) / count);
 }
 
 }  // namespace
@@ -176,7 +176,7 @@ Ppo::~Ppo() = default;
 void Ppo::begin_era(std::uint32_t era) {
   const std::uint64_t seed = settings_.seed + (std::uint64_t{era} << 32U);
   for (auto& rollout : rollouts_) rollout->reset(seed);
-  if (model_.observations.count > 0.0) return;
+  if (model_.observations.count > 0.0 || !settings_.normalise) return;
   for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
 }
 
@@ -230,8 +230,8 @@ std::vector<Episode> Ppo::collect() {
   std::vector<Episode> episodes;
   Sums advantages(1);
   for (auto& rollout : rollouts_) {
-    model_.observations.add(rollout->observation_sums);
-    model_.returns.add(rollout->return_sums);
+    if (settings_.normalise && !is_frozen()) model_.observations.add(rollout->observation_sums);
+    if (!is_frozen()) model_.returns.add(rollout->return_sums);
     advantages.sum[0] += rollout->advantage_sums.sum[0];
     advantages.squares[0] += rollout->advantage_sums.squares[0];
     advantages.count += rollout->advantage_sums.count;
@@ -245,8 +245,44 @@ std::vector<Episode> Ppo::collect() {
   return episodes;
 }
 
+bool Ppo::is_frozen() const {
+  return settings_.freeze_after > 0.0 &&
+         static_cast<double>(iteration * steps()) >= settings_.freeze_after;
+}
+
+float Ppo::decay() const {
+  if (settings_.decay_steps <= 0.0) return 1.0F;
+  return static_cast<float>(
+      1.0 / (1.0 + static_cast<double>(iteration * steps()) / settings_.decay_steps));
+}
+
+void Ppo::adapt_step_size() {
+  if (settings_.schedule == Schedule::constant) {
+    model_.step_size = settings_.learning_rate * decay();
+    return;
+  }
+  constexpr float kFactor = 1.5F;
+  const double wanted = settings_.divergence * decay();
+  if (divergence_ > 2.0 * wanted) model_.step_size /= kFactor;
+  if (divergence_ < 0.5 * wanted) model_.step_size *= kFactor;
+  model_.step_size =
+      clamp(model_.step_size, settings_.least_learning_rate, settings_.most_learning_rate);
+}
+
+void Ppo::average() {
+  if (settings_.averaging == 0.0F) {
+    model_.averaged = model_.actor_parameters;
+    return;
+  }
+  // At first the mean of all so far: the first actor knows nothing and is forgotten soon.
+  const float weight =
+      max(1.0F - settings_.averaging, 2.0F / (static_cast<float>(iteration) + 2.0F));
+  for (std::size_t i = 0; i < model_.averaged.size(); ++i)
+    model_.averaged[i] += weight * (model_.actor_parameters[i] - model_.averaged[i]);
+}
+
 /// Learns from every Mth tile, from `minibatch` on.
-void Ppo::update(std::size_t minibatch) {
+bool Ppo::update(std::size_t minibatch) {
   precision_.clear();
   for (const float x : model_.log_deviation) precision_.push_back(exp(-x));
   team_.run_parts(kParts, [&](std::size_t part) {
@@ -255,36 +291,39 @@ void Ppo::update(std::size_t minibatch) {
   Gradient& sum = learners_.front()->gradient;
   for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
   divergence_ = sum.divergence / sum.count;
-  constexpr float kFactor = 1.5F;
-  if (divergence_ > 2.0 * settings_.divergence) model_.step_size /= kFactor;
-  if (divergence_ < 0.5 * settings_.divergence) model_.step_size *= kFactor;
-  model_.step_size = clamp(model_.step_size, settings_.least_step_size, settings_.most_step_size);
+  adapt_step_size();
+  if (settings_.stop_divergence > 0.0F &&
+      divergence_ > double{settings_.stop_divergence} * settings_.divergence * decay())
+    return false;
   model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, model_.step_size,
-                         clipped_scale(sum.actor, sum.count));
+                         clipped_scale(sum.actor, sum.count, settings_.gradient_norm));
   model_.critic_adam.step(kernels_, model_.critic_parameters, sum.critic, model_.step_size,
-                          clipped_scale(sum.critic, sum.count));
+                          clipped_scale(sum.critic, sum.count, settings_.gradient_norm));
   model_.deviation_adam.step(kernels_, model_.log_deviation, sum.log_deviation, model_.step_size,
                              static_cast<float>(1.0 / sum.count));
   for (float& x : model_.log_deviation) {
-    x = clamp(x, settings_.least_log_deviation, settings_.most_log_deviation);
+    x = clamp(x, log(settings_.least_deviation), log(settings_.most_deviation));
   }
+  return true;
 }
 
 Algorithm::Result Ppo::iterate() {
   constexpr std::size_t kShift = 7;  // the minibatches of an epoch do not begin with the same one
   Result result{collect()};
-  for (std::size_t epoch = 0; epoch < settings_.epochs; ++epoch) {
-    for (std::size_t m = 0; m < settings_.minibatches; ++m) {
-      update((epoch * kShift + m) % settings_.minibatches);
-    }
+  const std::size_t most = settings_.epochs * settings_.minibatches;
+  for (; result.updates < most; ++result.updates) {
+    const std::size_t epoch = result.updates / settings_.minibatches;
+    const std::size_t m = result.updates % settings_.minibatches;
+    if (!update((epoch * kShift + m) % settings_.minibatches)) break;
   }
   ++iteration;
+  average();
   result.divergence = divergence_;
   return result;
 }
 
 std::vector<float> Ppo::deployed_parameters() const {
-  return folded(model_.actor, model_.actor_parameters, model_.observations);
+  return folded(model_.actor, model_.averaged, model_.observations);
 }
 
 double Ppo::deviation() const {

@@ -58,7 +58,13 @@ class Ppo : public Algorithm {
   /// work(part) for each of the rollouts, at once if the library can.
   void in_parts(const std::function<void(std::size_t part)>& work);
   std::vector<Episode> collect();
-  void update(std::size_t minibatch);
+  /// False if the policy has moved far enough.
+  bool update(std::size_t minibatch);
+  void adapt_step_size();
+  void average();
+  bool is_frozen() const;
+  /// From 1 down, of the learning rate and of what keeps it.
+  float decay() const;
   /// All actions of the first `iterations` of this era, or fewer if they are not remembered.
   std::vector<float> actions(std::uint32_t iterations) const;
   /// actions() gives these from now on, if they are those of so many iterations.

@@ -19,9 +19,8 @@
 namespace eagerx::train {
 namespace {
 
-constexpr std::uint32_t kLongest = 1000;       // steps of an episode that nothing ends
-constexpr std::uint32_t kEvaluationEvery = 5;  // iterations
-constexpr std::uint64_t kEvaluations = 4;      // of a policy that seems to succeed
+constexpr std::uint32_t kLongest = 1000;   // steps of an episode that nothing ends
+constexpr std::uint64_t kEvaluations = 4;  // of a policy that seems to be the best
 constexpr std::uint64_t kEvaluationSeed = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
@@ -99,7 +98,7 @@ std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& li
   if (!is_sac(settings)) return std::make_unique<Ppo>(settings, library, kernels, team, longest);
   // A training that goes on takes the actions of its era from the memory.
   sac::Settings& s = settings.sac;
-  s.capacity = std::max(s.capacity, era * s.horizon * s.environments);
+  s.memory = std::max(s.memory, era * s.horizon * s.environments);
   return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
 }
 
@@ -128,7 +127,7 @@ Training::Training(const Options& options, const Library& library)
       head_(library.description()),
       team_(chosen_threads(options.threads), Team::Size::at_most),
       algorithm_(chosen_algorithm(options.settings, library, kernels_, team_, longest_, era_)),
-      evaluator_(library, kernels_, team_, longest_),
+      evaluator_(library, kernels_, team_, longest_, options.settings.evaluation_episodes),
       progress_(0, 0, false, true) {
   if (!options.resume.empty()) {
     algorithm_->restore(read_file(options.resume), options.resume, conditions_, progressed_, era_);
@@ -208,7 +207,7 @@ Ending Training::iterate(const Interrupt& is_interrupted) {
 }
 
 bool Training::is_evaluation_due() const {
-  return algorithm_->iteration > 0 && algorithm_->iteration % kEvaluationEvery == 0 &&
+  return algorithm_->iteration > 0 && algorithm_->iteration % options_.settings.evaluation_every == 0 &&
          std::isnan(progressed_.curve.back().evaluation_return);
 }
 
@@ -281,29 +280,41 @@ bool Training::is_good(const Evaluation& evaluation) const {
   return !library_.description().has_success || evaluation.passed();
 }
 
-/// Whether the policy is good: on a hundred new seeds, and then on three hundred others, since one
-/// of many evaluations may be good by luck.
+/// All the episodes that choose the best policy: those that it was seen in and three times as many.
+Evaluation Training::judge(const Policy& now, Evaluation seen) {
+  for (std::uint64_t more = 1; more < kEvaluations; ++more)
+    seen.add(evaluator_.run(now, kEvaluationSeed + more));
+  return seen;
+}
+
+/// One of many evaluations may be good by luck: as many episodes that have chosen nothing.
+bool Training::is_confirmed(const Policy& now) {
+  const std::uint64_t seed = kEvaluationSeed + kEvaluations * (std::uint64_t{algorithm_->iteration} + 1);
+  for (std::uint64_t more = 0; more < kEvaluations; ++more) {
+    if (!is_good(evaluator_.run(now, seed + more))) return false;
+  }
+  return true;
+}
+
+/// Whether the policy is good.
 bool Training::evaluate(CurvePoint& point) {
-  const bool has_success = library_.description().has_success;
   Policy now = policy(algorithm_->deployed_parameters());
-  const std::uint64_t seed = kEvaluationSeed + kEvaluations * std::uint64_t{algorithm_->iteration};
-  const Evaluation evaluation = evaluator_.run(now, seed);
+  const Evaluation evaluation = evaluator_.run(now, kEvaluationSeed);
   Best& best = progressed_.best;
-  const bool is_better = evaluation.successes != best.successes
-                             ? evaluation.successes > best.successes
-                             : evaluation.mean_return > best.mean_return;
-  bool succeeds = is_good(evaluation);
-  for (std::uint64_t again = 1; again < kEvaluations && succeeds; ++again) {
-    succeeds = is_good(evaluator_.run(now, seed + again));
+  const Score seen{evaluation.successes, evaluation.mean_return};
+  bool succeeds = false;
+  if (best.parameters.empty() || seen.is_better_than(best.seen) || is_good(evaluation)) {
+    const Evaluation all = judge(now, evaluation);
+    const Score judged{all.successes, all.mean_return};
+    succeeds = is_good(all) && is_confirmed(now);
+    if (best.parameters.empty() || judged.is_better_than(best.judged) || succeeds)
+      best = {std::move(now.parameters), seen, judged};
   }
   // All at once, for who goes on after an exception.
   point.evaluation_return = evaluation.mean_return;
-  if (has_success) {
+  if (library_.description().has_success) {
     point.evaluation_success =
         static_cast<double>(evaluation.successes) / static_cast<double>(evaluation.episodes);
-  }
-  if (best.parameters.empty() || is_better || succeeds) {
-    best = {std::move(now.parameters), evaluation.successes, evaluation.mean_return};
   }
   return succeeds;
 }
@@ -360,9 +371,8 @@ void Training::write_policy() const {
     rows.push_back(random.normal(static_cast<float>(seen.mean[i % width]),
                                  static_cast<float>(1.0 / seen.scale(i % width))));
   }
-  write_files(
-      {{options_.output, safetensors_of(best, library_.description(), options_.settings.seed)},
-       {golden_path(options_.output), golden_rows(best, kernels_, rows)}});
+  write_files({{options_.output, safetensors_of(best, library_.description(), options_.settings)},
+               {golden_path(options_.output), golden_rows(best, kernels_, rows)}});
 }
 
 void Training::write_curve() const {

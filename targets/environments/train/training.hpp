@@ -40,6 +40,8 @@ class Training {
   [[noreturn]] void tell_where(const Problem& problem);
   CurvePoint note(const Algorithm::Result& result);
   bool is_good(const Evaluation& evaluation) const;
+  Evaluation judge(const Policy& now, Evaluation seen);
+  bool is_confirmed(const Policy& now);
   bool evaluate(CurvePoint& point);
   Policy policy(std::vector<float> parameters) const;
   void report(const Evaluation& evaluation, Ending ending) const;

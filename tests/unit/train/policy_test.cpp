@@ -53,7 +53,7 @@ std::vector<float> rows() {
 }
 
 const Network& actor() {
-  static const Network network(3, {24, 16}, 2);
+  static const Network network(3, {24, 16}, 2, Activation::tanh);
   return network;
 }
 
@@ -114,7 +114,7 @@ TEST(TrainPolicy, ActionsStayWithinTheirBounds) {
 TEST(TrainExport, TheReaderOfPoliciesGivesTheSameAnswers) {
   const Policy ours = policy();
   gen::Diagnostics diagnostics;
-  const auto theirs = gen::read_policy_bytes(safetensors_of(ours, description(), 1),
+  const auto theirs = gen::read_policy_bytes(safetensors_of(ours, description(), Settings()),
                                              "p.safetensors", {}, diagnostics);
   ASSERT_TRUE(theirs) << (diagnostics.all().empty() ? "" : diagnostics.all().front().message);
   EXPECT_EQ(theirs->action_kind(), gen::ActionKind::squashed);
@@ -148,7 +148,7 @@ Description choosing() {
   return result;
 }
 Policy choosing_policy() {
-  const Network network(3, {24, 16}, 3);
+  const Network network(3, {24, 16}, 3, Activation::tanh);
   return {network, folded(network, network.drawn(Random({5, 0, 0}, 1), 1.0F), seen()),
           Head(choosing())};
 }
@@ -190,8 +190,8 @@ TEST(TrainChoice, TheLargestAnswerIsTakenAndTheFirstOfEqualOnes) {
 TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoice) {
   const Policy ours = choosing_policy();
   gen::Diagnostics diagnostics;
-  const auto theirs =
-      gen::read_policy_bytes(safetensors_of(ours, choosing(), 1), "p.safetensors", {}, diagnostics);
+  const auto theirs = gen::read_policy_bytes(safetensors_of(ours, choosing(), Settings()),
+                                             "p.safetensors", {}, diagnostics);
   ASSERT_TRUE(theirs) << (diagnostics.all().empty() ? "" : diagnostics.all().front().message);
   EXPECT_EQ(theirs->action_kind(), gen::ActionKind::argmax);
   EXPECT_EQ(theirs->contract.first_choice, 3);
@@ -215,7 +215,7 @@ TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoice) {
 }
 
 TEST(TrainExport, AFirstChoiceThatIsNoWholeNumberIsRefused) {
-  std::string bytes = safetensors_of(choosing_policy(), choosing(), 1);
+  std::string bytes = safetensors_of(choosing_policy(), choosing(), Settings());
   const std::string note = R"("first_choice":"3")";
   bytes.replace(bytes.find(note), note.size(), R"("first_choice":"x")");
   gen::Diagnostics diagnostics;

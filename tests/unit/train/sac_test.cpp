@@ -22,8 +22,8 @@ constexpr std::size_t kWidth = 2, kNumbers = 2;
 train::Settings little() {
   train::Settings settings;
   settings.algorithm = "sac";
-  settings.hidden = {5};
-  settings.sac.capacity = 3;
+  settings.layers = {5};
+  settings.sac.memory = 3;
   return settings;
 }
 
@@ -247,9 +247,9 @@ class TrainSac : public testing::Test {
   /// Quick, with an era of 16 iterations, and a memory that is full by then.
   Options quick(std::uint64_t iterations) const {
     Options result = options(iterations * 8 * 64);
-    result.settings.hidden = {8, 8};
+    result.settings.layers = {8, 8};
     result.settings.sac.updates = 0.125F;
-    result.settings.sac.capacity = 8500;
+    result.settings.sac.memory = 8500;
     return result;
   }
 
@@ -318,18 +318,18 @@ TEST_F(TrainSac, FineTuningBeginsWithWhatWasLearnt) {
   second.from = first.checkpoint;
   EXPECT_NE(trained(second), anew);
   second.settings.algorithm = "ppo";
-  EXPECT_NE(said([&] { Training(second, pendulum()); }).find("is of other networks: sac, obs"),
+  EXPECT_NE(said([&] { Training(second, pendulum()); }).find("is of other networks: algorithm sac (here ppo)"),
             std::string::npos);
   second.from.clear();
   second.resume = first.checkpoint;
-  EXPECT_NE(said([&] { Training(second, pendulum()); }).find("belongs to another training: sac, "),
+  EXPECT_NE(said([&] { Training(second, pendulum()); }).find("belongs to another training: algorithm sac (here ppo)"),
             std::string::npos);
 }
 
 /// What the temperature has become while the policy should have so much entropy.
 float temperature_for(float entropy, const Library& library) {
   train::Settings settings;
-  settings.hidden = {8};
+  settings.layers = {8};
   settings.sac.random_steps = 128;
   settings.sac.entropy = entropy;
   Team team(1);
@@ -340,7 +340,7 @@ float temperature_for(float entropy, const Library& library) {
 }
 
 TEST_F(TrainSac, TheTemperatureGrowsWhereEntropyIsMissing) {
-  const float first = sac::Settings().first_temperature;
+  const float first = train::Settings().sac.first_temperature;
   EXPECT_GT(temperature_for(0.7F, pendulum()), 1.2F * first);  // more than -1…1 can have
   EXPECT_LT(temperature_for(-9.0F, pendulum()), first / 1.2F);
 }

@@ -96,7 +96,7 @@ TEST_F(TrainTraining, AnyInstructionSetLearnsTheSameBits) {
 
 /// Quick, and does not succeed so soon.
 Options small(Options options) {
-  options.settings.hidden = {8, 8};
+  options.settings.layers = {8, 8};
   options.threads = 2;
   return options;
 }
@@ -301,7 +301,7 @@ TEST_F(TrainTraining, WithoutSuccessTheExitCodeSaysSo) {
 
 TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
   Options first = options(33);
-  first.settings.hidden = {8};
+  first.settings.layers = {8};
   first.checkpoint = path("checkpoint");
   trained(first);
   Options other = first;
@@ -310,7 +310,7 @@ TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
   EXPECT_NE(said([&] { Training(other, pendulum()); }).find("belongs to another training"),
             std::string::npos);
   Options wider = options(1);
-  wider.settings.hidden = {9};
+  wider.settings.layers = {9};
   wider.from = first.checkpoint;
   EXPECT_NE(said([&] { Training(wider, pendulum()); }).find("is of other networks"),
             std::string::npos);

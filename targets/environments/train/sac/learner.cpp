@@ -100,7 +100,7 @@ void Learner::draw(const Frozen& frozen, const Pack* row, Random& random) {
   log_probability_ = {};
   for (std::size_t j = 0; j < numbers_; ++j) {
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const float log_deviation = log_deviation_of(frozen.settings.sac, spread_[j].lane[l]);
+      const float log_deviation = log_deviation_of(spread_[j].lane[l]);
       const float noise = random.normal(0.0F, 1.0F);
       const float deviation = exp(log_deviation);
       const float x = means[j].lane[l] + deviation * noise;
@@ -190,7 +190,7 @@ void Learner::slopes(const Frozen& frozen, Pack* actor_deltas) {
       const float by_log_deviation = slope * deviation * noise_[j].lane[l] - frozen.temperature;
       actor_deltas[j].lane[l] = slope;
       actor_deltas[numbers_ + j].lane[l] =
-          by_log_deviation * log_deviation_slope(frozen.settings.sac, spread_[j].lane[l]);
+          by_log_deviation * log_deviation_slope(spread_[j].lane[l]);
       gradient.deviation += deviation / static_cast<float>(numbers_);
     }
   }

@@ -5,7 +5,8 @@
 namespace eagerx::train::sac {
 
 Network deployed(const train::Settings& settings, const Model& model) {
-  return {model.actor.inputs(), settings.hidden, model.actor.outputs() / 2};
+  return {model.actor.inputs(), settings.layers, model.actor.outputs() / 2,
+          settings.activation};
 }
 
 std::vector<float> deployed_parameters(const Network& network, const Model& model) {

@@ -24,8 +24,8 @@ struct Critic {
 /// Actor, critics and memory, with all that the next update depends on.
 struct Model {
   Model(const train::Settings& settings, std::size_t inputs, const Head& head)
-      : actor(inputs, settings.hidden, 2 * head.numbers),
-        critic(inputs + head.numbers, settings.hidden, 1),
+      : actor(inputs, settings.layers, 2 * head.numbers, settings.activation),
+        critic(inputs + head.numbers, settings.layers, 1, settings.activation),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
         critics{Critic(critic, random(settings, "train/critic")),
                 Critic(critic, random(settings, "train/second_critic"))},
@@ -34,7 +34,7 @@ struct Model {
         temperature_adam(1),
         observations(inputs),
         returns(1),
-        memory(inputs, head.numbers, settings.sac.capacity),
+        memory(inputs, head.numbers, settings.sac.memory),
         settings_(settings.sac) {}
 
   Network actor;   // means of the actions before tanh, then what becomes their deviations

@@ -36,7 +36,8 @@ std::uint64_t Sac::first_seed(std::uint32_t era) const {
 
 void Sac::begin_era(std::uint32_t era) {
   walk_.reset(first_seed(era));
-  if (model_.observations.count == 0.0) model_.observations.add(walk_.observation_sums);
+  if (model_.observations.count == 0.0 && settings_.normalise)
+    model_.observations.add(walk_.observation_sums);
 }
 
 void Sac::go_on(std::uint32_t era) {
@@ -52,6 +53,7 @@ Algorithm::Result Sac::iterate() {
   walk_.observation_sums.clear();
   walk_.return_sums.clear();
   const Normaliser normaliser(model_.observations);
+  const std::uint64_t updates = model_.actor_adam.steps;
   for (std::size_t t = 0; t < settings_.sac.horizon; ++t) {
     const bool is_random =
         !model_.was_taught && model_.memory.added < settings_.sac.random_steps;
@@ -59,10 +61,10 @@ Algorithm::Result Sac::iterate() {
                static_cast<std::uint32_t>(iteration * settings_.sac.horizon + t));
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
   }
-  model_.observations.add(walk_.observation_sums);
+  if (settings_.normalise) model_.observations.add(walk_.observation_sums);
   model_.returns.add(walk_.return_sums);
   ++iteration;
-  return {walk_.episodes, 0.0};
+  return {walk_.episodes, 0.0, model_.actor_adam.steps - updates};
 }
 
 void Sac::update(const Normaliser& normaliser) {
@@ -71,7 +73,7 @@ void Sac::update(const Normaliser& normaliser) {
                       settings_,
                       model_,
                       normaliser,
-                      settings_.sac.reward_size * static_cast<float>(model_.returns.scale(0)),
+                      static_cast<float>(model_.returns.scale(0)),
                       exp(model_.log_temperature.front())};
   team_.run_parts(kParts, [&](std::size_t part) {
     const Random random({settings_.seed, static_cast<std::uint32_t>(part), number},
@@ -82,7 +84,7 @@ void Sac::update(const Normaliser& normaliser) {
   for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
   const auto count = static_cast<double>(settings_.sac.batch);
   const auto scale = static_cast<float>(1.0 / count);
-  const float step_size = settings_.sac.step_size;
+  const float step_size = settings_.learning_rate;
   model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, step_size, scale);
   for (std::size_t c = 0; c < 2; ++c) {
     Critic& critic = model_.critics[c];

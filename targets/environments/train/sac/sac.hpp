@@ -32,7 +32,7 @@ class Sac : public Algorithm {
   std::vector<float> deployed_parameters() const override;
   const Statistics& observations() const override { return model_.observations; }
   double deviation() const override { return deviation_; }
-  double step_size() const override { return settings_.sac.step_size; }
+  double step_size() const override { return settings_.learning_rate; }
   std::string checkpoint(const std::string& conditions, const std::string& interface,
                          Progressed& progressed, std::uint32_t iterations) const override;
   void restore(const std::string& bytes, const std::string& name, const std::string& conditions,

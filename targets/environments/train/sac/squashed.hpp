@@ -9,14 +9,14 @@ namespace eagerx::train::sac {
 
 /// The logarithm of the deviation, from the tanh of the network's output: between the least and the
 /// most.
-inline float log_deviation_of(const Settings& settings, float squashed) {
-  const float half = 0.5F * (settings.most_log_deviation - settings.least_log_deviation);
-  return settings.least_log_deviation + half * (squashed + 1.0F);
+inline float log_deviation_of(float squashed) {
+  constexpr float kHalf = 0.5F * (kMostLogDeviation - kLeastLogDeviation);
+  return kLeastLogDeviation + kHalf * (squashed + 1.0F);
 }
 /// Its derivative by the network's output.
-inline float log_deviation_slope(const Settings& settings, float squashed) {
-  const float half = 0.5F * (settings.most_log_deviation - settings.least_log_deviation);
-  return half * (1.0F - squashed * squashed);
+inline float log_deviation_slope(float squashed) {
+  constexpr float kHalf = 0.5F * (kMostLogDeviation - kLeastLogDeviation);
+  return kHalf * (1.0F - squashed * squashed);
 }
 
 /// log(1 - tanh(x)²), also where tanh(x) is 1 in float.

@@ -53,7 +53,7 @@ void Walk::act(const Model& model, const Normaliser& normaliser, const Kernels& 
   for (std::size_t e = 0; e < count_; ++e) {
     Random random = noise(time, e);
     for (std::size_t j = 0; j < numbers_; ++j) {
-      const float deviation = exp(log_deviation_of(settings_.sac, means[numbers_ + j].lane[e]));
+      const float deviation = exp(log_deviation_of(means[numbers_ + j].lane[e]));
       squashed_[e * numbers_ + j] =
           tanh(means[j].lane[e] + deviation * random.normal(0.0F, 1.0F));
     }
