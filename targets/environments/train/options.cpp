@@ -49,7 +49,11 @@ std::vector<client::Setter> setters(Options& o) {
       {"--threads", [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
       {"--hidden", [&](Text v) { set(settings, "layers", v); }},
       {"--discount", [&](Text v) { set(settings, "discount", v); }},
-      {"--setting", [&](Text v) { set_named(settings, v); }},
+      {"--setting",
+       [&](Text v) {
+         set_named(settings, v);
+         o.named.push_back(v.substr(0, v.find('=')));
+       }},
       {"--checkpoint", [&](Text v) { o.checkpoint = v; }},
       {"--resume", [&](Text v) { o.resume = v; }},
       {"--from", [&](Text v) { o.from = v; }},
@@ -74,6 +78,7 @@ Options parse_options(int argc, const char* const* argv) {
     if (!options.resume.empty() && !options.from.empty())
       refuse("--resume goes on with one training and --from begins another: give one of them");
     check(options.settings);
+    for (const std::string& name : options.named) check_algorithm(options.settings, name);
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   };
   client::parse({"train", table(options), &options.library, check_all}, argc, argv);

@@ -180,6 +180,15 @@ void check(const Settings& settings) {
     refuse("least_learning_rate is more than most_learning_rate");
 }
 
+void check_algorithm(const Settings& settings, std::string_view name) {
+  const auto* row = std::ranges::find(kTrainSettings, name, &Setting::name);
+  if (row == std::end(kTrainSettings) || *row->algorithm == '\0' ||
+      row->algorithm == settings.algorithm)
+    return;
+  refuse(fmt::format("{} is a setting of {}, and the algorithm is {}", name, row->algorithm,
+                     settings.algorithm));
+}
+
 std::string text_of(const Settings& settings) {
   std::string text;
   for (const Setting& row : kTrainSettings)

@@ -63,6 +63,9 @@ void set(Settings& settings, std::string_view name, const std::string& text);
 /// Throws Problem with kUsage for settings that do not go together.
 void check(const Settings& settings);
 
+/// Throws Problem with kUsage if the setting of this name is another algorithm's.
+void check_algorithm(const Settings& settings, std::string_view name);
+
 /// All of the table in words, such as "layers 64,64; activation tanh; …".
 std::string text_of(const Settings& settings);
 

@@ -105,6 +105,12 @@ TEST(TrainSettings, OnTheCommandLine) {
   expected.clip = 0.3F;
   EXPECT_EQ(parse({"--setting", "clip=0.3", "--setting=layers=8,16"}), text_of(expected));
   EXPECT_EQ(parse({"--setting", "clip"}), "--setting: `clip` is not NAME=VALUE");
+  EXPECT_EQ(parse({"--setting", "clip=0.3", "--algorithm", "sac"}),
+            "clip is a setting of ppo, and the algorithm is sac");
+  EXPECT_EQ(parse({"--setting", "sac_batch=256"}),
+            "sac_batch is a setting of sac, and the algorithm is ppo");
+  EXPECT_EQ(parse({"--algorithm", "sac", "--setting", "sac_batch=200"}),
+            "sac_batch: 200 is no multiple of 128");
   EXPECT_EQ(parse({"--setting", "clip=x"}),
             "--setting: clip: `x` is not a number from 0.001 to 10");
 }
