@@ -47,6 +47,12 @@ inline constexpr Row kTrain[] = {
      .about = "begin with what a checkpoint has learnt, also on another graph with the same "
               "observations and actions",
      .use = Use::reads},
+    {.names = "--replay",
+     .value = "FILE",
+     .about = "with sac: learn from this run, too, a table that `--csv` of a program wrote; may be "
+              "repeated",
+     .use = Use::reads,
+     .repeated = true},
     {.names = "--csv",
      .value = "FILE",
      .about = "write the learning curve as a table",

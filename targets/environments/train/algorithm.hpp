@@ -72,6 +72,9 @@ class Algorithm {
   /// Begins with what another training has learnt. Throws Problem.
   virtual void begin_from(const std::string& bytes, const std::string& name,
                           const std::string& interface) = 0;
+  /// Learns from the table of a run, too. Returns what is to be said of it. Throws Problem, which
+  /// is all that an algorithm does that learns from its own steps only.
+  virtual std::string replay(const std::string& text, const std::string& name) = 0;
 };
 
 }  // namespace eagerx::train

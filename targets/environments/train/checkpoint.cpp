@@ -136,6 +136,7 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visit_model(visitor, model);
   if constexpr (requires { model.memory; }) {
     visitor(model.was_taught);
+    visitor(model.replayed);
     visitor(model.memory.added);
     visitor(model.memory.rows);
   }

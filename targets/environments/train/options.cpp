@@ -57,6 +57,7 @@ std::vector<client::Setter> setters(Options& o) {
       {"--checkpoint", [&](Text v) { o.checkpoint = v; }},
       {"--resume", [&](Text v) { o.resume = v; }},
       {"--from", [&](Text v) { o.from = v; }},
+      {"--replay", [&](Text v) { o.replay.push_back(v); }},
       {"--csv", [&](Text v) { o.csv = v; }},
       {"--curve", [&](Text v) { o.curve = v; }},
       {"--isa", [&](Text v) { o.kernels = v; }},
@@ -77,6 +78,8 @@ Options parse_options(int argc, const char* const* argv) {
   const auto check_all = [&] {
     if (!options.resume.empty() && !options.from.empty())
       refuse("--resume goes on with one training and --from begins another: give one of them");
+    if (!options.resume.empty() && !options.replay.empty())
+      refuse("--resume goes on with a training that has its logs already: leave --replay out");
     check(options.settings);
     for (const std::string& name : options.named) check_algorithm(options.settings, name);
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");

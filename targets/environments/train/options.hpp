@@ -19,6 +19,7 @@ struct Options {
   bool is_quiet = false;
   bool wants_help = false;
   bool only_checks = false;  // options and the places of files; there is no library yet
+  std::vector<std::string> replay;  // tables of runs
   std::vector<std::string> named;  // settings that --setting gave
   Settings settings;
 };

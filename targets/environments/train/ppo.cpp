@@ -348,6 +348,11 @@ void Ppo::restore(const std::string& bytes, const std::string& name, const std::
   take_up(std::exchange(progressed.actions, {}), iteration % era);
 }
 
+std::string Ppo::replay(const std::string& /*text*/, const std::string& name) {
+  throw Problem(kUsage, "PPO learns from its own steps only, and not from `" + name + "`",
+                "`--algorithm sac` does");
+}
+
 void Ppo::begin_from(const std::string& bytes, const std::string& name,
                      const std::string& interface) {
   train::begin_from(bytes, name, interface, model_);

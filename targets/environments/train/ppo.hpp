@@ -51,6 +51,7 @@ class Ppo : public Algorithm {
                Progressed& progressed, std::uint32_t era) override;
   void begin_from(const std::string& bytes, const std::string& name,
                   const std::string& interface) override;
+  std::string replay(const std::string& text, const std::string& name) override;
 
  private:
   class Learner;  // a part of a minibatch

@@ -113,6 +113,7 @@ void check_files(const Options& options) {
   for (const std::string* path : {&options.resume, &options.from}) {
     if (!path->empty()) read_file(*path);
   }
+  for (const std::string& path : options.replay) read_file(path);
 }
 
 Training::Training(const Options& options, const Library& library)
@@ -136,6 +137,10 @@ Training::Training(const Options& options, const Library& library)
   }
   if (!options.from.empty())
     algorithm_->begin_from(read_file(options.from), options.from, interface_);
+  for (const std::string& log : options.replay) {
+    const std::string said = algorithm_->replay(read_file(log), log);
+    if (!options.is_quiet) fmt::print(stderr, "{}\n", said);
+  }
   if (!options.checkpoint.empty()) algorithm_->remember_actions();
   progress_ = Progress(steps(), options.steps, library.description().has_success, options.is_quiet);
 }

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string>
 
 #include "targets/environments/train/checkpoint.hpp"
+#include "targets/environments/train/sac/log.hpp"
 #include "targets/environments/train/sac/squashed.hpp"
 #include "targets/environments/train/training.hpp"
 
@@ -223,6 +225,85 @@ TEST_F(TrainSacLosses, TheDeployedNetworkHasTheMeans) {
   EXPECT_EQ(answers(network, ours, x), std::vector<double>(all.begin(), all.begin() + kNumbers));
 }
 
+const std::string kHeader =
+    "episode,step,time_s,angle[0],angle[1],speed,voltage,task.reward,task.terminated,"
+    "task.truncated,task.success,task.angle\n";
+/// Two episodes, of which the first ran out of time and the second fell.
+const std::string kRows =
+    "0,0,0,1,0,0.5,,,,,,\n"
+    "0,1,0.1,0.9,0.1,0.25,-1,-2,0,0,0,-2\n"
+    "0,2,0.2,0.8,0.2,0.125,4,-3,0,1,0,-3\n"
+    "1,0,0,0,1,7,,,,,,\n"
+    "1,1,0.1,0.5,0.5,8,0.5,-10,1,0,0,-10\n";
+
+Description pendulum_description() {
+  Description result;
+  result.observations = {{.name = "angle", .dtype = "float32", .size = 2, .low = {}, .high = {}},
+                         {.name = "speed", .dtype = "float32", .low = {}, .high = {}}};
+  result.actions = {{.name = "voltage", .dtype = "float32", .low = {-2}, .high = {2}}};
+  return result;
+}
+
+struct ReadLog {
+  sac::Memory memory{3, 1, 100};
+  Sums observations{3}, returns{1};
+  sac::Log log;
+  std::string problem;
+
+  explicit ReadLog(const std::string& text) {
+    try {
+      log = sac::read_log(text, "run.csv", pendulum_description(), 0.5F, memory, observations,
+                          returns);
+    } catch (const Problem& what) {
+      problem = what.what();
+    }
+  }
+};
+
+TEST(TrainSacLog, RowsBecomeTransitions) {
+  const ReadLog read(kHeader + kRows + "1,2,0.2,0.4");  // the program was killed here
+  ASSERT_EQ(read.problem, "");
+  EXPECT_EQ(read.log.transitions, 3);
+  EXPECT_EQ(read.log.left_out, 0);
+  ASSERT_EQ(read.memory.size(), 3);
+  const sac::Transition first = read.memory.at(0), second = read.memory.at(1),
+                        fell = read.memory.at(2);
+  EXPECT_EQ(first.observation[2], 0.5F);
+  EXPECT_EQ(first.next[0], 0.9F);
+  EXPECT_EQ(*first.action, -0.5F);
+  EXPECT_EQ(first.reward, -2.0F);
+  EXPECT_EQ(second.observation[2], 0.25F);
+  EXPECT_EQ(*second.action, 1.0F) << "4 V were more than there may be";
+  EXPECT_EQ(second.goes_on, 1.0F) << "it only ran out of time";
+  EXPECT_EQ(fell.observation[2], 7.0F);
+  EXPECT_EQ(fell.goes_on, 0.0F);
+  EXPECT_EQ(read.observations.count, 5);
+  EXPECT_EQ(read.returns.sum[0], -2.0 + (-2.0 * 0.5 - 3.0) - 10.0);
+}
+
+TEST(TrainSacLog, StepsThatLackNumbersAreLeftOut) {
+  std::string rows = kRows;
+  rows.replace(rows.find("0.125,4,-3"), 5, "nan");
+  const ReadLog read(kHeader + rows + "1,3,0.3,0,0,0,0,0,0,0,0,0\n");
+  ASSERT_EQ(read.problem, "");
+  EXPECT_EQ(read.log.transitions, 2);
+  EXPECT_EQ(read.log.left_out, 2) << "one is nan, one comes after a step that is missing";
+}
+
+TEST(TrainSacLog, OtherTablesAreRefused) {
+  EXPECT_EQ(ReadLog("").problem, "`run.csv`, line 1: there is no header");
+  EXPECT_EQ(ReadLog("a,b\n").problem, "`run.csv`, line 1: there is no column `episode`");
+  EXPECT_EQ(ReadLog(kHeader + "0,0\n").problem, "`run.csv`, line 2: 2 cells, not 12");
+  std::string wrong = kHeader + kRows;
+  wrong.replace(wrong.find("0.25"), 4, "fast");
+  EXPECT_EQ(ReadLog(wrong).problem, "`run.csv`, line 3: `fast` is no number");
+  wrong = kHeader + kRows;
+  wrong.replace(wrong.find("angle[1]"), 8, "tilt");
+  EXPECT_EQ(ReadLog(wrong).problem, "`run.csv`, line 1: there are 1 columns of `angle`, not 2");
+  EXPECT_EQ(ReadLog(kHeader + "-1,0,0,1,0,0.5,,,,,,\n").problem,
+            "`run.csv`, line 2: `-1` is no whole number");
+}
+
 class TrainSac : public testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
@@ -301,6 +382,25 @@ TEST_F(TrainSac, WhatGoesOnFromACheckpointIsOneTraining) {
     EXPECT_EQ(trained(second), policy) << iterations;
     EXPECT_EQ(read_file(second.csv), curve) << iterations;
   }
+}
+
+TEST_F(TrainSac, LogsAreLearntFromAndAreInTheCheckpoint) {
+  Options whole = quick(6);
+  const std::string without = trained(whole);
+  write_file(path("run.csv"), kHeader + kRows);
+  whole.replay = {path("run.csv"), path("run.csv")};
+  const std::string policy = trained(whole);
+  EXPECT_NE(policy, without);
+  Options first = quick(2);
+  first.replay = whole.replay;
+  first.checkpoint = path("checkpoint");
+  trained(first);
+  Options second = quick(6);
+  second.resume = first.checkpoint;
+  EXPECT_EQ(trained(second), policy);
+  whole.settings.algorithm = "ppo";
+  EXPECT_NE(said([&] { Training(whole, pendulum()); }).find("PPO learns from its own steps only"),
+            std::string::npos);
 }
 
 TEST_F(TrainSac, LearnsToSwingUp) {

@@ -21,6 +21,8 @@ struct Critic {
   Adam adam;
 };
 
+inline constexpr std::uint64_t kMostReplayed = 1'000'000'000'000;
+
 /// Actor, critics and memory, with all that the next update depends on.
 struct Model {
   Model(const train::Settings& settings, std::size_t inputs, const Head& head)
@@ -47,7 +49,8 @@ struct Model {
   Statistics observations;  // [inputs]
   Statistics returns;       // [1] discounted, while they run
   Memory memory;
-  bool was_taught = false;  // it began with what another training had learnt
+  bool was_taught = false;     // it began with what another training had learnt, or with logs
+  std::uint64_t replayed = 0;  // transitions of logs
 
   /// Updates that there should have been by now.
   std::uint64_t due() const {
@@ -58,7 +61,8 @@ struct Model {
   /// Whether it has as many transitions and updates as come of so many iterations.
   bool is_due(std::uint32_t iterations) const {
     const std::uint64_t steps = settings_.environments * settings_.horizon;
-    return memory.added == iterations * steps && actor_adam.steps == due();
+    return replayed <= kMostReplayed && memory.added == iterations * steps + replayed &&
+           actor_adam.steps == due();
   }
 
  private:

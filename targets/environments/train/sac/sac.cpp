@@ -2,7 +2,10 @@
 
 #include <eagerx/math.hpp>
 
+#include <fmt/format.h>
+
 #include "targets/environments/train/checkpoint.hpp"
+#include "targets/environments/train/sac/log.hpp"
 
 namespace eagerx::train::sac {
 namespace {
@@ -19,6 +22,7 @@ const Library& real_numbers(const Library& library) {
 Sac::Sac(const train::Settings& settings, const Library& library, const Kernels& kernels,
          Team& team, std::uint32_t longest)
     : settings_(settings),
+      description_(library.description()),
       model_(settings_, library.description().observation_numbers(),
              Head(real_numbers(library).description())),
       deployed_(sac::deployed(settings_, model_)),
@@ -118,6 +122,21 @@ void Sac::restore(const std::string& bytes, const std::string& name, const std::
 void Sac::begin_from(const std::string& bytes, const std::string& name,
                      const std::string& interface) {
   train::begin_from(bytes, name, interface, model_);
+}
+
+std::string Sac::replay(const std::string& text, const std::string& name) {
+  Sums observations(model_.actor.inputs()), returns(1);
+  const Log log = read_log(text, name, description_, settings_.discount, model_.memory,
+                           observations, returns);
+  if (log.transitions == 0)
+    throw Problem(kInputOutput, fmt::format("`{}` has no step that can be learnt from", name));
+  if (settings_.normalise) model_.observations.add(observations);
+  model_.returns.add(returns);
+  model_.replayed += log.transitions;
+  model_.was_taught = true;
+  std::string said = fmt::format("{} steps of {}", log.transitions, name);
+  if (log.left_out > 0) said += fmt::format(", without {} that lack numbers", log.left_out);
+  return said;
 }
 
 }  // namespace eagerx::train::sac

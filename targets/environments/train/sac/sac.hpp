@@ -39,12 +39,14 @@ class Sac : public Algorithm {
                Progressed& progressed, std::uint32_t era) override;
   void begin_from(const std::string& bytes, const std::string& name,
                   const std::string& interface) override;
+  std::string replay(const std::string& text, const std::string& name) override;
 
  private:
   std::uint64_t first_seed(std::uint32_t era) const;
   void update(const Normaliser& normaliser);
 
   const train::Settings settings_;
+  const Description& description_;
   Model model_;
   const Network deployed_;
   const Kernels& kernels_;
