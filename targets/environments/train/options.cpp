@@ -44,6 +44,7 @@ std::vector<client::Setter> setters(Options& o) {
       {"--until-return",
        [&](Text v) { settings.until_return = number<double>(v, -kMostReturn, kMostReturn); }},
       {"--seed", [&](Text v) { settings.seed = number<std::uint64_t>(v, 0, kMostSeed); }},
+      {"--seeds", [&](Text v) { o.seeds = number<std::uint64_t>(v, 1, 1000); }},
       {"--threads", [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
       {"--hidden", [&](Text v) { set(settings, "layers", v); }},
       {"--discount", [&](Text v) { set(settings, "discount", v); }},
@@ -53,6 +54,7 @@ std::vector<client::Setter> setters(Options& o) {
       {"--from", [&](Text v) { o.from = v; }},
       {"--csv", [&](Text v) { o.csv = v; }},
       {"--curve", [&](Text v) { o.curve = v; }},
+      {"--tensorboard", [&](Text v) { o.tensorboard = v; }},
       {"--isa", [&](Text v) { o.kernels = v; }},
       {"--quiet", [&](Text) { o.is_quiet = true; }},
       {"--check", [&](Text) { o.only_checks = true; }},
@@ -72,6 +74,8 @@ Options parse_options(int argc, const char* const* argv) {
     if (!options.resume.empty() && !options.from.empty())
       refuse("--resume goes on with one training and --from begins another: give one of them");
     check(options.settings);
+    if (options.seeds > 1 && !(options.checkpoint + options.resume).empty())
+      refuse("--seeds takes no --checkpoint and no --resume: train each seed by itself for that");
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   };
   client::parse({"train", table(options), &options.library, check_all}, argc, argv);
