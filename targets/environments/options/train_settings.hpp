@@ -62,6 +62,12 @@ inline constexpr Setting kTrainSettings[] = {
      .low = 128,
      .high = 65536,
      .algorithm = "ppo"},
+    {.name = "stagger",
+     .kind = SettingKind::truth,
+     .otherwise = "true",
+     .about = "first episodes are cut, each elsewhere, so that not all are at the same place of "
+              "theirs",
+     .algorithm = "ppo"},
     {.name = "horizon",
      .kind = SettingKind::whole,
      .otherwise = "32",

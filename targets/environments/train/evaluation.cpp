@@ -1,6 +1,7 @@
 #include "targets/environments/train/evaluation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace eagerx::train {
 
@@ -38,14 +39,22 @@ class Evaluator::Part {
         success_(count) {}
 
   std::vector<Episode> episodes;
+  std::uint64_t saturated = 0, numbers = 0;  // of the actions
+  std::vector<std::uint64_t> far;            // [inputs] steps
 
-  void run(const Kernels& kernels, const Policy& policy, std::uint64_t seed) {
+  void run(const Kernels& kernels, const Policy& policy, std::uint64_t seed,
+           const Statistics& observations) {
+    saturated = numbers = 0;
+    far.assign(policy.network.inputs(), 0);
     row_.resize(policy.network.row());
     episodes.assign(count_, Episode{0.0, std::vector<double>(terms_), 0, false});
     std::vector<bool> ended(count_);
     environments_.reset(seed, observation_.data());
     while (std::count(ended.begin(), ended.end(), false) != 0) {
       act(kernels, policy);
+      for (std::uint32_t e = 0; e < count_; ++e) {
+        if (!ended[e]) look(policy, observations, e);
+      }
       step_all(environments_, action_.data(),
                {.size = sizeof(eagerx_rows),
                 .observation = observation_.data(),
@@ -68,6 +77,18 @@ class Evaluator::Part {
     const Pack* const answers = &row_[policy.network.output()];
     for (std::size_t e = 0; e < count_; ++e) {
       policy.head.act(answers, e, &action_[e * policy.head.numbers]);
+    }
+  }
+  /// Counts what is at a bound, and what is far from all that was seen.
+  void look(const Policy& policy, const Statistics& observations, std::uint32_t e) {
+    for (std::size_t j = 0; j < policy.head.numbers && !policy.head.chooses; ++j) {
+      const float x = action_[e * policy.head.numbers + j];
+      saturated += x <= policy.head.low[j] || x >= policy.head.high[j] ? 1 : 0;
+      ++numbers;
+    }
+    for (std::size_t i = 0; i < far.size(); ++i) {
+      const double distance = observation_[e * far.size() + i] - observations.mean[i];
+      far[i] += std::abs(distance) * observations.scale(i) > double{kFar} ? 1 : 0;
     }
   }
   void count(std::uint32_t e) {
@@ -98,15 +119,22 @@ Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
 
 Evaluator::~Evaluator() = default;
 
-Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed) {
-  const auto work = [&](std::size_t part) { parts_[part]->run(kernels_, policy, seed); };
+Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed,
+                          const Statistics& observations) {
+  const auto work = [&](std::size_t part) { parts_[part]->run(kernels_, policy, seed, observations); };
   if (has_threads_) {
     team_.run_parts(parts_.size(), work);
   } else {
     for (std::size_t part = 0; part < parts_.size(); ++part) work(part);
   }
   Evaluation result;
+  result.far.resize(policy.network.inputs());
+  double numbers = 0.0;
   for (const auto& part : parts_) {
+    result.saturated += static_cast<double>(part->saturated);
+    numbers += static_cast<double>(part->numbers);
+    for (std::size_t i = 0; i < result.far.size(); ++i)
+      result.far[i] += static_cast<double>(part->far[i]);
     for (const Episode& episode : part->episodes) {
       const bool is_first = result.episodes++ == 0;
       result.successes += episode.success ? 1 : 0;
@@ -119,6 +147,8 @@ Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed) {
     }
   }
   const auto episodes = static_cast<double>(result.episodes);
+  for (double& share : result.far) share /= result.mean_steps;
+  result.saturated /= std::max(numbers, 1.0);
   result.mean_return /= episodes;
   result.mean_steps /= episodes;
   for (double& term : result.terms) term /= episodes;

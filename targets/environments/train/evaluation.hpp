@@ -10,12 +10,17 @@
 
 namespace eagerx::train {
 
+/// What is further from the mean of observations, in deviations, networks do not see as they learn.
+inline constexpr float kFar = 8.0F;
+
 struct Evaluation {
   std::size_t episodes = 0;
   std::size_t successes = 0;  // `success:` of the task holds at the end of the episode
   double mean_return = 0.0, lowest_return = 0.0, highest_return = 0.0;
   double mean_steps = 0.0;
   std::vector<double> terms;  // [terms] of the return, mean over the episodes
+  double saturated = 0.0;     // share of the actions' numbers that are at a bound
+  std::vector<double> far;    // [inputs] share of the steps beyond kFar deviations
 
   bool passed() const { return successes * 100 >= episodes * 99; }
   /// As one evaluation of all the episodes.
@@ -30,7 +35,8 @@ class Evaluator {
   ~Evaluator();
 
   /// One episode in each of `episodes` environments, the first of `seed`. Nothing is drawn.
-  Evaluation run(const Policy& policy, std::uint64_t seed);
+  /// `observations`: what is far from it is counted.
+  Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations);
 
  private:
   struct Episode;

@@ -46,6 +46,7 @@ std::vector<client::Setter> setters(Options& o) {
       {"--until-return",
        [&](Text v) { settings.until_return = number<double>(v, -kMostReturn, kMostReturn); }},
       {"--seed", [&](Text v) { settings.seed = number<std::uint64_t>(v, 0, kMostSeed); }},
+      {"--seeds", [&](Text v) { o.seeds = number<std::uint64_t>(v, 1, 1000); }},
       {"--threads", [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
       {"--hidden", [&](Text v) { set(settings, "layers", v); }},
       {"--discount", [&](Text v) { set(settings, "discount", v); }},
@@ -60,6 +61,7 @@ std::vector<client::Setter> setters(Options& o) {
       {"--replay", [&](Text v) { o.replay.push_back(v); }},
       {"--csv", [&](Text v) { o.csv = v; }},
       {"--curve", [&](Text v) { o.curve = v; }},
+      {"--tensorboard", [&](Text v) { o.tensorboard = v; }},
       {"--isa", [&](Text v) { o.kernels = v; }},
       {"--quiet", [&](Text) { o.is_quiet = true; }},
       {"--check", [&](Text) { o.only_checks = true; }},
@@ -82,6 +84,8 @@ Options parse_options(int argc, const char* const* argv) {
       refuse("--resume goes on with a training that has its logs already: leave --replay out");
     check(options.settings);
     for (const std::string& name : options.named) check_algorithm(options.settings, name);
+    if (options.seeds > 1 && !(options.checkpoint + options.resume).empty())
+      refuse("--seeds takes no --checkpoint and no --resume: train each seed by itself for that");
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   };
   client::parse({"train", table(options), &options.library, check_all}, argc, argv);

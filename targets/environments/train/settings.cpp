@@ -109,6 +109,7 @@ const std::vector<Place>& places() {
       number_at("discount", &S::discount),
       number_at("trace_decay", &S::trace_decay),
       number_at("environments", &S::environments),
+      truth_at("stagger", &S::stagger),
       number_at("horizon", &S::horizon),
       number_at("minibatches", &S::minibatches),
       number_at("epochs", &S::epochs),

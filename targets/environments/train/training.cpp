@@ -39,10 +39,12 @@ bool is_sac(const Settings& settings) {
   return settings.algorithm == "sac";
 }
 
-/// Long enough for two episodes, so that environments do not all begin anew before one ends.
+/// Long enough for some episodes: PPO cuts the first ones, and SAC has few environments.
 std::uint32_t era_of(const Settings& settings, const Description& description) {
   constexpr std::uint32_t kLeast = 1024;  // steps
-  const auto steps = 2 * (description.episode_steps > 0 ? description.episode_steps : kLongest);
+  const std::uint32_t episodes = is_sac(settings) ? 2 : 5;
+  const auto steps =
+      episodes * (description.episode_steps > 0 ? description.episode_steps : kLongest);
   const auto horizon =
       static_cast<std::uint32_t>(is_sac(settings) ? settings.sac.horizon : settings.horizon);
   return (std::max(kLeast, steps) + horizon - 1) / horizon;
@@ -110,6 +112,7 @@ void check_files(const Options& options) {
   for (const std::string* path : {&options.checkpoint, &options.csv, &options.curve}) {
     if (!path->empty()) check_writable(*path);
   }
+  if (!options.tensorboard.empty()) check_folder(options.tensorboard);
   for (const std::string* path : {&options.resume, &options.from}) {
     if (!path->empty()) read_file(*path);
   }
@@ -154,6 +157,7 @@ int Training::run(const Interrupt& is_interrupted) {
     fmt::print(stderr, "{} environments step {}\n", algorithm_->environments(),
                algorithm_->stepping());
   }
+  open_events();
   const Ending ending = learn(is_interrupted);
   progress_.finish();
   const std::optional<Problem> unsaved = save();  // before what may take long, or fail
@@ -161,10 +165,10 @@ int Training::run(const Interrupt& is_interrupted) {
     CurvePoint unused{};
     evaluate(unused);
   }
-  const Evaluation last = evaluator_.run(policy(progressed_.best.parameters), kLastSeed);
+  last_ = evaluate_at_last();
   write_policy();
   write_curve();
-  if (!options_.is_quiet) report(last, ending);
+  if (!options_.is_quiet) print(report(last_, ending));
   if (unsaved) throw *unsaved;
   if (ending == Ending::interrupted) return 130;  // as shells say it
   return ending == Ending::success || !has_aim_ ? kDone : kProblems;
@@ -200,15 +204,38 @@ Ending Training::iterate(const Interrupt& is_interrupted) {
   while (!progressed_.succeeded) {
     if (is_evaluation_due() && evaluate(progressed_.curve.back())) {
       progressed_.succeeded = true;
+      show();
       break;
     }
-    if (algorithm_->iteration > first_iteration_) progress_.show(progressed_.curve.back());
+    if (algorithm_->iteration > first_iteration_) show();
     if (steps() >= options_.steps) return Ending::steps;
     if (is_interrupted) return Ending::interrupted;
     start_iteration();
     progressed_.curve.push_back(note(algorithm_->iterate()));
   }
   return Ending::success;
+}
+
+/// A file of events has the points that a resumed training begins with, too.
+void Training::open_events() {
+  if (options_.tensorboard.empty()) return;
+  events_.emplace(options_.tensorboard, library_.description().graph);
+  for (const CurvePoint& point : progressed_.curve) events_->append(point);
+}
+
+void Training::show() {
+  const CurvePoint& point = progressed_.curve.back();
+  progress_.show(point);
+  if (!events_) return;
+  Scalars terms;
+  const std::vector<std::string>& names = library_.description().terms;
+  for (std::size_t i = 0; !std::isnan(point.evaluation_return) && i < seen_.terms.size(); ++i)
+    terms.emplace_back("terms/" + names[i], seen_.terms[i]);
+  const bool was_written = events_->problem().empty();
+  events_->append(point, terms);
+  if (!was_written || events_->problem().empty()) return;
+  progress_.finish();
+  fmt::print(stderr, "warning: {}; the training goes on without it\n", events_->problem());
 }
 
 bool Training::is_evaluation_due() const {
@@ -285,10 +312,23 @@ bool Training::is_good(const Evaluation& evaluation) const {
   return !library_.description().has_success || evaluation.passed();
 }
 
+/// The best policy, in as many episodes as have chosen it, which are all others.
+Evaluation Training::evaluate_at_last() {
+  const Policy best = policy(progressed_.best.parameters);
+  Evaluation evaluation = run(best, kLastSeed);
+  for (std::uint64_t more = 1; more < kEvaluations; ++more)
+    evaluation.add(run(best, kLastSeed + more));
+  return evaluation;
+}
+
+Evaluation Training::run(const Policy& policy, std::uint64_t seed) {
+  return evaluator_.run(policy, seed, algorithm_->observations());
+}
+
 /// All the episodes that choose the best policy: those that it was seen in and three times as many.
 Evaluation Training::judge(const Policy& now, Evaluation seen) {
   for (std::uint64_t more = 1; more < kEvaluations; ++more)
-    seen.add(evaluator_.run(now, kEvaluationSeed + more));
+    seen.add(run(now, kEvaluationSeed + more));
   return seen;
 }
 
@@ -296,7 +336,7 @@ Evaluation Training::judge(const Policy& now, Evaluation seen) {
 bool Training::is_confirmed(const Policy& now) {
   const std::uint64_t seed = kEvaluationSeed + kEvaluations * (std::uint64_t{algorithm_->iteration} + 1);
   for (std::uint64_t more = 0; more < kEvaluations; ++more) {
-    if (!is_good(evaluator_.run(now, seed + more))) return false;
+    if (!is_good(run(now, seed + more))) return false;
   }
   return true;
 }
@@ -304,7 +344,7 @@ bool Training::is_confirmed(const Policy& now) {
 /// Whether the policy is good.
 bool Training::evaluate(CurvePoint& point) {
   Policy now = policy(algorithm_->deployed_parameters());
-  const Evaluation evaluation = evaluator_.run(now, kEvaluationSeed);
+  const Evaluation evaluation = run(now, kEvaluationSeed);
   Best& best = progressed_.best;
   const Score seen{evaluation.successes, evaluation.mean_return};
   bool succeeds = false;
@@ -315,6 +355,7 @@ bool Training::evaluate(CurvePoint& point) {
     if (best.parameters.empty() || judged.is_better_than(best.judged) || succeeds)
       best = {std::move(now.parameters), seen, judged};
   }
+  seen_ = evaluation;
   // All at once, for who goes on after an exception.
   point.evaluation_return = evaluation.mean_return;
   if (library_.description().has_success) {
@@ -328,40 +369,16 @@ Policy Training::policy(std::vector<float> parameters) const {
   return {algorithm_->deployed(), std::move(parameters), head_};
 }
 
-void Training::report(const Evaluation& evaluation, Ending ending) const {
-  const Description& description = library_.description();
-  const char* why = ending == Ending::success       ? "the policy succeeds"
-                    : ending == Ending::interrupted ? "interrupted"
-                                                    : "the steps are used up";
-  std::string text;
-  const auto say = [&text]<class... Values>(fmt::format_string<Values...> form,
-                                            Values&&... values) {
-    fmt::format_to(std::back_inserter(text), form, std::forward<Values>(values)...);
-  };
-  say("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
-      rounded(static_cast<double>(steps())), progress_.seconds(),
-      fmt::format("{} iterations", algorithm_->iteration), kernels_.name);
-  say("on 100 seeds that it was not trained on: ");
-  if (description.has_success) say("success {} of {}, ", evaluation.successes, evaluation.episodes);
-  say("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
-      evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
-  for (std::size_t i = 0; i < evaluation.terms.size(); ++i) {
-    say("  {:<20} {:.4g}\n", description.terms[i], evaluation.terms[i]);
-  }
-  const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
-  say("written: {}, {}\n", options_.output, golden_path(options_.output));
-  say("in the graph: agent: {{policy: {}, golden: {}}}\n", name_of(options_.output),
-      name_of(golden_path(options_.output)));
-  if (!has_aim_) {
-    say("note: the task has no `success:`, so nobody knows whether this policy is good\n");
-  } else if (ending != Ending::success && evaluation.mean_return < options_.settings.until_return) {
-    say("note: the return is below --until-return {:g}; more --steps or another --seed may\n",
-        options_.settings.until_return);
-  } else if (ending != Ending::success) {
-    say("note: the policy does not succeed; a task whose reward leads to its `success:` "
-        "step by step, more --steps or another --seed may\n");
-  }
-  print(text);
+std::string Training::report(const Evaluation& evaluation, Ending ending) const {
+  return summary({.options = options_,
+                  .description = library_.description(),
+                  .curve = progressed_.curve,
+                  .kernels = kernels_.name,
+                  .steps = steps(),
+                  .seconds = progress_.seconds(),
+                  .ending = ending,
+                  .has_aim = has_aim_},
+                 evaluation);
 }
 
 void Training::write_policy() const {
