@@ -41,8 +41,9 @@ void read(const std::string& text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   read(text);
-  read("episode,step,angle[0],angle[1],speed,voltage,task.reward,task.terminated,task.truncated\n"
-       "0,0,1,0,1,,,,\n" +
-       text);
+  read(
+      "episode,step,angle[0],angle[1],speed,voltage,task.reward,task.terminated,task.truncated\n"
+      "0,0,1,0,1,,,,\n" +
+      text);
   return 0;
 }

@@ -204,8 +204,8 @@ std::string names_and_sizes(const std::vector<Space>& spaces) {
   return fmt::format("{}", fmt::join(texts, " "));
 }
 
-std::string bytes_of(const std::string& conditions, const std::string& interface,
-                     const auto& model, const Progressed& progressed) {
+std::string bytes_of(const std::string& conditions, const std::string& interface, const auto& model,
+                     const Progressed& progressed) {
   Writer writer;
   visit(writer, model, progressed);
   return fmt::format("{}{}\n{}\n{:016x}\n", kFirstLine, conditions, interface,
@@ -228,8 +228,8 @@ void read_own(const std::string& bytes, const std::string& name, const std::stri
 
 /// What another training with these networks has learnt.
 template <class SomeModel>
-SomeModel learnt_by(const std::string& bytes, const std::string& name,
-                    const std::string& interface, SomeModel learnt) {
+SomeModel learnt_by(const std::string& bytes, const std::string& name, const std::string& interface,
+                    SomeModel learnt) {
   const Parts parts = parts_of(bytes, name);
   if (parts.interface != interface) {
     throw Problem(

@@ -15,8 +15,8 @@ namespace eagerx::train {
 enum class Activation : std::uint8_t { tanh, relu };
 enum class Schedule : std::uint8_t { adaptive, constant };
 
-/// Of proximal policy optimisation (Schulman et al. 2017), unless SAC has its own. Names, ranges and meanings are in
-/// options/train_settings.hpp; so are the values that a new one has.
+/// Of proximal policy optimisation (Schulman et al. 2017), unless SAC has its own. Names, ranges
+/// and meanings are in options/train_settings.hpp; so are the values that a new one has.
 struct Settings {
   Settings();
 
@@ -33,7 +33,7 @@ struct Settings {
 
   std::size_t environments{};  // a multiple of kParts * kLanes
   bool stagger{};
-  std::size_t horizon{};       // steps of each between two updates
+  std::size_t horizon{};  // steps of each between two updates
   std::size_t minibatches{};
   std::size_t epochs{};
 

@@ -239,7 +239,8 @@ void Training::show() {
 }
 
 bool Training::is_evaluation_due() const {
-  return algorithm_->iteration > 0 && algorithm_->iteration % options_.settings.evaluation_every == 0 &&
+  return algorithm_->iteration > 0 &&
+         algorithm_->iteration % options_.settings.evaluation_every == 0 &&
          std::isnan(progressed_.curve.back().evaluation_return);
 }
 
@@ -334,7 +335,8 @@ Evaluation Training::judge(const Policy& now, Evaluation seen) {
 
 /// One of many evaluations may be good by luck: as many episodes that have chosen nothing.
 bool Training::is_confirmed(const Policy& now) {
-  const std::uint64_t seed = kEvaluationSeed + kEvaluations * (std::uint64_t{algorithm_->iteration} + 1);
+  const std::uint64_t seed =
+      kEvaluationSeed + kEvaluations * (std::uint64_t{algorithm_->iteration} + 1);
   for (std::uint64_t more = 0; more < kEvaluations; ++more) {
     if (!is_good(run(now, seed + more))) return false;
   }

@@ -104,9 +104,9 @@ class TrainSacLosses : public testing::Test {
 
   void SetUp() override {
     Random random({11, 0, 0}, 1);
-    for (auto* values : {&model_.actor_parameters, &model_.critics[0].parameters,
-                         &model_.critics[1].parameters, &model_.critics[0].target,
-                         &model_.critics[1].target}) {
+    for (auto* values :
+         {&model_.actor_parameters, &model_.critics[0].parameters, &model_.critics[1].parameters,
+          &model_.critics[0].target, &model_.critics[1].target}) {
       for (float& x : *values) x += random.normal(0.0F, 0.3F);
     }
     for (int i = 0; i < 3; ++i) {
@@ -174,9 +174,8 @@ class TrainSacLosses : public testing::Test {
       double least = std::numeric_limits<double>::infinity();
       for (const sac::Critic& each : model_.critics)
         least = std::min(least, value(to_double(each.target), row(t.next), one.action));
-      const double target =
-          kScale * t.reward +
-          settings_.discount * t.goes_on * (least - kTemperature * one.log_probability);
+      const double target = kScale * t.reward + settings_.discount * t.goes_on *
+                                                    (least - kTemperature * one.log_probability);
       const std::vector<double> action(t.action, t.action + kNumbers);
       sum += 0.5 * std::pow(value(critic, row(t.observation), action) - target, 2.0);
     }
@@ -418,11 +417,15 @@ TEST_F(TrainSac, FineTuningBeginsWithWhatWasLearnt) {
   second.from = first.checkpoint;
   EXPECT_NE(trained(second), anew);
   second.settings.algorithm = "ppo";
-  EXPECT_NE(said([&] { Training(second, pendulum()); }).find("is of other networks: algorithm sac (here ppo)"),
+  EXPECT_NE(said([&] {
+              Training(second, pendulum());
+            }).find("is of other networks: algorithm sac (here ppo)"),
             std::string::npos);
   second.from.clear();
   second.resume = first.checkpoint;
-  EXPECT_NE(said([&] { Training(second, pendulum()); }).find("belongs to another training: algorithm sac (here ppo)"),
+  EXPECT_NE(said([&] {
+              Training(second, pendulum());
+            }).find("belongs to another training: algorithm sac (here ppo)"),
             std::string::npos);
 }
 

@@ -184,8 +184,7 @@ void Learner::slopes(const Frozen& frozen, Pack* actor_deltas) {
       const float action = drawn_[j].lane[l];
       const float value = deltas_[0][width_ + j].lane[l] + deltas_[1][width_ + j].lane[l];
       // By the number whose tanh the action is: -log(1 - tanh²) grows by 2 tanh.
-      const float slope =
-          frozen.temperature * 2.0F * action - value * (1.0F - action * action);
+      const float slope = frozen.temperature * 2.0F * action - value * (1.0F - action * action);
       const float deviation = deviation_[j].lane[l];
       const float by_log_deviation = slope * deviation * noise_[j].lane[l] - frozen.temperature;
       actor_deltas[j].lane[l] = slope;
@@ -202,8 +201,8 @@ void Learner::backward(const Frozen& frozen) {
                        actor_deltas_.data(), tiles_, scratch_.data(), gradient.actor.data());
   for (std::size_t c = 0; c < 2; ++c) {
     model.critic.backward(frozen.kernels, model.critics[c].parameters.data(),
-                          critic_rows_[c].data(), critic_deltas_[c].data(), tiles_,
-                          scratch_.data(), gradient.critics[c].data());
+                          critic_rows_[c].data(), critic_deltas_[c].data(), tiles_, scratch_.data(),
+                          gradient.critics[c].data());
   }
 }
 

@@ -66,11 +66,11 @@ class Learner {
   Packs reward_, goes_on_, target_;
   Packs drawn_, noise_, deviation_, spread_;  // [numbers]; of each drawn action
   Pack log_probability_{};
-  std::vector<float> rows_;                         // [kLanes][width] scratch
-  Packs actor_rows_, actor_deltas_;                 // [tiles][actor row]
+  std::vector<float> rows_;                           // [kLanes][width] scratch
+  Packs actor_rows_, actor_deltas_;                   // [tiles][actor row]
   std::array<Packs, 2> critic_rows_, critic_deltas_;  // [tiles][critic row]
-  std::array<Packs, 2> row_, deltas_;               // [critic row] scratch
-  Packs next_row_;                                  // [actor row] scratch
+  std::array<Packs, 2> row_, deltas_;                 // [critic row] scratch
+  Packs next_row_;                                    // [actor row] scratch
   Packs scratch_;
 };
 

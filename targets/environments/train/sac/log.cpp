@@ -70,8 +70,9 @@ struct Columns {
       if (names[i].substr(0, names[i].find('[')) == space.name) to.push_back(i);
     }
     if (to.size() - before != space.size)
-      refuse_log(name, 1, fmt::format("there are {} columns of `{}`, not {}", to.size() - before,
-                                      space.name, space.size));
+      refuse_log(name, 1,
+                 fmt::format("there are {} columns of `{}`, not {}", to.size() - before, space.name,
+                             space.size));
   }
 };
 

@@ -51,9 +51,7 @@ class Memory {
   }
 
   /// Whether rows and count belong together, as they do unless somebody else has filled them in.
-  bool is_whole() const {
-    return rows.size() == std::min<std::uint64_t>(added, capacity_) * row();
-  }
+  bool is_whole() const { return rows.size() == std::min<std::uint64_t>(added, capacity_) * row(); }
 
   std::vector<float> rows;  // [size][row]
   std::uint64_t added = 0;

@@ -1,8 +1,8 @@
 #include "targets/environments/train/sac/sac.hpp"
 
-#include <eagerx/math.hpp>
-
 #include <fmt/format.h>
+
+#include <eagerx/math.hpp>
 
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/sac/log.hpp"
@@ -59,8 +59,7 @@ Algorithm::Result Sac::iterate() {
   const Normaliser normaliser(model_.observations);
   const std::uint64_t updates = model_.actor_adam.steps;
   for (std::size_t t = 0; t < settings_.sac.horizon; ++t) {
-    const bool is_random =
-        !model_.was_taught && model_.memory.added < settings_.sac.random_steps;
+    const bool is_random = !model_.was_taught && model_.memory.added < settings_.sac.random_steps;
     walk_.step(model_, normaliser, kernels_, is_random,
                static_cast<std::uint32_t>(iteration * settings_.sac.horizon + t));
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
@@ -126,8 +125,8 @@ void Sac::begin_from(const std::string& bytes, const std::string& name,
 
 std::string Sac::replay(const std::string& text, const std::string& name) {
   Sums observations(model_.actor.inputs()), returns(1);
-  const Log log = read_log(text, name, description_, settings_.discount, model_.memory,
-                           observations, returns);
+  const Log log =
+      read_log(text, name, description_, settings_.discount, model_.memory, observations, returns);
   if (log.transitions == 0)
     throw Problem(kInputOutput, fmt::format("`{}` has no step that can be learnt from", name));
   if (settings_.normalise) model_.observations.add(observations);

@@ -54,8 +54,7 @@ void Walk::act(const Model& model, const Normaliser& normaliser, const Kernels& 
     Random random = noise(time, e);
     for (std::size_t j = 0; j < numbers_; ++j) {
       const float deviation = exp(log_deviation_of(means[numbers_ + j].lane[e]));
-      squashed_[e * numbers_ + j] =
-          tanh(means[j].lane[e] + deviation * random.normal(0.0F, 1.0F));
+      squashed_[e * numbers_ + j] = tanh(means[j].lane[e] + deviation * random.normal(0.0F, 1.0F));
     }
   }
 }
