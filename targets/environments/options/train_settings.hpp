@@ -261,7 +261,7 @@ inline constexpr Setting kTrainSettings[] = {
      .algorithm = "ppo"},
     {.name = "averaging",
      .kind = SettingKind::number,
-     .otherwise = "0",
+     .otherwise = "0.9",
      .about = "the policy is a running mean of the actor: weight of the past after an iteration; "
               "0: none",
      .low = 0,
