@@ -81,8 +81,8 @@ class Rollout {
   const Head& head_;
   Environments environments_;
   std::size_t count_, first_, horizon_, width_, numbers_;
-  std::uint32_t longest_;  // steps of an episode; 0: first ones are not cut
-  std::uint32_t time_ = 0;  // steps since reset()
+  std::uint32_t longest_;              // steps of an episode; 0: first ones are not cut
+  std::uint32_t time_ = 0;             // steps since reset()
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
   std::vector<float> observation_, final_observation_;  // [count][width]

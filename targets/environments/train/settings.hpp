@@ -29,7 +29,7 @@ struct Settings {
 
   std::size_t environments{};  // a multiple of kParts * kLanes
   bool stagger{};
-  std::size_t horizon{};       // steps of each between two updates
+  std::size_t horizon{};  // steps of each between two updates
   std::size_t minibatches{};
   std::size_t epochs{};
 

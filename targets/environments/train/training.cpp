@@ -37,7 +37,8 @@ unsigned chosen_threads(unsigned threads) {
 std::uint32_t era_of(const Settings& settings, const Description& description) {
   constexpr std::uint32_t kLeast = 32;
   constexpr std::uint32_t kEpisodes = 5;
-  const auto steps = kEpisodes * (description.episode_steps > 0 ? description.episode_steps : kLongest);
+  const auto steps =
+      kEpisodes * (description.episode_steps > 0 ? description.episode_steps : kLongest);
   const auto horizon = static_cast<std::uint32_t>(settings.horizon);
   return std::max(kLeast, (steps + horizon - 1) / horizon);
 }
