@@ -210,7 +210,8 @@ std::string curves_svg(const std::vector<std::vector<CurvePoint>>& trainings,
                        const std::string& title) {
   const Plane plane = plane_of(trainings);
   const Plane share{plane.last_step, 0.0, 1.0};
-  const auto successes = band_of(trainings, [](const CurvePoint& p) { return p.evaluation_success; });
+  const auto successes =
+      band_of(trainings, [](const CurvePoint& p) { return p.evaluation_success; });
   const auto returns = band_of(trainings, [](const CurvePoint& p) { return p.evaluation_return; });
   return head(plane, share, title) + band(successes, share, "#393") + band(returns, plane, "#057") +
          label(320, 350, "middle",

@@ -121,7 +121,9 @@ Evaluator::~Evaluator() = default;
 
 Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed,
                           const Statistics& observations) {
-  const auto work = [&](std::size_t part) { parts_[part]->run(kernels_, policy, seed, observations); };
+  const auto work = [&](std::size_t part) {
+    parts_[part]->run(kernels_, policy, seed, observations);
+  };
   if (has_threads_) {
     team_.run_parts(parts_.size(), work);
   } else {

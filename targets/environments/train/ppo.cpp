@@ -230,8 +230,6 @@ std::vector<Episode> Ppo::collect() {
   std::vector<Episode> episodes;
   Sums advantages(1);
   for (auto& rollout : rollouts_) {
-    if (settings_.normalise && !is_frozen()) model_.observations.add(rollout->observation_sums);
-    if (!is_frozen()) model_.returns.add(rollout->return_sums);
     advantages.sum[0] += rollout->advantage_sums.sum[0];
     advantages.squares[0] += rollout->advantage_sums.squares[0];
     advantages.count += rollout->advantage_sums.count;
@@ -243,6 +241,24 @@ std::vector<Episode> Ppo::collect() {
   advantage_mean_ = static_cast<float>(mean);
   advantage_scale_ = static_cast<float>(1.0 / std::sqrt(std::max(variance, 0.0) + 1e-8));
   return episodes;
+}
+
+/// What the networks have learnt from is normalised by the statistics of before: they change when
+/// that is over.
+void Ppo::see() {
+  if (is_frozen()) return;
+  const double scale = model_.returns.scale(0);
+  for (auto& rollout : rollouts_) model_.returns.add(rollout->return_sums);
+  const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
+  const Network::Layer& last = model_.critic.layers().back();
+  for (std::size_t i = last.weights; i < last.bias + last.sizes.outputs; ++i)
+    model_.critic_parameters[i] *= ratio;
+  if (!settings_.normalise) return;
+  const Statistics before = model_.observations;
+  for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
+  keep_answers(model_.critic, model_.critic_parameters, before, model_.observations);
+  for (auto* parameters : {&model_.actor_parameters, &model_.averaged})
+    keep_answers(model_.actor, *parameters, before, model_.observations);
 }
 
 bool Ppo::is_frozen() const {
@@ -316,8 +332,9 @@ Algorithm::Result Ppo::iterate() {
     const std::size_t m = result.updates % settings_.minibatches;
     if (!update((epoch * kShift + m) % settings_.minibatches)) break;
   }
-  ++iteration;
   average();
+  see();
+  ++iteration;
   result.divergence = divergence_;
   return result;
 }

@@ -63,6 +63,7 @@ class Ppo : public Algorithm {
   bool update(std::size_t minibatch);
   void adapt_step_size();
   void average();
+  void see();
   bool is_frozen() const;
   /// From 1 down, of the learning rate and of what keeps it.
   float decay() const;

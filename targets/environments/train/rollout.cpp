@@ -30,7 +30,9 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
       horizon_(settings.horizon),
       width_(library.description().observation_numbers()),
       numbers_(head.numbers),
-      longest_(!settings.stagger ? 0 : longest > 0 ? longest : library.description().episode_steps),
+      longest_(!settings.stagger ? 0
+               : longest > 0     ? longest
+                                 : library.description().episode_steps),
       cut_at_(count_),
       is_cut_(count_),
       observation_(count_ * width_),
@@ -67,10 +69,9 @@ void Rollout::draw_cuts(std::uint64_t seed) {
   time_ = 0;
   for (std::size_t e = 0; e < count_; ++e) {
     Random random({seed, static_cast<std::uint32_t>(first_ + e), 0}, entity_id("train/cut"));
-    cut_at_[e] = longest_ == 0
-                     ? 0
-                     : 1 + static_cast<std::uint32_t>(random.uniform(0.0F, 1.0F) *
-                                                      static_cast<float>(longest_));
+    cut_at_[e] = longest_ == 0 ? 0
+                               : 1 + static_cast<std::uint32_t>(random.uniform(0.0F, 1.0F) *
+                                                                static_cast<float>(longest_));
   }
 }
 

@@ -68,13 +68,11 @@ std::string table_of(const std::vector<Trained>& all, bool has_success) {
 void write_all(const Options& options, const Library& library, const std::vector<Trained>& all) {
   std::vector<std::vector<CurvePoint>> curves;
   for (const Trained& one : all) curves.push_back(one.curve);
-  if (!options.csv.empty())
-    write_file(options.csv, curves_csv(curves, options.settings.seed));
+  if (!options.csv.empty()) write_file(options.csv, curves_csv(curves, options.settings.seed));
   if (!options.curve.empty())
     write_file(options.curve, curves_svg(curves, library.description().graph));
-  const Trained& best = *std::ranges::max_element(all, [](const Trained& a, const Trained& b) {
-    return b.score().is_better_than(a.score());
-  });
+  const Trained& best = *std::ranges::max_element(
+      all, [](const Trained& a, const Trained& b) { return b.score().is_better_than(a.score()); });
   const std::string path = path_of_seed(options.output, best.seed);
   write_files({{options.output, read_file(path)},
                {golden_path(options.output), read_file(golden_path(path))}});

@@ -18,15 +18,14 @@ std::string result(const Ended& ended, const Evaluation& evaluation) {
   const char* why = ended.ending == Ending::success       ? "the policy succeeds"
                     : ended.ending == Ending::interrupted ? "interrupted"
                                                           : "the steps are used up";
-  std::string text = fmt::format("{} after {} steps, {:.1f} s, with {} kernels\n", why,
-                                 rounded(static_cast<double>(ended.steps)), ended.seconds,
-                                 ended.kernels);
+  std::string text =
+      fmt::format("{} after {} steps, {:.1f} s, with {} kernels\n", why,
+                  rounded(static_cast<double>(ended.steps)), ended.seconds, ended.kernels);
   text += fmt::format("on {} seeds that neither trained nor chose it: ", evaluation.episodes);
   if (ended.description.has_success)
     text += fmt::format("success {} of {}, ", evaluation.successes, evaluation.episodes);
-  text += fmt::format("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n",
-                      evaluation.mean_return, evaluation.lowest_return,
-                      evaluation.highest_return, evaluation.mean_steps);
+  text += fmt::format("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
+                      evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
   for (std::size_t i = 0; i < evaluation.terms.size(); ++i)
     text += fmt::format("  {:<20} {:.4g}\n", ended.description.terms[i], evaluation.terms[i]);
   return text;
