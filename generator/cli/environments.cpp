@@ -27,6 +27,7 @@ Arguments handed_on(std::span<const eagerx::options::Row> rows, EnvironmentsOpti
     Argument argument = handed_on(row.names, row.about, row.value, options.of_program);
     if (row.use == eagerx::options::Use::writes) argument = writes(argument, row.otherwise);
     if (row.use == eagerx::options::Use::reads) argument = reads(argument, row.goes_on);
+    if (row.use == eagerx::options::Use::folder) argument = folder(argument);
     argument.repeated = row.repeated;
     all.push_back(std::move(argument));
   }

@@ -6,16 +6,21 @@
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/train_settings.hpp"
 #include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 struct SchemaOptions : LibraryOptions {
-  bool of_library = false, of_manifests = false;
+  bool of_library = false, of_manifests = false, of_settings = false;
 };
 
 int perform(const SchemaOptions& options) {
+  if (options.of_settings) {
+    say("{}", train_settings_schema());
+    return kDone;
+  }
   if (options.of_manifests) {
     say("{}",
         schema_text(manifest_schema(), "eagerx-gen manifest", "eagerx-gen/manifest.schema.json"));
@@ -41,15 +46,23 @@ Command table(SchemaOptions& options) {
       .examples = {{"of graphs, with the entities of eagerx-gen and your own",
                     "eagerx-gen schema --graph --path my_models >graph.schema.json"},
                    {"of manifests", "eagerx-gen schema --manifest >manifest.schema.json"},
+                   {"of settings of a training",
+                    "eagerx-gen schema --train-settings >settings.schema.json"},
                    {"of graphs, whatever the entities", "eagerx-gen schema >graph.schema.json"}},
       .arguments = {flag("--graph", options.of_library,
                          "of graphs of this library: ids, ports and parameters of its entities"),
-                    std::move(manifest), library(options)},
+                    std::move(manifest),
+                    flag("--train-settings", options.of_settings,
+                         "of the files of `train --settings`"),
+                    library(options)},
       .check =
           [&options] {
-            const bool both =
-                options.of_manifests && (options.of_library || !options.paths.empty());
-            return both ? "--manifest takes no --graph and no --path" : "";
+            const bool of_graphs = options.of_library || !options.paths.empty();
+            if (options.of_manifests && (of_graphs || options.of_settings))
+              return "--manifest takes no --graph, no --path and no --train-settings";
+            return options.of_settings && of_graphs
+                       ? "--train-settings takes no --graph and no --path"
+                       : "";
           },
       .run = [&options] { return perform(options); }};
 }

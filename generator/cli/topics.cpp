@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/cli/train_settings.hpp"
 #include "generator/read/bytes.hpp"
 #include "generator/read/quantity.hpp"
 #include "generator/spec/graph_spec.hpp"
@@ -70,10 +71,12 @@ constexpr const char* kExitCodes =
 }  // namespace
 
 std::vector<Topic> help_topics() {
-  return {{"graph-file", "the keys of a graph file", graph_text()},
-          {"units", "units of rates and times", units_text()},
-          {"library", "where entities and targets are found", kLibrary},
-          {"exit-codes", "what exit codes mean", kExitCodes}};
+  return {
+      {"graph-file", "the keys of a graph file", graph_text()},
+      {"units", "units of rates and times", units_text()},
+      {"library", "where entities and targets are found", kLibrary},
+      {"train-settings", "settings of `train`, with defaults and ranges", train_settings_text()},
+      {"exit-codes", "what exit codes mean", kExitCodes}};
 }
 
 }  // namespace eagerx::gen

@@ -5,17 +5,29 @@
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
+#include "generator/cli/pipeline.hpp"
+#include "generator/cli/train_settings.hpp"
 
 namespace eagerx::gen {
 
 namespace {
 
-struct TrainOptions : EnvironmentsOptions {};
+struct TrainOptions : EnvironmentsOptions {
+  std::string settings;  // a file
+};
 
 int perform(const TrainOptions& options) {
   GenerateOptions training = options;
   training.purpose = Purpose::training;
-  return become_with_environments({"eagerx-train", "eagerx-train"}, training, options.of_program);
+  std::vector<std::string> words;
+  if (!options.settings.empty()) {
+    Run run;
+    const auto read = read_train_settings(options.settings, run.sources, run.diagnostics);
+    if (!read) return finish(run, options);
+    words = *read;
+  }
+  words.insert(words.end(), options.of_program.begin(), options.of_program.end());
+  return become_with_environments({"eagerx-train", "eagerx-train"}, training, words);
 }
 
 Command table(TrainOptions& options) {
@@ -32,9 +44,13 @@ Command table(TrainOptions& options) {
             "eagerx-gen train robot.yaml --steps 50000000 --resume robot.checkpoint"},
            {"fine-tune for another graph what was learnt on this one",
             "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"}},
-      .arguments = joined({{graph(options)},
-                           handed_on(eagerx::options::kTrain, options),
-                           on_environments(options)}),
+      .arguments =
+          joined({{graph(options), reads(text("--settings", options.settings,
+                                              "settings of the algorithm; `eagerx-gen help "
+                                              "train-settings` lists them",
+                                              "FILE.yaml"))},
+                  handed_on(eagerx::options::kTrain, options),
+                  on_environments(options)}),
       .run = [&options] { return perform(options); }};
 }
 

@@ -34,6 +34,11 @@ void Environments::reset(std::uint64_t seed, float* observation) {
   }
 }
 
+void Environments::reset_some(const std::uint8_t* mask, float* observation) {
+  if (library_.reset(handle_.get(), mask, nullptr, observation) != 0)
+    fail(library_, "cannot reset the environments");
+}
+
 bool Environments::step(const float* action, const eagerx_rows& rows) {
   const int result = library_.step(handle_.get(), action, &rows);
   if (result < 0) fail(library_, "cannot step the environments");

@@ -32,6 +32,9 @@ class Environments {
 
   /// All begin an episode, the first of `seed`. observation [count][observation numbers].
   void reset(std::uint64_t seed, float* observation);
+  /// Those whose byte in `mask` [count] is not 0 begin their next episode; only their rows of
+  /// `observation` are written.
+  void reset_some(const std::uint8_t* mask, float* observation);
   /// False if a reward is not finite, and error() says which. The step is made.
   [[nodiscard]] bool step(const float* action, const eagerx_rows& rows);
   /// How they are stepped, and what made that slower: "in packs of 64 (avx512)".

@@ -6,8 +6,8 @@
 
 namespace eagerx::options {
 
-/// What the program does with the file that the value names.
-enum class Use : std::uint8_t { none, reads, writes };
+/// What the program does with the file that the value names, or in the folder.
+enum class Use : std::uint8_t { none, reads, writes, folder };
 
 /// For whom an option is.
 enum class For : std::uint8_t {

@@ -14,7 +14,7 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 4\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 5\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 /// Visits values of a checkpoint in its order: writes them.
@@ -68,6 +68,59 @@ class Reader {
   std::string_view bytes_;
 };
 
+/// The sizes of what it visits.
+struct Sizes {
+  std::vector<std::size_t> all;
+
+  template <class T>
+  void operator()(const T& /*value*/) {}
+  template <class T>
+  void operator()(const std::vector<T>& values) {
+    all.push_back(values.size());
+  }
+};
+
+template <class Visitor, class SomeAdam>
+void visit_adam(Visitor& visitor, SomeAdam& adam) {
+  visitor(adam.mean);
+  visitor(adam.square);
+  visitor(adam.steps);
+}
+
+template <class Visitor, class SomeModel>
+void visit_statistics(Visitor& visitor, SomeModel& model) {
+  for (auto* statistics : {&model.observations, &model.returns}) {
+    visitor(statistics->mean);
+    visitor(statistics->squares);
+    visitor(statistics->count);
+  }
+}
+
+/// All that has a number for each parameter, action or observation.
+template <class Visitor, class SomeModel>
+void visit_model(Visitor& visitor, SomeModel& model) {
+  visitor(model.actor_parameters);
+  if constexpr (requires { model.critics; }) {
+    visit_adam(visitor, model.actor_adam);
+    for (auto& critic : model.critics) {
+      visitor(critic.parameters);
+      visitor(critic.target);
+      visit_adam(visitor, critic.adam);
+    }
+    visitor(model.log_temperature);
+    visit_adam(visitor, model.temperature_adam);
+    visit_statistics(visitor, model);
+  } else {
+    visitor(model.critic_parameters);
+    visitor(model.log_deviation);
+    visitor(model.averaged);
+    for (auto* adam : {&model.actor_adam, &model.critic_adam, &model.deviation_adam})
+      visit_adam(visitor, *adam);
+    visit_statistics(visitor, model);
+    visitor(model.step_size);
+  }
+}
+
 template <class Visitor, class SomeModel, class SomeProgress>
 void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.iteration);
@@ -75,23 +128,18 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.curve);
   visitor(progressed.recent);
   visitor(progressed.best.parameters);
-  visitor(progressed.best.successes);
-  visitor(progressed.best.mean_return);
+  for (auto* score : {&progressed.best.seen, &progressed.best.judged}) {
+    visitor(score->successes);
+    visitor(score->mean_return);
+  }
   visitor(progressed.actions);
-  visitor(model.actor_parameters);
-  visitor(model.critic_parameters);
-  visitor(model.log_deviation);
-  for (auto* adam : {&model.actor_adam, &model.critic_adam, &model.deviation_adam}) {
-    visitor(adam->mean);
-    visitor(adam->square);
-    visitor(adam->steps);
+  visit_model(visitor, model);
+  if constexpr (requires { model.memory; }) {
+    visitor(model.was_taught);
+    visitor(model.replayed);
+    visitor(model.memory.added);
+    visitor(model.memory.rows);
   }
-  for (auto* statistics : {&model.observations, &model.returns}) {
-    visitor(statistics->mean);
-    visitor(statistics->squares);
-    visitor(statistics->count);
-  }
-  visitor(model.step_size);
 }
 
 /// The line that starts at `position`, which is moved behind it; empty if there is none.
@@ -123,22 +171,21 @@ Parts parts_of(std::string_view bytes, const std::string& name) {
   return parts;
 }
 
-/// Of all that has a number for each parameter, action or observation.
-std::vector<std::size_t> sizes_of(const Model& model) {
-  std::vector<std::size_t> sizes = {model.actor_parameters.size(), model.critic_parameters.size(),
-                                    model.log_deviation.size()};
-  for (const auto* adam : {&model.actor_adam, &model.critic_adam, &model.deviation_adam}) {
-    sizes.push_back(adam->mean.size());
-    sizes.push_back(adam->square.size());
-  }
-  for (const auto* statistics : {&model.observations, &model.returns}) {
-    sizes.push_back(statistics->mean.size());
-    sizes.push_back(statistics->squares.size());
-  }
-  return sizes;
+std::vector<std::size_t> sizes_of(const auto& model) {
+  Sizes sizes;
+  visit_model(sizes, model);
+  return sizes.all;
 }
 
-void read_values(std::string_view values, const std::string& name, Model& model,
+std::size_t deployed_size(const Model& model) {
+  return model.actor_parameters.size();
+}
+std::size_t deployed_size(const sac::Model& model) {
+  const auto& last = model.actor.layers().back().sizes;
+  return model.actor.parameters() - last.outputs / 2 * (last.inputs + 1);
+}
+
+void read_values(std::string_view values, const std::string& name, auto& model,
                  Progressed& progressed) {
   const auto expected = sizes_of(model);
   Reader reader(values);
@@ -146,7 +193,7 @@ void read_values(std::string_view values, const std::string& name, Model& model,
   const std::size_t best = progressed.best.parameters.size();
   const bool fits = sizes_of(model) == expected && progressed.recent.size() <= kRecent &&
                     progressed.curve.size() == progressed.iteration &&
-                    (best == 0 || best == model.actor_parameters.size());
+                    (best == 0 || best == deployed_size(model));
   if (!reader.complete || !fits)
     throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);
 }
@@ -157,24 +204,8 @@ std::string names_and_sizes(const std::vector<Space>& spaces) {
   return fmt::format("{}", fmt::join(texts, " "));
 }
 
-}  // namespace
-
-std::string conditions(const Settings& settings, const std::string& contract_hash) {
-  std::string text = fmt::format("graph {}, seed {}, layers {}, discount {}", contract_hash,
-                                 settings.seed, fmt::join(settings.hidden, ","), settings.discount);
-  if (std::isfinite(settings.until_return))
-    text += fmt::format(", until return {}", settings.until_return);
-  return text;
-}
-
-std::string interface_of(const Settings& settings, const Description& description) {
-  return fmt::format("observations {}, actions {}, layers {}",
-                     names_and_sizes(description.observations),
-                     names_and_sizes(description.actions), fmt::join(settings.hidden, ","));
-}
-
-std::string checkpoint_of(const std::string& conditions, const std::string& interface,
-                          const Model& model, const Progressed& progressed) {
+std::string bytes_of(const std::string& conditions, const std::string& interface, const auto& model,
+                     const Progressed& progressed) {
   Writer writer;
   visit(writer, model, progressed);
   return fmt::format("{}{}\n{}\n{:016x}\n", kFirstLine, conditions, interface,
@@ -182,36 +213,98 @@ std::string checkpoint_of(const std::string& conditions, const std::string& inte
          writer.bytes;
 }
 
-void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
-             Model& model, Progressed& progressed) {
+void read_own(const std::string& bytes, const std::string& name, const std::string& conditions,
+              auto& model, Progressed& progressed) {
   const Parts parts = parts_of(bytes, name);
   if (parts.conditions != conditions) {
     throw Problem(kInputOutput,
-                  fmt::format("`{}` belongs to another training: {}\nthis one is: {}", name,
-                              parts.conditions, conditions),
+                  fmt::format("`{}` belongs to another training: {}", name,
+                              difference(parts.conditions, conditions)),
                   "resume with the same graph and options, or begin with what it has learnt: "
                   "`--from`");
   }
   read_values(parts.values, name, model, progressed);
 }
 
-void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
-                Model& model) {
+/// What another training with these networks has learnt.
+template <class SomeModel>
+SomeModel learnt_by(const std::string& bytes, const std::string& name, const std::string& interface,
+                    SomeModel learnt) {
   const Parts parts = parts_of(bytes, name);
   if (parts.interface != interface) {
-    throw Problem(kInputOutput,
-                  fmt::format("`{}` is of other networks: {}\nthis training has: {}", name,
-                              parts.interface, interface),
-                  "give the same --hidden, and a graph with the same observations and actions");
+    throw Problem(
+        kInputOutput,
+        fmt::format("`{}` is of other networks: {}", name, difference(parts.interface, interface)),
+        "give the same algorithm, layers and activation, and a graph with the same "
+        "observations and actions");
   }
-  Model learnt = model;
   Progressed ignored;
   read_values(parts.values, name, learnt, ignored);
+  return learnt;
+}
+
+}  // namespace
+
+std::string conditions(const Settings& settings, const std::string& contract_hash) {
+  std::string text = fmt::format("algorithm {}; graph {}; seed {}; {}", settings.algorithm,
+                                 contract_hash, settings.seed, text_of(settings));
+  if (std::isfinite(settings.until_return))
+    text += fmt::format("; until-return {}", settings.until_return);
+  return text;
+}
+
+std::string interface_of(const Settings& settings, const Description& description) {
+  return fmt::format("algorithm {}; observations {}; actions {}; layers {}; activation {}",
+                     settings.algorithm, names_and_sizes(description.observations),
+                     names_and_sizes(description.actions), fmt::join(settings.layers, ","),
+                     settings.activation == Activation::relu ? "relu" : "tanh");
+}
+
+std::string checkpoint_of(const std::string& conditions, const std::string& interface,
+                          const Model& model, const Progressed& progressed) {
+  return bytes_of(conditions, interface, model, progressed);
+}
+
+std::string checkpoint_of(const std::string& conditions, const std::string& interface,
+                          const sac::Model& model, const Progressed& progressed) {
+  return bytes_of(conditions, interface, model, progressed);
+}
+
+void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+             Model& model, Progressed& progressed) {
+  read_own(bytes, name, conditions, model, progressed);
+}
+
+void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+             sac::Model& model, Progressed& progressed) {
+  read_own(bytes, name, conditions, model, progressed);
+  if (!model.memory.is_whole() || !model.is_due(progressed.iteration))
+    throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);
+}
+
+void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
+                Model& model) {
+  Model learnt = learnt_by(bytes, name, interface, model);
   model.actor_parameters = std::move(learnt.actor_parameters);
   model.critic_parameters = std::move(learnt.critic_parameters);
   model.log_deviation = std::move(learnt.log_deviation);
+  model.averaged = std::move(learnt.averaged);
   model.observations = std::move(learnt.observations);
   model.returns = std::move(learnt.returns);
+}
+
+void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
+                sac::Model& model) {
+  sac::Model learnt = learnt_by(bytes, name, interface, model);
+  model.actor_parameters = std::move(learnt.actor_parameters);
+  for (std::size_t c = 0; c < model.critics.size(); ++c) {
+    model.critics[c].parameters = std::move(learnt.critics[c].parameters);
+    model.critics[c].target = std::move(learnt.critics[c].target);
+  }
+  model.log_temperature = std::move(learnt.log_temperature);
+  model.observations = std::move(learnt.observations);
+  model.returns = std::move(learnt.returns);
+  model.was_taught = true;
 }
 
 }  // namespace eagerx::train

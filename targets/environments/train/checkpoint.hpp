@@ -5,17 +5,29 @@
 #include <string>
 #include <vector>
 
+#include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/curve.hpp"
 #include "targets/environments/train/model.hpp"
-#include "targets/environments/train/rollout.hpp"
+#include "targets/environments/train/sac/model.hpp"
 
 namespace eagerx::train {
+
+/// How good a policy was in some episodes.
+struct Score {
+  std::uint64_t successes = 0;
+  double mean_return = 0.0;
+
+  bool is_better_than(const Score& other) const {
+    return successes != other.successes ? successes > other.successes
+                                        : mean_return > other.mean_return;
+  }
+};
 
 /// The best policy so far.
 struct Best {
   std::vector<float> parameters;  // folded; empty: none was evaluated
-  std::uint64_t successes = 0;
-  double mean_return = 0.0;
+  Score seen;                     // of the evaluation that each policy has
+  Score judged;                   // of that and those that only what seems the best has
 };
 
 /// Episodes that the mean return of a training is taken of.
@@ -30,7 +42,7 @@ struct Progressed {
   std::vector<float> actions;  // in this era so far; empty: it begins, or all has succeeded
 };
 
-/// What has to be the same when a training goes on, in words: "seed 1, layers 64 64, …".
+/// What has to be the same when a training goes on, in words: "graph 0x…; seed 1; layers 64,64; …".
 std::string conditions(const Settings& settings, const std::string& contract_hash);
 
 /// What has to be the same when another training begins with what was learnt, in words:
@@ -39,16 +51,22 @@ std::string interface_of(const Settings& settings, const Description& descriptio
 
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
                           const Model& model, const Progressed& progressed);
+std::string checkpoint_of(const std::string& conditions, const std::string& interface,
+                          const sac::Model& model, const Progressed& progressed);
 
 /// Fills model and progress. `name` is the file's, for messages. Throws Problem if `bytes` are no
 /// checkpoint, are damaged, or belong to another training.
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
              Model& model, Progressed& progressed);
+void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+             sac::Model& model, Progressed& progressed);
 
 /// Fills `model` with what another training has learnt: actor, critic, deviation of the actions and
 /// statistics. Adam and its step size begin anew. Throws Problem as restore() does, and if the
 /// networks are of another interface.
 void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
                 Model& model);
+void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
+                sac::Model& model);
 
 }  // namespace eagerx::train

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace eagerx::train {
 namespace {
@@ -78,51 +79,146 @@ std::string grid(const Plane& plane) {
   return text;
 }
 
+constexpr std::string_view kColumns =
+    "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence";
+
+std::string row_of(const CurvePoint& point) {
+  return fmt::format("{:.0f},{},{},{},{},{},{},{}\n", point.steps, cell(point.mean_return),
+                     cell(point.success), cell(point.evaluation_return),
+                     cell(point.evaluation_success), cell(point.deviation), cell(point.step_size),
+                     cell(point.divergence));
+}
+
+/// What all returns lie in.
+Plane plane_of(const std::vector<std::vector<CurvePoint>>& trainings) {
+  Plane plane{1.0, 0.0, 0.0};
+  bool any = false;
+  for (const std::vector<CurvePoint>& points : trainings) {
+    if (!points.empty()) plane.last_step = std::max(plane.last_step, points.back().steps);
+    for (const CurvePoint& point : points) {
+      for (const double value : {point.mean_return, point.evaluation_return}) {
+        if (std::isnan(value)) continue;
+        plane.low = any ? std::min(plane.low, value) : value;
+        plane.high = any ? std::max(plane.high, value) : value;
+        any = true;
+      }
+    }
+  }
+  if (plane.high - plane.low < 1e-9) plane.high = plane.low + 1.0;
+  return plane;
+}
+
+/// Everything but the curves.
+std::string head(const Plane& plane, const Plane& share, const std::string& title) {
+  std::string text =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"360\" viewBox=\"0 0 640 "
+      "360\" font-family=\"sans-serif\" font-size=\"12\">\n"
+      "<rect width=\"640\" height=\"360\" fill=\"white\"/>\n";
+  text += label(320, 22, "middle", title) + grid(plane);
+  for (const int percent : {0, 50, 100}) {
+    text += label(Plane::kRight + 6, share.y(percent / 100.0) + 4, "start",
+                  fmt::format("{} %", percent));
+  }
+  return text;
+}
+
+/// Of several trainings at one number of steps.
+struct Spread {
+  double steps, low, mean, high;
+};
+
+template <class Value>
+std::vector<Spread> band_of(const std::vector<std::vector<CurvePoint>>& trainings, Value value) {
+  std::vector<double> all;
+  for (const auto& points : trainings) {
+    for (const CurvePoint& point : points) {
+      if (!std::isnan(value(point))) all.push_back(point.steps);
+    }
+  }
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::vector<Spread> band;
+  for (const double steps : all) {
+    Spread spread{steps, INFINITY, 0.0, -INFINITY};
+    double count = 0.0;
+    for (const auto& points : trainings) {
+      double last = NAN;
+      for (const CurvePoint& point : points) {
+        if (point.steps <= steps && !std::isnan(value(point))) last = value(point);
+      }
+      if (std::isnan(last)) continue;
+      spread.low = std::min(spread.low, last);
+      spread.high = std::max(spread.high, last);
+      spread.mean += last;
+      count += 1.0;
+    }
+    spread.mean /= count;
+    band.push_back(spread);
+  }
+  return band;
+}
+
+std::string band(const std::vector<Spread>& spreads, const Plane& plane, const char* colour) {
+  std::string there, back, mean;
+  for (const Spread& each : spreads) {
+    const auto place = [&](double value) {
+      return fmt::format("{:.1f},{:.1f} ", plane.x(each.steps), plane.y(value));
+    };
+    there += place(each.high);
+    back.insert(0, place(each.low));
+    mean += place(each.mean);
+  }
+  return fmt::format(
+      "<polygon fill=\"{0}\" fill-opacity=\"0.2\" points=\"{1}{2}\"/>\n<polyline fill=\"none\" "
+      "stroke=\"{0}\" stroke-width=\"1.5\" points=\"{3}\"/>\n",
+      colour, there, back, mean);
+}
+
 }  // namespace
 
 std::string curve_csv(const std::vector<CurvePoint>& points) {
-  std::string text =
-      "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence\n";
-  for (const CurvePoint& point : points) {
-    text += fmt::format("{:.0f},{},{},{},{},{},{},{}\n", point.steps, cell(point.mean_return),
-                        cell(point.success), cell(point.evaluation_return),
-                        cell(point.evaluation_success), cell(point.deviation),
-                        cell(point.step_size), cell(point.divergence));
+  std::string text = std::string(kColumns) + "\n";
+  for (const CurvePoint& point : points) text += row_of(point);
+  return text;
+}
+
+std::string curves_csv(const std::vector<std::vector<CurvePoint>>& trainings,
+                       std::uint64_t first_seed) {
+  std::string text = "seed," + std::string(kColumns) + "\n";
+  for (std::size_t i = 0; i < trainings.size(); ++i) {
+    for (const CurvePoint& point : trainings[i])
+      text += fmt::format("{},{}", first_seed + i, row_of(point));
   }
   return text;
 }
 
 std::string curve_svg(const std::vector<CurvePoint>& points, const std::string& title) {
-  Plane plane{points.empty() ? 1.0 : points.back().steps, 0.0, 0.0};
-  bool any = false;
-  for (const CurvePoint& point : points) {
-    for (const double value : {point.mean_return, point.evaluation_return}) {
-      if (std::isnan(value)) continue;
-      plane.low = any ? std::min(plane.low, value) : value;
-      plane.high = any ? std::max(plane.high, value) : value;
-      any = true;
-    }
-  }
-  if (plane.high - plane.low < 1e-9) plane.high = plane.low + 1.0;
+  const Plane plane = plane_of({points});
   const Plane share{plane.last_step, 0.0, 1.0};
-  std::string text =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"360\" viewBox=\"0 0 640 "
-      "360\" font-family=\"sans-serif\" font-size=\"12\">\n"
-      "<rect width=\"640\" height=\"360\" fill=\"white\"/>\n";
-  text += label(320, 22, "middle", title);
-  text += grid(plane);
-  for (const int percent : {0, 50, 100}) {
-    text += label(Plane::kRight + 6, share.y(percent / 100.0) + 4, "start",
-                  fmt::format("{} %", percent));
-  }
-  text += line(points, share, "#9c9", [](const CurvePoint& p) { return p.success; });
-  text += line(points, share, "#393", [](const CurvePoint& p) { return p.evaluation_success; });
-  text += line(points, plane, "#9bd", [](const CurvePoint& p) { return p.mean_return; });
-  text += line(points, plane, "#057", [](const CurvePoint& p) { return p.evaluation_return; });
-  text += label(320, 350, "middle",
-                "million steps; blue: return, green: success, of the last 100 episodes (dark: "
-                "evaluation without noise)");
-  return text + "</svg>\n";
+  return head(plane, share, title) +
+         line(points, share, "#9c9", [](const CurvePoint& p) { return p.success; }) +
+         line(points, share, "#393", [](const CurvePoint& p) { return p.evaluation_success; }) +
+         line(points, plane, "#9bd", [](const CurvePoint& p) { return p.mean_return; }) +
+         line(points, plane, "#057", [](const CurvePoint& p) { return p.evaluation_return; }) +
+         label(320, 350, "middle",
+               "million steps; blue: return, green: success, of the last 100 episodes (dark: "
+               "evaluation without noise)") +
+         "</svg>\n";
+}
+
+std::string curves_svg(const std::vector<std::vector<CurvePoint>>& trainings,
+                       const std::string& title) {
+  const Plane plane = plane_of(trainings);
+  const Plane share{plane.last_step, 0.0, 1.0};
+  const auto successes =
+      band_of(trainings, [](const CurvePoint& p) { return p.evaluation_success; });
+  const auto returns = band_of(trainings, [](const CurvePoint& p) { return p.evaluation_return; });
+  return head(plane, share, title) + band(successes, share, "#393") + band(returns, plane, "#057") +
+         label(320, 350, "middle",
+               fmt::format("million steps; evaluation without noise, {} seeds: mean, least and "
+                           "most; blue: return, green: success",
+                           trainings.size())) +
+         "</svg>\n";
 }
 
 }  // namespace eagerx::train

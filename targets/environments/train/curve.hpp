@@ -23,4 +23,12 @@ std::string curve_csv(const std::vector<CurvePoint>& points);
 /// Return (left axis) and success (right axis) over steps.
 std::string curve_svg(const std::vector<CurvePoint>& points, const std::string& title);
 
+/// The same of several trainings: means over them, and between the least and the most a band. One
+/// that has ended stays as it was.
+std::string curves_svg(const std::vector<std::vector<CurvePoint>>& trainings,
+                       const std::string& title);
+/// The rows of curve_csv() of all, behind their seed.
+std::string curves_csv(const std::vector<std::vector<CurvePoint>>& trainings,
+                       std::uint64_t first_seed);
+
 }  // namespace eagerx::train

@@ -1,13 +1,21 @@
 #include "targets/environments/train/evaluation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace eagerx::train {
-namespace {
 
-constexpr std::uint32_t kEpisodes = 100;
-
-}  // namespace
+void Evaluation::add(const Evaluation& more) {
+  const auto mine = static_cast<double>(episodes), theirs = static_cast<double>(more.episodes);
+  const auto mean = [&](double a, double b) { return (mine * a + theirs * b) / (mine + theirs); };
+  mean_return = mean(mean_return, more.mean_return);
+  mean_steps = mean(mean_steps, more.mean_steps);
+  for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = mean(terms[i], more.terms[i]);
+  lowest_return = std::min(lowest_return, more.lowest_return);
+  highest_return = std::max(highest_return, more.highest_return);
+  successes += more.successes;
+  episodes += more.episodes;
+}
 
 struct Evaluator::Episode {
   double sum = 0.0;
@@ -31,14 +39,22 @@ class Evaluator::Part {
         success_(count) {}
 
   std::vector<Episode> episodes;
+  std::uint64_t saturated = 0, numbers = 0;  // of the actions
+  std::vector<std::uint64_t> far;            // [inputs] steps
 
-  void run(const Kernels& kernels, const Policy& policy, std::uint64_t seed) {
+  void run(const Kernels& kernels, const Policy& policy, std::uint64_t seed,
+           const Statistics& observations) {
+    saturated = numbers = 0;
+    far.assign(policy.network.inputs(), 0);
     row_.resize(policy.network.row());
     episodes.assign(count_, Episode{0.0, std::vector<double>(terms_), 0, false});
     std::vector<bool> ended(count_);
     environments_.reset(seed, observation_.data());
     while (std::count(ended.begin(), ended.end(), false) != 0) {
       act(kernels, policy);
+      for (std::uint32_t e = 0; e < count_; ++e) {
+        if (!ended[e]) look(policy, observations, e);
+      }
       step_all(environments_, action_.data(),
                {.size = sizeof(eagerx_rows),
                 .observation = observation_.data(),
@@ -63,6 +79,18 @@ class Evaluator::Part {
       policy.head.act(answers, e, &action_[e * policy.head.numbers]);
     }
   }
+  /// Counts what is at a bound, and what is far from all that was seen.
+  void look(const Policy& policy, const Statistics& observations, std::uint32_t e) {
+    for (std::size_t j = 0; j < policy.head.numbers && !policy.head.chooses; ++j) {
+      const float x = action_[e * policy.head.numbers + j];
+      saturated += x <= policy.head.low[j] || x >= policy.head.high[j] ? 1 : 0;
+      ++numbers;
+    }
+    for (std::size_t i = 0; i < far.size(); ++i) {
+      const double distance = observation_[e * far.size() + i] - observations.mean[i];
+      far[i] += std::abs(distance) * observations.scale(i) > double{kFar} ? 1 : 0;
+    }
+  }
   void count(std::uint32_t e) {
     Episode& episode = episodes[e];
     episode.sum += reward_[e];
@@ -80,25 +108,35 @@ class Evaluator::Part {
 };
 
 Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
-                     std::uint32_t longest)
+                     std::uint32_t longest, std::size_t episodes)
     : kernels_(kernels), team_(team), has_threads_(library.description().has_threads) {
-  for (std::uint32_t first = 0; first < kEpisodes; first += kLanes) {
-    const auto count = std::min(static_cast<std::uint32_t>(kLanes), kEpisodes - first);
+  const auto all = static_cast<std::uint32_t>(episodes);
+  for (std::uint32_t first = 0; first < all; first += kLanes) {
+    const auto count = std::min(static_cast<std::uint32_t>(kLanes), all - first);
     parts_.push_back(std::make_unique<Part>(library, first, count, longest));
   }
 }
 
 Evaluator::~Evaluator() = default;
 
-Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed) {
-  const auto work = [&](std::size_t part) { parts_[part]->run(kernels_, policy, seed); };
+Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed,
+                          const Statistics& observations) {
+  const auto work = [&](std::size_t part) {
+    parts_[part]->run(kernels_, policy, seed, observations);
+  };
   if (has_threads_) {
     team_.run_parts(parts_.size(), work);
   } else {
     for (std::size_t part = 0; part < parts_.size(); ++part) work(part);
   }
   Evaluation result;
+  result.far.resize(policy.network.inputs());
+  double numbers = 0.0;
   for (const auto& part : parts_) {
+    result.saturated += static_cast<double>(part->saturated);
+    numbers += static_cast<double>(part->numbers);
+    for (std::size_t i = 0; i < result.far.size(); ++i)
+      result.far[i] += static_cast<double>(part->far[i]);
     for (const Episode& episode : part->episodes) {
       const bool is_first = result.episodes++ == 0;
       result.successes += episode.success ? 1 : 0;
@@ -111,6 +149,8 @@ Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed) {
     }
   }
   const auto episodes = static_cast<double>(result.episodes);
+  for (double& share : result.far) share /= result.mean_steps;
+  result.saturated /= std::max(numbers, 1.0);
   result.mean_return /= episodes;
   result.mean_steps /= episodes;
   for (double& term : result.terms) term /= episodes;

@@ -10,24 +10,33 @@
 
 namespace eagerx::train {
 
+/// What is further from the mean of observations, in deviations, networks do not see as they learn.
+inline constexpr float kFar = 8.0F;
+
 struct Evaluation {
   std::size_t episodes = 0;
   std::size_t successes = 0;  // `success:` of the task holds at the end of the episode
   double mean_return = 0.0, lowest_return = 0.0, highest_return = 0.0;
   double mean_steps = 0.0;
   std::vector<double> terms;  // [terms] of the return, mean over the episodes
+  double saturated = 0.0;     // share of the actions' numbers that are at a bound
+  std::vector<double> far;    // [inputs] share of the steps beyond kFar deviations
 
   bool passed() const { return successes * 100 >= episodes * 99; }
+  /// As one evaluation of all the episodes.
+  void add(const Evaluation& more);
 };
 
 class Evaluator {
  public:
   /// `longest`: steps of an episode that the task does not end.
-  Evaluator(const Library& library, const Kernels& kernels, Team& team, std::uint32_t longest);
+  Evaluator(const Library& library, const Kernels& kernels, Team& team, std::uint32_t longest,
+            std::size_t episodes);
   ~Evaluator();
 
-  /// One episode in each of a hundred environments, the first of `seed`. Nothing is drawn.
-  Evaluation run(const Policy& policy, std::uint64_t seed);
+  /// One episode in each of `episodes` environments, the first of `seed`. Nothing is drawn.
+  /// `observations`: what is far from it is counted.
+  Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations);
 
  private:
   struct Episode;

@@ -29,8 +29,10 @@ std::string listed(const std::vector<float>& numbers) {
   return fmt::format("{}", fmt::join(numbers, ", "));
 }
 
-ordered_json notes_of(const Policy& policy, const Description& description, std::uint64_t seed) {
-  ordered_json notes = {{"writer", "eagerx-gen train"}, {"activation", "tanh"}};
+ordered_json notes_of(const Policy& policy, const Description& description,
+                      const Settings& settings) {
+  const bool is_relu = policy.network.activation() == Activation::relu;
+  ordered_json notes = {{"writer", "eagerx-gen train"}, {"activation", is_relu ? "relu" : "tanh"}};
   if (policy.head.chooses) {
     notes["first_choice"] = listed(policy.head.low);
   } else {
@@ -42,7 +44,8 @@ ordered_json notes_of(const Policy& policy, const Description& description, std:
   notes["rate"] = fmt::format("{}", description.rate_hz);
   notes["graph"] = description.graph;
   notes["hash"] = description.hash;
-  notes["seed"] = fmt::format("{}", seed);
+  notes["seed"] = fmt::format("{}", settings.seed);
+  notes["settings"] = text_of(settings);
   return notes;
 }
 
@@ -57,9 +60,9 @@ void append(std::string& data, ordered_json& header, const std::string& name,
 }  // namespace
 
 std::string safetensors_of(const Policy& policy, const Description& description,
-                           std::uint64_t seed) {
+                           const Settings& settings) {
   ordered_json header;
-  header["__metadata__"] = notes_of(policy, description, seed);
+  header["__metadata__"] = notes_of(policy, description, settings);
   std::string data;
   const auto& layers = policy.network.layers();
   for (std::size_t k = 0; k < layers.size(); ++k) {

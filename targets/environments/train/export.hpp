@@ -9,9 +9,9 @@ namespace eagerx::train {
 
 /// safetensors: the layers as `policy.hidden.0.weight` …, `policy.action.bias`, and in the metadata
 /// what the policy was trained with: names and sizes of the observations, bounds of the actions,
-/// rate, hash of the graph's contract, seed.
+/// rate, hash of the graph's contract, seed, settings.
 std::string safetensors_of(const Policy& policy, const Description& description,
-                           std::uint64_t seed);
+                           const Settings& settings);
 
 /// Observations with their answers as CSV: obs0 …, network_out…, action…. `rows` [count][inputs].
 std::string golden_rows(const Policy& policy, const Kernels& kernels,

@@ -45,6 +45,12 @@ struct Kernels {
   /// dx *= 1 - y², the derivative of y = tanh(x).
   void (*tanh_slope)(const Pack* y, Pack* dx, std::size_t count);
 
+  /// x = max(x, 0).
+  void (*relu)(Pack* x, std::size_t count);
+
+  /// dx = 0 where y = relu(x) is not above 0.
+  void (*relu_slope)(const Pack* y, Pack* dx, std::size_t count);
+
   /// One step of Adam (Kingma and Ba 2015, β 0.9 and 0.999) for `count` weights.
   void (*adam)(float* weights, const float* gradient, float* mean, float* square, std::size_t count,
                AdamStep step);

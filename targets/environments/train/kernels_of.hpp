@@ -140,6 +140,21 @@ struct KernelsOf {
     }
   }
 
+  static void relu(Pack* x, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        x[i].lane[l] = x[i].lane[l] > 0.0F ? x[i].lane[l] : 0.0F;
+      }
+    }
+  }
+  static void relu_slope(const Pack* y, Pack* dx, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        dx[i].lane[l] = y[i].lane[l] > 0.0F ? dx[i].lane[l] : 0.0F;
+      }
+    }
+  }
+
   static void adam(float* weights, const float* gradient, float* mean, float* square,
                    std::size_t count, AdamStep step) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -152,7 +167,8 @@ struct KernelsOf {
   }
 
   static constexpr Kernels table(const char* name) {
-    return {name, dense, dense_transposed, dense_gradient, tanh, tanh_slope, adam};
+    return {name,       dense, dense_transposed, dense_gradient, tanh, tanh_slope, relu,
+            relu_slope, adam};
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/options.hpp"
+#include "targets/environments/train/seeds.hpp"
 #include "targets/environments/train/training.hpp"
 
 namespace eagerx::train {
@@ -19,8 +20,10 @@ int run(int argc, char** argv) {
     check_files(options);
     if (options.only_checks) return kDone;
     const Library library(options.library);
-    Training training(options, library);
-    return training.run(host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends));
+    const host::Interrupt& interrupt =
+        host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends);
+    if (options.seeds > 1) return train_seeds(options, library, interrupt);
+    return Training(options, library).run(interrupt);
   } catch (const std::exception& error) {
     return client::tell(error);
   }

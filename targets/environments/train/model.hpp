@@ -1,6 +1,7 @@
 // What is learnt.
 #pragma once
 
+#include <eagerx/math.hpp>
 #include <eagerx/random.hpp>
 
 #include "targets/environments/train/network.hpp"
@@ -16,22 +17,24 @@ inline constexpr float kHalfLogTwoPi = 0.9189385F;
 /// Actor and critic with all that the next update depends on.
 struct Model {
   Model(const Settings& settings, std::size_t inputs, const Head& head)
-      : actor(inputs, settings.hidden, head.outputs),
-        critic(inputs, settings.hidden, 1),
+      : actor(inputs, settings.layers, head.outputs, settings.activation),
+        critic(inputs, settings.layers, 1, settings.activation),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
         critic_parameters(critic.drawn(random(settings, "train/critic"), 1.0F)),
-        log_deviation(head.chooses ? 0 : head.outputs, 0.0F),
+        log_deviation(head.chooses ? 0 : head.outputs, log(settings.first_deviation)),
+        averaged(actor_parameters),
         actor_adam(actor.parameters()),
         critic_adam(critic.parameters()),
         deviation_adam(log_deviation.size()),
         observations(inputs),
         returns(1),
-        step_size(settings.first_step_size) {}
+        step_size(settings.learning_rate) {}
 
   Network actor;   // tanh of its outputs is the mean of the actions, or they are scores of choices
   Network critic;  // the discounted return, divided by the deviation of returns
   std::vector<float> actor_parameters, critic_parameters;
   std::vector<float> log_deviation;  // [outputs] of the actions; [0] of a choice
+  std::vector<float> averaged;       // running mean of actor_parameters: the policy
   Adam actor_adam, critic_adam, deviation_adam;
   Statistics observations;  // [inputs]
   Statistics returns;       // [1] discounted, while they run

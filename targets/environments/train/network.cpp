@@ -5,7 +5,9 @@
 
 namespace eagerx::train {
 
-Network::Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs) {
+Network::Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs,
+                 Activation activation)
+    : activation_(activation) {
   std::vector<std::size_t> widths = hidden;
   widths.push_back(outputs);
   row_ = inputs;
@@ -35,12 +37,15 @@ void Network::forward(const Kernels& kernels, const float* parameters, Pack* row
   for (const Layer& layer : layers_) {
     kernels.dense(layer.sizes, parameters + layer.weights, parameters + layer.bias,
                   row + layer.from, row + layer.to);
-    if (&layer != &layers_.back()) kernels.tanh(row + layer.to, layer.sizes.outputs);
+    if (&layer == &layers_.back()) return;
+    const auto activate = activation_ == Activation::relu ? kernels.relu : kernels.tanh;
+    activate(row + layer.to, layer.sizes.outputs);
   }
 }
 
 void Network::backward(const Kernels& kernels, const float* parameters, const Pack* rows,
                        Pack* deltas, std::size_t tiles, Pack* scratch, float* gradient) const {
+  const auto slope = activation_ == Activation::relu ? kernels.relu_slope : kernels.tanh_slope;
   for (std::size_t k = layers_.size(); k-- > 0;) {
     const Layer& layer = layers_[k];
     kernels.dense_gradient(layer.sizes, rows + layer.from, deltas + layer.to, tiles, row_, scratch,
@@ -50,8 +55,19 @@ void Network::backward(const Kernels& kernels, const float* parameters, const Pa
       Pack* delta = deltas + t * row_;
       kernels.dense_transposed(layer.sizes, parameters + layer.weights, delta + layer.to,
                                delta + layer.from);
-      kernels.tanh_slope(rows + t * row_ + layer.from, delta + layer.from, layer.sizes.inputs);
+      slope(rows + t * row_ + layer.from, delta + layer.from, layer.sizes.inputs);
     }
+  }
+}
+
+void Network::input_slopes(const Kernels& kernels, const float* parameters, const Pack* row,
+                           Pack* deltas) const {
+  const auto slope = activation_ == Activation::relu ? kernels.relu_slope : kernels.tanh_slope;
+  for (std::size_t k = layers_.size(); k-- > 0;) {
+    const Layer& layer = layers_[k];
+    kernels.dense_transposed(layer.sizes, parameters + layer.weights, deltas + layer.to,
+                             deltas + layer.from);
+    if (k > 0) slope(row + layer.from, deltas + layer.from, layer.sizes.inputs);
   }
 }
 

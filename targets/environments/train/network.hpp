@@ -1,10 +1,11 @@
-// A network of dense layers with tanh between them, forward and backward.
+// A network of dense layers with tanh or relu between them, forward and backward.
 #pragma once
 
 #include <eagerx/random.hpp>
 #include <vector>
 
 #include "targets/environments/train/kernels.hpp"
+#include "targets/environments/train/settings.hpp"
 
 namespace eagerx::train {
 
@@ -18,9 +19,11 @@ class Network {
     std::size_t from, to;       // where its inputs and outputs begin in the row of packs
   };
 
-  Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs);
+  Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs,
+          Activation activation);
 
   const std::vector<Layer>& layers() const { return layers_; }
+  Activation activation() const { return activation_; }
   std::size_t inputs() const { return layers_.front().sizes.inputs; }
   std::size_t outputs() const { return layers_.back().sizes.outputs; }
   std::size_t parameters() const { return parameters_; }
@@ -41,7 +44,13 @@ class Network {
   void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
                 std::size_t tiles, Pack* scratch, float* gradient) const;
 
+  /// Fills the rest of `deltas` [row()], whose outputs' places have the derivatives of something:
+  /// its derivatives by the inputs are in the first places.
+  void input_slopes(const Kernels& kernels, const float* parameters, const Pack* row,
+                    Pack* deltas) const;
+
  private:
+  Activation activation_;
   std::vector<Layer> layers_;
   std::size_t parameters_ = 0, row_ = 0;
 };

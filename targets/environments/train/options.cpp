@@ -13,17 +13,18 @@ namespace {
 using client::number;
 using client::refuse;
 
-std::vector<std::size_t> widths(const std::string& text) {
-  constexpr std::size_t kWidest = 1024, kMostLayers = 8;
-  std::vector<std::size_t> result;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    result.push_back(
-        number<std::size_t>(std::string_view(text).substr(at, comma - at), 1, kWidest));
-    at = comma + 1;
+/// "clip=0.1"
+void set_named(Settings& settings, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) refuse("`" + text + "` is not NAME=VALUE");
+  const std::string name = text.substr(0, equals);
+  try {
+    set(settings, name, text.substr(equals + 1));
+  } catch (const Problem& problem) {
+    throw Problem(problem.code,
+                  problem.help.empty() ? name + ": " + problem.what() : problem.what(),
+                  problem.help);
   }
-  if (result.size() > kMostLayers) refuse("there are at most 8 layers");
-  return result;
 }
 
 /// What each option does with its value.
@@ -36,21 +37,31 @@ std::vector<client::Setter> setters(Options& o) {
   return {
       {"--output", [&](Text v) { o.output = v; }},
       {"--algorithm",
-       [](Text v) {
-         if (v != "ppo") refuse("there is no algorithm `" + v + "`, only ppo");
+       [&](Text v) {
+         if (v != "ppo" && v != "sac")
+           refuse("there is no algorithm `" + v + "`, only ppo and sac");
+         settings.algorithm = v;
        }},
       {"--steps", [&](Text v) { o.steps = number<std::uint64_t>(v, 1, kMostSteps); }},
       {"--until-return",
        [&](Text v) { settings.until_return = number<double>(v, -kMostReturn, kMostReturn); }},
       {"--seed", [&](Text v) { settings.seed = number<std::uint64_t>(v, 0, kMostSeed); }},
+      {"--seeds", [&](Text v) { o.seeds = number<std::uint64_t>(v, 1, 1000); }},
       {"--threads", [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
-      {"--hidden", [&](Text v) { settings.hidden = widths(v); }},
-      {"--discount", [&](Text v) { settings.discount = number<float>(v, 0.0F, 0.99999F); }},
+      {"--hidden", [&](Text v) { set(settings, "layers", v); }},
+      {"--discount", [&](Text v) { set(settings, "discount", v); }},
+      {"--setting",
+       [&](Text v) {
+         set_named(settings, v);
+         o.named.push_back(v.substr(0, v.find('=')));
+       }},
       {"--checkpoint", [&](Text v) { o.checkpoint = v; }},
       {"--resume", [&](Text v) { o.resume = v; }},
       {"--from", [&](Text v) { o.from = v; }},
+      {"--replay", [&](Text v) { o.replay.push_back(v); }},
       {"--csv", [&](Text v) { o.csv = v; }},
       {"--curve", [&](Text v) { o.curve = v; }},
+      {"--tensorboard", [&](Text v) { o.tensorboard = v; }},
       {"--isa", [&](Text v) { o.kernels = v; }},
       {"--quiet", [&](Text) { o.is_quiet = true; }},
       {"--check", [&](Text) { o.only_checks = true; }},
@@ -66,12 +77,18 @@ std::vector<client::Option> table(Options& options) {
 
 Options parse_options(int argc, const char* const* argv) {
   Options options;
-  const auto check = [&] {
+  const auto check_all = [&] {
     if (!options.resume.empty() && !options.from.empty())
       refuse("--resume goes on with one training and --from begins another: give one of them");
+    if (!options.resume.empty() && !options.replay.empty())
+      refuse("--resume goes on with a training that has its logs already: leave --replay out");
+    check(options.settings);
+    for (const std::string& name : options.named) check_algorithm(options.settings, name);
+    if (options.seeds > 1 && !(options.checkpoint + options.resume).empty())
+      refuse("--seeds takes no --checkpoint and no --resume: train each seed by itself for that");
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   };
-  client::parse({"train", table(options), &options.library, check}, argc, argv);
+  client::parse({"train", table(options), &options.library, check_all}, argc, argv);
   return options;
 }
 

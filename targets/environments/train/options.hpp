@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "targets/environments/train/settings.hpp"
 
@@ -10,14 +11,17 @@ namespace eagerx::train {
 struct Options {
   std::string library;
   std::string output = "policy.safetensors";
-  std::string checkpoint, resume, from, csv, curve;  // empty: none
-  std::string kernels;                               // empty: the fastest
-  std::uint64_t steps = 5'000'000;                   // of all environments, at most
-  unsigned threads = 0;                              // 0: one for each core
-  double checkpoint_every_s = 60.0;                  // at least
+  std::string checkpoint, resume, from, csv, curve, tensorboard;  // empty: none
+  std::string kernels;                                            // empty: the fastest
+  std::uint64_t steps = 5'000'000;                                // of all environments, at most
+  std::uint64_t seeds = 1;           // trainings, from settings.seed on
+  unsigned threads = 0;              // 0: one for each core
+  double checkpoint_every_s = 60.0;  // at least
   bool is_quiet = false;
   bool wants_help = false;
-  bool only_checks = false;  // options and the places of files; there is no library yet
+  bool only_checks = false;         // options and the places of files; there is no library yet
+  std::vector<std::string> replay;  // tables of runs
+  std::vector<std::string> named;   // settings that --setting gave
   Settings settings;
 };
 

@@ -65,6 +65,22 @@ std::vector<float> folded(const Network& actor, std::vector<float> parameters,
   return parameters;
 }
 
+void keep_answers(const Network& network, std::vector<float>& parameters, const Statistics& before,
+                  const Statistics& after) {
+  const Network::Layer& first = network.layers().front();
+  const std::size_t inputs = first.sizes.inputs;
+  for (std::size_t j = 0; j < first.sizes.outputs; ++j) {
+    float* weights = &parameters[first.weights + j * inputs];
+    double bias = parameters[first.bias + j];
+    for (std::size_t i = 0; i < inputs; ++i) {
+      const double weight = weights[i] * before.scale(i);
+      bias += weight * (after.mean[i] - before.mean[i]);
+      weights[i] = static_cast<float>(weight / after.scale(i));
+    }
+    parameters[first.bias + j] = static_cast<float>(bias);
+  }
+}
+
 void Policy::answer(const Kernels& kernels, const float* rows, Pack* row) const {
   const std::size_t inputs = network.inputs();
   for (std::size_t i = 0; i < inputs; ++i) {

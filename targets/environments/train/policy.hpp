@@ -42,6 +42,12 @@ class Normaliser {
 std::vector<float> folded(const Network& actor, std::vector<float> parameters,
                           const Statistics& statistics);
 
+/// Changes the first layer so that the network answers as before once its inputs are normalised by
+/// `after` in place of `before`: what is learnt must not move with a running mean (as van Hasselt
+/// and others 2016 do for outputs).
+void keep_answers(const Network& network, std::vector<float>& parameters, const Statistics& before,
+                  const Statistics& after);
+
 struct Policy {
   Network network;
   std::vector<float> parameters;  // folded

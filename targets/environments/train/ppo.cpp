@@ -5,6 +5,7 @@
 #include <eagerx/math.hpp>
 #include <utility>
 
+#include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/choice.hpp"
 
 namespace eagerx::train {
@@ -14,12 +15,12 @@ void add_to(std::vector<float>& sum, const std::vector<float>& more) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
 }
 
-/// What makes the gradient of a mean of sums at most 1 long.
-float clipped_scale(const std::vector<float>& gradient, double count) {
+/// What makes the gradient of a mean of sums at most `longest` long.
+float clipped_scale(const std::vector<float>& gradient, double count, double longest) {
   double squares = 0.0;
   for (const float g : gradient) squares += double{g} * g;
   const double length = std::sqrt(squares) / count;
-  return static_cast<float>((length > 1.0 ? 1.0 / length : 1.0) / count);
+  return static_cast<float>((length > longest ? longest / length : 1.0) / count);
 }
 
 }  // namespace
@@ -175,7 +176,7 @@ Ppo::~Ppo() = default;
 void Ppo::begin_era(std::uint32_t era) {
   const std::uint64_t seed = settings_.seed + (std::uint64_t{era} << 32U);
   for (auto& rollout : rollouts_) rollout->reset(seed);
-  if (model_.observations.count > 0.0) return;
+  if (model_.observations.count > 0.0 || !settings_.normalise) return;
   for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
 }
 
@@ -229,8 +230,6 @@ std::vector<Episode> Ppo::collect() {
   std::vector<Episode> episodes;
   Sums advantages(1);
   for (auto& rollout : rollouts_) {
-    model_.observations.add(rollout->observation_sums);
-    model_.returns.add(rollout->return_sums);
     advantages.sum[0] += rollout->advantage_sums.sum[0];
     advantages.squares[0] += rollout->advantage_sums.squares[0];
     advantages.count += rollout->advantage_sums.count;
@@ -244,8 +243,62 @@ std::vector<Episode> Ppo::collect() {
   return episodes;
 }
 
+/// What the networks have learnt from is normalised by the statistics of before: they change when
+/// that is over.
+void Ppo::see() {
+  if (is_frozen()) return;
+  const double scale = model_.returns.scale(0);
+  for (auto& rollout : rollouts_) model_.returns.add(rollout->return_sums);
+  const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
+  const Network::Layer& last = model_.critic.layers().back();
+  for (std::size_t i = last.weights; i < last.bias + last.sizes.outputs; ++i)
+    model_.critic_parameters[i] *= ratio;
+  if (!settings_.normalise) return;
+  const Statistics before = model_.observations;
+  for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
+  keep_answers(model_.critic, model_.critic_parameters, before, model_.observations);
+  for (auto* parameters : {&model_.actor_parameters, &model_.averaged})
+    keep_answers(model_.actor, *parameters, before, model_.observations);
+}
+
+bool Ppo::is_frozen() const {
+  return settings_.freeze_after > 0.0 &&
+         static_cast<double>(iteration * steps()) >= settings_.freeze_after;
+}
+
+float Ppo::decay() const {
+  if (settings_.decay_steps <= 0.0) return 1.0F;
+  return static_cast<float>(
+      1.0 / (1.0 + static_cast<double>(iteration * steps()) / settings_.decay_steps));
+}
+
+void Ppo::adapt_step_size() {
+  if (settings_.schedule == Schedule::constant) {
+    model_.step_size = settings_.learning_rate * decay();
+    return;
+  }
+  constexpr float kFactor = 1.5F;
+  const double wanted = settings_.divergence * decay();
+  if (divergence_ > 2.0 * wanted) model_.step_size /= kFactor;
+  if (divergence_ < 0.5 * wanted) model_.step_size *= kFactor;
+  model_.step_size =
+      clamp(model_.step_size, settings_.least_learning_rate, settings_.most_learning_rate);
+}
+
+void Ppo::average() {
+  if (settings_.averaging == 0.0F) {
+    model_.averaged = model_.actor_parameters;
+    return;
+  }
+  // At first the mean of all so far: the first actor knows nothing and is forgotten soon.
+  const float weight =
+      max(1.0F - settings_.averaging, 2.0F / (static_cast<float>(iteration) + 2.0F));
+  for (std::size_t i = 0; i < model_.averaged.size(); ++i)
+    model_.averaged[i] += weight * (model_.actor_parameters[i] - model_.averaged[i]);
+}
+
 /// Learns from every Mth tile, from `minibatch` on.
-void Ppo::update(std::size_t minibatch) {
+bool Ppo::update(std::size_t minibatch) {
   precision_.clear();
   for (const float x : model_.log_deviation) precision_.push_back(exp(-x));
   team_.run_parts(kParts, [&](std::size_t part) {
@@ -254,32 +307,72 @@ void Ppo::update(std::size_t minibatch) {
   Gradient& sum = learners_.front()->gradient;
   for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
   divergence_ = sum.divergence / sum.count;
-  constexpr float kFactor = 1.5F;
-  if (divergence_ > 2.0 * settings_.divergence) model_.step_size /= kFactor;
-  if (divergence_ < 0.5 * settings_.divergence) model_.step_size *= kFactor;
-  model_.step_size = clamp(model_.step_size, settings_.least_step_size, settings_.most_step_size);
+  adapt_step_size();
+  if (settings_.stop_divergence > 0.0F &&
+      divergence_ > double{settings_.stop_divergence} * settings_.divergence * decay())
+    return false;
   model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, model_.step_size,
-                         clipped_scale(sum.actor, sum.count));
+                         clipped_scale(sum.actor, sum.count, settings_.gradient_norm));
   model_.critic_adam.step(kernels_, model_.critic_parameters, sum.critic, model_.step_size,
-                          clipped_scale(sum.critic, sum.count));
+                          clipped_scale(sum.critic, sum.count, settings_.gradient_norm));
   model_.deviation_adam.step(kernels_, model_.log_deviation, sum.log_deviation, model_.step_size,
                              static_cast<float>(1.0 / sum.count));
   for (float& x : model_.log_deviation) {
-    x = clamp(x, settings_.least_log_deviation, settings_.most_log_deviation);
+    x = clamp(x, log(settings_.least_deviation), log(settings_.most_deviation));
   }
+  return true;
 }
 
-Ppo::Result Ppo::iterate() {
+Algorithm::Result Ppo::iterate() {
   constexpr std::size_t kShift = 7;  // the minibatches of an epoch do not begin with the same one
   Result result{collect()};
-  for (std::size_t epoch = 0; epoch < settings_.epochs; ++epoch) {
-    for (std::size_t m = 0; m < settings_.minibatches; ++m) {
-      update((epoch * kShift + m) % settings_.minibatches);
-    }
+  const std::size_t most = settings_.epochs * settings_.minibatches;
+  for (; result.updates < most; ++result.updates) {
+    const std::size_t epoch = result.updates / settings_.minibatches;
+    const std::size_t m = result.updates % settings_.minibatches;
+    if (!update((epoch * kShift + m) % settings_.minibatches)) break;
   }
+  average();
+  see();
   ++iteration;
   result.divergence = divergence_;
   return result;
+}
+
+std::vector<float> Ppo::deployed_parameters() const {
+  return folded(model_.actor, model_.averaged, model_.observations);
+}
+
+double Ppo::deviation() const {
+  double deviation = 0.0;
+  for (const float x : model_.log_deviation) deviation += exp(x);
+  return deviation / static_cast<double>(model_.log_deviation.size());
+}
+
+std::string Ppo::checkpoint(const std::string& conditions, const std::string& interface,
+                            Progressed& progressed, std::uint32_t iterations) const {
+  if (!progressed.succeeded) progressed.actions = actions(iterations);
+  std::string bytes = checkpoint_of(conditions, interface, model_, progressed);
+  progressed.actions = {};
+  return bytes;
+}
+
+void Ppo::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+                  Progressed& progressed, std::uint32_t era) {
+  train::restore(bytes, name, conditions, model_, progressed);
+  iteration = progressed.iteration;
+  // After a change of the task eras may be longer: then the rest of this one has new episodes.
+  take_up(std::exchange(progressed.actions, {}), iteration % era);
+}
+
+std::string Ppo::replay(const std::string& /*text*/, const std::string& name) {
+  throw Problem(kUsage, "PPO learns from its own steps only, and not from `" + name + "`",
+                "`--algorithm sac` does");
+}
+
+void Ppo::begin_from(const std::string& bytes, const std::string& name,
+                     const std::string& interface) {
+  train::begin_from(bytes, name, interface, model_);
 }
 
 }  // namespace eagerx::train

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/rollout.hpp"
 
@@ -24,40 +25,33 @@ struct Gradient {
   void add(const Gradient& more);
 };
 
-class Ppo {
+class Ppo : public Algorithm {
  public:
-  /// What an iteration learnt from.
-  struct Result {
-    std::vector<Episode> episodes;  // that ended, in order of time
-    double divergence = 0.0;        // of the last minibatch
-  };
-
   Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
       std::uint32_t longest);
-  ~Ppo();
+  ~Ppo() override;
 
-  Model& model() { return model_; }
   const Model& model() const { return model_; }
-  std::uint32_t iteration = 0;
 
-  /// All environments begin anew, with episodes that nothing but `era` and the seed decides. A
-  /// training that goes on from here needs the model and the iteration only.
-  void begin_era(std::uint32_t era);
-  /// From now on actions are remembered, which go_on() needs in the middle of an era.
-  void remember_actions();
-  /// All that were taken in the first `iterations` of this era, or fewer if they are not
-  /// remembered.
-  std::vector<float> actions(std::uint32_t iterations) const;
-  /// actions() gives these from now on, if they are those of so many iterations.
-  void take_up(const std::vector<float>& actions, std::uint32_t iterations);
-  /// All environments are brought to where they were after the actions that take_up() got.
-  void go_on(std::uint32_t era);
-  /// A rollout and the updates from it.
-  Result iterate();
-  /// How environments are stepped, and what made that slower.
-  std::string stepping() const { return rollouts_.front()->stepping(); }
-  /// Steps of all environments in one iteration.
-  std::size_t steps() const { return settings_.environments * settings_.horizon; }
+  std::size_t environments() const override { return settings_.environments; }
+  std::size_t steps() const override { return settings_.environments * settings_.horizon; }
+  std::string stepping() const override { return rollouts_.front()->stepping(); }
+  void begin_era(std::uint32_t era) override;
+  void remember_actions() override;
+  void go_on(std::uint32_t era) override;
+  Result iterate() override;
+  Network deployed() const override { return model_.actor; }
+  std::vector<float> deployed_parameters() const override;
+  const Statistics& observations() const override { return model_.observations; }
+  double deviation() const override;
+  double step_size() const override { return model_.step_size; }
+  std::string checkpoint(const std::string& conditions, const std::string& interface,
+                         Progressed& progressed, std::uint32_t iterations) const override;
+  void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+               Progressed& progressed, std::uint32_t era) override;
+  void begin_from(const std::string& bytes, const std::string& name,
+                  const std::string& interface) override;
+  std::string replay(const std::string& text, const std::string& name) override;
 
  private:
   class Learner;  // a part of a minibatch
@@ -65,7 +59,18 @@ class Ppo {
   /// work(part) for each of the rollouts, at once if the library can.
   void in_parts(const std::function<void(std::size_t part)>& work);
   std::vector<Episode> collect();
-  void update(std::size_t minibatch);
+  /// False if the policy has moved far enough.
+  bool update(std::size_t minibatch);
+  void adapt_step_size();
+  void average();
+  void see();
+  bool is_frozen() const;
+  /// From 1 down, of the learning rate and of what keeps it.
+  float decay() const;
+  /// All actions of the first `iterations` of this era, or fewer if they are not remembered.
+  std::vector<float> actions(std::uint32_t iterations) const;
+  /// actions() gives these from now on, if they are those of so many iterations.
+  void take_up(const std::vector<float>& actions, std::uint32_t iterations);
 
   const Settings settings_;
   const Head head_;

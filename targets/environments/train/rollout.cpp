@@ -30,6 +30,11 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
       horizon_(settings.horizon),
       width_(library.description().observation_numbers()),
       numbers_(head.numbers),
+      longest_(!settings.stagger ? 0
+               : longest > 0     ? longest
+                                 : library.description().episode_steps),
+      cut_at_(count_),
+      is_cut_(count_),
       observation_(count_ * width_),
       final_observation_(count_ * width_),
       action_(count_ * numbers_),
@@ -52,8 +57,37 @@ void Rollout::reset(std::uint64_t seed) {
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
   taken.clear();
+  draw_cuts(seed);
   observation_sums.clear();
   sum_observations();
+}
+
+/// Episodes of one length would all be at the same place of it in every iteration, and what is
+/// learnt at their ends would be forgotten at their beginnings. So the first ones are cut, each
+/// elsewhere (as rsl_rl and others do, `init_at_random_ep_len`).
+void Rollout::draw_cuts(std::uint64_t seed) {
+  time_ = 0;
+  for (std::size_t e = 0; e < count_; ++e) {
+    Random random({seed, static_cast<std::uint32_t>(first_ + e), 0}, entity_id("train/cut"));
+    cut_at_[e] = longest_ == 0 ? 0
+                               : 1 + static_cast<std::uint32_t>(random.uniform(0.0F, 1.0F) *
+                                                                static_cast<float>(longest_));
+  }
+}
+
+/// As if they had run out of time.
+void Rollout::cut_first_episodes() {
+  ++time_;
+  bool any = false;
+  for (std::size_t e = 0; e < count_; ++e) {
+    const bool cuts = cut_at_[e] == time_ && terminated_[e] == 0 && truncated_[e] == 0;
+    is_cut_[e] = cuts ? 1 : 0;
+    any = any || cuts;
+    if (!cuts) continue;
+    truncated_[e] = 1;
+    std::copy_n(&observation_[e * width_], width_, &final_observation_[e * width_]);
+  }
+  if (any) environments_.reset_some(is_cut_.data(), observation_.data());
 }
 
 void Rollout::replay(float discount) {
@@ -156,6 +190,7 @@ void Rollout::step_environments() {
             .success = success_.data(),
             .terms = nullptr,
             .final_observation = final_observation_.data()});
+  cut_first_episodes();
 }
 
 void Rollout::step(const Frozen& frozen, std::size_t step) {
@@ -187,7 +222,8 @@ void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environ
   lane(rewards_, step * tiles(), e) = reward_[e] * frozen.reward_scale;
   ended_[step * count_ + e] = ended ? 1 : 0;
   if (!ended) return;
-  episodes.push_back({return_[e], static_cast<std::uint32_t>(step), success_[e] != 0 ? 1U : 0U});
+  if (is_cut_[e] == 0)
+    episodes.push_back({return_[e], static_cast<std::uint32_t>(step), success_[e] != 0 ? 1U : 0U});
   begin_episode(e);
 }
 

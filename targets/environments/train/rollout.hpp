@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/policy.hpp"
@@ -21,13 +22,6 @@ struct Frozen {
   std::vector<float> deviation;  // [outputs]
   float reward_scale;
   std::uint32_t iteration;
-};
-
-/// An episode that ended during a rollout.
-struct Episode {
-  double sum = 0.0;           // of its rewards
-  std::uint32_t step = 0;     // of the rollout
-  std::uint32_t success = 0;  // 1 if it did
 };
 
 /// One of kParts parts of the environments, in tiles of sixteen. Steps are in order of time:
@@ -66,6 +60,8 @@ class Rollout {
   Random noise(const Frozen& frozen, std::size_t step, std::size_t environment) const;
   void step(const Frozen& frozen, std::size_t step);
   void step_environments();
+  void draw_cuts(std::uint64_t seed);
+  void cut_first_episodes();
   void settle(const Frozen& frozen, std::size_t step, std::size_t environment);
   bool count_reward(float discount, std::size_t environment);
   void begin_episode(std::size_t environment);
@@ -79,6 +75,10 @@ class Rollout {
   const Head& head_;
   Environments environments_;
   std::size_t count_, first_, horizon_, width_, numbers_;
+  std::uint32_t longest_;              // steps of an episode; 0: first ones are not cut
+  std::uint32_t time_ = 0;             // steps since reset()
+  std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
+  std::vector<std::uint8_t> is_cut_;   // [count] in this step
   std::vector<float> observation_, final_observation_;  // [count][width]
   std::vector<float> action_;                           // [count][numbers]
   std::vector<float> reward_;                           // [count]

@@ -4,33 +4,74 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <string_view>
 #include <vector>
+
+#include "targets/environments/train/sac/settings.hpp"
 
 namespace eagerx::train {
 
-/// Proximal policy optimisation (Schulman et al. 2017).
+enum class Activation : std::uint8_t { tanh, relu };
+enum class Schedule : std::uint8_t { adaptive, constant };
+
+/// Of proximal policy optimisation (Schulman et al. 2017), unless SAC has its own. Names, ranges
+/// and meanings are in options/train_settings.hpp; so are the values that a new one has.
 struct Settings {
+  Settings();
+
+  std::string algorithm = "ppo";  // or "sac"
+  sac::Settings sac;
   std::uint64_t seed = 1;
-  std::vector<std::size_t> hidden = {64, 64};  // widths of the layers, of actor and critic
-  float discount = 0.99F;                      // γ
-  float trace_decay = 0.95F;                   // λ of generalised advantage estimation
-  /// It does not end before the mean return of 100 episodes is this, whatever `success:` says.
+  /// It does not end before the mean return of the evaluation is this, whatever `success:` says.
   double until_return = -std::numeric_limits<double>::infinity();
 
-  std::size_t environments = 256;  // a multiple of kParts * kLanes
-  std::size_t horizon = 32;        // steps of each between two updates
-  std::size_t epochs = 4;
-  std::size_t minibatches = 8;
+  std::vector<std::size_t> layers;  // widths, of actor and critic
+  Activation activation{};
+  float discount{};     // γ
+  float trace_decay{};  // λ of generalised advantage estimation
 
-  float entropy = 0.01F;          // weight of a choice's entropy; actions have a least deviation
-  float clip = 0.2F;              // of the ratio of probabilities
-  float divergence = 0.01F;       // Kullback-Leibler; the step size is adapted to keep it
-  float first_step_size = 1e-3F;  // of Adam
-  float least_step_size = 1e-5F;
-  float most_step_size = 3e-3F;
-  float least_log_deviation = -1.0F;  // of the actions, whose range is -1…1
-  float most_log_deviation = 1.0F;
+  std::size_t environments{};  // a multiple of kParts * kLanes
+  bool stagger{};
+  std::size_t horizon{};  // steps of each between two updates
+  std::size_t minibatches{};
+  std::size_t epochs{};
+
+  float clip{};           // of the ratio of probabilities
+  float entropy{};        // weight of a choice's entropy; actions have a least deviation
+  float gradient_norm{};  // longest gradient
+
+  float learning_rate{};  // of Adam; of the adaptive schedule the first
+  Schedule schedule{};
+  float least_learning_rate{}, most_learning_rate{};
+  float divergence{};       // Kullback-Leibler; the adaptive schedule keeps it
+  float stop_divergence{};  // times `divergence`: the iteration ends there; 0: never
+  double decay_steps{};     // 0: none
+
+  float first_deviation{}, least_deviation{}, most_deviation{};  // of the actions, in -1…1
+
+  bool normalise{};
+  double freeze_after{};  // steps; 0: never
+  float averaging{};
+
+  std::size_t evaluation_every{};  // iterations
+  std::size_t evaluation_episodes{};
 };
+
+/// Sets the one of this name by its text on a command line: "64,64". Throws Problem with kUsage.
+void set(Settings& settings, std::string_view name, const std::string& text);
+
+/// Throws Problem with kUsage for settings that do not go together.
+void check(const Settings& settings);
+
+/// Throws Problem with kUsage if the setting of this name is another algorithm's.
+void check_algorithm(const Settings& settings, std::string_view name);
+
+/// All of the table in words, such as "layers 64,64; activation tanh; …".
+std::string text_of(const Settings& settings);
+
+/// Names and both values of what differs between two such texts: "layers 8 (here 64,64)".
+std::string difference(std::string_view theirs, std::string_view ours);
 
 /// A training is cut into so many parts, whatever the number of threads: sums are made within
 /// parts, then over them in order.

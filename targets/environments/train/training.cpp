@@ -13,13 +13,14 @@
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/export.hpp"
+#include "targets/environments/train/ppo.hpp"
+#include "targets/environments/train/sac/sac.hpp"
 
 namespace eagerx::train {
 namespace {
 
-constexpr std::uint32_t kLongest = 1000;       // steps of an episode that nothing ends
-constexpr std::uint32_t kEvaluationEvery = 5;  // iterations
-constexpr std::uint64_t kEvaluations = 4;      // of a policy that seems to succeed
+constexpr std::uint32_t kLongest = 1000;   // steps of an episode that nothing ends
+constexpr std::uint64_t kEvaluations = 4;  // of a policy that seems to be the best
 constexpr std::uint64_t kEvaluationSeed = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
@@ -34,12 +35,19 @@ unsigned chosen_threads(unsigned threads) {
   return threads > 0 ? threads : host::usable_cores();
 }
 
-/// Long enough for two episodes, so that environments do not all begin anew before one ends.
+bool is_sac(const Settings& settings) {
+  return settings.algorithm == "sac";
+}
+
+/// Long enough for some episodes: PPO cuts the first ones, and SAC has few environments.
 std::uint32_t era_of(const Settings& settings, const Description& description) {
-  constexpr std::uint32_t kLeast = 32;
-  const auto steps = 2 * (description.episode_steps > 0 ? description.episode_steps : kLongest);
-  const auto horizon = static_cast<std::uint32_t>(settings.horizon);
-  return std::max(kLeast, (steps + horizon - 1) / horizon);
+  constexpr std::uint32_t kLeast = 1024;  // steps
+  const std::uint32_t episodes = is_sac(settings) ? 2 : 5;
+  const auto steps =
+      episodes * (description.episode_steps > 0 ? description.episode_steps : kLongest);
+  const auto horizon =
+      static_cast<std::uint32_t>(is_sac(settings) ? settings.sac.horizon : settings.horizon);
+  return (std::max(kLeast, steps) + horizon - 1) / horizon;
 }
 
 /// Each choice is an output of the network.
@@ -85,6 +93,17 @@ const Description& checked(const Library& library) {
   return library.description();
 }
 
+/// `era`: iterations between two starts of all environments.
+std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
+                                            const Kernels& kernels, Team& team,
+                                            std::uint32_t longest, std::uint32_t era) {
+  if (!is_sac(settings)) return std::make_unique<Ppo>(settings, library, kernels, team, longest);
+  // A training that goes on takes the actions of its era from the memory.
+  sac::Settings& s = settings.sac;
+  s.memory = std::max(s.memory, era * s.horizon * s.environments);
+  return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
+}
+
 }  // namespace
 
 void check_files(const Options& options) {
@@ -93,9 +112,11 @@ void check_files(const Options& options) {
   for (const std::string* path : {&options.checkpoint, &options.csv, &options.curve}) {
     if (!path->empty()) check_writable(*path);
   }
+  if (!options.tensorboard.empty()) check_folder(options.tensorboard);
   for (const std::string* path : {&options.resume, &options.from}) {
     if (!path->empty()) read_file(*path);
   }
+  for (const std::string& path : options.replay) read_file(path);
 }
 
 Training::Training(const Options& options, const Library& library)
@@ -109,31 +130,34 @@ Training::Training(const Options& options, const Library& library)
       interface_(interface_of(options.settings, library.description())),
       head_(library.description()),
       team_(chosen_threads(options.threads), Team::Size::at_most),
-      ppo_(options.settings, library, kernels_, team_, longest_),
-      evaluator_(library, kernels_, team_, longest_),
+      algorithm_(chosen_algorithm(options.settings, library, kernels_, team_, longest_, era_)),
+      evaluator_(library, kernels_, team_, longest_, options.settings.evaluation_episodes),
       progress_(0, 0, false, true) {
   if (!options.resume.empty()) {
-    restore(read_file(options.resume), options.resume, conditions_, ppo_.model(), progressed_);
-    ppo_.iteration = first_iteration_ = progressed_.iteration;
-    // After a change of the task eras may be longer: then the rest of this one has new episodes.
-    ppo_.take_up(std::exchange(progressed_.actions, {}), ppo_.iteration % era_);
+    algorithm_->restore(read_file(options.resume), options.resume, conditions_, progressed_, era_);
+    first_iteration_ = algorithm_->iteration;
     goes_on_ = true;
   }
   if (!options.from.empty())
-    begin_from(read_file(options.from), options.from, interface_, ppo_.model());
-  if (!options.checkpoint.empty()) ppo_.remember_actions();
+    algorithm_->begin_from(read_file(options.from), options.from, interface_);
+  for (const std::string& log : options.replay) {
+    const std::string said = algorithm_->replay(read_file(log), log);
+    if (!options.is_quiet) fmt::print(stderr, "{}\n", said);
+  }
+  if (!options.checkpoint.empty()) algorithm_->remember_actions();
   progress_ = Progress(steps(), options.steps, library.description().has_success, options.is_quiet);
 }
 
 std::uint64_t Training::steps() const {
-  return std::uint64_t{ppo_.iteration} * ppo_.steps();
+  return std::uint64_t{algorithm_->iteration} * algorithm_->steps();
 }
 
 int Training::run(const Interrupt& is_interrupted) {
   if (!options_.is_quiet) {
-    fmt::print(stderr, "{} environments step {}\n", options_.settings.environments,
-               ppo_.stepping());
+    fmt::print(stderr, "{} environments step {}\n", algorithm_->environments(),
+               algorithm_->stepping());
   }
+  open_events();
   const Ending ending = learn(is_interrupted);
   progress_.finish();
   const std::optional<Problem> unsaved = save();  // before what may take long, or fail
@@ -141,10 +165,10 @@ int Training::run(const Interrupt& is_interrupted) {
     CurvePoint unused{};
     evaluate(unused);
   }
-  const Evaluation last = evaluator_.run(policy(progressed_.best.parameters), kLastSeed);
+  last_ = evaluate_at_last();
   write_policy();
   write_curve();
-  if (!options_.is_quiet) report(last, ending);
+  if (!options_.is_quiet) print(report(last_, ending));
   if (unsaved) throw *unsaved;
   if (ending == Ending::interrupted) return 130;  // as shells say it
   return ending == Ending::success || !has_aim_ ? kDone : kProblems;
@@ -154,7 +178,7 @@ int Training::run(const Interrupt& is_interrupted) {
 void Training::tell_where(const Problem& problem) {
   progress_.finish();
   std::string saved;
-  if (ppo_.iteration > first_iteration_ && !options_.checkpoint.empty()) {
+  if (algorithm_->iteration > first_iteration_ && !options_.checkpoint.empty()) {
     const std::optional<Problem> unsaved = save();
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
@@ -180,39 +204,61 @@ Ending Training::iterate(const Interrupt& is_interrupted) {
   while (!progressed_.succeeded) {
     if (is_evaluation_due() && evaluate(progressed_.curve.back())) {
       progressed_.succeeded = true;
+      show();
       break;
     }
-    if (ppo_.iteration > first_iteration_) progress_.show(progressed_.curve.back());
+    if (algorithm_->iteration > first_iteration_) show();
     if (steps() >= options_.steps) return Ending::steps;
     if (is_interrupted) return Ending::interrupted;
     start_iteration();
-    progressed_.curve.push_back(note(ppo_.iterate()));
+    progressed_.curve.push_back(note(algorithm_->iterate()));
   }
   return Ending::success;
 }
 
+/// A file of events has the points that a resumed training begins with, too.
+void Training::open_events() {
+  if (options_.tensorboard.empty()) return;
+  events_.emplace(options_.tensorboard, library_.description().graph);
+  for (const CurvePoint& point : progressed_.curve) events_->append(point);
+}
+
+void Training::show() {
+  const CurvePoint& point = progressed_.curve.back();
+  progress_.show(point);
+  if (!events_) return;
+  Scalars terms;
+  const std::vector<std::string>& names = library_.description().terms;
+  for (std::size_t i = 0; !std::isnan(point.evaluation_return) && i < seen_.terms.size(); ++i)
+    terms.emplace_back("terms/" + names[i], seen_.terms[i]);
+  const bool was_written = events_->problem().empty();
+  events_->append(point, terms);
+  if (!was_written || events_->problem().empty()) return;
+  progress_.finish();
+  fmt::print(stderr, "warning: {}; the training goes on without it\n", events_->problem());
+}
+
 bool Training::is_evaluation_due() const {
-  return ppo_.iteration > 0 && ppo_.iteration % kEvaluationEvery == 0 &&
+  return algorithm_->iteration > 0 &&
+         algorithm_->iteration % options_.settings.evaluation_every == 0 &&
          std::isnan(progressed_.curve.back().evaluation_return);
 }
 
 void Training::start_iteration() {
-  const bool begins_era = ppo_.iteration % era_ == 0;
-  if (ppo_.iteration > first_iteration_) save_if_due(begins_era);
+  const bool begins_era = algorithm_->iteration % era_ == 0;
+  if (algorithm_->iteration > first_iteration_) save_if_due(begins_era);
   if (begins_era) {
-    ppo_.begin_era(ppo_.iteration / era_);
+    algorithm_->begin_era(algorithm_->iteration / era_);
   } else if (goes_on_) {
-    ppo_.go_on(ppo_.iteration / era_);
+    algorithm_->go_on(algorithm_->iteration / era_);
   }
   goes_on_ = false;
 }
 
 void Training::write_checkpoint() {
-  progressed_.iteration = ppo_.iteration;
-  if (!progressed_.succeeded) progressed_.actions = ppo_.actions(ppo_.iteration % era_);
-  const std::string bytes = checkpoint_of(conditions_, interface_, ppo_.model(), progressed_);
-  progressed_.actions = {};
-  write_file(options_.checkpoint, bytes);
+  progressed_.iteration = algorithm_->iteration;
+  write_file(options_.checkpoint, algorithm_->checkpoint(conditions_, interface_, progressed_,
+                                                         algorithm_->iteration % era_));
 }
 
 /// Why it could not be written, if so.
@@ -240,7 +286,7 @@ void Training::save_if_due(bool begins_era) {
   fmt::print(stderr, "warning: {}; the training goes on and tries again\n", problem->what());
 }
 
-CurvePoint Training::note(const Ppo::Result& result) {
+CurvePoint Training::note(const Algorithm::Result& result) {
   std::vector<Episode>& recent = progressed_.recent;
   recent.insert(recent.end(), result.episodes.begin(), result.episodes.end());
   if (recent.size() > kRecent)
@@ -252,15 +298,13 @@ CurvePoint Training::note(const Ppo::Result& result) {
   }
   const auto count = static_cast<double>(recent.size());
   const bool has_success = library_.description().has_success;
-  double deviation = 0.0;
-  for (const float x : ppo_.model().log_deviation) deviation += exp(x);
   return {static_cast<double>(steps()),
           count > 0 ? returns / count : kNothing,
           count > 0 && has_success ? successes / count : kNothing,
           kNothing,
           kNothing,
-          deviation / static_cast<double>(ppo_.model().log_deviation.size()),
-          ppo_.model().step_size,
+          algorithm_->deviation(),
+          algorithm_->step_size(),
           result.divergence};
 }
 
@@ -269,72 +313,74 @@ bool Training::is_good(const Evaluation& evaluation) const {
   return !library_.description().has_success || evaluation.passed();
 }
 
-/// Whether the policy is good: on a hundred new seeds, and then on three hundred others, since one
-/// of many evaluations may be good by luck.
-bool Training::evaluate(CurvePoint& point) {
-  const bool has_success = library_.description().has_success;
-  Policy now =
-      policy(folded(ppo_.model().actor, ppo_.model().actor_parameters, ppo_.model().observations));
-  const std::uint64_t seed = kEvaluationSeed + kEvaluations * std::uint64_t{ppo_.iteration};
-  const Evaluation evaluation = evaluator_.run(now, seed);
-  Best& best = progressed_.best;
-  const bool is_better = evaluation.successes != best.successes
-                             ? evaluation.successes > best.successes
-                             : evaluation.mean_return > best.mean_return;
-  bool succeeds = is_good(evaluation);
-  for (std::uint64_t again = 1; again < kEvaluations && succeeds; ++again) {
-    succeeds = is_good(evaluator_.run(now, seed + again));
+/// The best policy, in as many episodes as have chosen it, which are all others.
+Evaluation Training::evaluate_at_last() {
+  const Policy best = policy(progressed_.best.parameters);
+  Evaluation evaluation = run(best, kLastSeed);
+  for (std::uint64_t more = 1; more < kEvaluations; ++more)
+    evaluation.add(run(best, kLastSeed + more));
+  return evaluation;
+}
+
+Evaluation Training::run(const Policy& policy, std::uint64_t seed) {
+  return evaluator_.run(policy, seed, algorithm_->observations());
+}
+
+/// All the episodes that choose the best policy: those that it was seen in and three times as many.
+Evaluation Training::judge(const Policy& now, Evaluation seen) {
+  for (std::uint64_t more = 1; more < kEvaluations; ++more)
+    seen.add(run(now, kEvaluationSeed + more));
+  return seen;
+}
+
+/// One of many evaluations may be good by luck: as many episodes that have chosen nothing.
+bool Training::is_confirmed(const Policy& now) {
+  const std::uint64_t seed =
+      kEvaluationSeed + kEvaluations * (std::uint64_t{algorithm_->iteration} + 1);
+  for (std::uint64_t more = 0; more < kEvaluations; ++more) {
+    if (!is_good(run(now, seed + more))) return false;
   }
+  return true;
+}
+
+/// Whether the policy is good.
+bool Training::evaluate(CurvePoint& point) {
+  Policy now = policy(algorithm_->deployed_parameters());
+  const Evaluation evaluation = run(now, kEvaluationSeed);
+  Best& best = progressed_.best;
+  const Score seen{evaluation.successes, evaluation.mean_return};
+  bool succeeds = false;
+  if (best.parameters.empty() || seen.is_better_than(best.seen) || is_good(evaluation)) {
+    const Evaluation all = judge(now, evaluation);
+    const Score judged{all.successes, all.mean_return};
+    succeeds = is_good(all) && is_confirmed(now);
+    if (best.parameters.empty() || judged.is_better_than(best.judged) || succeeds)
+      best = {std::move(now.parameters), seen, judged};
+  }
+  seen_ = evaluation;
   // All at once, for who goes on after an exception.
   point.evaluation_return = evaluation.mean_return;
-  if (has_success) {
+  if (library_.description().has_success) {
     point.evaluation_success =
         static_cast<double>(evaluation.successes) / static_cast<double>(evaluation.episodes);
-  }
-  if (best.parameters.empty() || is_better || succeeds) {
-    best = {std::move(now.parameters), evaluation.successes, evaluation.mean_return};
   }
   return succeeds;
 }
 
 Policy Training::policy(std::vector<float> parameters) const {
-  return {ppo_.model().actor, std::move(parameters), head_};
+  return {algorithm_->deployed(), std::move(parameters), head_};
 }
 
-void Training::report(const Evaluation& evaluation, Ending ending) const {
-  const Description& description = library_.description();
-  const char* why = ending == Ending::success       ? "the policy succeeds"
-                    : ending == Ending::interrupted ? "interrupted"
-                                                    : "the steps are used up";
-  std::string text;
-  const auto say = [&text]<class... Values>(fmt::format_string<Values...> form,
-                                            Values&&... values) {
-    fmt::format_to(std::back_inserter(text), form, std::forward<Values>(values)...);
-  };
-  say("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
-      rounded(static_cast<double>(steps())), progress_.seconds(),
-      fmt::format("{} iterations", ppo_.iteration), kernels_.name);
-  say("on 100 seeds that it was not trained on: ");
-  if (description.has_success) say("success {} of {}, ", evaluation.successes, evaluation.episodes);
-  say("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
-      evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
-  for (std::size_t i = 0; i < evaluation.terms.size(); ++i) {
-    say("  {:<20} {:.4g}\n", description.terms[i], evaluation.terms[i]);
-  }
-  const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
-  say("written: {}, {}\n", options_.output, golden_path(options_.output));
-  say("in the graph: agent: {{policy: {}, golden: {}}}\n", name_of(options_.output),
-      name_of(golden_path(options_.output)));
-  if (!has_aim_) {
-    say("note: the task has no `success:`, so nobody knows whether this policy is good\n");
-  } else if (ending != Ending::success && evaluation.mean_return < options_.settings.until_return) {
-    say("note: the return is below --until-return {:g}; more --steps or another --seed may\n",
-        options_.settings.until_return);
-  } else if (ending != Ending::success) {
-    say("note: the policy does not succeed; a task whose reward leads to its `success:` "
-        "step by step, more --steps or another --seed may\n");
-  }
-  print(text);
+std::string Training::report(const Evaluation& evaluation, Ending ending) const {
+  return summary({.options = options_,
+                  .description = library_.description(),
+                  .curve = progressed_.curve,
+                  .kernels = kernels_.name,
+                  .steps = steps(),
+                  .seconds = progress_.seconds(),
+                  .ending = ending,
+                  .has_aim = has_aim_},
+                 evaluation);
 }
 
 void Training::write_policy() const {
@@ -345,13 +391,12 @@ void Training::write_policy() const {
   Random random({options_.settings.seed, 0, 0}, entity_id("train/golden"));
   std::vector<float> rows;
   for (std::size_t i = 0; i < kRows * width; ++i) {
-    const Statistics& seen = ppo_.model().observations;
+    const Statistics& seen = algorithm_->observations();
     rows.push_back(random.normal(static_cast<float>(seen.mean[i % width]),
                                  static_cast<float>(1.0 / seen.scale(i % width))));
   }
-  write_files(
-      {{options_.output, safetensors_of(best, library_.description(), options_.settings.seed)},
-       {golden_path(options_.output), golden_rows(best, kernels_, rows)}});
+  write_files({{options_.output, safetensors_of(best, library_.description(), options_.settings)},
+               {golden_path(options_.output), golden_rows(best, kernels_, rows)}});
 }
 
 void Training::write_curve() const {

@@ -2,17 +2,18 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 
+#include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/evaluation.hpp"
 #include "targets/environments/train/options.hpp"
-#include "targets/environments/train/ppo.hpp"
 #include "targets/environments/train/progress.hpp"
+#include "targets/environments/train/summary.hpp"
+#include "targets/environments/train/tensorboard.hpp"
 
 namespace eagerx::train {
-
-enum class Ending : std::uint8_t { success, steps, interrupted };
 
 /// Throws Problem if a file of the options could not be written or read.
 void check_files(const Options& options);
@@ -26,6 +27,10 @@ class Training {
   /// files. Returns an exit code. Throws Problem, after the checkpoint is written.
   int run(const Interrupt& is_interrupted);
 
+  /// Of what run() has written.
+  const std::vector<CurvePoint>& curve() const { return progressed_.curve; }
+  const Evaluation& evaluation() const { return last_; }
+
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -37,11 +42,17 @@ class Training {
   std::optional<Problem> save();
   void save_if_due(bool begins_era);
   [[noreturn]] void tell_where(const Problem& problem);
-  CurvePoint note(const Ppo::Result& result);
+  CurvePoint note(const Algorithm::Result& result);
+  Evaluation evaluate_at_last();
+  Evaluation run(const Policy& policy, std::uint64_t seed);
+  void show();
+  void open_events();
   bool is_good(const Evaluation& evaluation) const;
+  Evaluation judge(const Policy& now, Evaluation seen);
+  bool is_confirmed(const Policy& now);
   bool evaluate(CurvePoint& point);
   Policy policy(std::vector<float> parameters) const;
-  void report(const Evaluation& evaluation, Ending ending) const;
+  std::string report(const Evaluation& evaluation, Ending ending) const;
   void write_policy() const;
   void write_curve() const;
   std::uint64_t steps() const;
@@ -55,9 +66,12 @@ class Training {
   const std::string conditions_, interface_;
   const Head head_;
   Team team_;
-  Ppo ppo_;
+  const std::unique_ptr<Algorithm> algorithm_;
   Evaluator evaluator_;
   Progressed progressed_;
+  Evaluation seen_;  // the last evaluation of this run
+  Evaluation last_;  // of the best policy, when all is over
+  std::optional<EventFile> events_;
   std::uint32_t first_iteration_ = 0;  // of this run
   bool goes_on_ = false;               // in the middle of an era
   bool is_saved_ = true;               // as far as it was tried

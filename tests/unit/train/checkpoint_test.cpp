@@ -19,7 +19,7 @@ class TrainCheckpoint : public testing::Test {
     description.actions.push_back(
         {.name = "voltage", .dtype = "float32", .low = {-1.0}, .high = {1.0}});
     Settings settings;
-    settings.hidden = {3};
+    settings.layers = {3};
     return {settings, 2, Head(description)};
   }
 

@@ -10,7 +10,7 @@ namespace {
 
 /// Sizes that fill no block and no register.
 const Network& odd() {
-  static const Network network(3, {21, 17}, 2);
+  static const Network network(3, {21, 17}, 2, Activation::tanh);
   return network;
 }
 

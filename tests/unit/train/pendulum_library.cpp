@@ -64,12 +64,12 @@ struct Pendulum {
 thread_local std::string failure;
 
 /// Whether this is the step whose reward is not finite.
-bool breaks(const Pendulum& one) {
+bool breaks(const Pendulum& one, std::uint32_t evaluations) {
   constexpr std::uint32_t kNumber = 10, kEpisode = 7, kStep = 100;  // step 1000 of an era
-  constexpr std::uint64_t kEvaluation = (std::uint64_t{1} << 63U) + 40;
+  constexpr std::uint64_t kEvaluation = std::uint64_t{1} << 63U;
   const char* const text = std::getenv("EAGERX_TEST_BREAKS");
   if (text == nullptr || one.number != kNumber || one.step != kStep) return false;
-  if (std::string_view(text) == "evaluation") return one.seed == kEvaluation;
+  if (std::string_view(text) == "evaluation") return evaluations == 2;
   return one.seed < kEvaluation && one.episode == kEpisode;
 }
 
@@ -83,6 +83,7 @@ void put(T* rows, std::size_t i, T value) {
 struct eagerx_environments {
   std::vector<Pendulum> all;
   std::uint32_t autoreset = 0;
+  std::uint32_t evaluations = 0;  // so far, with the seed that each begins with
 };
 
 extern "C" {
@@ -124,6 +125,7 @@ void eagerx_destroy(eagerx_environments* environments) {
 }
 int eagerx_reset(eagerx_environments* environments, const uint8_t* mask, const uint64_t* seeds,
                  float* observation) {
+  if (seeds != nullptr && *seeds == std::uint64_t{1} << 63U) ++environments->evaluations;
   for (std::size_t i = 0; i < environments->all.size(); ++i) {
     if (mask != nullptr && mask[i] == 0) continue;
     Pendulum& one = environments->all[i];
@@ -150,7 +152,7 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
       return -1;
     }
     one.advance(voltage);
-    is_finite = is_finite && !breaks(one);
+    is_finite = is_finite && !breaks(one, environments->evaluations);
     const float error = one.error();
     const float slow = one.speed / (1.0F + 10.0F * eagerx::abs(error));
     const float terms[] = {-error * error, -0.1F * slow * slow, -0.001F * voltage * voltage};

@@ -1,0 +1,80 @@
+// What a training asks of an algorithm, whichever it is.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "targets/environments/train/network.hpp"
+#include "targets/environments/train/statistics.hpp"
+
+namespace eagerx::train {
+
+struct Progressed;
+
+/// An episode that ended during a rollout.
+struct Episode {
+  double sum = 0.0;           // of its rewards
+  std::uint32_t step = 0;     // of the rollout
+  std::uint32_t success = 0;  // 1 if it did
+};
+
+/// Steps all environments and learns, an iteration at a time.
+class Algorithm {
+ public:
+  /// What an iteration learnt from.
+  struct Result {
+    std::vector<Episode> episodes;  // that ended, in order of time
+    double divergence = 0.0;        // of the last minibatch
+    std::size_t updates = 0;        // that were made
+  };
+
+  Algorithm() = default;
+  Algorithm(const Algorithm&) = delete;
+  Algorithm& operator=(const Algorithm&) = delete;
+  virtual ~Algorithm() = default;
+
+  std::uint32_t iteration = 0;
+
+  virtual std::size_t environments() const = 0;
+  /// Steps of all environments in one iteration.
+  virtual std::size_t steps() const = 0;
+  /// How environments are stepped, and what made that slower.
+  virtual std::string stepping() const = 0;
+
+  /// All environments begin anew, with episodes that nothing but `era` and the seed decides. A
+  /// training that goes on from here needs what was learnt and the iteration only.
+  virtual void begin_era(std::uint32_t era) = 0;
+  /// From now on actions are remembered, which go_on() needs in the middle of an era.
+  virtual void remember_actions() = 0;
+  /// All environments are brought to where they were in the checkpoint of restore().
+  virtual void go_on(std::uint32_t era) = 0;
+  /// A rollout and the updates from it.
+  virtual Result iterate() = 0;
+
+  /// The network that is deployed, and its parameters with the normalisation inside.
+  virtual Network deployed() const = 0;
+  virtual std::vector<float> deployed_parameters() const = 0;
+  /// What was seen.
+  virtual const Statistics& observations() const = 0;
+  /// Of the actions, mean over their numbers; NaN for choices.
+  virtual double deviation() const = 0;
+  /// Of Adam.
+  virtual double step_size() const = 0;
+
+  /// The bytes of a checkpoint, `iterations` behind the start of an era. See checkpoint.hpp.
+  virtual std::string checkpoint(const std::string& conditions, const std::string& interface,
+                                 Progressed& progressed, std::uint32_t iterations) const = 0;
+  /// Takes up a checkpoint whose eras are so long. Throws Problem.
+  virtual void restore(const std::string& bytes, const std::string& name,
+                       const std::string& conditions, Progressed& progressed,
+                       std::uint32_t era) = 0;
+  /// Begins with what another training has learnt. Throws Problem.
+  virtual void begin_from(const std::string& bytes, const std::string& name,
+                          const std::string& interface) = 0;
+  /// Learns from the table of a run, too. Returns what is to be said of it. Throws Problem, which
+  /// is all that an algorithm does that learns from its own steps only.
+  virtual std::string replay(const std::string& text, const std::string& name) = 0;
+};
+
+}  // namespace eagerx::train

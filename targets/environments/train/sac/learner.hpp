@@ -1,0 +1,77 @@
+// The gradient of a part of a batch.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "targets/environments/train/kernels.hpp"
+#include "targets/environments/train/sac/model.hpp"
+
+namespace eagerx::train::sac {
+
+/// What stays as it is during an update.
+struct Frozen {
+  const Kernels& kernels;
+  const train::Settings& settings;
+  const Model& model;
+  const Normaliser& normaliser;
+  float reward_scale;
+  float temperature;
+};
+
+/// Sums over samples.
+struct Gradient {
+  explicit Gradient(const Model& model)
+      : actor(model.actor.parameters()),
+        critics{std::vector<float>(model.critic.parameters()),
+                std::vector<float>(model.critic.parameters())} {}
+  std::vector<float> actor;
+  std::array<std::vector<float>, 2> critics;
+  double log_probability = 0.0;  // of the actions that were drawn
+  double deviation = 0.0;        // of the actions before tanh, mean over their numbers
+  double loss = 0.0;             // half the squared errors of both critics
+
+  void clear();
+  void add(const Gradient& more);
+};
+
+class Learner {
+ public:
+  /// `tiles`: of a part, sixteen samples each.
+  Learner(const Model& model, std::size_t tiles);
+
+  Gradient gradient;
+
+  /// Draws samples from the memory, with what `random` gives, and sums up their gradients.
+  void learn(const Frozen& frozen, Random random);
+  /// The same for transitions at these places of the memory [tiles * kLanes].
+  void learn(const Frozen& frozen, const std::vector<std::size_t>& places, Random random);
+
+ private:
+  void load(const Frozen& frozen, const std::vector<std::size_t>& places, std::size_t tile);
+  void draw(const Frozen& frozen, const Pack* row, Random& random);
+  void estimate_target(const Frozen& frozen, Random& random);
+  void judge(const Frozen& frozen, std::size_t tile);
+  void improve(const Frozen& frozen, std::size_t tile, Random& random);
+  void slopes(const Frozen& frozen, Pack* actor_deltas);
+  void backward(const Frozen& frozen);
+  Pack* critic_row(std::size_t critic, std::size_t tile) {
+    return &critic_rows_[critic][tile * critic_width_];
+  }
+
+  std::size_t tiles_, width_, numbers_, actor_width_, critic_width_;
+  // Of a tile: samples, and the actions that the actor draws.
+  Packs observation_, next_;  // [width] normalised
+  Packs action_;              // [numbers] of the memory
+  Packs reward_, goes_on_, target_;
+  Packs drawn_, noise_, deviation_, spread_;  // [numbers]; of each drawn action
+  Pack log_probability_{};
+  std::vector<float> rows_;                           // [kLanes][width] scratch
+  Packs actor_rows_, actor_deltas_;                   // [tiles][actor row]
+  std::array<Packs, 2> critic_rows_, critic_deltas_;  // [tiles][critic row]
+  std::array<Packs, 2> row_, deltas_;                 // [critic row] scratch
+  Packs next_row_;                                    // [actor row] scratch
+  Packs scratch_;
+};
+
+}  // namespace eagerx::train::sac

@@ -1,0 +1,81 @@
+// What SAC learns.
+#pragma once
+
+#include <array>
+#include <eagerx/random.hpp>
+#include <string>
+
+#include "targets/environments/train/network.hpp"
+#include "targets/environments/train/policy.hpp"
+#include "targets/environments/train/sac/memory.hpp"
+#include "targets/environments/train/settings.hpp"
+#include "targets/environments/train/statistics.hpp"
+
+namespace eagerx::train::sac {
+
+/// A critic and the slow copy of it that others learn from.
+struct Critic {
+  Critic(const Network& network, Random random)
+      : parameters(network.drawn(random, 1.0F)), target(parameters), adam(network.parameters()) {}
+  std::vector<float> parameters, target;
+  Adam adam;
+};
+
+inline constexpr std::uint64_t kMostReplayed = 1'000'000'000'000;
+
+/// Actor, critics and memory, with all that the next update depends on.
+struct Model {
+  Model(const train::Settings& settings, std::size_t inputs, const Head& head)
+      : actor(inputs, settings.layers, 2 * head.numbers, settings.activation),
+        critic(inputs + head.numbers, settings.layers, 1, settings.activation),
+        actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
+        critics{Critic(critic, random(settings, "train/critic")),
+                Critic(critic, random(settings, "train/second_critic"))},
+        log_temperature(1, log(settings.sac.first_temperature)),
+        actor_adam(actor.parameters()),
+        temperature_adam(1),
+        observations(inputs),
+        returns(1),
+        memory(inputs, head.numbers, settings.sac.memory),
+        settings_(settings.sac) {}
+
+  Network actor;   // means of the actions before tanh, then what becomes their deviations
+  Network critic;  // of observations, then actions: the discounted return, divided by the deviation
+                   // of returns
+  std::vector<float> actor_parameters;
+  std::array<Critic, 2> critics;
+  std::vector<float> log_temperature;  // [1]
+  Adam actor_adam, temperature_adam;
+  Statistics observations;  // [inputs]
+  Statistics returns;       // [1] discounted, while they run
+  Memory memory;
+  bool was_taught = false;     // it began with what another training had learnt, or with logs
+  std::uint64_t replayed = 0;  // transitions of logs
+
+  /// Updates that there should have been by now.
+  std::uint64_t due() const {
+    if (memory.added < settings_.random_steps) return 0;
+    return static_cast<std::uint64_t>(static_cast<double>(memory.added - settings_.random_steps) *
+                                      double{settings_.updates});
+  }
+  /// Whether it has as many transitions and updates as come of so many iterations.
+  bool is_due(std::uint32_t iterations) const {
+    const std::uint64_t steps = settings_.environments * settings_.horizon;
+    return replayed <= kMostReplayed && memory.added == iterations * steps + replayed &&
+           actor_adam.steps == due();
+  }
+
+ private:
+  static Random random(const train::Settings& settings, const char* name) {
+    return {{settings.seed, 0, 0}, entity_id(name)};
+  }
+
+  Settings settings_;
+};
+
+/// The network that is deployed: the actor without the deviations.
+Network deployed(const train::Settings& settings, const Model& model);
+/// Its parameters, with the normalisation inside of its first layer.
+std::vector<float> deployed_parameters(const Network& network, const Model& model);
+
+}  // namespace eagerx::train::sac

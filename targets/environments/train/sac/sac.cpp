@@ -1,0 +1,141 @@
+#include "targets/environments/train/sac/sac.hpp"
+
+#include <fmt/format.h>
+
+#include <eagerx/math.hpp>
+
+#include "targets/environments/train/checkpoint.hpp"
+#include "targets/environments/train/sac/log.hpp"
+
+namespace eagerx::train::sac {
+namespace {
+
+/// The description, if its actions are real numbers.
+const Library& real_numbers(const Library& library) {
+  if (!library.description().chooses()) return library;
+  throw Problem(kProblems, "SAC learns real numbers, and the graph's action is a choice",
+                "train it with `--algorithm ppo`, or give the action a float space");
+}
+
+}  // namespace
+
+Sac::Sac(const train::Settings& settings, const Library& library, const Kernels& kernels,
+         Team& team, std::uint32_t longest)
+    : settings_(settings),
+      description_(library.description()),
+      model_(settings_, library.description().observation_numbers(),
+             Head(real_numbers(library).description())),
+      deployed_(sac::deployed(settings_, model_)),
+      kernels_(kernels),
+      team_(team),
+      walk_(settings_, library, longest) {
+  const std::size_t tiles = settings.sac.batch / (kParts * kLanes);
+  for (std::size_t part = 0; part < kParts; ++part)
+    learners_.push_back(std::make_unique<Learner>(model_, tiles));
+}
+
+std::uint64_t Sac::first_seed(std::uint32_t era) const {
+  return settings_.seed + (std::uint64_t{era} << 32U);
+}
+
+void Sac::begin_era(std::uint32_t era) {
+  walk_.reset(first_seed(era));
+  if (model_.observations.count == 0.0 && settings_.normalise)
+    model_.observations.add(walk_.observation_sums);
+}
+
+void Sac::go_on(std::uint32_t era) {
+  begin_era(era);
+  const std::size_t transitions = since_era_ * steps();
+  if (transitions > model_.memory.size()) return;
+  for (std::size_t back = transitions; back > 0; back -= environments())
+    walk_.step_again(model_.memory, back - 1);
+}
+
+Algorithm::Result Sac::iterate() {
+  walk_.episodes.clear();
+  walk_.observation_sums.clear();
+  walk_.return_sums.clear();
+  const Normaliser normaliser(model_.observations);
+  const std::uint64_t updates = model_.actor_adam.steps;
+  for (std::size_t t = 0; t < settings_.sac.horizon; ++t) {
+    const bool is_random = !model_.was_taught && model_.memory.added < settings_.sac.random_steps;
+    walk_.step(model_, normaliser, kernels_, is_random,
+               static_cast<std::uint32_t>(iteration * settings_.sac.horizon + t));
+    while (model_.actor_adam.steps < model_.due()) update(normaliser);
+  }
+  if (settings_.normalise) model_.observations.add(walk_.observation_sums);
+  model_.returns.add(walk_.return_sums);
+  ++iteration;
+  return {walk_.episodes, 0.0, model_.actor_adam.steps - updates};
+}
+
+void Sac::update(const Normaliser& normaliser) {
+  const auto number = static_cast<std::uint32_t>(model_.actor_adam.steps);
+  const Frozen frozen{kernels_,
+                      settings_,
+                      model_,
+                      normaliser,
+                      static_cast<float>(model_.returns.scale(0)),
+                      exp(model_.log_temperature.front())};
+  team_.run_parts(kParts, [&](std::size_t part) {
+    const Random random({settings_.seed, static_cast<std::uint32_t>(part), number},
+                        entity_id("train/batch"));
+    learners_[part]->learn(frozen, random);
+  });
+  Gradient& sum = learners_.front()->gradient;
+  for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
+  const auto count = static_cast<double>(settings_.sac.batch);
+  const auto scale = static_cast<float>(1.0 / count);
+  const float step_size = settings_.learning_rate;
+  model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, step_size, scale);
+  for (std::size_t c = 0; c < 2; ++c) {
+    Critic& critic = model_.critics[c];
+    critic.adam.step(kernels_, critic.parameters, sum.critics[c], step_size, scale);
+    for (std::size_t i = 0; i < critic.target.size(); ++i)
+      critic.target[i] += settings_.sac.target_share * (critic.parameters[i] - critic.target[i]);
+  }
+  const auto numbers = static_cast<double>(deployed_.outputs());
+  const double surplus = -sum.log_probability / count - numbers * settings_.sac.entropy;
+  model_.temperature_adam.step(kernels_, model_.log_temperature, {static_cast<float>(surplus)},
+                               step_size, 1.0F);
+  deviation_ = sum.deviation / count;
+}
+
+std::vector<float> Sac::deployed_parameters() const {
+  return sac::deployed_parameters(deployed_, model_);
+}
+
+std::string Sac::checkpoint(const std::string& conditions, const std::string& interface,
+                            Progressed& progressed, std::uint32_t /*iterations*/) const {
+  return checkpoint_of(conditions, interface, model_, progressed);
+}
+
+void Sac::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+                  Progressed& progressed, std::uint32_t era) {
+  train::restore(bytes, name, conditions, model_, progressed);
+  iteration = progressed.iteration;
+  since_era_ = iteration % era;
+}
+
+void Sac::begin_from(const std::string& bytes, const std::string& name,
+                     const std::string& interface) {
+  train::begin_from(bytes, name, interface, model_);
+}
+
+std::string Sac::replay(const std::string& text, const std::string& name) {
+  Sums observations(model_.actor.inputs()), returns(1);
+  const Log log =
+      read_log(text, name, description_, settings_.discount, model_.memory, observations, returns);
+  if (log.transitions == 0)
+    throw Problem(kInputOutput, fmt::format("`{}` has no step that can be learnt from", name));
+  if (settings_.normalise) model_.observations.add(observations);
+  model_.returns.add(returns);
+  model_.replayed += log.transitions;
+  model_.was_taught = true;
+  std::string said = fmt::format("{} steps of {}", log.transitions, name);
+  if (log.left_out > 0) said += fmt::format(", without {} that lack numbers", log.left_out);
+  return said;
+}
+
+}  // namespace eagerx::train::sac

@@ -1,0 +1,133 @@
+#include "targets/environments/train/sac/walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <eagerx/math.hpp>
+
+#include "targets/environments/train/sac/squashed.hpp"
+
+namespace eagerx::train::sac {
+
+Walk::Walk(const train::Settings& settings, const Library& library, std::uint32_t longest)
+    : observation_sums(library.description().observation_numbers()),
+      return_sums(1),
+      settings_(settings),
+      head_(library.description()),
+      environments_(library.functions(), static_cast<std::uint32_t>(settings.sac.environments), 0,
+                    settings.seed, longest, EAGERX_SAME_STEP),
+      count_(settings.sac.environments),
+      width_(library.description().observation_numbers()),
+      numbers_(head_.numbers),
+      observation_(kLanes * width_),
+      before_(kLanes * width_),
+      final_observation_(count_ * width_),
+      squashed_(count_ * numbers_),
+      action_(count_ * numbers_),
+      reward_(count_),
+      terminated_(count_),
+      truncated_(count_),
+      success_(count_),
+      return_(count_),
+      discounted_(count_) {}
+
+void Walk::reset(std::uint64_t seed) {
+  environments_.reset(seed, observation_.data());
+  return_.assign(count_, 0.0);
+  discounted_.assign(count_, 0.0F);
+  observation_sums.clear();
+  sum_observations();
+}
+
+Random Walk::noise(std::uint32_t time, std::size_t environment) const {
+  return {{settings_.seed, static_cast<std::uint32_t>(environment), time},
+          entity_id("train/noise")};
+}
+
+void Walk::act(const Model& model, const Normaliser& normaliser, const Kernels& kernels,
+               std::uint32_t time) {
+  row_.resize(model.actor.row());
+  normaliser.load(observation_.data(), row_.data());
+  model.actor.forward(kernels, model.actor_parameters.data(), row_.data());
+  Pack* means = &row_[model.actor.output()];
+  kernels.tanh(means + numbers_, numbers_);
+  for (std::size_t e = 0; e < count_; ++e) {
+    Random random = noise(time, e);
+    for (std::size_t j = 0; j < numbers_; ++j) {
+      const float deviation = exp(log_deviation_of(means[numbers_ + j].lane[e]));
+      squashed_[e * numbers_ + j] = tanh(means[j].lane[e] + deviation * random.normal(0.0F, 1.0F));
+    }
+  }
+}
+
+void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kernels, bool is_random,
+                std::uint32_t time) {
+  if (!is_random) act(model, normaliser, kernels, time);
+  for (std::size_t e = 0; e < count_ && is_random; ++e) {
+    Random random = noise(time, e);
+    for (std::size_t j = 0; j < numbers_; ++j)
+      squashed_[e * numbers_ + j] = random.uniform(-1.0F, 1.0F);
+  }
+  before_ = observation_;
+  step_environments();
+  for (std::size_t e = 0; e < count_; ++e) settle(model, e, time);
+  sum_observations();
+}
+
+void Walk::step_again(const Memory& memory, std::size_t back) {
+  for (std::size_t e = 0; e < count_; ++e) {
+    std::copy_n(memory.last(back - e).action, numbers_, &squashed_[e * numbers_]);
+  }
+  step_environments();
+  for (std::size_t e = 0; e < count_; ++e) count_reward(e);
+}
+
+void Walk::step_environments() {
+  for (std::size_t i = 0; i < action_.size(); ++i)
+    action_[i] = head_.scaled(i % numbers_, squashed_[i]);
+  step_all(environments_, action_.data(),
+           {.size = sizeof(eagerx_rows),
+            .observation = observation_.data(),
+            .reward = reward_.data(),
+            .terminated = terminated_.data(),
+            .truncated = truncated_.data(),
+            .success = success_.data(),
+            .terms = nullptr,
+            .final_observation = final_observation_.data()});
+}
+
+/// Whether it was the last of the episode, whose return is then in `return_` for the last time.
+bool Walk::count_reward(std::size_t environment) {
+  const std::size_t e = environment;
+  const bool ended = terminated_[e] != 0 || truncated_[e] != 0;
+  return_[e] += reward_[e];
+  discounted_[e] = discounted_[e] * settings_.discount + reward_[e];
+  return_sums.add(0, discounted_[e]);
+  if (!ended) return false;
+  episodes.push_back({return_[e], 0, success_[e] != 0 ? 1U : 0U});
+  return_[e] = 0.0;
+  discounted_[e] = 0.0F;
+  return true;
+}
+
+void Walk::settle(Model& model, std::size_t environment, std::uint32_t time) {
+  const std::size_t e = environment;
+  const bool ended = count_reward(e);
+  if (ended) episodes.back().step = time;
+  model.memory.add({&before_[e * width_],
+                    ended ? &final_observation_[e * width_] : &observation_[e * width_],
+                    &squashed_[e * numbers_], reward_[e], terminated_[e] != 0 ? 0.0F : 1.0F});
+}
+
+void Walk::sum_observations() {
+  for (std::size_t i = 0; i < count_ * width_; ++i) {
+    if (!std::isfinite(observation_[i])) {
+      throw Problem(kProblems, "an observation is NaN or infinite",
+                    "the simulation breaks down: look at its step, or end the episode sooner");
+    }
+    observation_sums.add(i % width_, observation_[i]);
+  }
+  observation_sums.count += static_cast<double>(count_);
+  return_sums.count += static_cast<double>(count_);
+}
+
+}  // namespace eagerx::train::sac

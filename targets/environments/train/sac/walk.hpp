@@ -1,0 +1,55 @@
+// The environments that SAC learns from, and the episodes that they are in.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "targets/environments/train/algorithm.hpp"
+#include "targets/environments/train/client.hpp"
+#include "targets/environments/train/sac/model.hpp"
+
+namespace eagerx::train::sac {
+
+class Walk {
+ public:
+  Walk(const train::Settings& settings, const Library& library, std::uint32_t longest);
+
+  std::string stepping() const { return environments_.stepping(); }
+  /// All environments begin the first episode of `seed`.
+  void reset(std::uint64_t seed);
+  /// A step of all with actions of the actor, or drawn evenly while it has learnt nothing yet.
+  /// `time`: steps since the training began. The transitions go into the memory.
+  void step(Model& model, const Normaliser& normaliser, const Kernels& kernels, bool is_random,
+            std::uint32_t time);
+  /// A step with the actions of transitions that the memory has; `back`: of the first environment,
+  /// from its last transition.
+  void step_again(const Memory& memory, std::size_t back);
+
+  Sums observation_sums, return_sums;
+  std::vector<Episode> episodes;  // that ended, in order of time
+
+ private:
+  void act(const Model& model, const Normaliser& normaliser, const Kernels& kernels,
+           std::uint32_t time);
+  void step_environments();
+  void settle(Model& model, std::size_t environment, std::uint32_t time);
+  bool count_reward(std::size_t environment);
+  void sum_observations();
+  Random noise(std::uint32_t time, std::size_t environment) const;
+
+  const train::Settings& settings_;
+  const Head head_;
+  Environments environments_;
+  std::size_t count_, width_, numbers_;
+  std::vector<float> observation_, before_;  // [kLanes][width]; rows beyond count are 0
+  std::vector<float> final_observation_;     // [count][width]
+  std::vector<float> squashed_, action_;     // [count][numbers] in -1…1; in their bounds
+  std::vector<float> reward_;                // [count]
+  std::vector<std::uint8_t> terminated_, truncated_, success_;
+  std::vector<double> return_;     // [count] of the episode so far
+  std::vector<float> discounted_;  // [count] of the episode so far
+  Packs row_;                      // scratch
+};
+
+}  // namespace eagerx::train::sac

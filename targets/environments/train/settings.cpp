@@ -1,0 +1,228 @@
+#include "targets/environments/train/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <runtime/host/base/number.hpp>
+#include <stdexcept>
+
+#include "targets/environments/client/command_line.hpp"
+#include "targets/environments/options/train_settings.hpp"
+#include "targets/environments/train/packs.hpp"
+
+namespace eagerx::train {
+namespace {
+
+using client::refuse;
+using options::kTrainSettings;
+using options::Setting;
+
+std::vector<std::string> pieces_of(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    parts.emplace_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
+/// Where a setting's value is kept.
+struct Place {
+  std::string_view name;
+  std::function<void(Settings&, const Setting&, const std::string&)> set;
+  std::function<std::string(const Settings&)> text;
+};
+
+template <class T>
+Place number_at(std::string_view name, T Settings::*member) {
+  return {name,
+          [member](Settings& settings, const Setting& row, const std::string& text) {
+            settings.*member =
+                client::number<T>(text, static_cast<T>(row.low), static_cast<T>(row.high));
+          },
+          [member](const Settings& settings) { return fmt::format("{}", settings.*member); }};
+}
+
+/// Of SAC.
+template <class T>
+Place number_at(std::string_view name, T sac::Settings::*member) {
+  return {name,
+          [member](Settings& settings, const Setting& row, const std::string& text) {
+            settings.sac.*member =
+                client::number<T>(text, static_cast<T>(row.low), static_cast<T>(row.high));
+          },
+          [member](const Settings& settings) { return fmt::format("{}", settings.sac.*member); }};
+}
+
+template <class T>
+Place word_at(std::string_view name, T Settings::*member) {
+  const auto words = [](const Setting& row) { return pieces_of(row.words, ','); };
+  return {name,
+          [member, words](Settings& settings, const Setting& row, const std::string& text) {
+            const auto known = words(row);
+            const auto found = std::ranges::find(known, text);
+            if (found == known.end())
+              refuse(fmt::format("`{}` is none of {}", text, fmt::join(known, ", ")));
+            settings.*member = static_cast<T>(found - known.begin());
+          },
+          [member, name, words](const Settings& settings) {
+            const auto* row = std::ranges::find(kTrainSettings, name, &Setting::name);
+            return words(*row)[static_cast<std::size_t>(settings.*member)];
+          }};
+}
+
+Place truth_at(std::string_view name, bool Settings::*member) {
+  return {name,
+          [member](Settings& settings, const Setting& /*row*/, const std::string& text) {
+            if (text != "true" && text != "false")
+              refuse(fmt::format("`{}` is neither true nor false", text));
+            settings.*member = text == "true";
+          },
+          [member](const Settings& settings) {
+            return std::string(settings.*member ? "true" : "false");
+          }};
+}
+
+Place layers_at(std::string_view name, std::vector<std::size_t> Settings::*member) {
+  return {name,
+          [member](Settings& settings, const Setting& row, const std::string& text) {
+            std::vector<std::size_t> widths;
+            for (const std::string& width : pieces_of(text, ','))
+              widths.push_back(client::number<std::size_t>(width, static_cast<std::size_t>(row.low),
+                                                           static_cast<std::size_t>(row.high)));
+            if (widths.size() > options::kMostLayers)
+              refuse(fmt::format("there are at most {} layers", options::kMostLayers));
+            settings.*member = std::move(widths);
+          },
+          [member](const Settings& settings) {
+            return fmt::format("{}", fmt::join(settings.*member, ","));
+          }};
+}
+
+const std::vector<Place>& places() {
+  using S = Settings;
+  static const std::vector<Place> all = {
+      layers_at("layers", &S::layers),
+      word_at("activation", &S::activation),
+      number_at("discount", &S::discount),
+      number_at("trace_decay", &S::trace_decay),
+      number_at("environments", &S::environments),
+      truth_at("stagger", &S::stagger),
+      number_at("horizon", &S::horizon),
+      number_at("minibatches", &S::minibatches),
+      number_at("epochs", &S::epochs),
+      number_at("clip", &S::clip),
+      number_at("entropy", &S::entropy),
+      number_at("gradient_norm", &S::gradient_norm),
+      number_at("learning_rate", &S::learning_rate),
+      word_at("schedule", &S::schedule),
+      number_at("least_learning_rate", &S::least_learning_rate),
+      number_at("most_learning_rate", &S::most_learning_rate),
+      number_at("divergence", &S::divergence),
+      number_at("stop_divergence", &S::stop_divergence),
+      number_at("decay_steps", &S::decay_steps),
+      number_at("first_deviation", &S::first_deviation),
+      number_at("least_deviation", &S::least_deviation),
+      number_at("most_deviation", &S::most_deviation),
+      number_at("sac_environments", &sac::Settings::environments),
+      number_at("sac_horizon", &sac::Settings::horizon),
+      number_at("sac_batch", &sac::Settings::batch),
+      number_at("sac_updates", &sac::Settings::updates),
+      number_at("sac_memory", &sac::Settings::memory),
+      number_at("sac_random_steps", &sac::Settings::random_steps),
+      number_at("sac_target_share", &sac::Settings::target_share),
+      number_at("sac_first_temperature", &sac::Settings::first_temperature),
+      number_at("sac_entropy", &sac::Settings::entropy),
+      truth_at("normalise", &S::normalise),
+      number_at("freeze_after", &S::freeze_after),
+      number_at("averaging", &S::averaging),
+      number_at("evaluation_every", &S::evaluation_every),
+      number_at("evaluation_episodes", &S::evaluation_episodes),
+  };
+  return all;
+}
+
+/// Each row has one place, in the same order: else it is a bug of this program.
+const Place& place_of(const Setting& row) {
+  const auto found = std::ranges::find(places(), row.name, &Place::name);
+  if (found == places().end()) throw std::logic_error(row.name);
+  return *found;
+}
+
+}  // namespace
+
+Settings::Settings() {
+  for (const Setting& row : kTrainSettings) place_of(row).set(*this, row, row.otherwise);
+}
+
+void set(Settings& settings, std::string_view name, const std::string& text) {
+  const auto* row = std::ranges::find(kTrainSettings, name, &Setting::name);
+  if (row == std::end(kTrainSettings))
+    throw client::Problem(client::kUsage, fmt::format("there is no setting `{}`", name),
+                          "`eagerx-gen help train-settings` lists them");
+  place_of(*row).set(settings, *row, text);
+}
+
+void check(const Settings& settings) {
+  if (settings.environments % (kParts * kLanes) != 0)
+    refuse(fmt::format("environments: {} is no multiple of {}", settings.environments,
+                       kParts * kLanes));
+  if (settings.sac.batch % (kParts * kLanes) != 0)
+    refuse(fmt::format("sac_batch: {} is no multiple of {}", settings.sac.batch, kParts * kLanes));
+  const std::size_t most = settings.environments / (kParts * kLanes) * settings.horizon;
+  if (settings.minibatches > most)
+    refuse(fmt::format("minibatches: {} are more than {}, environments / {} * horizon",
+                       settings.minibatches, most, kParts * kLanes));
+  if (settings.least_deviation > settings.most_deviation)
+    refuse("least_deviation is more than most_deviation");
+  if (settings.least_learning_rate > settings.most_learning_rate)
+    refuse("least_learning_rate is more than most_learning_rate");
+}
+
+void check_algorithm(const Settings& settings, std::string_view name) {
+  const auto* row = std::ranges::find(kTrainSettings, name, &Setting::name);
+  if (row == std::end(kTrainSettings) || *row->algorithm == '\0' ||
+      row->algorithm == settings.algorithm)
+    return;
+  refuse(fmt::format("{} is a setting of {}, and the algorithm is {}", name, row->algorithm,
+                     settings.algorithm));
+}
+
+std::string text_of(const Settings& settings) {
+  std::string text;
+  for (const Setting& row : kTrainSettings)
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : "; ", row.name, place_of(row).text(settings));
+  return text;
+}
+
+std::string difference(std::string_view theirs, std::string_view ours) {
+  const auto a = pieces_of(theirs, ';'), b = pieces_of(ours, ';');
+  std::vector<std::string> words;
+  const auto name = [](std::string_view part) {
+    part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+    return part.substr(0, part.find(' '));
+  };
+  const auto value = [](std::string_view part) {
+    part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+    const std::size_t blank = part.find(' ');
+    return blank == std::string_view::npos ? std::string_view() : part.substr(blank + 1);
+  };
+  for (const std::string& one : a) {
+    const auto other = std::ranges::find(b, name(one), name);
+    if (other == b.end()) {
+      words.push_back(fmt::format("{} {} (here there is none)", name(one), value(one)));
+    } else if (value(*other) != value(one)) {
+      words.push_back(fmt::format("{} {} (here {})", name(one), value(one), value(*other)));
+    }
+  }
+  for (const std::string& one : b) {
+    if (std::ranges::find(a, name(one), name) == a.end())
+      words.push_back(fmt::format("no {} (here {})", name(one), value(one)));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace eagerx::train

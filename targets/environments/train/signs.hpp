@@ -1,0 +1,17 @@
+// Signs of what holds a training that does not succeed, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "targets/environments/train/client.hpp"
+#include "targets/environments/train/curve.hpp"
+#include "targets/environments/train/evaluation.hpp"
+
+namespace eagerx::train {
+
+/// What is seen in `curve` and in the last evaluation, the most telling first; empty: nothing.
+std::vector<std::string> signs_of(const std::vector<CurvePoint>& curve,
+                                  const Evaluation& evaluation, const Description& description);
+
+}  // namespace eagerx::train

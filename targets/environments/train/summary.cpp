@@ -1,0 +1,63 @@
+#include "targets/environments/train/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "targets/environments/train/export.hpp"
+#include "targets/environments/train/signs.hpp"
+
+namespace eagerx::train {
+namespace {
+
+std::string name_of(const std::string& path) {
+  return path.substr(path.rfind('/') + 1);
+}
+
+std::string result(const Ended& ended, const Evaluation& evaluation) {
+  const char* why = ended.ending == Ending::success       ? "the policy succeeds"
+                    : ended.ending == Ending::interrupted ? "interrupted"
+                                                          : "the steps are used up";
+  std::string text =
+      fmt::format("{} after {} steps, {:.1f} s, with {} kernels\n", why,
+                  rounded(static_cast<double>(ended.steps)), ended.seconds, ended.kernels);
+  text += fmt::format("on {} seeds that neither trained nor chose it: ", evaluation.episodes);
+  if (ended.description.has_success)
+    text += fmt::format("success {} of {}, ", evaluation.successes, evaluation.episodes);
+  text += fmt::format("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
+                      evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
+  for (std::size_t i = 0; i < evaluation.terms.size(); ++i)
+    text += fmt::format("  {:<20} {:.4g}\n", ended.description.terms[i], evaluation.terms[i]);
+  return text;
+}
+
+/// What may help.
+std::string notes(const Ended& ended, const Evaluation& evaluation) {
+  if (!ended.has_aim)
+    return "note: the task has no `success:`, so nobody knows whether this policy is good\n";
+  if (ended.ending == Ending::success) return {};
+  std::string text;
+  for (const std::string& sign : signs_of(ended.curve, evaluation, ended.description))
+    text += "note: " + sign + "\n";
+  const double wanted = ended.options.settings.until_return;
+  if (evaluation.mean_return < wanted)
+    return text + fmt::format(
+                      "note: the return is below --until-return {:g}; more --steps or another "
+                      "--seed may\n",
+                      wanted);
+  return text +
+         "note: the policy does not succeed; a task whose reward leads to its `success:` "
+         "step by step, more --steps or another --seed may\n";
+}
+
+}  // namespace
+
+std::string summary(const Ended& ended, const Evaluation& evaluation) {
+  const std::string& output = ended.options.output;
+  return result(ended, evaluation) +
+         fmt::format("written: {}, {}\nin the graph: agent: {{policy: {}, golden: {}}}\n", output,
+                     golden_path(output), name_of(output), name_of(golden_path(output))) +
+         notes(ended, evaluation);
+}
+
+}  // namespace eagerx::train

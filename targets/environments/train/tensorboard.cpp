@@ -1,0 +1,137 @@
+#include "targets/environments/train/tensorboard.hpp"
+
+#include <unistd.h>
+
+#include <bit>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <eagerx/link/crc32c.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "targets/environments/train/client.hpp"
+
+namespace eagerx::train {
+namespace {
+
+template <class T>
+void append_little(std::string& bytes, T value) {
+  for (std::size_t i = 0; i < sizeof value; ++i)
+    bytes.push_back(static_cast<char>(value >> (8U * i) & 0xffU));
+}
+
+std::uint32_t masked_crc(std::string_view bytes) {
+  constexpr std::uint32_t kMask = 0xa282ead8U;
+  const std::uint32_t crc =
+      link::crc32c(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  return (crc >> 15U | crc << 17U) + kMask;
+}
+
+// Protocol buffers: the number of a field with how its value is written.
+constexpr std::uint64_t kVarint = 0, kDouble = 1, kBytes = 2, kFloat = 5;
+
+void append_varint(std::string& bytes, std::uint64_t value) {
+  for (; value >= 0x80U; value >>= 7U) bytes.push_back(static_cast<char>(value | 0x80U));
+  bytes.push_back(static_cast<char>(value));
+}
+void append_key(std::string& bytes, std::uint64_t field, std::uint64_t how) {
+  append_varint(bytes, field << 3U | how);
+}
+void append_bytes(std::string& bytes, std::uint64_t field, std::string_view value) {
+  append_key(bytes, field, kBytes);
+  append_varint(bytes, value.size());
+  bytes += value;
+}
+
+std::string event(double wall_time_s, std::int64_t step) {
+  std::string bytes;
+  append_key(bytes, 1, kDouble);
+  append_little(bytes, std::bit_cast<std::uint64_t>(wall_time_s));
+  append_key(bytes, 2, kVarint);
+  append_varint(bytes, static_cast<std::uint64_t>(step));
+  return bytes;
+}
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+std::string tfrecord(std::string_view bytes) {
+  std::string record;
+  append_little(record, std::uint64_t{bytes.size()});
+  append_little(record, masked_crc(record));
+  record += bytes;
+  append_little(record, masked_crc(bytes));
+  return record;
+}
+
+std::string first_event(double wall_time_s) {
+  std::string bytes = event(wall_time_s, 0);
+  append_bytes(bytes, 3, "brain.Event:2");
+  return tfrecord(bytes);
+}
+
+std::string scalar_event(double wall_time_s, std::int64_t step, const Scalars& scalars) {
+  std::string summary;
+  for (const auto& [tag, number] : scalars) {
+    std::string value;
+    append_bytes(value, 1, tag);
+    append_key(value, 2, kFloat);
+    append_little(value, std::bit_cast<std::uint32_t>(static_cast<float>(number)));
+    append_bytes(summary, 1, value);
+  }
+  std::string bytes = event(wall_time_s, step);
+  append_bytes(bytes, 5, summary);
+  return tfrecord(bytes);
+}
+
+Scalars scalars_of(const CurvePoint& point) {
+  Scalars all = {{"episodes/return", point.mean_return},
+                 {"episodes/success", point.success},
+                 {"evaluation/return", point.evaluation_return},
+                 {"evaluation/success", point.evaluation_success},
+                 {"learning/deviation", point.deviation},
+                 {"learning/learning_rate", point.step_size},
+                 {"learning/divergence", point.divergence}};
+  std::erase_if(all, [](const auto& scalar) { return std::isnan(scalar.second); });
+  return all;
+}
+
+void check_folder(const std::string& folder) {
+  std::error_code ignored;
+  std::filesystem::path there = std::filesystem::absolute(folder, ignored);
+  while (there.has_relative_path() && !std::filesystem::exists(there, ignored))
+    there = there.parent_path();
+  if (std::filesystem::is_directory(there, ignored) && access(there.c_str(), W_OK) == 0) return;
+  throw Problem(kInputOutput, "cannot make `" + folder + "`: nothing can be written into `" +
+                                  there.string() + "`");
+}
+
+EventFile::EventFile(const std::string& folder, const std::string& graph)
+    : path_(folder + "/events.out.tfevents.0." + graph) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Problem(kInputOutput, "cannot make `" + folder + "`: " + error.message());
+  write_file(path_, first_event(now_s()));
+}
+
+void EventFile::append(const CurvePoint& point, const Scalars& more) {
+  Scalars scalars = scalars_of(point);
+  scalars.insert(scalars.end(), more.begin(), more.end());
+  write(scalar_event(now_s(), static_cast<std::int64_t>(point.steps), scalars));
+}
+
+/// At the end of the file. A half record behind a full disk would hide what comes after it, so
+/// nothing more is written then.
+void EventFile::write(const std::string& record) {
+  if (!problem_.empty()) return;
+  std::ofstream file(path_, std::ios::binary | std::ios::app);
+  file << record << std::flush;
+  if (!file) problem_ = "cannot write `" + path_ + "`: " + std::strerror(errno);
+}
+
+}  // namespace eagerx::train

@@ -1,0 +1,47 @@
+// The learning curve as event files that TensorBoard reads, while it grows.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "targets/environments/train/curve.hpp"
+
+namespace eagerx::train {
+
+/// A record of a TFRecord file: length, masked CRC-32C of it, `bytes`, masked CRC-32C of them
+/// (tensorflow/core/lib/io/record_writer.h).
+std::string tfrecord(std::string_view bytes);
+
+/// The first record of a file: `brain.Event:2`. `wall_time_s` since 1970.
+std::string first_event(double wall_time_s);
+
+/// A record with values at `step`, by their tags (message Event of tensorflow's event.proto).
+using Scalars = std::vector<std::pair<std::string, double>>;
+std::string scalar_event(double wall_time_s, std::int64_t step, const Scalars& scalars);
+
+/// What a point of the curve has, without what is not there yet.
+Scalars scalars_of(const CurvePoint& point);
+
+/// Throws Problem if such a folder cannot be made. Changes nothing.
+void check_folder(const std::string& folder);
+
+/// A file in a folder. The same run writes it anew, with the points that a resumed training has.
+class EventFile {
+ public:
+  /// Makes the folder and the file. Throws Problem if that is not possible.
+  EventFile(const std::string& folder, const std::string& graph);
+
+  void append(const CurvePoint& point, const Scalars& more = {});
+  /// Why something could not be written; empty: all was.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  void write(const std::string& record);
+
+  std::string path_, problem_;
+};
+
+}  // namespace eagerx::train

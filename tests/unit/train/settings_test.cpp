@@ -1,0 +1,119 @@
+// Settings by their table: every row has a place, a default within its range, and comes back.
+#include "targets/environments/train/settings.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "targets/environments/options/train_settings.hpp"
+#include "targets/environments/train/client.hpp"
+#include "targets/environments/train/options.hpp"
+
+namespace eagerx::train {
+namespace {
+
+using options::kTrainSettings;
+using options::Setting;
+using options::SettingKind;
+
+/// What is said when `text` is given to it; "" if nothing is.
+std::string said(const std::string& name, const std::string& text) {
+  Settings settings;
+  try {
+    set(settings, name, text);
+  } catch (const Problem& problem) {
+    return problem.what();
+  }
+  return {};
+}
+
+/// Another value that a setting may have.
+std::string other_value(const Setting& row) {
+  switch (row.kind) {
+    case SettingKind::layers:
+      return "3,5";
+    case SettingKind::word:
+      return std::string(row.words).substr(std::string(row.words).find(',') + 1);
+    case SettingKind::truth:
+      return std::string(row.otherwise) == "true" ? "false" : "true";
+    case SettingKind::whole:
+      return fmt::format("{}", static_cast<std::size_t>(row.high));
+    case SettingKind::number:
+      return fmt::format("{}", static_cast<float>((row.low + row.high) / 4.0));
+  }
+  return {};
+}
+
+TEST(TrainSettings, EachIsSetAndStandsInTheText) {
+  const std::string before = text_of(Settings());
+  for (const Setting& row : kTrainSettings) {
+    Settings settings;
+    const std::string value = other_value(row);
+    set(settings, row.name, value);
+    EXPECT_EQ(difference(before, text_of(settings)),
+              fmt::format("{} {} (here {})", row.name, row.otherwise, value));
+  }
+}
+
+TEST(TrainSettings, OutOfRangeIsRefused) {
+  for (const Setting& row : kTrainSettings) {
+    if (row.kind == SettingKind::word || row.kind == SettingKind::truth) {
+      EXPECT_NE(said(row.name, "neither"), "") << row.name;
+      continue;
+    }
+    for (const double wrong : {row.low - 1.0, row.high * 2.0 + 1.0, std::nan("")})
+      EXPECT_NE(said(row.name, fmt::format("{}", wrong)), "") << row.name << ' ' << wrong;
+  }
+  EXPECT_EQ(said("clop", "1"), "there is no setting `clop`");
+  EXPECT_EQ(said("layers", "1,1,1,1,1,1,1,1,1"), "there are at most 8 layers");
+  EXPECT_EQ(said("activation", "elu"), "`elu` is none of tanh, relu");
+}
+
+TEST(TrainSettings, WhatDoesNotGoTogetherIsRefused) {
+  const auto checked = [](const char* name, const char* text) -> std::string {
+    Settings settings;
+    set(settings, name, text);
+    try {
+      check(settings);
+    } catch (const Problem& problem) {
+      return problem.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(checked("clip", "0.3"), "");
+  EXPECT_EQ(checked("environments", "200"), "environments: 200 is no multiple of 128");
+  EXPECT_EQ(checked("minibatches", "65"),
+            "minibatches: 65 are more than 64, environments / 128 * horizon");
+  EXPECT_EQ(checked("least_deviation", "5"), "least_deviation is more than most_deviation");
+  EXPECT_EQ(checked("least_learning_rate", "0.1"),
+            "least_learning_rate is more than most_learning_rate");
+}
+
+TEST(TrainSettings, OnTheCommandLine) {
+  const auto parse = [](std::vector<const char*> words) -> std::string {
+    words.insert(words.begin(), {"eagerx-train", "lib.so"});
+    try {
+      return text_of(parse_options(static_cast<int>(words.size()), words.data()).settings);
+    } catch (const Problem& problem) {
+      return problem.what();
+    }
+  };
+  Settings expected;
+  expected.layers = {8, 16};
+  expected.clip = 0.3F;
+  EXPECT_EQ(parse({"--setting", "clip=0.3", "--setting=layers=8,16"}), text_of(expected));
+  EXPECT_EQ(parse({"--setting", "clip"}), "--setting: `clip` is not NAME=VALUE");
+  EXPECT_EQ(parse({"--setting", "clip=0.3", "--algorithm", "sac"}),
+            "clip is a setting of ppo, and the algorithm is sac");
+  EXPECT_EQ(parse({"--setting", "sac_batch=256"}),
+            "sac_batch is a setting of sac, and the algorithm is ppo");
+  EXPECT_EQ(parse({"--algorithm", "sac", "--setting", "sac_batch=200"}),
+            "sac_batch: 200 is no multiple of 128");
+  EXPECT_EQ(parse({"--setting", "clip=x"}),
+            "--setting: clip: `x` is not a number from 0.001 to 10");
+}
+
+}  // namespace
+}  // namespace eagerx::train
