@@ -10,6 +10,7 @@
 #include "generator/cli/board_options.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/emitted.hpp"
 #include "generator/cli/image_budget.hpp"
 #include "generator/cli/targets.hpp"
 
@@ -64,15 +65,23 @@ std::vector<Planned> planned(const Run& run, const GenerateOptions& options,
     BuiltProgram program{&target, tree.build, image_of(run, target, tree.build)};
     result.push_back({std::move(program), std::move(tree)});
   };
-  if (split) add(*run.graph->placement->board, folder + "/board", false);
+  if (split) {
+    for (const PlacedPart& part : run.graph->placement->parts) {
+      add(*part.target, folder + "/" + part.name, false);
+      result.back().program.part = &part;
+    }
+  }
   for (const Target* target : generated.targets)
-    add(*target, split ? folder + "/host" : folder, generated.targets.size() > 1);
+    add(*target, split ? folder + "/" + kHubFolder : folder, generated.targets.size() > 1);
   return result;
 }
 
 /// "swing", with its target if that is not this machine.
 std::string title(const Run& run, const Planned& item) {
   const Target& target = *item.program.target;
+  if (item.program.part != nullptr && item.program.part->name != "board")
+    return fmt::format("part `{}` of {} for {}", item.program.part->name, run.graph->name,
+                       target.id.value);
   return target.toolchain.empty() ? run.graph->name
                                   : fmt::format("{} for {}", run.graph->name, target.id.value);
 }
