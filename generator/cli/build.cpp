@@ -12,6 +12,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/emitted.hpp"
 #include "generator/cli/image_budget.hpp"
+#include "generator/cli/start_parts.hpp"
 #include "generator/cli/targets.hpp"
 
 namespace eagerx::gen {
@@ -140,6 +141,9 @@ std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions o
   if (to_run != nullptr) {
     const Planned& last = items.back();
     if (!check_start(run, last.program)) return std::nullopt;
+    std::vector<BuiltProgram> all;
+    for (const Planned& item : items) all.push_back(item.program);
+    if (!check_parts(run, all, *to_run)) return std::nullopt;
     if (!check_board_options(run, *last.program.target, *to_run)) {
       code = kWrongUsage;
       return std::nullopt;

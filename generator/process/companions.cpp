@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
-constexpr int kNotStarted = 127;
+constexpr int kNoProgram = 127;
 constexpr milliseconds kLook(10);
 constexpr int kLooksToStart = 6000;  // a minute: an emulator on a busy machine
 constexpr int kLooksToEnd = 200;     // before it is killed
@@ -28,7 +28,7 @@ std::string mark_of(const std::string& folder, std::size_t which) {
   return folder + "/ended." + std::to_string(which);
 }
 
-[[noreturn]] void become(const Companion& companion) {
+[[noreturn]] void become_companion(const Companion& companion) {
   std::vector<char*> words;
   words.reserve(companion.command.size() + 1);
   for (const std::string& word : companion.command)
@@ -43,7 +43,7 @@ std::string mark_of(const std::string& folder, std::size_t which) {
   if (log >= 0 && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 &&
       dup2(log, STDOUT_FILENO) >= 0 && dup2(log, STDERR_FILENO) >= 0)
     execvp(words.front(), words.data());
-  _exit(kNotStarted);
+  _exit(kNoProgram);
 }
 
 /// The process that has the companions as its children, and ends them.
@@ -62,7 +62,7 @@ class Keeper {
     leave_terminal();
     for (const Companion& companion : companions_) {
       children_.push_back(fork());
-      if (children_.back() == 0) become(companion);
+      if (children_.back() == 0) become_companion(companion);
     }
     // It may have ended before it could be asked for a signal.
     while (getppid() == parent_) {
