@@ -96,8 +96,9 @@ Companion with_child(const std::string& folder) {
 
 TEST(Companions, EndWithTheProcessHoweverItEnds) {
   for (const char* end : {"true", "kill -9 $$"}) {
-    const std::string kept = scratch_folder();
-    std::string folder = kept + "/of_companions";
+    const TestFolder outer;
+    const std::string& kept = outer.path();
+    const std::string folder = kept + "/of_companions";
     std::filesystem::create_directory(folder);
     const pid_t parent = fork();
     if (parent == 0) {
@@ -119,7 +120,8 @@ TEST(Companions, EndWithTheProcessHoweverItEnds) {
 }
 
 TEST(Companions, OneThatEndsIsTold) {
-  const std::string kept = scratch_folder();
+  const TestFolder outer;
+  const std::string& kept = outer.path();
   const std::string folder = kept + "/of_companions";
   std::filesystem::create_directory(folder);
   const auto problem = start_companions(
