@@ -46,8 +46,7 @@ double steps_per_s(const Plan& plan) {
 }  // namespace
 
 double bytes_on_line(const PartLink& link) {
-  return link.part_bytes + link.hub_bytes +
-         2.0 * static_cast<double>(kFrameBytes) * link.exchanges;
+  return link.part_bytes + link.hub_bytes + 2.0 * static_cast<double>(kFrameBytes) * link.exchanges;
 }
 double baud_of(const Plan& plan, const PartLink& link) {
   return static_cast<double>(kBitsOfByte) * bytes_on_line(link) * steps_per_s(plan);
