@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "generator/read/quantity.hpp"
+#include "generator/spec/format.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -21,6 +22,16 @@ Argument rate(std::string name, std::string about, std::optional<Rational>& rate
       "is not a rate such as 30, 30Hz or 30000/1001");
 }
 
+/// Whether a part has a name that a graph file could give it: it becomes a folder.
+bool is_split(const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) return false;
+  const std::string place = text.substr(equals + 1);
+  const std::size_t colon = place.find(':');
+  return colon == std::string::npos ||
+         (is_identifier(place.substr(0, colon)) && colon + 1 < place.size());
+}
+
 }  // namespace
 
 Arguments joined(std::initializer_list<Arguments> parts) {
@@ -36,15 +47,11 @@ Argument graph(GraphOptions& options) {
 Arguments selection(GraphOptions& options) {
   Argument split = checked(
       texts("--split", options.split,
-            "make two programs, one for a board and one for Linux; on the board run the named "
-            "nodes, `agent`, or `controller` (the agent and all nodes). Replaces the graph's "
-            "`placement`",
-            "NAME[,NAME...]=BOARD"),
-      [](const std::string& text) {
-        const std::size_t equals = text.find('=');
-        return equals != std::string::npos && equals > 0 && equals + 1 < text.size();
-      },
-      "is not NAME[,NAME...]=BOARD");
+            "make several programs, one for Linux and one for each part: nodes, `agent`, or "
+            "`controller` (the agent and all other nodes) on a board or in another process "
+            "(linux-sim). Replaces the graph's `placement`; may be repeated",
+            "NAME[,NAME...]=[PART:]TARGET"),
+      is_split, "is not NAME[,NAME...]=TARGET or NAME[,NAME...]=PART:TARGET");
   return {
       variant(options), engine(options),
       choice("--real", {"float", "double"}, "calculate in this type instead of the graph's `real`",

@@ -10,7 +10,9 @@
 #include "generator/cli/board_options.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/emitted.hpp"
 #include "generator/cli/image_budget.hpp"
+#include "generator/cli/start_parts.hpp"
 #include "generator/cli/targets.hpp"
 
 namespace eagerx::gen {
@@ -64,15 +66,23 @@ std::vector<Planned> planned(const Run& run, const GenerateOptions& options,
     BuiltProgram program{&target, tree.build, image_of(run, target, tree.build)};
     result.push_back({std::move(program), std::move(tree)});
   };
-  if (split) add(*run.graph->placement->board, folder + "/board", false);
+  if (split) {
+    for (const PlacedPart& part : run.graph->placement->parts) {
+      add(*part.target, folder + "/" + part.name, false);
+      result.back().program.part = &part;
+    }
+  }
   for (const Target* target : generated.targets)
-    add(*target, split ? folder + "/host" : folder, generated.targets.size() > 1);
+    add(*target, split ? folder + "/" + kHubFolder : folder, generated.targets.size() > 1);
   return result;
 }
 
 /// "swing", with its target if that is not this machine.
 std::string title(const Run& run, const Planned& item) {
   const Target& target = *item.program.target;
+  if (item.program.part != nullptr && item.program.part->name != "board")
+    return fmt::format("part `{}` of {} for {}", item.program.part->name, run.graph->name,
+                       target.id.value);
   return target.toolchain.empty() ? run.graph->name
                                   : fmt::format("{} for {}", run.graph->name, target.id.value);
 }
@@ -131,6 +141,9 @@ std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions o
   if (to_run != nullptr) {
     const Planned& last = items.back();
     if (!check_start(run, last.program)) return std::nullopt;
+    std::vector<BuiltProgram> all;
+    for (const Planned& item : items) all.push_back(item.program);
+    if (!check_parts(run, all, *to_run)) return std::nullopt;
     if (!check_board_options(run, *last.program.target, *to_run)) {
       code = kWrongUsage;
       return std::nullopt;

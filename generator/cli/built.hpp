@@ -15,7 +15,7 @@ namespace eagerx::gen {
 /// Where a graph was generated, and for what.
 struct Generated {
   std::string folder;
-  std::vector<const Target*> targets;  // of a split graph those of the part on Linux
+  std::vector<const Target*> targets;  // of a placed graph those of the hub
   std::vector<Package> packages;
   std::size_t written = 0, unchanged = 0, kept = 0;
 };
@@ -29,7 +29,7 @@ struct ProgramFacts {
   std::uint64_t hash = 0;  // of the graph
   std::string telemetry;   // the text of telemetry.json; empty: it sends none
 };
-/// Of the program of a graph that was made, or of both of a split one. Nothing if there is a
+/// Of the program of a graph that was made, or of all of a placed one. Nothing if there is a
 /// problem, which is in `run`.
 std::optional<ProgramFacts> facts_of_program(Run& run, const GraphOptions& options);
 
@@ -46,12 +46,13 @@ bool build_program(Run& run, const Tree& tree, const Target& target, const std::
 /// The program of a target, built.
 struct BuiltProgram {
   const Target* target = nullptr;
-  std::string build;  // its build folder
-  std::string image;  // its file
+  std::string build;                 // its build folder
+  std::string image;                 // its file
+  const PlacedPart* part = nullptr;  // of a placed graph: which part; without one, the hub
 };
 
 /// generate_graph(), in a folder of its own for each target that is not this machine, and
-/// build_tree() of every program. Of a split graph the part on the board comes first. `to_run`: the
+/// build_tree() of every program. Of a placed graph the parts come first. `to_run`: the
 /// last program is to be run with these options, E0515 if nothing here can, E0516 an option that
 /// a board's program does not take; those that are left are what it gets.
 std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions options, int& code,

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The two programs of a split graph, in the folders `host` and `board`.
+/// All programs of a placed graph: the hub in the folder `host`, each part in one of its name.
 std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions& options) {
   std::vector<GeneratedFile> files;
   const auto add = [&](Part part, const std::string& folder, std::uint64_t hash) {
@@ -18,18 +18,24 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
     of_part.part = part;
     of_part.graph_hash = hash;
     of_part.output = options.output + "/" + folder;
-    if (part == Part::board) of_part.targets = {run.graph->placement->board};
+    if (part.is_placed()) of_part.targets = {run.graph->placement->parts[part.index()].target};
     auto made = emit_whole(run, of_part);
     for (auto& file : made.value_or(std::vector<GeneratedFile>()))
       files.push_back({folder + "/" + file.path, std::move(file.text)});
     return made.has_value();
   };
+  const auto add_all = [&](std::uint64_t hash) {
+    const auto& parts = run.graph->placement->parts;
+    if (!add(Part::hub, kHubFolder, hash)) return false;
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      if (!add(Part::placed(part), parts[part].name, hash)) return false;
+    return true;
+  };
   // What the hash is made of comes first, with 0 in its place.
-  if (!add(Part::host, "host", 0) || !add(Part::board, "board", 0)) return std::nullopt;
+  if (!add_all(0)) return std::nullopt;
   const std::uint64_t hash = hash_of(files);
   files.clear();
-  add(Part::host, "host", hash);
-  add(Part::board, "board", hash);
+  add_all(hash);
   return files;
 }
 

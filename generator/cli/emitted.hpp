@@ -14,10 +14,13 @@ namespace eagerx::gen {
 EmitOptions emit_options_for(const Run& run, std::vector<const Target*> targets,
                              std::string output);
 
-/// The whole graph as one program, also where it is split.
+/// The whole graph as one program, also where it is placed.
 std::optional<std::vector<GeneratedFile>> emit_whole(Run& run, const EmitOptions& options);
 
-/// The program; of a split graph both, in the folders `host` and `board`.
+/// Of the hub of a placed graph, in its output. Each part has the folder of its name.
+inline constexpr const char* kHubFolder = "host";
+
+/// The program; of a placed graph all.
 std::optional<std::vector<GeneratedFile>> emit_program(Run& run, const EmitOptions& options);
 
 }  // namespace eagerx::gen

@@ -59,11 +59,11 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
   const bool split = run.graph->placement.has_value();
   if (split && standalone) {
     run.diagnostics
-        .error("E0336", run.graph->placement->span, "a split graph has no standalone tree")
+        .error("E0336", run.graph->placement->span(), "a split graph has no standalone tree")
         .help = "leave out `--standalone` and `--package`";
   }
   if (split && options.makes_library()) {
-    run.diagnostics.error("E0336", run.graph->placement->span, "a split graph has no library")
+    run.diagnostics.error("E0336", run.graph->placement->span(), "a split graph has no library")
         .help = "leave out `--library`";
   }
   if (run.diagnostics.has_errors()) return std::nullopt;

@@ -122,11 +122,16 @@ bool is_board(const Target& target) {
   return target.system.empty() && !target.toolchain.empty();
 }
 
+bool is_in(const Placement& placement, std::size_t node, const PlacedPart& part) {
+  const std::size_t place = placement.part_of[node];
+  return place != Placement::kHub && &placement.parts[place] == &part;
+}
+
 /// Of a program for a board: `smooth`, `pendulum/theta`, and what nodes share.
-std::vector<std::string> parts_of(const Graph& graph) {
+std::vector<std::string> parts_of(const Graph& graph, const PlacedPart* part) {
   std::vector<std::string> parts(kSharedParts.begin(), kSharedParts.end());
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-    if (!graph.placement || graph.placement->on_board[n]) parts.push_back(graph.nodes[n].name);
+    if (part == nullptr || is_in(*graph.placement, n, *part)) parts.push_back(graph.nodes[n].name);
   }
   return parts;
 }
@@ -181,7 +186,7 @@ void check_built_budget(Run& run, const GraphOptions& options,
     if (!report) continue;
     const std::string what =
         boards == 1 ? "the image" : "the image for `" + program.target->id.value + "`";
-    check_image_budget({*report, std::nullopt, what, parts_of(*run.graph)}, budget,
+    check_image_budget({*report, std::nullopt, what, parts_of(*run.graph, program.part)}, budget,
                        run.diagnostics);
   }
   if (!options.quiet) tell_what_is_left(budget, options, of_images, image);

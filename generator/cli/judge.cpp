@@ -17,7 +17,7 @@ void check_budget(Run& run) {
   if (!run.spec->budget) return;
   const YamlValue& budget = *run.spec->budget;
   if (budget.find("age") == nullptr && budget.find("link") == nullptr &&
-      budget.find("telemetry") == nullptr)
+      budget.find("parts") == nullptr && budget.find("telemetry") == nullptr)
     return;
   check_plan_budget(info_of(*run.plan, run.spec->budget, run.diagnostics), budget, run.diagnostics);
 }

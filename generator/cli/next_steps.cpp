@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/cli/built.hpp"
+#include "generator/cli/emitted.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
@@ -38,18 +39,25 @@ class Steps {
   const GenerateOptions& options_;
 };
 
-std::string link_text(const Run& run) {
-  const Split& split = *run.plan->split;
-  if (split.exchanges == 0.0) return {};
+/// "the part on stm32f405", "part `vision` for linux-sim, on camera_pc"
+std::string described(const PlacedPart& part) {
+  if (part.name == "board") return "the part on " + part.target->id.value;
+  return fmt::format("part `{}` for {}{}{}", part.name, part.target->id.value,
+                     part.host.empty() ? "" : ", on ", part.host);
+}
+
+std::string link_text(const Run& run, std::size_t part) {
+  const PartLink& link = run.plan->split->links[part];
+  if (link.exchanges == 0.0) return {};
   // As the frames are: eagerx/link/frame.hpp.
   constexpr double kFrame = 12.0;
   constexpr double kBitsOfAByte = 10.0;
   constexpr double kBaud = 115200.0;
-  const double bytes = split.board_bytes + split.host_bytes + 2 * kFrame * split.exchanges;
+  const double bytes = link.part_bytes + link.hub_bytes + 2 * kFrame * link.exchanges;
   return fmt::format(
-      "link: {:.4g} exchanges a step, {:.4g} bytes of messages to the board and {:.4g} back; "
+      "link: {:.4g} exchanges a step, {:.4g} bytes of messages there and {:.4g} back; "
       "{:.3g} of {:.3g} ms at 115200 baud\n",
-      split.exchanges, split.board_bytes, split.host_bytes, 1e3 * kBitsOfAByte * bytes / kBaud,
+      link.exchanges, link.part_bytes, link.hub_bytes, 1e3 * kBitsOfAByte * bytes / kBaud,
       1e3 / run.graph->environment().rate_hz.to_double());
 }
 
@@ -68,15 +76,18 @@ std::string next_steps(const Run& run, const GenerateOptions& options,
   const bool split = run.graph->placement.has_value();
   std::string text;
   if (split) {
-    Target board = *run.graph->placement->board;
-    board.run.clear();  // it waits for its host
-    text += fmt::format("{}build the part on {}:\n{}", link_text(run), board.id.value,
-                        steps.build(board, folder + "/board", false));
+    const auto& parts = run.graph->placement->parts;
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      Target target = *parts[part].target;
+      target.run.clear();  // it waits for its hub
+      text += fmt::format("{}build {}:\n{}", link_text(run, part), described(parts[part]),
+                          steps.build(target, folder + "/" + parts[part].name, false));
+    }
   }
-  text +=
-      split ? "build the rest; its --help says how to name the board:\n" : "build and run it:\n";
+  text += split ? "build the rest; its --help says how to name the parts' lines:\n"
+                : "build and run it:\n";
   for (const Target* target : targets)
-    text += steps.build(*target, split ? folder + "/host" : folder, targets.size() > 1);
+    text += steps.build(*target, split ? folder + "/" + kHubFolder : folder, targets.size() > 1);
   return text;
 }
 

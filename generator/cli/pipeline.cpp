@@ -53,7 +53,8 @@ Mentions mentions_of(const YamlValue& graph, const GraphOptions& options) {
   mentions.add(graph);
   mentions.add(options.engine);
   for (const std::string& target : wanted_targets(options)) mentions.add(target);
-  for (const std::string& item : options.split) mentions.add(item.substr(item.rfind('=') + 1));
+  for (const std::string& item : options.split)
+    mentions.add(item.substr(item.find_last_of("=:") + 1));
   for (const std::string& id : entities_of_patterns(graph)) mentions.add(id);
   return mentions;
 }
@@ -127,13 +128,20 @@ std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree,
 
 namespace {
 
-/// `--split a,b=BOARD`, which has no place in a file.
+/// `--split a,b=TARGET` or `a,b=PART:TARGET`, which has no place in a file.
 std::vector<PlacementSpec> placement_of(const GraphOptions& options) {
   std::vector<PlacementSpec> result;
   for (const auto& item : options.split) {
     const std::size_t equals = item.rfind('=');
-    for (std::string& name : comma_separated(item.substr(0, equals)))
-      result.push_back({{std::move(name), {}}, {item.substr(equals + 1), {}}});
+    const std::string place = item.substr(equals + 1);
+    const std::size_t colon = place.find(':');
+    PlacementSpec spec;
+    if (colon != std::string::npos) spec.part.value = place.substr(0, colon);
+    spec.target.value = colon == std::string::npos ? place : place.substr(colon + 1);
+    for (std::string& name : comma_separated(item.substr(0, equals))) {
+      spec.name.value = std::move(name);
+      result.push_back(spec);
+    }
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include "generator/cli/built.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/image_budget.hpp"
+#include "generator/cli/start_parts.hpp"
 #include "generator/files/files.hpp"
 
 namespace eagerx::gen {
@@ -35,8 +36,10 @@ int perform(const RunOptions& options) {
   std::vector<std::string> words = options.of_program;
   const auto programs = build_graph(run, options, code, &words);
   if (programs) check_built_budget(run, options, *programs);
+  const bool started = programs && !run.diagnostics.has_errors() && code == kDone &&
+                       start_parts(run, *programs, words);
   code = std::max(finish(run, options), code);
-  if (!programs || code != kDone) return code;
+  if (!started || code != kDone) return code;
   return become_built(run, programs->back(), words);
 }
 
@@ -47,6 +50,8 @@ Command table(RunOptions& options) {
                         "eagerx-gen run pendulum.yaml --seed 1 --steps 300"},
                        {"on the emulator of a board",
                         "eagerx-gen run pendulum.yaml --target mps2-an386 --steps 300 --hash"},
+                       {"the controller in an emulated board of its own, linked with the rest",
+                        "eagerx-gen run pendulum.yaml --split controller=mps2-an386 --hash"},
                        {"all that follows `--` is the program's",
                         "eagerx-gen run pendulum.yaml -- --help"}},
           .arguments = on_building(options),

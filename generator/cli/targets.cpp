@@ -55,7 +55,7 @@ void check_serial_port(Run& run, const Target& target) {
 void check_target(Run& run, const Target& target) {
   check_serial_port(run, target);
   const bool split = run.graph->placement.has_value();
-  check_system(*run.graph, split ? Part::host : Part::whole, target, run.library, run.diagnostics);
+  check_system(*run.graph, split ? Part::hub : Part::whole, target, run.library, run.diagnostics);
   if (target.system.empty() && run.spec->agent.kind == AgentSpec::Kind::csv) {
     run.diagnostics
         .error("E0337", run.spec->agent.file.span,
@@ -67,9 +67,9 @@ void check_target(Run& run, const Target& target) {
   const Placement& placement = *run.graph->placement;
   if (target.system != "linux") {
     run.diagnostics
-        .error("E0335", placement.span,
+        .error("E0335", placement.span(),
                fmt::format("target `{1}` cannot run the part beside `{0}`: that part needs Linux",
-                           placement.board->id.value, target.id.value))
+                           placement.parts.front().target->id.value, target.id.value))
         .help = "leave out `--target`, or name a target of Linux";
   }
 }
@@ -130,10 +130,11 @@ std::vector<const Target*> find_targets(Run& run, const GraphOptions& options) {
     run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", wanted)).help =
         suggestion(wanted, known);
   }
-  if (run.graph->placement) {
-    check_filled(run, *run.graph->placement->board);
-    check_system(*run.graph, Part::board, *run.graph->placement->board, run.library,
-                 run.diagnostics);
+  for (std::size_t part = 0; run.graph->placement && part < run.graph->placement->parts.size();
+       ++part) {
+    const Target& target = *run.graph->placement->parts[part].target;
+    check_filled(run, target);
+    check_system(*run.graph, Part::placed(part), target, run.library, run.diagnostics);
   }
   return result;
 }

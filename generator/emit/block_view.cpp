@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/emit/arrival_view.hpp"
+#include "generator/emit/link_view.hpp"
 #include "generator/emit/reset_view.hpp"
 #include "generator/emit/types.hpp"
 #include "generator/quote/quote.hpp"
@@ -62,12 +63,14 @@ class BlockView {
     return message_place(plan_, names_, plan_.nodes[n_].rings[output], seq_);
   }
 
-  /// Both programs know which targets a reset node has reached.
+  /// All programs know which targets a reset node has reached.
   void add_reached() {
     View reached = list();
+    const LinkUse use = link_use_of_flags(graph_, names_.program(), n_);
     for (const auto& target : node_.reset_targets) {
       View item = object();
       item.set("flag", names_.done_member[n_] + "." + target.name);
+      add_links(names_, use, "", item);
       reached.push_back(item);
     }
     view_["reached"] = std::move(reached);
@@ -87,14 +90,16 @@ class BlockView {
   /// What its callback writes of an output that has a processor.
   std::string raw_name(std::size_t output) const { return "raw_" + node_.outputs[output].name; }
 
-  /// What the other program sends of a node that runs there.
+  /// What comes over a link of a node that runs elsewhere.
   void add_remote() {
     View received = list();
     std::vector<MessagePlace> places;
     for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
       if (!names_.crosses(n_, o)) continue;
       places.push_back(place(o));
-      received.push_back(message(o, places.back()));
+      View item = message(o, places.back());
+      add_links(names_, names_.links(n_, o), channel(o), item);
+      received.push_back(item);
     }
     view_["slots"] = slots_view(places);
     view_["received"] = std::move(received);
@@ -131,7 +136,7 @@ class BlockView {
       const std::string local = raw_name(o);
       places.push_back(place(o));
       View item = message(o, places.back());
-      item.set("sends", names_.crosses(n_, o));
+      add_links(names_, names_.links(n_, o), channel(o), item);
       item.set("processor", text_or_false(names_.output_processor[n_][o]));
       item.set("local", local);
       published.push_back(item);

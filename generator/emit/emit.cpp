@@ -34,11 +34,11 @@ class Emitter {
     why_no_packs_ = why_no_packs(plan);
     has_packs_ = why_no_packs_.empty() && options.part == Part::whole &&
                  std::ranges::any_of(options.targets, &Target::packs);
-    // Where the agent is, and on the host, which has everything of the graph's own sources.
-    const bool decides = options.part != Part::board || names_.runs(Graph::kEnvironment);
+    // Where the agent is, and in the hub, which has everything of the graph's own sources.
+    const bool decides = !options.part.is_placed() || names_.runs(Graph::kEnvironment);
     if (decides) network_ = network;
     for (const NodePolicy& policy : node_policies) {
-      if (options.part != Part::board || names_.runs(policy.node)) node_policies_.push_back(policy);
+      if (!options.part.is_placed() || names_.runs(policy.node)) node_policies_.push_back(policy);
     }
   }
 
@@ -264,7 +264,7 @@ class Emitter {
 
   void add_target(const Target& target) {
     for (const auto& [file, output] :
-         options_.part == Part::board ? target.partner : target.templates) {
+         options_.part.is_placed() ? target.partner : target.templates) {
       View view(View::type::object);
       view.set("target", target.id.value);
       view.set("is_split", options_.part != Part::whole);

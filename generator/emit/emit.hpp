@@ -36,8 +36,8 @@ struct EmitOptions {
   std::string header_folder;           // of the graph's headers in it: empty, or such as `src/`
   std::vector<ExtraTemplate> extra;    // of packages
   bool cmake = true;                   // with a CMakeLists.txt and program.map
-  Part part = Part::whole;             // of a split graph: which of its two programs
-  std::uint64_t graph_hash = 0;        // of a split graph: what its programs tell each other;
+  Part part = Part::whole;             // of a placed graph: which of its programs
+  std::uint64_t graph_hash = 0;        // of a placed graph: what its programs tell each other;
                                        // otherwise 0, and it is made of this program's headers
 };
 

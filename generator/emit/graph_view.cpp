@@ -204,11 +204,26 @@ class GraphView {
 
   void add_split() {
     view_.set("is_split", names_.is_split());
-    view_.set("decides_there",
-              bool_literal(names_.is_split() && graph_.placement->on_board[Graph::kEnvironment]));
-    view_.set("board", names_.is_split() ? graph_.placement->board->id.value : "");
-    view_.set("to_board", fmt::format("{}", plan_.split ? plan_.split->board_payload : 0));
-    view_.set("to_host", fmt::format("{}", plan_.split ? plan_.split->host_payload : 0));
+    view_.set("is_hub", names_.is_hub());
+    if (!names_.is_split()) return;
+    const std::size_t decides = graph_.placement->part_of[Graph::kEnvironment];
+    view_.set("decides_there", bool_literal(names_.is_hub() ? decides != Placement::kHub
+                                                            : names_.runs(Graph::kEnvironment)));
+    View parts = list();
+    const auto& placed = graph_.placement->parts;
+    for (std::size_t part = 0; part < placed.size(); ++part) {
+      if (!names_.is_hub() && part != names_.program().index()) continue;
+      const PartLink& link = plan_.split->links[part];
+      View item = object();
+      item.set("part", placed[part].name);
+      item.set("target", placed[part].target->id.value);
+      item.set("machine", placed[part].host);
+      item.set("to_board", fmt::format("{}", link.part_payload));
+      item.set("to_host", fmt::format("{}", link.hub_payload));
+      item.set("comma", part + 1 < placed.size() ? "," : "");
+      parts.push_back(item);
+    }
+    view_["parts"] = std::move(parts);
   }
 
   void add_draws() {

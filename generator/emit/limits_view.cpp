@@ -143,7 +143,7 @@ class LimitsView {
 
 bool guards_outputs(const Plan& plan, const ProgramNames& names) {
   return !plan.graph->safety.outputs.empty() && names.runs(Graph::kEnvironment) &&
-         !names.is_board();
+         !names.is_placed();
 }
 
 View limits_view(const Plan& plan, const ProgramNames& names) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "generator/quote/quote.hpp"
 
@@ -48,6 +49,13 @@ std::string in_common(const std::vector<std::string>& names) {
   return is_name ? common : fmt::format("{}", fmt::join(words_of(names.front()), "_"));
 }
 
+/// The name of a machine or a target as one of C++: "camera_pc_local".
+std::string plain(std::string name) {
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
 }  // namespace
 
 bool is_drawn(const Plan& plan, const Ring& ring) {
@@ -71,6 +79,11 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_lo
   for (const auto& rate : plan.rates) {
     due.push_back("k" + rate_suffix(rate.rate_hz));
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
+  }
+  if (graph.placement) {
+    Names parts;
+    for (const PlacedPart& placed : graph.placement->parts)
+      part_constant.push_back(parts.unique("k" + camel(plain(placed.name))));
   }
   for (const char* taken :
        {"link_", "slot_", "due_", "countdown_", "warm_", "started_", "resetting_",
@@ -232,20 +245,21 @@ std::string ProgramNames::declared(const std::string& member) const {
   return member.ends_with("[0]") ? fmt::format("{}[{}]", array, size_of_array.at(array)) : "";
 }
 
+LinkUse ProgramNames::links(std::size_t node, std::size_t output) const {
+  return link_use(plan_, part_, node, output);
+}
 bool ProgramNames::crosses(std::size_t node, std::size_t output) const {
-  if (!is_split()) return false;
-  for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
-    if (plan_.channels[c].node == node && plan_.channels[c].output == output)
-      return plan_.split->to_board[c] || plan_.split->to_host[c];
-  }
-  return false;
+  return links(node, output).any();
+}
+std::string ProgramNames::link_argument(std::size_t part) const {
+  return is_hub() ? "part::" + part_constant[part] + ", " : "";
 }
 
 bool ProgramNames::has_ring(std::size_t ring) const {
   const Ring& item = plan_.rings[ring];
   if (item.reader_node) return receives(*item.reader_node);
   if (left_out(item.node)) return false;
-  return part_ != Part::board || runs(item.node) || crosses(item.node, item.output);
+  return !part_.is_placed() || runs(item.node) || crosses(item.node, item.output);
 }
 
 bool ProgramNames::has_io(std::size_t node) const {

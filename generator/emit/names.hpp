@@ -15,6 +15,7 @@
 #include "generator/network/network.hpp"
 #include "generator/plan/packs.hpp"
 #include "generator/plan/plan.hpp"
+#include "generator/plan/split.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
@@ -43,6 +44,7 @@ struct ProgramNames {
   std::vector<std::string> targets_member, done_member;              // of reset nodes
   std::vector<std::vector<std::string>> delay_member, delay_state;   // of delays that may change
   std::vector<std::vector<std::string>> channel;  // constants, by node and output
+  std::vector<std::string> part_constant;         // of parts: "kVision"
 
   /// Equal chains of nodes. Their members and rings are elements of arrays: "servo_[3]".
   struct Loop {
@@ -66,7 +68,9 @@ struct ProgramNames {
 
   /// What there is in this program of a split graph; of a whole one everything.
   [[nodiscard]] bool is_split() const { return part_ != Part::whole; }
-  [[nodiscard]] bool is_board() const { return part_ == Part::board; }
+  [[nodiscard]] bool is_placed() const { return part_.is_placed(); }
+  [[nodiscard]] bool is_hub() const { return part_ == Part::hub; }
+  [[nodiscard]] const Part& program() const { return part_; }
   [[nodiscard]] bool runs(std::size_t node) const {
     return !left_out(node) && runs_here(*plan_.graph, part_, node);
   }
@@ -104,8 +108,12 @@ struct ProgramNames {
     return plan_.graph->has_engine() && runs(Graph::kEngine);
   }
   [[nodiscard]] bool has_ring(std::size_t ring) const;
-  /// Whether the other program gets, or sends, this output.
+  /// What this program does with an output at its links; whether it does anything.
+  [[nodiscard]] LinkUse links(std::size_t node, std::size_t output) const;
   [[nodiscard]] bool crosses(std::size_t node, std::size_t output) const;
+  /// Which link, before the arguments of its functions: "part::kVision, "; empty where there is
+  /// one.
+  [[nodiscard]] std::string link_argument(std::size_t part) const;
 
  private:
   /// Packs show no pictures.

@@ -5,6 +5,7 @@
 
 #include "generator/emit/arrival_view.hpp"
 #include "generator/emit/block_view.hpp"
+#include "generator/emit/link_view.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/reset_view.hpp"
 #include "generator/emit/schedule_view.hpp"
@@ -68,15 +69,14 @@ class ProgramView {
 
   void add_split() {
     const bool decides = names_.runs(Graph::kEnvironment);
-    view_.set("what", names_.is_board()   ? "What runs on the board of the graph"
-                      : names_.is_split() ? "What runs on Linux of the graph"
-                                          : "The whole graph");
+    view_.set("what", what_runs());
     view_.set("is_split", names_.is_split());
-    view_.set("is_host", names_.is_split() && !names_.is_board());
+    add_parts();
+    view_.set("is_host", names_.is_hub());
     view_.set("link_parameter", names_.is_split() ? ", class Link = eagerx::link::NoLink" : "");
     // What the other program decides is given back.
     const bool nothing = decides && graph_.environment().outputs.empty();
-    const bool unnamed = nothing || (!decides && names_.is_board());
+    const bool unnamed = nothing || (!decides && names_.is_placed());
     view_.set("step_parameter", unnamed   ? "const Action& /*action*/"
                                 : decides ? "const Action& action"
                                           : "Action& action");
@@ -87,7 +87,24 @@ class ProgramView {
     view_.set("guard_header", outputs ? "output_guard" : "guard");
     // Without an engine, actions are what a main loop measures: no answer to what it is given.
     view_.set("answers", decides && graph_.has_engine() && !graph_.environment().outputs.empty());
-    view_.set("gives_action_back", !decides && !names_.is_board());
+    view_.set("gives_action_back", !decides && !names_.is_placed());
+  }
+
+  [[nodiscard]] std::string what_runs() const {
+    if (!names_.is_split()) return "The whole graph";
+    if (names_.is_hub()) return "What runs in the hub of the graph";
+    return fmt::format("What runs in part `{}` of the graph",
+                       graph_.placement->parts[names_.program().index()].name);
+  }
+  void add_parts() {
+    View parts = list();
+    for (std::size_t part = 0; names_.is_hub() && part < graph_.placement->parts.size(); ++part) {
+      View item = object();
+      item.set("index", fmt::format("{}", part));
+      item.set("constant", names_.part_constant[part]);
+      parts.push_back(item);
+    }
+    view_["parts"] = std::move(parts);
   }
 
   void add_actions() {
@@ -106,7 +123,8 @@ class ProgramView {
       action["slots"] = slots_view({place});
       action.set("ring", place.expression);
       action.set("is_here", here);
-      action.set("sends", here && names_.crosses(kEnvironment, a));
+      add_links(names_, names_.links(kEnvironment, a),
+                "channel::" + names_.channel[kEnvironment][a], action);
       action.set("conversions", conversions_view(plan_, names_, {ring, seq, value}));
       action.set("channel", "channel::" + names_.channel[kEnvironment][a]);
       action.set("seq", seq);

@@ -85,11 +85,7 @@ class Finder {
   }
 
   bool crosses(std::size_t node, std::size_t output) const {
-    for (std::size_t c = 0; part_ != Part::whole && c < plan_.channels.size(); ++c) {
-      if (plan_.channels[c].node == node && plan_.channels[c].output == output)
-        return plan_.split->to_board[c] || plan_.split->to_host[c];
-    }
-    return false;
+    return link_use(plan_, part_, node, output).any();
   }
 
   /// Whether everything that the chains read and write is the same for all, or one array.

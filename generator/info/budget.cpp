@@ -77,6 +77,8 @@ PlanInfo info_of(const Plan& plan, const std::optional<YamlValue>& budget,
 void check_plan_budget(const PlanInfo& report, const YamlValue& budget, Diagnostics& diagnostics) {
   for (const AgeComparison& compared : report.compared) check_ages(compared, diagnostics);
   if (const YamlValue* entry = budget.find("link")) check_link(report, *entry, diagnostics);
+  if (const YamlValue* entry = budget.find("parts"))
+    check_parts_budget(*report.plan, *entry, diagnostics);
   if (const YamlValue* entry = budget.find("telemetry"))
     check_telemetry(*report.plan, *entry, diagnostics);
 }

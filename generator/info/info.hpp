@@ -50,6 +50,14 @@ std::string telemetry_text(const Plan& plan);
 Json telemetry_json(const Plan& plan);
 /// Ages from sensors to actuators, and the link.
 std::string timing_text(const PlanInfo& report);
+/// What goes over the links of a graph with parts; empty without any.
+std::string parts_text(const Plan& plan);
+Json parts_json(const Plan& plan);
+/// On a serial line, with frames: bytes a step both ways, and bits a second in real time.
+double bytes_on_line(const PartLink& link);
+double baud_of(const Plan& plan, const PartLink& link);
+/// The key `parts` of `budget:`, for each link. Exceeded: E0420.
+void check_parts_budget(const Plan& plan, const YamlValue& entry, Diagnostics& diagnostics);
 /// Whether target environments steps environments of the graph in packs.
 std::string packs_text(const Plan& plan);
 /// What the graph's task sees and gives; empty without one.

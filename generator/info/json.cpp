@@ -94,6 +94,7 @@ Json info_json(const PlanInfo& report) {
   json["link"] = Json{{"sensors", json_of(report.link.sensors)},
                       {"actuators", json_of(report.link.actuators)},
                       {"messages", messages}};
+  if (plan.split) json["parts"] = parts_json(plan);
   if (plan.telemetry) json["telemetry"] = telemetry_json(plan);
   if (plan.graph->task) json["task"] = task_json(*plan.graph);
   return json;

@@ -93,14 +93,17 @@ struct Schedule {
   std::vector<Run> runs;             // all slots
 };
 
-/// What the two programs of a split graph send each other.
+/// What the hub and a part of a placed graph send each other.
+struct PartLink {
+  std::vector<bool> to_part, to_hub;  // by channel
+  std::size_t part_payload = 0;       // most bytes of a frame to the part, and back; what is
+  std::size_t hub_payload = 0;        // longer takes several frames
+  double exchanges = 0.0;             // a step: a frame there and one back
+  double part_bytes = 0.0;            // a step, to the part, without frames
+  double hub_bytes = 0.0;
+};
 struct Split {
-  std::vector<bool> to_board, to_host;  // by channel
-  std::size_t board_payload = 0;        // most bytes of a frame to the board, and back; what is
-  std::size_t host_payload = 0;         // longer takes several frames
-  double exchanges = 0.0;               // a step: a frame there and one back
-  double board_bytes = 0.0;             // a step, to the board, without frames
-  double host_bytes = 0.0;
+  std::vector<PartLink> links;  // of each part
 };
 
 /// What a board sends of itself: the channels of one rate together, as many as a record takes.
@@ -135,7 +138,7 @@ struct Plan {
   std::vector<Ring> rings;
   std::vector<Channel> channels;
   Schedule schedule;
-  std::optional<Split> split;  // of a graph with a placement
+  std::optional<Split> split;  // of a placed graph
   std::optional<TelemetryPlan> telemetry;
 };
 

@@ -11,16 +11,16 @@ constexpr std::size_t kGreeting = 16;  // eagerx/link/frame.hpp
 constexpr std::size_t kCommand = 2;    // eagerx/link/stream.hpp
 constexpr std::size_t kReset = 18;
 
-/// Follows the messages over the link through a hyperperiod, as the two programs do.
+/// Follows the messages over one link through a hyperperiod, as the two programs do.
 class Line {
  public:
-  Line(const Plan& plan, const Split& split) : plan_(plan) {
+  Line(const Plan& plan, const PartLink& link, std::size_t part) : plan_(plan), part_(part) {
     const Graph& graph = *plan.graph;
     bytes_.resize(graph.nodes.size());
     for (std::size_t c = 0; c < plan.channels.size(); ++c) {
       const Channel& channel = plan.channels[c];
       const std::size_t bytes = bytes_of(graph.nodes[channel.node].outputs[channel.output].space);
-      if (split.to_board[c] || split.to_host[c]) bytes_[channel.node] += bytes;
+      if (link.to_part[c] || link.to_hub[c]) bytes_[channel.node] += bytes;
     }
     // Whether a reset node has reached its targets.
     for (const auto& node : graph.nodes) done_ += node.reset_targets.size();
@@ -29,29 +29,29 @@ class Line {
   /// One slot; `mask` is what is due in it, `next` in the one after it.
   void slot(std::uint64_t mask, std::uint64_t next) {
     if (due(Graph::kEnvironment, mask)) {
-      to_board(kCommand);
+      to_part(kCommand);
       node(Graph::kEnvironment, mask);
       ++steps_;
     }
     for (const std::size_t n : plan_.after) node(n, mask);
     for (const std::size_t n : plan_.before) node(n, next);
   }
-  void start_counting() { exchanges_ = steps_ = board_ = host_ = 0; }
+  void start_counting() { exchanges_ = steps_ = part_bytes_ = hub_bytes_ = 0; }
 
-  /// `split` with what a link needs for it.
-  [[nodiscard]] Split measured(Split split) const {
-    split.board_payload =
-        std::clamp(std::max(most_board_, run_board_) + kReset, kGreeting, kLargestPayload);
-    split.host_payload =
-        std::clamp(std::max(most_host_, run_host_) + done_, kGreeting, kLargestPayload);
-    if (steps_ == 0) return split;
+  /// `link` with what it needs for its messages.
+  [[nodiscard]] PartLink measured(PartLink link) const {
+    link.part_payload =
+        std::clamp(std::max(most_part_, run_part_) + kReset, kGreeting, kLargestPayload);
+    link.hub_payload =
+        std::clamp(std::max(most_hub_, run_hub_) + done_, kGreeting, kLargestPayload);
+    if (steps_ == 0) return link;
     const auto per_step = [&](std::size_t count) {
       return static_cast<double>(count) / static_cast<double>(steps_);
     };
-    split.exchanges = per_step(exchanges_);
-    split.board_bytes = per_step(board_);
-    split.host_bytes = per_step(host_);
-    return split;
+    link.exchanges = per_step(exchanges_);
+    link.part_bytes = per_step(part_bytes_);
+    link.hub_bytes = per_step(hub_bytes_);
+    return link;
   }
 
  private:
@@ -60,51 +60,59 @@ class Line {
   }
   void node(std::size_t n, std::uint64_t mask) {
     if (!due(n, mask) || bytes_[n] == 0) return;
-    plan_.graph->placement->on_board[n] ? to_host(bytes_[n]) : to_board(bytes_[n]);
+    plan_.graph->placement->part_of[n] == part_ ? to_hub(bytes_[n]) : to_part(bytes_[n]);
   }
-  void to_board(std::size_t bytes) {
-    most_host_ = std::max(most_host_, run_host_);
-    run_host_ = 0;
-    run_board_ += bytes;
-    board_ += bytes;
+  void to_part(std::size_t bytes) {
+    most_hub_ = std::max(most_hub_, run_hub_);
+    run_hub_ = 0;
+    run_part_ += bytes;
+    part_bytes_ += bytes;
   }
-  void to_host(std::size_t bytes) {
-    // The host asks for the first message after some of its own.
-    if (run_host_ == 0) ++exchanges_;
-    most_board_ = std::max(most_board_, run_board_);
-    run_board_ = 0;
-    run_host_ += bytes;
-    host_ += bytes;
+  void to_hub(std::size_t bytes) {
+    // The hub asks for the first message after some of its own.
+    if (run_hub_ == 0) ++exchanges_;
+    most_part_ = std::max(most_part_, run_part_);
+    run_part_ = 0;
+    run_hub_ += bytes;
+    hub_bytes_ += bytes;
   }
 
   const Plan& plan_;
+  std::size_t part_;
   std::vector<std::size_t> bytes_;  // of what a node sends over the link at a tick
   std::size_t done_ = 0;
-  std::size_t run_board_ = 0, run_host_ = 0, most_board_ = 0, most_host_ = 0;
-  std::size_t exchanges_ = 0, steps_ = 0, board_ = 0, host_ = 0;
+  std::size_t run_part_ = 0, run_hub_ = 0, most_part_ = 0, most_hub_ = 0;
+  std::size_t exchanges_ = 0, steps_ = 0, part_bytes_ = 0, hub_bytes_ = 0;
 };
 
-Split find_messages(const Plan& plan) {
-  Split split;
-  const Graph& graph = *plan.graph;
-  const std::vector<bool>& on_board = graph.placement->on_board;
-  split.to_board.resize(plan.channels.size());
-  split.to_host.resize(plan.channels.size());
-  for (std::size_t c = 0; c < plan.channels.size(); ++c) {
-    const Channel& channel = plan.channels[c];
-    // The host's trace has every message.
-    split.to_host[c] = on_board[channel.node];
-    split.to_board[c] =
-        !on_board[channel.node] && crosses(graph, on_board, channel.node, channel.output);
+/// Whether a node of the part, or the agent in it, reads the message.
+bool is_read_in(const Graph& graph, std::size_t part, std::size_t node, std::size_t output) {
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    if (graph.placement->part_of[n] != part) continue;
+    for (const auto& input : graph.nodes[n].inputs)
+      if (input.source_node == node && input.source_output == output) return true;
   }
-  return split;
+  return false;
 }
 
-}  // namespace
+PartLink find_messages(const Plan& plan, std::size_t part) {
+  PartLink link;
+  const Graph& graph = *plan.graph;
+  link.to_part.resize(plan.channels.size());
+  link.to_hub.resize(plan.channels.size());
+  for (std::size_t c = 0; c < plan.channels.size(); ++c) {
+    const Channel& channel = plan.channels[c];
+    const bool is_there = graph.placement->part_of[channel.node] == part;
+    // The hub's trace has every message.
+    link.to_hub[c] = is_there;
+    link.to_part[c] = !is_there && is_read_in(graph, part, channel.node, channel.output);
+  }
+  return link;
+}
 
-Split make_split(const Plan& plan) {
-  Split split = find_messages(plan);
-  Line line(plan, split);
+PartLink make_link(const Plan& plan, std::size_t part) {
+  PartLink link = find_messages(plan, part);
+  Line line(plan, link, part);
   std::vector<std::uint64_t> masks = plan.schedule.masks;
   // A hyperperiod too long for a table: as if all rates were due at once, which is the most.
   if (masks.empty()) masks = {~std::uint64_t{0}};
@@ -114,9 +122,60 @@ Split make_split(const Plan& plan) {
     for (std::size_t i = 0; i < masks.size(); ++i)
       line.slot(masks[i], masks[(i + 1) % masks.size()]);
   }
-  split = line.measured(std::move(split));
-  if (plan.schedule.masks.empty()) split.exchanges = split.board_bytes = split.host_bytes = 0.0;
+  link = line.measured(std::move(link));
+  if (plan.schedule.masks.empty()) link.exchanges = link.part_bytes = link.hub_bytes = 0.0;
+  return link;
+}
+
+/// All parts but `but`, which may be the hub.
+std::vector<std::size_t> other_parts(const Graph& graph, std::size_t but) {
+  std::vector<std::size_t> others;
+  for (std::size_t part = 0; part < graph.placement->parts.size(); ++part)
+    if (part != but) others.push_back(part);
+  return others;
+}
+
+}  // namespace
+
+Split make_split(const Plan& plan) {
+  Split split;
+  for (std::size_t part = 0; part < plan.graph->placement->parts.size(); ++part)
+    split.links.push_back(make_link(plan, part));
   return split;
+}
+
+LinkUse link_use(const Plan& plan, Part part, std::size_t node, std::size_t output) {
+  LinkUse use;
+  if (part == Part::whole) return use;
+  const auto channel = std::ranges::find_if(plan.channels, [&](const Channel& item) {
+    return item.node == node && item.output == output;
+  });
+  if (channel == plan.channels.end()) return use;
+  const auto c = static_cast<std::size_t>(channel - plan.channels.begin());
+  const auto& links = plan.split->links;
+  if (part.is_placed()) {
+    if (links[part.index()].to_hub[c]) use.to = {part.index()};
+    if (links[part.index()].to_part[c]) use.from = part.index();
+    return use;
+  }
+  for (std::size_t other = 0; other < links.size(); ++other) {
+    if (links[other].to_hub[c]) use.from = other;
+    if (links[other].to_part[c]) use.to.push_back(other);
+  }
+  return use;
+}
+
+LinkUse link_use_of_flags(const Graph& graph, Part part, std::size_t node) {
+  LinkUse use;
+  if (part == Part::whole) return use;
+  const std::size_t owner = graph.placement->part_of[node];
+  if (part.is_placed()) {
+    (owner == part.index() ? use.to.emplace_back() : use.from.emplace()) = part.index();
+    return use;
+  }
+  if (owner != Placement::kHub) use.from = owner;
+  use.to = other_parts(graph, owner);
+  return use;
 }
 
 }  // namespace eagerx::gen

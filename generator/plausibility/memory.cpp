@@ -37,12 +37,12 @@ struct Buffers {
   std::optional<std::size_t> largest;  // a ring
 };
 
-Buffers buffers_of(const Judged& judged) {
+/// Those of one part; of a whole graph all.
+Buffers buffers_of(const Judged& judged, std::optional<std::size_t> part) {
   Buffers result;
-  const auto& placement = judged.graph.placement;
   const auto& rings = judged.plan.rings;
   for (std::size_t r = 0; r < rings.size(); ++r) {
-    if (placement && !placement->on_board[rings[r].node]) continue;
+    if (part && judged.graph.placement->part_of[rings[r].node] != *part) continue;
     if (judged.graph.nodes[rings[r].node].drawn) continue;  // a board has none of them
     const std::uint64_t bytes = bytes_of_ring(judged, rings[r]);
     result.bytes += bytes;
@@ -91,24 +91,27 @@ void report(const Judged& judged, const Buffers& buffers, std::optional<Span> pl
 }  // namespace
 
 void check_memory(const Judged& judged, Diagnostics& diagnostics) {
-  const Buffers buffers = buffers_of(judged);
+  const YamlValue* ram = nullptr;
   if (const auto& budget = judged.spec.budget) {
     check_budget_names(judged, *budget, diagnostics);
-    if (const YamlValue* ram = budget->find("ram")) {
+    ram = budget->find("ram");
+  }
+  const auto check = [&](std::optional<std::size_t> part,
+                         const std::vector<const Target*>& targets) {
+    const Buffers buffers = buffers_of(judged, part);
+    if (ram != nullptr) {
       const auto room = static_cast<std::uint64_t>(parse_int(ram->text).value_or(0));
       report(judged, buffers, ram->span, room, "the budget is", diagnostics);
     }
-  }
-  const auto board = [&](const Target& target) {
-    if (!target.ram_bytes) return;
-    report(judged, buffers, std::nullopt, *target.ram_bytes,
-           fmt::format("`{}` has", target.id.value), diagnostics);
+    for (const Target* target : targets) {
+      if (!target->ram_bytes) continue;
+      report(judged, buffers, std::nullopt, *target->ram_bytes,
+             fmt::format("`{}` has", target->id.value), diagnostics);
+    }
   };
-  if (judged.graph.placement) {
-    board(*judged.graph.placement->board);
-  } else {
-    for (const Target* target : judged.targets) board(*target);
-  }
+  if (!judged.graph.placement) return check(std::nullopt, judged.targets);
+  for (std::size_t part = 0; part < judged.graph.placement->parts.size(); ++part)
+    check(part, {judged.graph.placement->parts[part].target});
 }
 
 }  // namespace eagerx::gen

@@ -204,8 +204,9 @@ void resolve_reset_targets(Draft& draft);  // which states the reset nodes bring
 /// `sync: false` (E0338 what does not go together with it).
 void check_sync(Draft& draft);
 
-/// What runs on a board (E0332 what cannot, E0333 two boards, E0334 boards that are no partners).
-void place_on_board(Draft& draft, const std::vector<PlacementSpec>& placement);
+/// What runs in which program (E0332 what cannot be placed, E0333 what is placed twice, E0334
+/// targets that are no partners).
+void place_parts(Draft& draft, const std::vector<PlacementSpec>& placement);
 
 /// Names in `settings` that are not among those of a graph. `what` they are: "action" (E0307).
 void report_unknown_names(const std::vector<Setting>& settings,

@@ -259,11 +259,21 @@ struct Telemetry {
   Span span, baud_span;
 };
 
-/// What runs on a board, linked with the rest, which runs on Linux.
-struct Placement {
-  const Target* board = nullptr;
-  std::vector<bool> on_board;  // by node; the environment's is where the agent decides
+/// A program of its own for some nodes, linked with the one of the rest.
+struct PlacedPart {
+  std::string name;                // of its folder and in messages
+  const Target* target = nullptr;  // a board, or Linux
+  std::string host;                // the machine that it runs on; empty: this one, or a board
   Span span;
+};
+/// What runs elsewhere, in a star: the rest, the hub, runs on Linux and has a link to each part.
+struct Placement {
+  static constexpr std::size_t kHub = ~std::size_t{0};
+
+  std::vector<PlacedPart> parts;
+  std::vector<std::size_t>
+      part_of;  // by node, or kHub; the environment's is where the agent decides
+  [[nodiscard]] Span span() const { return parts.front().span; }
 };
 
 /// A port of nodes that were cut out of a larger graph.
@@ -332,11 +342,6 @@ struct ResolveOptions {
   std::string real;                      // empty: the graph's
   std::vector<PlacementSpec> placement;  // empty: the graph's
 };
-
-/// Whether the nodes of one side take messages of this output of the other: of all nodes, `inside`
-/// says on which side they are.
-bool crosses(const Graph& graph, const std::vector<bool>& inside, std::size_t node,
-             std::size_t output);
 
 /// What leaves of a graph without engine while it is safe, into `safety`; `written` is nullptr
 /// where a graph says nothing. Problems: E0307, E0327, E0348.

@@ -15,7 +15,7 @@ void for_each_entity(const Graph& graph, Part part, F&& f) {
     if (!item) return;
     for (const Processor* stage : item->stages()) f(*stage->entity, stage->span);
   };
-  if (part != Part::board && graph.has_engine()) f(*graph.engine().entity, graph.engine().span);
+  if (!part.is_placed() && graph.has_engine()) f(*graph.engine().entity, graph.engine().span);
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const GraphNode& node = graph.nodes[n];
     if (receives_here(graph, part, n)) {
@@ -27,7 +27,7 @@ void for_each_entity(const Graph& graph, Part part, F&& f) {
     for (const auto& output : node.outputs) processor(output.processor);
     for (const auto& state : node.states) processor(state.processor);
   }
-  if (part == Part::board) return;
+  if (part.is_placed()) return;
   for (const auto& object : graph.objects) {
     for (const auto& state : object.states) {
       if (state.engine_state != nullptr) f(*state.engine_state, object.span);
@@ -65,11 +65,11 @@ std::string missing(const Entity& entity, const Target& target) {
 }  // namespace
 
 bool runs_here(const Graph& graph, Part part, std::size_t node) {
-  return part == Part::whole || graph.placement->on_board[node] == (part == Part::board);
+  return part == Part::whole || graph.placement->part_of[node] == part.index();
 }
 
 bool receives_here(const Graph& graph, Part part, std::size_t node) {
-  return runs_here(graph, part, node) || (node == Graph::kEnvironment && part == Part::host);
+  return runs_here(graph, part, node) || (node == Graph::kEnvironment && part == Part::hub);
 }
 
 std::vector<std::string> packages_of(const Graph& graph, Part part) {
@@ -84,7 +84,7 @@ void check_system(const Graph& graph, Part part, const Target& target, const Lib
                   Diagnostics& diagnostics) {
   std::set<std::string> reported;
   // What belongs to an engine that cannot run here need not be named too.
-  bool is_engine = part != Part::board && graph.has_engine();
+  bool is_engine = !part.is_placed() && graph.has_engine();
   const bool engine_runs = !is_engine || missing(*graph.engine().entity, target).empty();
   for_each_entity(graph, part, [&](const Entity& entity, Span span) {
     const bool follows = !is_engine && !engine_runs && !entity.engines.empty();

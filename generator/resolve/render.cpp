@@ -104,9 +104,9 @@ void resolve_render(Draft& draft) {
   }
   mark_drawn(graph);
   if (!graph.placement) return;
-  // A board has no pictures.
+  // Pictures are the hub's.
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-    if (graph.nodes[n].drawn) graph.placement->on_board[n] = false;
+    if (graph.nodes[n].drawn) graph.placement->part_of[n] = Placement::kHub;
   }
 }
 

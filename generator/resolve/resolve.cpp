@@ -165,8 +165,8 @@ void drop_engine(Graph& graph) {
     for (auto& channel : graph.telemetry->channels) moved(channel.node);
   }
   if (!graph.placement) return;
-  auto& on_board = graph.placement->on_board;
-  on_board.erase(on_board.begin() + Graph::kEngine);
+  auto& part_of = graph.placement->part_of;
+  part_of.erase(part_of.begin() + Graph::kEngine);
 }
 
 }  // namespace
@@ -177,16 +177,6 @@ std::string name_of_source(const Graph& graph, const Input& input) {
   const Output& output = node.outputs[input.source_output];
   if (!output.sensors.empty()) return output.sensors.front();
   return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
-}
-
-bool crosses(const Graph& graph, const std::vector<bool>& inside, std::size_t node,
-             std::size_t output) {
-  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-    if (inside[n] == inside[node]) continue;
-    for (const auto& input : graph.nodes[n].inputs)
-      if (input.source_node == node && input.source_output == output) return true;
-  }
-  return false;
 }
 
 std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
@@ -212,7 +202,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   resolve_reset_targets(draft);
   resolve_agent(draft);
   check_cycles(draft);
-  place_on_board(draft, options.placement.empty() ? spec.placement : options.placement);
+  place_parts(draft, options.placement.empty() ? spec.placement : options.placement);
   resolve_spaces(draft);
   resolve_task(draft);
   resolve_render(draft);

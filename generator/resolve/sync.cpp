@@ -38,9 +38,9 @@ void check_sync(Draft& draft) {
   }
   if (draft.graph.placement) {
     auto& problem = draft.diagnostics.error("E0338", sync->span,
-                                            "a part of this graph runs on a board, and two "
+                                            "a part of this graph is a program of its own, and "
                                             "programs have no clock in common");
-    problem.notes.push_back({"placed here", draft.graph.placement->span, ""});
+    problem.notes.push_back({"placed here", draft.graph.placement->span(), ""});
     problem.help = "leave `sync` out";
   }
 }

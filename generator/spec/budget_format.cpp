@@ -63,6 +63,8 @@ FormatPtr budget_format() {
                           "for each"},
                          {"link", format::integer("a baud rate", 1), false,
                           "baud rate of a serial link between the engine and the rest"},
+                         {"parts", format::integer("a baud rate", 1), false,
+                          "baud rate of the serial line to each part of `placement:`"},
                          {"telemetry", format::integer("a baud rate", 1), false,
                           "how much of its line's baud rate `telemetry:` may take"},
                          {"nodes", std::make_shared<const Format>(std::move(nodes)), false,

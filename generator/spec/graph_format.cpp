@@ -17,6 +17,19 @@ FormatPtr bound_format(ReferenceRule references) {
                         {format::list("a list of numbers", item, 1), item});
 }
 
+FormatPtr part_format() {
+  return format::one_of(
+      "a board, or a part such as `{host: camera_pc}` or `{part: left, target: stm32f405}`",
+      {format::record("where a part runs",
+                      {{"part", format::name("a name"), false,
+                        "its name (default: that of the machine or the board)"},
+                       {"target", format::text("a target"), false,
+                        "what it is a program for (default: linux-sim)"},
+                       {"host", format::file_name("the name of a machine"), false,
+                        "the machine that it runs on (default: this one)"}}),
+       format::text("a board")});
+}
+
 Field processor_field() {
   return {"processor", processor_format(), false, "converts every message"};
 }
@@ -336,12 +349,10 @@ FormatPtr make_graph_format(GraphForm form) {
         "what a board sends over its serial port while it keeps to the clock"},
        {"safety", safety_format(), false,
         "which actions are safe, and when they take the agent's place"},
-       {"placement",
-        format::inner_map("names of nodes, `agent` or `controller`", format::text("a board")),
+       {"placement", format::inner_map("names of nodes, `agent` or `controller`", part_format()),
         false,
-        "what runs on a board while the rest runs on Linux: nodes, `agent`, or `controller` for "
-        "the "
-        "agent and all nodes"},
+        "what runs on boards or other machines while the rest runs here: nodes, `agent`, or "
+        "`controller` for the agent and all nodes that nothing else places"},
        {"budget", budget_format(), false,
         "limits for memory, instructions and the age of data; `build`, `run` and `size` check "
         "those of an image"},

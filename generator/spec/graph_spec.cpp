@@ -299,6 +299,23 @@ bool refuse_manifest(const YamlValue& root, Diagnostics& diagnostics) {
   return true;
 }
 
+PlacementSpec read_placement(const YamlValue::Entry& entry) {
+  PlacementSpec item;
+  item.name = {entry.key, entry.key_span};
+  if (!entry.value.is_map()) {
+    item.target = text_of(entry.value);
+    return item;
+  }
+  item.target = {"linux-sim", entry.value.span};
+  const auto take = [&](const char* key, Spanned<std::string>& into) {
+    if (const YamlValue* value = entry.value.find(key)) into = text_of(*value);
+  };
+  take("target", item.target);
+  take("part", item.part);
+  take("host", item.host);
+  return item;
+}
+
 std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::string& path,
                                          Diagnostics& diagnostics, GraphForm form) {
   if (refuse_manifest(written, diagnostics)) return std::nullopt;
@@ -346,8 +363,7 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
     for (const auto& item : allow->items) spec.allow.push_back(text_of(item));
   }
   if (const YamlValue* placement = root.find("placement")) {
-    for (const auto& entry : placement->entries)
-      spec.placement.push_back({{entry.key, entry.key_span}, text_of(entry.value)});
+    for (const auto& entry : placement->entries) spec.placement.push_back(read_placement(entry));
   }
   return spec;
 }

@@ -105,10 +105,12 @@ struct SafetySpec {
   std::vector<Setting> settings;   // the others, by key
 };
 
-/// What runs on which board.
+/// What runs in a program of its own.
 struct PlacementSpec {
-  Spanned<std::string> name;  // of a node, `agent` or `controller`
-  Spanned<std::string> board;
+  Spanned<std::string> name;    // of a node, `agent` or `controller`
+  Spanned<std::string> target;  // that the part is a program for
+  Spanned<std::string> part;    // its name; empty: its host's, or its target's
+  Spanned<std::string> host;    // the machine; empty: this one, or a board
 };
 
 /// A node or an object that is made of others, of which the flat graph has only what is inside.

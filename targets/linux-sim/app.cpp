@@ -67,7 +67,7 @@ int self_test(const GraphProgram& program) {
 /// What another process must not decide, or nothing.
 std::string problem_of_agent(const Options& options, const GraphProgram& program) {
   if (options.agent != target::Agent::dds) return {};
-  if (program.is_real() || program.facts().board != nullptr)
+  if (program.is_real() || program.facts().is_split())
     return "error: `--agent dds` moves no real hardware: DDS does not say who sends an action\n"
            "help: try the agent in simulation, then give its policy to the graph";
   if (!options.replay.empty() || !options.identify.empty())
@@ -87,8 +87,8 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
   if (options.agent == target::Agent::outside) {
     if (program.is_real() && options.real_time_factor != 1.0)
       return "error: real hardware has a time of its own\nhelp: `--real-time-factor 1`";
-    if (facts.board != nullptr)
-      return "error: a part of this graph runs on " + std::string(facts.board) +
+    if (facts.is_split())
+      return "error: " + parts_elsewhere(facts) +
              "\nhelp: an agent outside is for a program that is not split";
     if (!options.replay.empty() || !options.identify.empty())
       return "error: a log is repeated without an agent outside\nhelp: leave out `--agent`";
@@ -98,14 +98,14 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
   if (options.agent == target::Agent::policy && !facts.has_policy)
     return "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "
            "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions";
-  if (facts.board != nullptr && !options.settings.empty())
-    return "error: the board draws its states itself\nhelp: leave out `--set`";
+  if (facts.is_split() && !options.settings.empty())
+    return "error: each part draws its states itself\nhelp: leave out `--set`";
   std::string problem = settings.read(options.settings);
   if (!problem.empty()) return problem;
   problem = problem_of_agent(options, program);
   if (!problem.empty()) return problem;
-  if (facts.board_decides && !options.faults.empty())
-    return "error: the board sees and decides itself\nhelp: leave out `--fault`";
+  if (facts.part_decides && !options.faults.empty())
+    return "error: the part with the agent sees and decides itself\nhelp: leave out `--fault`";
   problem = faults.read(options.faults);
   if (!problem.empty()) return problem;
   problem = measures_of_run.prepare(options.until, options.measures, options.summary,
@@ -116,7 +116,7 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
 /// Everything behind the command line.
 int run_with(const Options& options, GraphProgram& program) {
   const GraphFacts& facts = program.facts();
-  const bool is_split = facts.board != nullptr;
+  const bool is_split = facts.is_split();
   const Fields fields(program);
   StateSettings settings(fields.states);
   AgentFaults faults(fields);
@@ -132,27 +132,23 @@ int run_with(const Options& options, GraphProgram& program) {
   }
   if (!options.replay.empty() || !options.identify.empty()) {
     if (is_split)
-      return fail("error: a part of this graph runs on " + std::string(facts.board) +
+      return fail("error: " + parts_elsewhere(facts) +
                       "\nhelp: repeat a log with the program that is not split, which has the same "
                       "messages",
                   kBadUsage);
     return options.replay.empty() ? identify(options, fields, program)
                                   : replay_log(options, fields, table, program);
   }
-  if (is_split && !board_knows(facts, options.agent)) {
-    return fail("error: the agent is on the board, which knows `zero` and `" +
+  if (is_split && !part_knows(facts, options.agent)) {
+    return fail("error: the agent is in a part, which knows `zero` and `" +
                     std::string(facts.has_policy ? "policy" : "random") + "`",
                 kBadUsage);
   }
   host::catch_interrupts();
   if (is_split) {
-    if (options.link.empty()) {
-      return fail("error: a part of this graph runs on " + std::string(facts.board) +
-                      "\nhelp: say where that is, `--link` with a serial line, HOST:PORT or "
-                      "unix:PATH",
-                  kBadUsage);
-    }
-    const std::string unconnected = connect(*program.link(), options);
+    const std::string unnamed = find_parts(facts, options);
+    if (!unnamed.empty()) return fail(unnamed, kBadUsage);
+    const std::string unconnected = connect_parts(program, options);
     if (!unconnected.empty()) return fail(unconnected, kBadFile);
   }
   std::optional<RemoteAgent> agent;
@@ -180,7 +176,7 @@ int run(int argc, char** argv, GraphProgram& program) {
   defaults.plan = facts.plan;
   defaults.agent = facts.agent;
   defaults.action_file = facts.agent_csv;
-  defaults.split = facts.board != nullptr;
+  defaults.split = facts.is_split();
   const auto parsed = parse_options(argc - 1, argv + 1, defaults);
   if (const auto* wrong = std::get_if<UsageError>(&parsed))
     return fail("error: " + wrong->problem + "\nhelp: " + wrong->help, kBadUsage);

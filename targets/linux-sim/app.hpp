@@ -26,12 +26,12 @@ namespace eagerx::linux_sim {
 template <class Graph>
 struct LinkOf {
   static constexpr bool kIsSplit = false;
-  static constexpr bool kBoardDecides = false;
+  static constexpr bool kPartDecides = false;
   template <class Trace>
   using Program = typename Graph::template Program<Trace>;
 
   static void tell(GraphFacts& /*facts*/) {}
-  static SplitLink* link() { return nullptr; }
+  static SplitLink* link(std::size_t /*part*/) { return nullptr; }
   template <class Program>
   static void connect(Program& /*program*/) {}
   static void begin(EpisodeKey /*key*/, target::Agent /*agent*/) {}
@@ -137,8 +137,8 @@ template <class Graph, class Program>
 void run_program(Watch& watch, Program& program) {
   GraphWatch<Graph> seen(watch);
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
-    if constexpr (LinkOf<Graph>::kBoardDecides) {
-      // The board has agent and guard, and the program gives back what they did.
+    if constexpr (LinkOf<Graph>::kPartDecides) {
+      // That part has agent and guard, and the program gives back what they did.
       program.link().set_late(watch.late_in_a_row());
       return Graph::zero();
     } else {
@@ -183,7 +183,7 @@ class ProgramOf final : public GraphProgram {
     if constexpr (requires { Graph::kRenders; }) return pictures_of_run();
     return nullptr;
   }
-  SplitLink* link() const override { return LinkOf<Graph>::link(); }
+  SplitLink* link(std::size_t part) const override { return LinkOf<Graph>::link(part); }
 
   void run(Watch& watch, bool is_traced) override {
     is_traced ? run_program<Graph>(watch, traced()) : run_program<Graph>(watch, untraced());

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/channel.hpp>
+#include <eagerx/link/star.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/safety.hpp>
@@ -42,8 +43,12 @@ struct GraphFacts {
   bool is_scene;         // … which is no image
   std::size_t scene_rows;
   std::uint64_t render_num, render_den;  // pictures a second
-  const char* board;                     // of a split graph; else null
-  bool board_decides, board_knows_random;
+  const link::PartFacts* parts;          // that are programs of their own
+  std::size_t part_count;
+  bool part_decides, part_knows_random;
+
+  /// Whether others run a part of the graph.
+  bool is_split() const { return part_count > 0; }
 
   double period_s() const { return static_cast<double>(rate_den) / static_cast<double>(rate_num); }
   /// Time of step `n`, with the bits of Rate::seconds<double>().
@@ -121,8 +126,8 @@ class GraphProgram {
   virtual bool is_real() const = 0;
   /// Null: nothing is shown.
   virtual Pictures* pictures() const = 0;
-  /// Null: the graph is not split.
-  virtual SplitLink* link() const = 0;
+  /// To part `part` of GraphFacts::parts. Null: there are not so many.
+  virtual SplitLink* link(std::size_t part) const = 0;
 
   /// The episodes of `watch.plan()`; ends early when `watch` says so. Safe when it returns.
   virtual void run(Watch& watch, bool traced) = 0;

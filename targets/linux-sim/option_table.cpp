@@ -129,7 +129,7 @@ bool set_publish_key(Options& options, std::string_view value) {
   return !value.empty();
 }
 bool set_link(Options& options, std::string_view value) {
-  options.link = value;
+  options.links.emplace_back(value);
   return !value.empty();
 }
 bool set_baud(Options& options, std::string_view value) {
@@ -248,14 +248,15 @@ constexpr std::array kOptions{
            "publish at most so many messages of a channel in a simulated second", set_publish_rate},
     Option{"--publish-key", "FILE", "a file name",
            "who has the key in FILE may change the run over foxglove:", set_publish_key},
-    Option{"--link", "LINE", "a serial line, HOST:PORT or unix:PATH",
-           "where the board is: a serial line (ours alone), HOST:PORT or unix:PATH", set_link,
-           true},
+    Option{
+        "--link", "[PART=]LINE", "a serial line, HOST:PORT or unix:PATH",
+        "where the board, or a part, is: a serial line (ours alone), HOST:PORT or unix:PATH; may "
+        "be repeated",
+        set_link, true},
     Option{"--baud", "N", "a whole number from 1 to 4294967295", "speed of a serial line", set_baud,
            true},
     Option{"--link-timeout", "S", "a number from 0 to 1000000",
-           "end the run after so many seconds without an answer of the board", set_link_timeout,
-           true},
+           "end the run after so many seconds without an answer of a part", set_link_timeout, true},
     Option{"--set", "STATE=VALUE", "such as `pendulum.mass=0.1` or `pendulum.mass=uniform:0.1,0.2`",
            "value of a state at each reset, or how it is drawn: uniform:LOW,HIGH and so on; "
            "VALUE@STEP "

@@ -55,7 +55,7 @@ struct Options {
   double publish_rate_hz = 0.0;           // at most; 0: as they are
   std::string publish_key;                // a file; empty: none
   bool split = false;  // whether a part of the graph runs elsewhere: the next three exist
-  std::string link;
+  std::vector<std::string> links;  // `PART=LINE`; of one part LINE alone
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
   bool strict_spaces = false;

@@ -173,9 +173,8 @@ class Session {
     if (is_traced) recorder_of_run.measure();
     if (publishing_) recorder_of_run.publish(&*publishing_);
     program_.run(watch, is_traced);
-    SplitLink* const link = program_.link();
     if (is_traced) {
-      if ((link == nullptr || link->ok()) && calculates_as_everywhere())
+      if (links_are_whole(program_) && calculates_as_everywhere())
         recorder_of_run.write_end(program_.hash());
       hash_ = program_.hash();
     }
@@ -188,7 +187,8 @@ class Session {
     if (agent_ != nullptr) agent_->finish(summary_);
     const std::string problem_of_pictures = close_pictures(program_.pictures(), summary_);
     const std::string unpublished = publishing_ ? publishing_->finish(summary_) : "";
-    const std::string broken = agent_ != nullptr ? agent_->problem() : end_link();
+    const std::string broken =
+        agent_ != nullptr ? agent_->problem() : end_links(program_, summary_);
     if (!watch.has_begun()) {
       csv_.discard();
       trace_.discard();
@@ -220,26 +220,12 @@ class Session {
     return csv_closed && trace_closed && printed ? kDone : kBadFile;
   }
 
-  /// What is wrong with the link, or empty.
-  std::string end_link() {
-    SplitLink* const link = program_.link();
-    if (link == nullptr) return {};
-    link::Report report;
-    link->forget_silence();  // the engine has stopped, and its hardware is given back
-    faults_.behind = " on the board";
-    if (link->ok()) link->finish(report, faults_);
-    const std::string broken = link->ok() ? "" : problem_of(*link);
-    describe_link(summary_, facts_.board, link->statistics(), report);
-    return broken;
-  }
-
   struct Faults final : CountListener {
     explicit Faults(Summary& of_run) : summary(of_run) {}
     void count(const char* name, std::uint64_t count) override {
-      summary.faults.emplace_back(std::string(name) + behind, count);
+      summary.faults.emplace_back(name, count);
     }
     Summary& summary;
-    const char* behind = "";
   };
 
   const Options& options_;

@@ -1,9 +1,11 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <string>
 #include <string_view>
 #include <targets/common/partner.hpp>
 #include <targets/linux-sim/split.hpp>
+#include <vector>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -20,79 +22,159 @@ std::string version(std::uint16_t runtime) {
 }
 
 constexpr std::string_view kLoadAnew =
-    "\nhelp: build and load both programs of one run of `eagerx-gen --split`";
+    "\nhelp: build and load all programs of one run of `eagerx-gen build`";
 
-}  // namespace
-
-bool board_knows(const GraphFacts& facts, target::Agent agent) {
-  if (!facts.board_decides) return true;
-  if (agent == target::Agent::random) return facts.board_knows_random;
-  return agent < target::Agent::csv;
+/// A part that nobody has given a name.
+bool is_board(const link::PartFacts& part) {
+  return std::string_view(part.name) == "board";
 }
 
-std::string problem_of(SplitLink& link) {
+/// "`--link PART=LINE`, where PART is `left` or `right`"
+std::string names(const GraphFacts& facts) {
+  std::string text = "`--link PART=LINE`, where PART is ";
+  for (std::size_t part = 0; part < facts.part_count; ++part)
+    text += (part == 0                     ? "`"
+             : part + 1 < facts.part_count ? ", `"
+                                           : " or `") +
+            std::string(facts.parts[part].name) + "`";
+  return text;
+}
+
+std::string no_line(const GraphFacts& facts, const link::PartFacts& part) {
+  const bool is_one = facts.part_count == 1;
+  std::string text = is_one ? "error: " + parts_elsewhere(facts)
+                            : "error: " + name_of_part(part) + " of this graph runs on " +
+                                  std::string(*part.machine != '\0' ? part.machine : part.target);
+  return text + "\nhelp: say where that is, `--link" +
+         (is_one ? std::string() : " " + std::string(part.name) + "=LINE") +
+         "` with a serial line, HOST:PORT or unix:PATH";
+}
+
+std::string other_graph(SplitLink& link, const GraphFacts& facts) {
+  const std::uint64_t found = link.greeting().graph;
+  for (std::size_t part = 0; part < facts.part_count; ++part)
+    if (facts.parts[part].graph == found)
+      return "error: where " + name_of_part(link.part()) + " should be is " +
+             name_of_part(facts.parts[part]) +
+             "\nhelp: two lines are interchanged: " + names(facts);
+  return "error: " + name_of_part(link.part()) +
+         " runs another graph, or another version of it: " + hex(found) + ", this program " +
+         hex(link.part().graph) + std::string(kLoadAnew);
+}
+
+/// "its last message was `smooth/filtered`, and `smooth/filtered` is due"
+std::string messages_of(const GraphFacts& facts, const link::PartProgress& progress) {
+  const auto name = [&](std::uint32_t channel) {
+    return "`" + std::string(facts.channels[channel].name) + "`";
+  };
+  std::string text = progress.last < facts.channel_count
+                         ? "its last message was " + name(progress.last)
+                         : std::string("no message of it has come");
+  if (progress.awaited < facts.channel_count) text += ", and " + name(progress.awaited) + " is due";
+  return text;
+}
+
+/// Why a link is over, for people.
+std::string problem_of(SplitLink& link, const GraphFacts& facts) {
   using link::Problem;
-  const link::Greeting& board = link.board();
+  const link::Greeting& other = link.greeting();
   const link::Statistics& statistics = link.statistics();
+  const std::string who = "error: " + name_of_part(link.part());
   const std::string repeated = "after " + std::to_string(statistics.exchanges) + " exchanges, " +
                                std::to_string(statistics.repeated) + " frames sent again and " +
                                std::to_string(statistics.ignored) + " ignored";
+  const std::string behind = "\nnote: " + messages_of(facts, link.progress());
   switch (link.problem()) {
     case Problem::none:
       break;
     case Problem::no_answer:
-      return "error: the board does not answer, " + repeated +
+      return who + " does not answer, " + repeated + behind +
              "\nhelp: is it connected and running its part of this graph? `--link-timeout` sets "
-             "how "
-             "long to wait";
+             "how long to wait";
     case Problem::closed:
-      return "error: the line to the board is closed, " + repeated + ": " + link.port().error();
+      return "error: the line to " + name_of_part(link.part()) + " is closed, " + repeated + ": " +
+             link.port().error() + behind;
     case Problem::other_protocol:
-      return "error: the board speaks version " + std::to_string(board.protocol) +
+      return who + " speaks version " + std::to_string(other.protocol) +
              " of the link, this program version " + std::to_string(link::kProtocol) +
              std::string(kLoadAnew);
     case Problem::other_runtime:
-      return "error: the board has runtime " + version(board.runtime) + ", this program " +
-             version(link.identity().runtime) + std::string(kLoadAnew);
+      return who + " has runtime " + version(other.runtime) + ", this program " +
+             version(target::kRuntimeVersion) + std::string(kLoadAnew);
     case Problem::other_graph:
-      return "error: the board runs another graph, or another version of it: " + hex(board.graph) +
-             ", this program " + hex(link.identity().graph) + std::string(kLoadAnew);
+      return other_graph(link, facts);
     case Problem::refused:
-      if (board.status == target::kFloatsDiffer)
-        return "error: the board takes denormal numbers for zero, or rounds otherwise\n"
+      if (other.status == target::kFloatsDiffer)
+        return who +
+               " takes denormal numbers for zero, or rounds otherwise\n"
                "help: leave its floating-point unit as it is after a reset, and link without "
                "`-ffast-math`";
-      return "error: the board's answers of the policy differ from the generator's\n"
+      return who +
+             "'s answers of the policy differ from the generator's\n"
              "help: build with the flags of the runtime: no fast-math, no contraction";
     case Problem::out_of_step:
-      return "error: the board sends what is not due, " + repeated;
+      return who + " sends what is not due, " + repeated + behind;
   }
   return {};
 }
 
-void describe_link(Summary& summary, const char* board, const link::Statistics& statistics,
-                   const link::Report& report) {
+/// `PART=LINE`, or what a graph with one part takes, LINE alone.
+std::string find_lines(const std::vector<std::string>& given, const GraphFacts& facts,
+                       std::vector<std::string>& lines) {
+  lines.assign(facts.part_count, "");
+  for (const std::string& text : given) {
+    const std::string name = text.substr(0, text.find('='));
+    const bool is_named = name.size() < text.size();
+    std::size_t part = 0;
+    while (part < facts.part_count && (!is_named || name != facts.parts[part].name)) ++part;
+    std::string line = part < facts.part_count ? text.substr(name.size() + 1) : text;
+    if (part == facts.part_count && facts.part_count == 1) part = 0;
+    if (part == facts.part_count)
+      return "error: `--link " + text + "` names no part of this graph\nhelp: " + names(facts);
+    if (!lines[part].empty())
+      return "error: two lines to " + name_of_part(facts.parts[part]) + "\nhelp: give one `--link`";
+    lines[part] = std::move(line);
+  }
+  for (std::size_t part = 0; part < facts.part_count; ++part)
+    if (lines[part].empty()) return no_line(facts, facts.parts[part]);
+  return {};
+}
+
+void describe_link(Summary& summary, SplitLink& link, const link::Report& report,
+                   const std::string& prefix) {
   constexpr double kNsPerMs = 1e6;
+  const link::Statistics& statistics = link.statistics();
   const double steps = summary.steps > 0 ? static_cast<double>(summary.steps) : 1.0;
   const auto per_step = [&](std::uint64_t count) {
     return fixed(static_cast<double>(count) / steps, 2);
   };
   const auto add = [&](const char* name, const std::string& value) {
-    summary.more.emplace_back(name, value);
+    summary.more.emplace_back(prefix + name, value);
   };
-  add("board", board);
+  add(prefix.empty() ? "board" : "target", link.part().target);
   add("exchanges a step", per_step(statistics.exchanges));
-  add("bytes a step",
-      per_step(statistics.bytes_out) + " to the board, " + per_step(statistics.bytes_in) + " back");
+  add("bytes a step", per_step(statistics.bytes_out) + " to " +
+                          (prefix.empty() ? "the board, " : "it, ") +
+                          per_step(statistics.bytes_in) + " back");
   add("frames sent again", std::to_string(statistics.repeated));
   add("frames ignored", std::to_string(statistics.ignored) + " here, " +
-                            std::to_string(report.damaged) + " on the board");
+                            std::to_string(report.damaged) +
+                            (prefix.empty() ? " on the board" : " there"));
   add("slowest exchange", fixed(static_cast<double>(statistics.slowest_ns) / kNsPerMs, 3) + " ms");
   if (report.stack_bytes > 0)
-    add("stack of the board", std::to_string(report.stack_bytes) + " bytes");
+    add(prefix.empty() ? "stack of the board" : "stack",
+        std::to_string(report.stack_bytes) + " bytes");
 }
 
-namespace {
+/// What a part counts besides messages.
+struct PartFaults final : CountListener {
+  PartFaults(Summary& of_run, std::string where) : summary(of_run), behind(std::move(where)) {}
+  void count(const char* name, std::uint64_t count) override {
+    summary.faults.emplace_back(name + behind, count);
+  }
+  Summary& summary;
+  const std::string behind;
+};
 
 /// A number that no earlier session had.
 std::uint32_t new_session() {
@@ -104,14 +186,68 @@ std::uint32_t new_session() {
   return static_cast<std::uint32_t>(mixed >> kHigh);
 }
 
+std::string connect(SplitLink& link, const std::string& line, const GraphFacts& facts,
+                    const Options& options) {
+  constexpr double kNsPerSecond = 1e9;
+  if (!link.port().open(line, options.baud))
+    return "error: cannot open `" + line + "`: " + link.port().error() +
+           (facts.part_count == 1 ? "" : "\nnote: of " + name_of_part(link.part()));
+  link.set_time_limit(static_cast<std::uint64_t>(options.link_timeout_s * kNsPerSecond));
+  return link.open(new_session()) ? std::string() : problem_of(link, facts);
+}
+
 }  // namespace
 
-std::string connect(SplitLink& link, const Options& options) {
-  constexpr double kNsPerSecond = 1e9;
-  if (!link.port().open(options.link, options.baud))
-    return "error: cannot open `" + options.link + "`: " + link.port().error();
-  link.set_time_limit(static_cast<std::uint64_t>(options.link_timeout_s * kNsPerSecond));
-  return link.open(new_session()) ? std::string() : problem_of(link);
+std::string name_of_part(const link::PartFacts& part) {
+  return is_board(part) ? std::string("the board") : "part `" + std::string(part.name) + "`";
+}
+
+std::string parts_elsewhere(const GraphFacts& facts) {
+  if (facts.part_count > 1) return "parts of this graph are programs of their own";
+  return "a part of this graph runs on " + std::string(facts.parts[0].target);
+}
+
+bool part_knows(const GraphFacts& facts, target::Agent agent) {
+  if (!facts.part_decides) return true;
+  if (agent == target::Agent::random) return facts.part_knows_random;
+  return agent < target::Agent::csv;
+}
+
+std::string find_parts(const GraphFacts& facts, const Options& options) {
+  std::vector<std::string> lines;
+  return find_lines(options.links, facts, lines);
+}
+
+std::string connect_parts(const GraphProgram& program, const Options& options) {
+  const GraphFacts& facts = program.facts();
+  std::vector<std::string> lines;
+  std::string problem = find_lines(options.links, facts, lines);
+  for (std::size_t part = 0; problem.empty() && part < facts.part_count; ++part)
+    problem = connect(*program.link(part), lines[part], facts, options);
+  return problem;
+}
+
+bool links_are_whole(const GraphProgram& program) {
+  for (std::size_t part = 0; SplitLink* const link = program.link(part); ++part)
+    if (!link->ok()) return false;
+  return true;
+}
+
+std::string end_links(const GraphProgram& program, Summary& summary) {
+  const GraphFacts& facts = program.facts();
+  std::string broken;
+  for (std::size_t part = 0; SplitLink* const link = program.link(part); ++part) {
+    const std::string name = facts.parts[part].name;
+    const bool is_one = facts.part_count == 1;
+    link::Report report;
+    PartFaults faults(summary, is_one ? " on the board" : " in `" + name + "`");
+    link->forget_silence();  // the engine has stopped, and its hardware is given back
+    // Where one is gone, nobody waits for the others to tell what they counted.
+    if (link->ok() && links_are_whole(program)) link->finish(report, faults);
+    if (broken.empty() && !link->ok()) broken = problem_of(*link, facts);
+    describe_link(summary, *link, report, is_one ? "" : name + ": ");
+  }
+  return broken;
 }
 
 }  // namespace eagerx::linux_sim

@@ -1,8 +1,8 @@
-// The host's half of a split graph: its link to the board.
+// The hub of a graph that is split into parts: its links to them.
 #pragma once
 
 #include <cstdint>
-#include <eagerx/link/host.hpp>
+#include <eagerx/link/star.hpp>
 #include <string>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/link_port.hpp>
@@ -15,12 +15,13 @@ namespace eagerx::linux_sim {
 class SplitLink {
  public:
   virtual LinkPort& port() = 0;
-  virtual link::Identity identity() const = 0;
+  virtual const link::PartFacts& part() const = 0;
+  virtual const link::PartProgress& progress() const = 0;
   virtual void set_time_limit(std::uint64_t ns) = 0;
   virtual bool open(std::uint32_t session) = 0;
   virtual bool ok() const = 0;
   virtual link::Problem problem() const = 0;
-  virtual const link::Greeting& board() const = 0;
+  virtual const link::Greeting& greeting() const = 0;
   virtual const link::Statistics& statistics() const = 0;
   /// Nobody waits for the board any more.
   virtual void forget_silence() = 0;
@@ -30,17 +31,22 @@ class SplitLink {
   ~SplitLink() = default;
 };
 
-/// False if the board decides and does not know this agent.
-bool board_knows(const GraphFacts& facts, target::Agent agent);
+/// False if a part decides and does not know this agent.
+bool part_knows(const GraphFacts& facts, target::Agent agent);
 
-/// Why a link is over, for people.
-std::string problem_of(SplitLink& link);
+/// "a part of this graph runs on mps2-an386", for what goes together with no part.
+std::string parts_elsewhere(const GraphFacts& facts);
+/// "the board", "part `vision`"
+std::string name_of_part(const link::PartFacts& part);
 
-/// Connects with the board. Returns what went wrong; empty: nothing.
-std::string connect(SplitLink& link, const Options& options);
-
-/// The lines of a summary about the link.
-void describe_link(Summary& summary, const char* board, const link::Statistics& statistics,
-                   const link::Report& report);
+/// What is wrong with the lines that the options name; empty: there is one to each part.
+std::string find_parts(const GraphFacts& facts, const Options& options);
+/// Connects with all parts. Returns what went wrong; empty: nothing.
+std::string connect_parts(const GraphProgram& program, const Options& options);
+/// Whether no link is over.
+bool links_are_whole(const GraphProgram& program);
+/// Ends the session of each part, and adds lines and counts of each to the summary.
+/// Returns why the run was over before its time, with the part's name; empty: it was not.
+std::string end_links(const GraphProgram& program, Summary& summary);
 
 }  // namespace eagerx::linux_sim

@@ -46,9 +46,18 @@ void write_as(std::uint8_t* bytes, T value) {
   std::memcpy(bytes, &value, sizeof value);
 }
 
+/// The hub and the part of this name agree on it, and no other part does: FNV-1a of the hash of the
+/// sources of all programs and the name.
+constexpr std::uint64_t hash_of_part(std::uint64_t graph, const char* name) {
+  constexpr std::uint64_t kPrime = 0x100000001b3U;
+  std::uint64_t hash = graph;
+  for (; *name != '\0'; ++name) hash = (hash ^ static_cast<std::uint8_t>(*name)) * kPrime;
+  return hash;
+}
+
 /// What both programs must agree on.
 struct Identity {
-  std::uint64_t graph;    // hash of the generated sources of both
+  std::uint64_t graph;    // hash_of_part()
   std::uint16_t runtime;  // version, major * 256 + minor
 };
 

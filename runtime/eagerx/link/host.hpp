@@ -269,10 +269,10 @@ struct NoLink {
   static constexpr bool ok() { return false; }
   static void begin_step() {}
   static void begin_episode(const Episode& /*episode*/) {}
-  template <class Message>
-  static void put(const Message& /*message*/) {}
-  template <class Message>
-  static bool get(Message& /*message*/) {
+  template <class... Message>
+  static void put(const Message&... /*message*/) {}
+  template <class... Message>
+  static bool get(Message&&... /*message*/) {
     return false;
   }
 };

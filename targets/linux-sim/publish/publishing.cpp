@@ -158,8 +158,8 @@ std::string Publishing::open_sinks() {
 
 std::unique_ptr<PublishSink> Publishing::foxglove_sink_of(const Destination& to) {
   if (facts_.is_scene) scene_rows_ = facts_.scene_rows;
-  // A board draws its states itself, and does not wait.
-  if (facts_.board == nullptr && !remote_) remote_ = std::make_unique<Remote>(fields_);
+  // A part draws its states itself, and does not wait.
+  if (!facts_.is_split() && !remote_) remote_ = std::make_unique<Remote>(fields_);
   foxglove::Served served;
   served.graph = facts_.name;
   served.engine = facts_.engine;

@@ -1,4 +1,6 @@
-// What crosses the link between the two programs of a split graph.
+// What crosses the links between the programs of a placed graph.
+#include "generator/plan/split.hpp"
+
 #include <gtest/gtest.h>
 
 #include "tests/unit/graph_of_text.hpp"
@@ -22,7 +24,7 @@ std::unique_ptr<GraphOfText> planned(const std::string& placement,
       ", to: smooth.signal}\n  - {from: smooth.filtered, to: arm.u}\n"
       "  - {from: arm.theta, to: observations.angle}\n"
       "placement: {" +
-      placement + ": mps2-an386}\n";
+      placement + (placement.find(':') == std::string::npos ? ": mps2-an386}\n" : "}\n");
   return graph_of_text(text);
 }
 
@@ -37,39 +39,74 @@ using Names = std::vector<std::string>;
 
 TEST(Split, TheControllerGetsItsInputsAndTheHostEverythingOfTheBoard) {
   const auto result = planned("controller");
-  const Split& split = *result->plan->split;
-  EXPECT_EQ(names(*result->plan, split.to_board), (Names{"arm/theta/observation"}));
-  EXPECT_EQ(names(*result->plan, split.to_host), (Names{"environment/voltage", "smooth/filtered"}));
-  EXPECT_EQ(split.exchanges, 1.0);
-  EXPECT_EQ(split.board_bytes, 2.0 + 2 * 4.0);  // the command, theta twice a step
-  EXPECT_EQ(split.host_bytes, 4.0 + 4.0);
-  EXPECT_EQ(split.board_payload, 2U + 8U + 18U);
+  const PartLink& link = result->plan->split->links.front();
+  EXPECT_EQ(names(*result->plan, link.to_part), (Names{"arm/theta/observation"}));
+  EXPECT_EQ(names(*result->plan, link.to_hub), (Names{"environment/voltage", "smooth/filtered"}));
+  EXPECT_EQ(link.exchanges, 1.0);
+  EXPECT_EQ(link.part_bytes, 2.0 + 2 * 4.0);  // the command, theta twice a step
+  EXPECT_EQ(link.hub_bytes, 4.0 + 4.0);
+  EXPECT_EQ(link.part_payload, 2U + 8U + 18U);
 }
 
 TEST(Split, AFilterGetsTheActionOnly) {
   const auto result = planned("smooth");
-  const Split& split = *result->plan->split;
-  EXPECT_EQ(names(*result->plan, split.to_board), (Names{"environment/voltage"}));
-  EXPECT_EQ(names(*result->plan, split.to_host), (Names{"smooth/filtered"}));
-  EXPECT_EQ(split.exchanges, 1.0);
+  const PartLink& link = result->plan->split->links.front();
+  EXPECT_EQ(names(*result->plan, link.to_part), (Names{"environment/voltage"}));
+  EXPECT_EQ(names(*result->plan, link.to_hub), (Names{"smooth/filtered"}));
+  EXPECT_EQ(link.exchanges, 1.0);
 }
 
 TEST(Split, EveryChangeOfSideIsAnExchange) {
   // The agent on the board, the filter behind it on the host; the sensors come from there.
   const auto agent = planned("agent");
-  EXPECT_EQ(agent->plan->split->exchanges, 1.0);
-  EXPECT_EQ(names(*agent->plan, agent->plan->split->to_host), (Names{"environment/voltage"}));
+  EXPECT_EQ(agent->plan->split->links.front().exchanges, 1.0);
+  EXPECT_EQ(names(*agent->plan, agent->plan->split->links.front().to_hub),
+            (Names{"environment/voltage"}));
   // A filter that runs twice as often answers twice a step, once with nothing new for it.
   const auto fast = planned("smooth", "60");
-  EXPECT_EQ(fast->plan->split->exchanges, 1.0);
-  EXPECT_EQ(fast->plan->split->host_bytes, 8.0);
+  EXPECT_EQ(fast->plan->split->links.front().exchanges, 1.0);
+  EXPECT_EQ(fast->plan->split->links.front().hub_bytes, 8.0);
 }
 
 TEST(Split, TheControllerIsTheAgentAndAllNodes) {
   const auto result = planned("controller");
-  EXPECT_TRUE(result->graph->placement->on_board[Graph::kEnvironment]);
-  EXPECT_FALSE(result->graph->placement->on_board[Graph::kEngine]);
-  EXPECT_EQ(result->graph->placement->board->id.value, "mps2-an386");
+  const Placement& placement = *result->graph->placement;
+  EXPECT_EQ(placement.part_of[Graph::kEnvironment], 0U);
+  EXPECT_EQ(placement.part_of[Graph::kEngine], Placement::kHub);
+  EXPECT_EQ(placement.parts.front().target->id.value, "mps2-an386");
+  EXPECT_EQ(placement.parts.front().name, "board");
+}
+
+TEST(Split, WhatGoesFromOnePartToAnotherGoesThroughTheHub) {
+  const auto result =
+      planned("smooth: {part: filter}, agent: {host: gpu_pc}", "30", "actions.voltage");
+  const Placement& placement = *result->graph->placement;
+  ASSERT_EQ(placement.parts.size(), 2U);
+  EXPECT_EQ(placement.parts[0].name, "filter");
+  EXPECT_EQ(placement.parts[0].target->id.value, "linux-sim");
+  EXPECT_EQ(placement.parts[1].name, "gpu_pc");
+  EXPECT_EQ(placement.parts[1].host, "gpu_pc");
+  const Plan& plan = *result->plan;
+  EXPECT_EQ(names(plan, plan.split->links[1].to_hub), (Names{"environment/voltage"}));
+  EXPECT_EQ(names(plan, plan.split->links[0].to_part), (Names{"environment/voltage"}));
+  const LinkUse of_hub = link_use(plan, Part::hub, Graph::kEnvironment, 0);
+  EXPECT_EQ(of_hub.from, 1U);
+  EXPECT_EQ(of_hub.to, std::vector<std::size_t>{0});
+  const LinkUse of_filter = link_use(plan, Part::placed(0), Graph::kEnvironment, 0);
+  EXPECT_EQ(of_filter.from, 0U);
+  EXPECT_TRUE(of_filter.to.empty());
+  EXPECT_FALSE(link_use(plan, Part::whole, Graph::kEnvironment, 0).any());
+}
+
+TEST(Split, TheControllerIsWhatNothingElsePlaces) {
+  const auto result = planned("controller: mps2-an386, smooth: {part: filter}");
+  const Placement& placement = *result->graph->placement;
+  EXPECT_EQ(placement.parts[placement.part_of[Graph::kEnvironment]].name, "mps2-an386");
+  for (std::size_t n = 0; n < result->graph->nodes.size(); ++n) {
+    if (result->graph->nodes[n].name == "smooth") {
+      EXPECT_EQ(placement.parts[placement.part_of[n]].name, "filter");
+    }
+  }
 }
 
 }  // namespace

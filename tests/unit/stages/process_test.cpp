@@ -3,8 +3,14 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
+
+#include "generator/process/companions.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {
@@ -67,6 +73,67 @@ TEST(Process, ReadsWhatItIsGiven) {
   ASSERT_GE(input, 0);
   EXPECT_EQ(lines_of("sort", input), (Lines{"a", "b"}));
   close(input);
+}
+
+/// Whether `what` comes true within ten seconds, however busy the machine is.
+template <class F>
+bool comes_true(F&& what) {
+  for (int look = 0; look < 1000; ++look) {
+    if (what()) return true;
+    usleep(10'000);
+  }
+  return false;
+}
+
+/// A companion that has a child of its own, whose number is in FOLDER/child once both run.
+Companion with_child(const std::string& folder) {
+  return {{"sh", "-c",
+           "sleep 1000 & echo $! >" + folder + "/new && mv " + folder + "/new " + folder +
+               "/child; wait"},
+          "/dev/null",
+          folder + "/child"};
+}
+
+TEST(Companions, EndWithTheProcessHoweverItEnds) {
+  for (const char* end : {"true", "kill -9 $$"}) {
+    const TestFolder outer;
+    const std::string& kept = outer.path();
+    const std::string folder = kept + "/of_companions";
+    std::filesystem::create_directory(folder);
+    const pid_t parent = fork();
+    if (parent == 0) {
+      if (start_companions({with_child(folder)}, folder)) _exit(1);
+      std::filesystem::copy_file(folder + "/child", kept + "/child");
+      // It becomes another program, as `eagerx-gen run` does.
+      execlp("sh", "sh", "-c", end, nullptr);
+      _exit(1);
+    }
+    int status = 0;
+    waitpid(parent, &status, 0);
+    EXPECT_FALSE(WIFEXITED(status) && WEXITSTATUS(status) == 1);
+    pid_t child = 0;
+    std::ifstream(kept + "/child") >> child;
+    ASSERT_GT(child, 0);
+    EXPECT_TRUE(comes_true([&] { return kill(child, 0) != 0; })) << end;
+    EXPECT_TRUE(comes_true([&] { return !std::filesystem::exists(folder); })) << end;
+  }
+}
+
+TEST(Companions, OneThatEndsIsTold) {
+  const TestFolder outer;
+  const std::string& kept = outer.path();
+  const std::string folder = kept + "/of_companions";
+  std::filesystem::create_directory(folder);
+  const auto problem = start_companions(
+      {with_child(folder), {{"sh", "-c", "echo no; exit 3"}, kept + "/log", folder + "/never"}},
+      folder);
+  ASSERT_TRUE(problem);
+  EXPECT_EQ(problem->which, 1U);
+  EXPECT_TRUE(problem->has_ended);
+  std::string said;
+  std::getline(std::ifstream(kept + "/log"), said);
+  EXPECT_EQ(said, "no");
+  EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
 }  // namespace

@@ -20,13 +20,14 @@ namespace graphs::multi_rate {
 struct Graph : Limits {
   template <class Trace, class Link>
   using Program = graphs::multi_rate::Program<Trace, Link>;
-  /// The link between the two programs of this graph.
+  /// The link to the hub of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = graphs::multi_rate::kGraphHash;  // of both programs
+    static constexpr const char* kPart = "board";
+    static constexpr std::uint64_t kGraph =
+        eagerx::link::hash_of_part(graphs::multi_rate::kGraphHash, kPart);
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
     static constexpr bool kBoardDecides = true;
-    static constexpr const char* kBoard = "mps2-an386";
   };
   using States = graphs::multi_rate::States;
   using Rate = eagerx::Rate<10>;  // of the environment

@@ -12,7 +12,7 @@
 #include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
-#include <eagerx/link/host.hpp>
+#include <eagerx/link/star.hpp>
 #include <eagerx/memory_fault.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
@@ -22,7 +22,7 @@
 
 namespace graphs::multi_rate {
 
-/// What runs on the board of the graph in one object: no heap, all zero until the first reset. A
+/// What runs in part `board` of the graph in one object: no heap, all zero until the first reset. A
 /// step is 0.1 s.
 template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
 class Program {
@@ -30,7 +30,7 @@ class Program {
   [[no_unique_address]] Trace trace;
   /// Between the agent and the actuators; step() asks it.
   eagerx::Guard<Limits> guard{};
-  /// The link to the other program of this graph; before the first reset.
+  /// The link to the hub of this graph; before the first reset.
   void connect(Link& link) { link_ = &link; }
   [[nodiscard]] Link& link() const { return *link_; }
 

@@ -20,13 +20,18 @@ namespace graphs::multi_rate {
 struct Graph : Limits {
   template <class Trace, class Link>
   using Program = graphs::multi_rate::Program<Trace, Link>;
-  /// The link between the two programs of this graph.
+  /// The links to the other programs of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = graphs::multi_rate::kGraphHash;  // of both programs
-    static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
-    static constexpr std::size_t kToHost = 16;
-    static constexpr bool kBoardDecides = true;
-    static constexpr const char* kBoard = "mps2-an386";
+    static constexpr bool kPartDecides = true;
+    /// By most bytes of a frame's payload, there and back.
+    template <class Port>
+    using Star = eagerx::link::Star<
+        eagerx::link::HostLink<Port, 36, 16>  // board
+        >;
+    static constexpr eagerx::link::PartFacts kParts[] = {
+        {"board", "mps2-an386", "",
+            eagerx::link::hash_of_part(graphs::multi_rate::kGraphHash, "board")},
+    };
   };
   using States = graphs::multi_rate::States;
   using Rate = eagerx::Rate<10>;  // of the environment

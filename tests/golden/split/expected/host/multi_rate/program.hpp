@@ -11,7 +11,7 @@
 #include <eagerx/cursor.hpp>
 #include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
-#include <eagerx/link/host.hpp>
+#include <eagerx/link/star.hpp>
 #include <eagerx/memory_fault.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
@@ -20,13 +20,18 @@
 
 namespace graphs::multi_rate {
 
-/// What runs on Linux of the graph in one object: no heap, all zero until the first reset. A step
+/// The parts that are programs of their own, each with a link.
+namespace part {
+inline constexpr eagerx::link::PartIndex<0> kBoard;
+}  // namespace part
+
+/// What runs in the hub of the graph in one object: no heap, all zero until the first reset. A step
 /// is 0.1 s.
 template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
 class Program {
  public:
   [[no_unique_address]] Trace trace;
-  /// The link to the other program of this graph; before the first reset.
+  /// The links to the parts of this graph; before the first reset.
   void connect(Link& link) { link_ = &link; }
   [[nodiscard]] Link& link() const { return *link_; }
 
@@ -127,14 +132,14 @@ class Program {
     link_->begin_step();
     // actions.voltage
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    if (!link_->get(new_voltage)) {
+    if (!link_->get(part::kBoard, channel::environment_voltage, new_voltage)) {
       return observe();
     }
     action.voltage = new_voltage;
     trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
     // actions.push
     auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    if (!link_->get(new_push)) {
+    if (!link_->get(part::kBoard, channel::environment_push, new_push)) {
       return observe();
     }
     action.push = new_push;
@@ -257,7 +262,7 @@ class Program {
       // fast: ButterworthFilter
       {
         auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
-        if (!link_->get(new_filtered)) {
+        if (!link_->get(part::kBoard, channel::fast_filtered, new_filtered)) {
           return;
         }
         trace(channel::fast_filtered, n, new_filtered);
@@ -300,7 +305,7 @@ class Program {
         trace(channel::left_theta_observation, n, left_theta_observation_[0]);
         observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
-        link_->put(left_theta_observation_[0]);
+        link_->put(part::kBoard, left_theta_observation_[0]);
       }
       // right/u: OdeInput
       {
@@ -328,7 +333,7 @@ class Program {
         left_theta_dot_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
         trace(channel::left_theta_dot_observation, n, new_observation);
-        link_->put(new_observation);
+        link_->put(part::kBoard, new_observation);
       }
     }
     if ((due & k15Hz) != 0) {
@@ -353,7 +358,7 @@ class Program {
         }
         right_theta_.callback(eagerx::Tick{n}, in, out, right_simulator_);
         trace(channel::right_theta_observation, n, new_observation);
-        link_->put(new_observation);
+        link_->put(part::kBoard, new_observation);
       }
     }
     if ((due & k10Hz) != 0) {
@@ -369,7 +374,7 @@ class Program {
         }
         left_u_applied_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         trace(channel::left_u_applied_action_applied, n, new_action_applied);
-        link_->put(new_action_applied);
+        link_->put(part::kBoard, new_action_applied);
       }
     }
   }

@@ -1,0 +1,128 @@
+#include "generator/cli/start_parts.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "generator/process/companions.hpp"
+#include "generator/quote/quote.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kLink = "--link";
+
+/// What the options say of links: `PART=LINE`, or of one part LINE alone.
+std::vector<std::string> lines_in(const std::vector<std::string>& words) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == kLink && i + 1 < words.size()) lines.push_back(words[++i]);
+    if (words[i].starts_with("--link=")) lines.push_back(words[i].substr(kLink.size() + 1));
+  }
+  return lines;
+}
+
+/// The parts that no option has a line to.
+std::vector<const BuiltProgram*> without_line(const std::vector<BuiltProgram>& programs,
+                                              const std::vector<std::string>& words) {
+  const std::vector<std::string> lines = lines_in(words);
+  std::vector<const BuiltProgram*> result;
+  for (const BuiltProgram& program : programs)
+    if (program.part != nullptr) result.push_back(&program);
+  if (result.size() == 1 && !lines.empty()) return {};
+  std::erase_if(result, [&](const BuiltProgram* program) {
+    return std::ranges::any_of(lines, [&](const std::string& line) {
+      return line.starts_with(program->part->name + "=");
+    });
+  });
+  return result;
+}
+
+/// A port of its own for each part of other machines.
+std::uint32_t port_of(const Run& run, const PlacedPart& part) {
+  constexpr std::uint32_t kFirst = 7001;
+  return kFirst + static_cast<std::uint32_t>(&part - run.graph->placement->parts.data());
+}
+
+void tell_elsewhere(Run& run, const BuiltProgram& program) {
+  const PlacedPart& part = *program.part;
+  const std::uint32_t port = port_of(run, part);
+  const std::string image = fs::path(program.image).filename().string();
+  run.diagnostics
+      .error(
+          "E0518", part.span,
+          fmt::format("part `{}` runs on {}, where nobody here can start it", part.name, part.host))
+      .help = fmt::format(
+      "copy {} there and type `./{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
+      "`--link {}=localhost:{}`",
+      shell_word(program.image), shell_word(image), port, port, port, shell_word(part.host),
+      part.name, port);
+}
+
+}  // namespace
+
+bool check_parts(Run& run, const std::vector<BuiltProgram>& programs,
+                 const std::vector<std::string>& words) {
+  const std::size_t before = run.diagnostics.error_count();
+  for (const BuiltProgram* program : without_line(programs, words)) {
+    if (!program->part->host.empty()) {
+      tell_elsewhere(run, *program);
+    } else if (command_to_start(run, *program).empty()) {
+      run.diagnostics
+          .error("E0518", program->part->span,
+                 fmt::format("part `{}` runs on {}, which nothing here emulates",
+                             program->part->name, program->target->id.value))
+          .help = fmt::format("load {} onto the board, and name its serial line: `--link {}=LINE`",
+                              shell_word(program->image), program->part->name);
+    }
+  }
+  return run.diagnostics.error_count() == before;
+}
+
+bool start_parts(Run& run, const std::vector<BuiltProgram>& programs,
+                 std::vector<std::string>& words) {
+  const auto parts = without_line(programs, words);
+  if (parts.empty()) return true;
+  // Sockets have short names, and are their owner's alone.
+  std::string folder = (fs::temp_directory_path() / "eagerx-gen-XXXXXX").string();
+  if (mkdtemp(folder.data()) == nullptr) {
+    run.diagnostics.io_error("E0518", {}, fmt::format("cannot make the folder `{}`", folder));
+    return false;
+  }
+  std::vector<Companion> companions;
+  for (const BuiltProgram* program : parts) {
+    const std::string socket = folder + "/" + program->part->name;
+    Companion companion{command_to_start(run, *program), program->build + "/run.log", socket};
+    auto& command = companion.command;
+    std::vector<std::string> of_board;
+    if (program->target->system.empty()) {
+      of_board = {"--serial", "unix:" + socket + ",server=on,wait=off"};
+    } else {
+      command.insert(command.end(), {"--listen", "unix:" + socket});
+    }
+    if (command.front() != program->image) {
+      of_board.insert(of_board.begin(), {"--time-limit", "0"});  // as long as the hub runs
+      command.insert(command.begin() + 2, of_board.begin(), of_board.end());
+    }
+    companions.push_back(std::move(companion));
+    words.insert(words.end(), {std::string(kLink), program->part->name + "=unix:" + socket});
+  }
+  const auto problem = start_companions(companions, folder);
+  if (!problem) return true;
+  const PlacedPart& part = *parts[problem->which]->part;
+  run.diagnostics
+      .error("E0518", part.span,
+             fmt::format(
+                 "part `{}` {}", part.name,
+                 problem->has_ended ? "ended when it was started" : "does not begin to listen"))
+      .help = fmt::format("{} has what it said", shell_word(companions[problem->which].log));
+  return false;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,94 @@
+// The hub's links to all parts of a graph. Each has frames, exchanges and a line of its own
+// (host.hpp); what goes from one part to another goes through the hub. All programs follow one
+// order of messages, so the hub waits for one part at a time and never for two that wait for each
+// other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/link/host.hpp>
+#include <tuple>
+#include <utility>
+
+namespace eagerx::link {
+
+/// What a program is compiled with of a part.
+struct PartFacts {
+  const char* name;
+  const char* target;   // the id of its board, or of Linux
+  const char* machine;  // that it runs on; empty: this one, or a board
+  std::uint64_t graph;  // Identity::graph
+};
+
+/// Names part `K` where a link is chosen.
+template <std::size_t K>
+struct PartIndex {};
+
+inline constexpr std::uint32_t kNoChannel = UINT32_MAX;
+
+/// What the hub has of a part's messages, by their channels.
+struct PartProgress {
+  std::uint32_t last = kNoChannel;     // that came
+  std::uint32_t awaited = kNoChannel;  // asked for after it
+};
+
+/// `Links` are HostLinks, one for each part.
+template <class... Links>
+class Star {
+ public:
+  static constexpr std::size_t kParts = sizeof...(Links);
+
+  template <std::size_t K>
+  auto& link() {
+    return std::get<K>(links_);
+  }
+  template <std::size_t K>
+  const auto& link() const {
+    return std::get<K>(links_);
+  }
+  const PartProgress& progress(std::size_t part) const { return progress_[part]; }
+
+  /// Whether all of them go on.
+  bool ok() const {
+    return std::apply([](const auto&... link) { return (link.ok() && ...); }, links_);
+  }
+  template <std::size_t K, class Message>
+  void put(PartIndex<K> /*part*/, const Message& message) {
+    link<K>().put(message);
+  }
+  template <std::size_t K, class Message>
+  bool get(PartIndex<K> /*part*/, Message& message) {
+    return link<K>().get(message);
+  }
+  /// The same, of a message with a channel.
+  template <std::size_t K, class Message>
+  bool get(PartIndex<K> /*part*/, std::uint32_t channel, Message& message) {
+    progress_[K].awaited = channel;
+    if (!link<K>().get(message)) return false;
+    progress_[K] = {channel, kNoChannel};
+    return true;
+  }
+
+  void begin_episode(const Episode& episode) {
+    for_each([&](auto& link) { link.begin_episode(episode); });
+  }
+  void begin_step() {
+    for_each([](auto& link) { link.begin_step(); });
+  }
+  void set_late(std::uint64_t in_a_row) {
+    for_each([&](auto& link) { link.set_late(in_a_row); });
+  }
+  void make_safe() {
+    for_each([](auto& link) { link.make_safe(); });
+  }
+  template <class F>
+  void for_each(F&& f) {
+    std::apply([&](auto&... link) { (f(link), ...); }, links_);
+  }
+
+ private:
+  std::tuple<Links...> links_{};
+  PartProgress progress_[kParts] = {};
+};
+
+}  // namespace eagerx::link
