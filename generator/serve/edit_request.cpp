@@ -33,7 +33,8 @@ class OneEdit {
   Change of_kind(const std::string& kind) {
     if (kind == "add") return add();
     if (kind == "set") {
-      const auto [path, value] = std::pair(this->path(), text("value"));
+      const OutlinePath path = this->path();
+      const std::string value = text("value");
       return ask([&] { return set_value(text_, path, value); });
     }
     if (kind == "remove") {
@@ -41,12 +42,13 @@ class OneEdit {
       return ask([&] { return remove_entry(text_, path); });
     }
     if (kind == "connect") {
-      const auto [from, to] = std::pair(text("from"), text("to"));
+      const std::string from = text("from"), to = text("to");
       const auto keys = this->keys("keys");
       return ask([&] { return connect_ports(text_, from, to, keys); });
     }
     if (kind == "rename") {
-      const auto [path, name] = std::pair(this->path(), text("name"));
+      const OutlinePath path = this->path();
+      const std::string name = text("name");
       return ask([&] { return rename_entry(text_, path, name); });
     }
     if (kind == "fix") return fix();
