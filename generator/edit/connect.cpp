@@ -133,6 +133,8 @@ Change connect_ports(std::string_view text, const std::string& from, const std::
   if (before.top().find("connections") == nullptr && !insert_key(after, {}, "connections", "[]"))
     return refused("`connections` cannot be added as the file is written", kByHand);
   const OutlinePath list{"connections"};
+  if (after.node(list) == nullptr)
+    return refused("`connections` cannot be added as the file is written", kByHand);
   const std::size_t count = after.node(list)->entries.size();
   const OutlinePath place{"connections", count};
   if (!insert_item(after, list, item, lines_of_item(all), true) || after.node(place) == nullptr ||

@@ -120,6 +120,7 @@ bool insert_key(Written& written, const OutlinePath& path, const std::string& ke
     return true;
   }
   if (node->kind != Kind::map) return false;
+  if (!node->flow && node->entries.empty()) return false;
   if (!node->flow)
     return put_on_lines(written, written.end_of(node->entries.back()),
                         written.column(node->entries.front().whole.begin), {line});
@@ -143,6 +144,7 @@ bool insert_item(Written& written, const OutlinePath& path, const std::string& i
   }
   const bool is_empty_map = node->kind == Kind::map && node->flow && node->entries.empty();
   if (node->kind != Kind::list && !is_empty_map) return false;
+  if (!node->flow && node->entries.empty()) return false;
   if (!node->flow) {
     const OutlineNode& last = node->entries.back().value;
     const bool on_lines = last.kind == Kind::map && !last.flow && !lines.empty();

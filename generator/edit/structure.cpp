@@ -35,6 +35,7 @@ bool add_to_section(Written& written, const NewEntry& entry, const std::vector<K
   if (!on_lines || keys.empty()) return true;
   // It is in braces yet, at the end of a line of its own.
   const OutlineEntry* const added = written.entry({entry.section, entry.name});
+  if (added == nullptr) return false;
   const std::size_t begin = written.value_begin(*added), end = written.end_of(*added);
   const std::string indent(written.column(added->whole.begin) + written.step(), ' ');
   std::string lines;

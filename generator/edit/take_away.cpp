@@ -67,8 +67,9 @@ bool out_of_lines(Written& written, const OutlineNode& node, const OutlinePath& 
       written.replace({begin, end}, kind == OutlineNode::Kind::map ? "{}" : "[]");
       return true;
     }
-    const std::size_t next = node.entries[index + 1].whole.begin;
-    if (index != 0 || written.has_comment(written.next_line(end), next)) return false;
+    if (index != 0) return false;  // on the line of another entry: it is half written
+    const std::size_t next = node.entries[1].whole.begin;
+    if (written.has_comment(written.next_line(end), next)) return false;
     written.replace({begin, next}, "");
     return true;
   }
