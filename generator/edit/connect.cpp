@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "generator/edit/changes.hpp"
+#include "generator/edit/words.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
@@ -23,11 +24,6 @@ bool is_port_of(std::string_view port, std::string_view owner) {
   if (port == owner) return true;
   return port.size() > owner.size() && port.starts_with(owner) &&
          std::string_view(".[/").find(port[owner.size()]) != std::string_view::npos;
-}
-
-std::string text_at(const OutlineNode& node, std::string_view key) {
-  const OutlineNode* const found = node.find(key);
-  return found != nullptr ? found->text : std::string();
 }
 
 /// The last connection with a port of `owner`, as an index; nothing: there is none.

@@ -13,10 +13,11 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::array kSections = {"sensors", "actuators", "inputs", "outputs", "states", "targets"};
+constexpr std::array kPortLists = {"sensors", "actuators", "inputs",
+                                   "outputs", "states",    "targets"};
 
-bool is_section(std::string_view key) {
-  return std::ranges::find(kSections, key) != kSections.end();
+bool is_port_list(std::string_view key) {
+  return std::ranges::find(kPortLists, key) != kPortLists.end();
 }
 std::string_view part(std::string_view text, Bytes place) {
   return text.substr(place.begin, place.end - place.begin);
@@ -72,7 +73,7 @@ std::optional<Bytes> port_behind(std::string_view text, std::size_t at, std::siz
     const Bytes place{at + 1, last};
     if (place.begin == place.end) return std::nullopt;
     const bool goes_on = last < end && text[last] == '.';
-    if (!goes_on || !is_section(part(text, place))) return place;
+    if (!goes_on || !is_port_list(part(text, place))) return place;
     at = last;
   }
   return std::nullopt;
@@ -96,7 +97,7 @@ class Finder {
   template <class F>
   void each_selected(const OutlineNode& map, const F& f) const {
     for (const OutlineEntry& section : map.entries) {
-      if (!is_section(section.key)) continue;
+      if (!is_port_list(section.key)) continue;
       for (const OutlineEntry& port : section.value.entries)
         f(unquoted(text_, port.key.empty() ? port.value.place : port.key_place));
     }
@@ -155,7 +156,7 @@ class OwnManifest {
 
   std::vector<Bytes> all(const OutlineNode& top) {
     for (const OutlineEntry& entry : top.entries) {
-      if (is_section(entry.key)) {
+      if (is_port_list(entry.key)) {
         declared(entry.value);
       } else if (entry.key == "requires") {
         each_scalar(entry.value, [&](Bytes place) { add_words(place); });
@@ -197,7 +198,7 @@ class OwnManifest {
     each_scalar(node, [&](Bytes place) {
       for (const Bytes& word : words_in(text_, place, port_)) {
         const std::string_view before = part(text_, {place.begin, word.begin});
-        const bool is_named = std::ranges::any_of(kSections, [&](std::string_view section) {
+        const bool is_named = std::ranges::any_of(kPortLists, [&](std::string_view section) {
           return before.ends_with(fmt::format("{}.", section)) ||
                  before.ends_with(fmt::format("({} ", section));
         });
@@ -213,11 +214,6 @@ class OwnManifest {
   const std::string& port_;
   std::vector<Bytes> found_;
 };
-
-std::string text_at(const OutlineNode& map, std::string_view key) {
-  const OutlineNode* const value = map.find(key);
-  return value != nullptr ? value->text : std::string();
-}
 
 }  // namespace
 
@@ -293,7 +289,7 @@ std::string why_no_port(std::string_view manifest, const std::string& from, cons
   const OutlineNode top = outline_of(manifest);
   int meanings = 0;
   for (const OutlineEntry& section : top.entries) {
-    if (!is_section(section.key) && section.key != "config") continue;
+    if (!is_port_list(section.key) && section.key != "config") continue;
     for (const OutlineEntry& each : section.value.entries) {
       if (each.key == to) return fmt::format("`{}` is taken: `{}:` has it", to, section.key);
       if (each.key == from) ++meanings;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "generator/edit/helps.hpp"
 #include "generator/serve/graph_file.hpp"
 #include "generator/serve/state_json.hpp"
 #include "generator/serve/status.hpp"

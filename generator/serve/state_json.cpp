@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "generator/diagnostics/utf8.hpp"
-#include "generator/edit/edit.hpp"
+#include "generator/edit/helps.hpp"
 #include "generator/outline/lines.hpp"
 
 namespace eagerx::gen::serve {
