@@ -142,7 +142,7 @@ std::string find_lines(const std::vector<std::string>& given, const GraphFacts& 
 
 void describe_link(Summary& summary, SplitLink& link, const link::Report& report,
                    const std::string& prefix) {
-  constexpr double kNsPerMs = 1e6;
+  constexpr double kNanosecondsPerMs = 1e6;
   const link::Statistics& statistics = link.statistics();
   const double steps = summary.steps > 0 ? static_cast<double>(summary.steps) : 1.0;
   const auto per_step = [&](std::uint64_t count) {
@@ -160,7 +160,8 @@ void describe_link(Summary& summary, SplitLink& link, const link::Report& report
   add("frames ignored", std::to_string(statistics.ignored) + " here, " +
                             std::to_string(report.damaged) +
                             (prefix.empty() ? " on the board" : " there"));
-  add("slowest exchange", fixed(static_cast<double>(statistics.slowest_ns) / kNsPerMs, 3) + " ms");
+  add("slowest exchange",
+      fixed(static_cast<double>(statistics.slowest_ns) / kNanosecondsPerMs, 3) + " ms");
   if (report.stack_bytes > 0)
     add(prefix.empty() ? "stack of the board" : "stack",
         std::to_string(report.stack_bytes) + " bytes");
@@ -188,11 +189,11 @@ std::uint32_t new_session() {
 
 std::string connect(SplitLink& link, const std::string& line, const GraphFacts& facts,
                     const Options& options) {
-  constexpr double kNsPerSecond = 1e9;
+  constexpr double kNanosecondsPerSecond = 1e9;
   if (!link.port().open(line, options.baud))
     return "error: cannot open `" + line + "`: " + link.port().error() +
            (facts.part_count == 1 ? "" : "\nnote: of " + name_of_part(link.part()));
-  link.set_time_limit(static_cast<std::uint64_t>(options.link_timeout_s * kNsPerSecond));
+  link.set_time_limit(static_cast<std::uint64_t>(options.link_timeout_s * kNanosecondsPerSecond));
   return link.open(new_session()) ? std::string() : problem_of(link, facts);
 }
 

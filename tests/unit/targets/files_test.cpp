@@ -21,7 +21,7 @@ class Files : public ::testing::Test {
     folder = std::string(name) + "/";
     std::ofstream(folder + "a.csv") << "0\n";
     ASSERT_EQ(symlink("a.csv", (folder + "soft.csv").c_str()), 0);
-    ASSERT_EQ(link((folder + "a.csv").c_str(), (folder + "hard.csv").c_str()), 0);
+    ASSERT_EQ(::link((folder + "a.csv").c_str(), (folder + "hard.csv").c_str()), 0);
   }
   void TearDown() override {
     for (const char* name : {"a.csv", "soft.csv", "hard.csv", "fifo"})
