@@ -163,8 +163,8 @@ Command table(ServeCommandOptions& options) {
                     "eagerx-gen serve pendulum.yaml"},
                    {"with entities of your own, always at the same port",
                     "eagerx-gen serve pendulum.yaml --path my_models --port 8080"}},
-      .arguments = {required(
-                        text("graph", options.graph, "the file, which is changed", "GRAPH.yaml")),
+      .arguments = {required(reads(
+                        text("graph", options.graph, "the file, which is changed", "GRAPH.yaml"))),
                     whole("--port", options.port, "port of 127.0.0.1 (default: one that is free)",
                           kFirstPort, kLastPort),
                     library(options)},
