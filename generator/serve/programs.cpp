@@ -137,7 +137,8 @@ void Programs::run(const std::vector<std::string>& command) {
   options.group = [this](pid_t group) {
     const std::lock_guard lock(mutex_);
     group_ = group;
-    if (ended_ && group > 0) kill(-group, SIGTERM);
+    if (ended_) signal(SIGTERM);
+    if (interrupted_) signal(SIGINT);  // Stop came before there was anything to stop
   };
   const auto code = run_beside(command, options);
   if (!code) add(fmt::format("error: cannot start eagerx-gen: {}", std::strerror(errno)), true);
