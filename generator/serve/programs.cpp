@@ -62,6 +62,13 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
+/// Nothing: it is not there.
+std::optional<fs::file_time_type> written_at(const std::string& path) {
+  std::error_code error;
+  const auto time = fs::last_write_time(path, error);
+  return error ? std::nullopt : std::optional(time);
+}
+
 }  // namespace
 
 Programs::Programs(std::vector<std::string> self, std::string graph)
@@ -109,6 +116,7 @@ Reply Programs::start(const Json& request) {
     curve_file_ =
         is_told ? (fs::path(graph_).parent_path() / *(own + 1)).string() : place_of(kCurve);
     if (!is_told) command.insert(command.end(), {"--csv", curve_file_});
+    old_curve_ = written_at(curve_file_);
   }
   command.insert(command.end(), words->begin(), words->end());
   kind_ = kind;
@@ -129,7 +137,8 @@ void Programs::run(const std::vector<std::string>& command) {
   options.group = [this](pid_t group) {
     const std::lock_guard lock(mutex_);
     group_ = group;
-    if (ended_ && group > 0) kill(-group, SIGTERM);
+    if (ended_) signal(SIGTERM);
+    if (interrupted_) signal(SIGINT);  // Stop came before there was anything to stop
   };
   const auto code = run_beside(command, options);
   if (!code) add(fmt::format("error: cannot start eagerx-gen: {}", std::strerror(errno)), true);
@@ -151,7 +160,7 @@ void Programs::add(std::string_view line, bool is_error) {
 
 Json Programs::curve(std::uint64_t row) const {
   Json json{{"columns", Json::list()}, {"rows", Json::list()}, {"next", row}};
-  if (curve_file_.empty()) return json;
+  if (curve_file_.empty() || written_at(curve_file_) == old_curve_) return json;
   const FileText file = GraphFile(curve_file_).read();
   std::string_view text = file.text;
   text = text.substr(0, text.rfind('\n') + 1);  // whole lines

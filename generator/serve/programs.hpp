@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -63,6 +64,8 @@ class Programs {
   pid_t group_ = 0;
   std::int64_t id_ = 0;
   std::string kind_, curve_file_;
+  std::optional<std::filesystem::file_time_type>
+      old_curve_;  // of another training, until it is written anew
   bool running_ = false, ended_ = false;
   std::optional<int> exit_code_;
   std::optional<Clock::time_point> interrupted_;

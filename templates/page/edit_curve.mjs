@@ -3,16 +3,6 @@ import {colour, prepare} from "./canvas.mjs";
 import {el} from "./elements.mjs";
 import {short, stepOf} from "./numbers.mjs";
 
-const kProgressColumns = ["steps", "return", "evaluation_return"];
-
-/** Rows of the curve of lines such as "0.36 of 5.00 M steps, return -1024, evaluation -2343, …". */
-export function progressRows(lines) {
-  return lines.flatMap(({text}) => {
-    const told = /^([\d.]+) of [\d.]+ M steps(?:, return ([^\s,]+))?(?:, evaluation ([^\s,]+))?/.exec(text);
-    return told ? [[Number(told[1]) * 1e6, told[2] ?? "", told[3] ?? ""]] : [];
-  });
-}
-
 /** [steps, value] of a column of the curve that can be plotted, by the first of `names` that there is. */
 export function curveOf(columns, rows, names) {
   const x = columns.findIndex((name) => /step/.test(name)),
@@ -26,9 +16,9 @@ const curveCanvas = el("canvas", {role: "img", "aria-label": "Learning curve: re
 export const curveBox =
     el("div.curve", {hidden: true}, curveCanvas,
        el("small.block", {}, el("i.mean"), "return", el("i.evaluation"), "return without noise, over steps"));
-/** Return over steps of what trains: of its table, or before there is one, of what it tells meanwhile. */
+/** Return over steps of what trains, of its table as it grows. */
 export function drawCurve(run) {
-  const columns = run.rows.length ? run.columns : kProgressColumns, rows = run.rows.length ? run.rows : run.progress;
+  const {columns, rows} = run;
   const lines = [["c0", curveOf(columns, rows, ["return"])], ["c1", curveOf(columns, rows, ["evaluation_return"])]];
   const points = lines.flatMap(([, line]) => line);
   curveBox.hidden = run.kind !== "train" || points.length < 1;

@@ -1,5 +1,5 @@
 // Programs that the server starts: what they print, and of training the curve as it grows.
-import {curveBox, drawCurve, progressRows} from "./edit_curve.mjs";
+import {curveBox, drawCurve} from "./edit_curve.mjs";
 import {editing, say} from "./edit_store.mjs";
 import {button, el} from "./elements.mjs";
 
@@ -13,7 +13,6 @@ export const run = {
   lines: [],
   columns: [],
   rows: [],
-  progress: [],  // rows of the curve that are told before there is its table
   exit_code: null,
   result: false
 };
@@ -23,8 +22,7 @@ const kNothingYet = {
   row: 0,
   lines: [],
   columns: [],
-  rows: [],
-  progress: []
+  rows: []
 };
 
 /** Adds what the server tells: lines from `next` on, rows of the curve. True: there is something new. */
@@ -38,7 +36,6 @@ export function takeRun(known, told) {
   Object.assign(
       known, {kind: told.kind, running: told.running, exit_code: told.exit_code, result: told.result, next: told.next});
   known.lines.push(...told.lines);
-  known.progress.push(...progressRows(told.lines));
   known.lines.splice(0, known.lines.length - kMostShown);
   if (told.curve) {
     known.columns = told.curve.columns;

@@ -103,7 +103,7 @@ const {beginAdding, foundIn} = await import("../../templates/page/edit_library.m
 const {inspectPanel} = await import("../../templates/page/edit_inspector.mjs");
 const {connectDialog} = await import("../../templates/page/edit_connect.mjs");
 const {takeRun, wordsOf} = await import("../../templates/page/edit_runs.mjs");
-const {curveOf, progressRows} = await import("../../templates/page/edit_curve.mjs");
+const {curveOf} = await import("../../templates/page/edit_curve.mjs");
 const {kindOfAgent} = await import("../../templates/page/edit_graph_form.mjs");
 const {placeText} = await import("../../templates/page/edit_problems.mjs");
 
@@ -407,7 +407,7 @@ test("the library is asked for again when the file names other folders", async (
 test("agents, words of a command line, output of programs, curves", () => {
   assert.deepEqual([undefined, "zero", {policy: "a"}, {csv: "a"}].map(kindOfAgent), ["", "zero", "policy", "csv"]);
   assert.deepEqual(wordsOf("--steps 300  --name \"a b\" 'c d'"), ["--steps", "300", "--name", "a b", "c d"]);
-  const known = {id: 1, next: 5, row: 2, lines: [{text: "old"}], columns: [], rows: [[1]], progress: [[1]]};
+  const known = {id: 1, next: 5, row: 2, lines: [{text: "old"}], columns: [], rows: [[1]]};
   const told =
       {id: 2, kind: "train", running: true, exit_code: null, next: 1, result: false, lines: [{n: 0, text: "new"}]};
   assert.ok(takeRun(known, {...told, next: 9, lines: []}));  // lines before the fifth were not told
@@ -417,12 +417,6 @@ test("agents, words of a command line, output of programs, curves", () => {
   assert.ok(!takeRun(known, {...told, lines: [], curve: {columns: ["steps", "return"], rows: [], next: 1}}));
   assert.deepEqual(curveOf(["steps", "return"], [[10, 1], [20, ""]], ["return"]), [[10, 1]]);
   assert.deepEqual(curveOf(["a", "b"], [[1, 2]], ["return"]), []);
-  assert.deepEqual(
-      progressRows([
-        {text: "0.36 of 5.00 M steps, return -1024, evaluation -2343, success 0 of 100, 70,900 steps/s"},
-        {text: "0.10 of 5.00 M steps, 70,900 steps/s"}, {text: "building: 2 of 7 files, 13 s"}
-      ]),
-      [[360000, "-1024", "-2343"], [100000, "", ""]]);
 });
 
 test("the client asks one thing after the other, and takes over what changed on the disk", async () => {

@@ -25,7 +25,6 @@ Options options_of(const Options& options, std::uint64_t seed) {
   Options one = options;
   one.settings.seed = seed;
   one.output = path_of_seed(options.output, seed);
-  one.csv.clear();
   one.curve.clear();
   if (!one.tensorboard.empty()) one.tensorboard += fmt::format("/seed{}", seed);
   return one;
@@ -68,7 +67,6 @@ std::string table_of(const std::vector<Trained>& all, bool has_success) {
 void write_all(const Options& options, const Library& library, const std::vector<Trained>& all) {
   std::vector<std::vector<CurvePoint>> curves;
   for (const Trained& one : all) curves.push_back(one.curve);
-  if (!options.csv.empty()) write_file(options.csv, curves_csv(curves, options.settings.seed));
   if (!options.curve.empty())
     write_file(options.curve, curves_svg(curves, library.description().graph));
   const Trained& best = *std::ranges::max_element(
@@ -93,7 +91,13 @@ int train_seeds(const Options& options, const Library& library, const Interrupt&
   for (std::uint64_t i = 0; i < options.seeds && !is_interrupted; ++i) {
     const Options one = options_of(options, options.settings.seed + i);
     if (!options.is_quiet) print(fmt::format("seed {}\n", one.settings.seed));
-    Training training(one, library);
+    const auto table = [&](const std::vector<CurvePoint>& curve) {
+      std::vector<std::vector<CurvePoint>> curves;
+      for (const Trained& each : all) curves.push_back(each.curve);
+      curves.push_back(curve);
+      return curves_csv(curves, options.settings.seed);
+    };
+    Training training(one, library, table);
     const int code = training.run(is_interrupted);
     all.push_back({one.settings.seed, code, training.curve(), training.evaluation()});
   }

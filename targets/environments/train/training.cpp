@@ -119,7 +119,7 @@ void check_files(const Options& options) {
   for (const std::string& path : options.replay) read_file(path);
 }
 
-Training::Training(const Options& options, const Library& library)
+Training::Training(const Options& options, const Library& library, Table table)
     : options_(options),
       library_(library),
       kernels_(chosen_kernels(options.kernels)),
@@ -132,6 +132,8 @@ Training::Training(const Options& options, const Library& library)
       team_(chosen_threads(options.threads), Team::Size::at_most),
       algorithm_(chosen_algorithm(options.settings, library, kernels_, team_, longest_, era_)),
       evaluator_(library, kernels_, team_, longest_, options.settings.evaluation_episodes),
+      table_(std::move(table)),
+      curve_file_(options.csv),
       progress_(0, 0, false, true) {
   if (!options.resume.empty()) {
     algorithm_->restore(read_file(options.resume), options.resume, conditions_, progressed_, era_);
@@ -226,6 +228,7 @@ void Training::open_events() {
 void Training::show() {
   const CurvePoint& point = progressed_.curve.back();
   progress_.show(point);
+  grow_curve();
   if (!events_) return;
   Scalars terms;
   const std::vector<std::string>& names = library_.description().terms;
@@ -236,6 +239,15 @@ void Training::show() {
   if (!was_written || events_->problem().empty()) return;
   progress_.finish();
   fmt::print(stderr, "warning: {}; the training goes on without it\n", events_->problem());
+}
+
+/// A disk that is full now may have room in a second; at the end it is an error.
+void Training::grow_curve() {
+  const std::string problem =
+      curve_file_.grow(progress_.seconds(), [this] { return table_(progressed_.curve); });
+  if (problem.empty()) return;
+  progress_.finish();
+  fmt::print(stderr, "warning: {}; the training goes on and tries again\n", problem);
 }
 
 bool Training::is_evaluation_due() const {
@@ -401,7 +413,7 @@ void Training::write_policy() const {
 
 void Training::write_curve() const {
   const std::string& name = library_.description().graph;
-  if (!options_.csv.empty()) write_file(options_.csv, curve_csv(progressed_.curve));
+  if (!options_.csv.empty()) write_file(options_.csv, table_(progressed_.curve));
   if (!options_.curve.empty()) write_file(options_.curve, curve_svg(progressed_.curve, name));
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/checkpoint.hpp"
+#include "targets/environments/train/curve_file.hpp"
 #include "targets/environments/train/evaluation.hpp"
 #include "targets/environments/train/options.hpp"
 #include "targets/environments/train/progress.hpp"
@@ -20,8 +22,11 @@ void check_files(const Options& options);
 
 class Training {
  public:
+  /// What the table of the curve has so far, for who makes another one than curve_csv().
+  using Table = std::function<std::string(const std::vector<CurvePoint>&)>;
+
   /// Throws Problem for a library that cannot be trained on, and a checkpoint of another training.
-  Training(const Options& options, const Library& library);
+  Training(const Options& options, const Library& library, Table table = curve_csv);
 
   /// Trains until the policy succeeds, the steps are used up, or `is_interrupted`. Writes the
   /// files. Returns an exit code. Throws Problem, after the checkpoint is written.
@@ -46,6 +51,7 @@ class Training {
   Evaluation evaluate_at_last();
   Evaluation run(const Policy& policy, std::uint64_t seed);
   void show();
+  void grow_curve();
   void open_events();
   bool is_good(const Evaluation& evaluation) const;
   Evaluation judge(const Policy& now, Evaluation seen);
@@ -72,6 +78,8 @@ class Training {
   Evaluation seen_;  // the last evaluation of this run
   Evaluation last_;  // of the best policy, when all is over
   std::optional<EventFile> events_;
+  const Table table_;
+  CurveFile curve_file_;
   std::uint32_t first_iteration_ = 0;  // of this run
   bool goes_on_ = false;               // in the middle of an era
   bool is_saved_ = true;               // as far as it was tried

@@ -310,6 +310,8 @@ TEST_F(TrainTraining, SeveralSeeds) {
   }
   EXPECT_TRUE(best == policies[0] || best == policies[1]);
   EXPECT_TRUE(read_file(all.csv).starts_with("seed,steps,return,"));
+  for (const char* row : {"\n1,40960,", "\n2,40960,"})
+    EXPECT_NE(read_file(all.csv).find(row), std::string::npos) << row;
   EXPECT_NE(read_file(all.curve).find("2 seeds"), std::string::npos);
 }
 
