@@ -13,6 +13,7 @@ namespace {
 /// The same on lines of a list's item.
 std::vector<std::string> lines_of_item(const std::vector<KeyValue>& values) {
   std::vector<std::string> lines;
+  lines.reserve(values.size());
   for (const KeyValue& each : values)
     lines.push_back(
         fmt::format("{}{}: {}", lines.empty() ? "- " : "  ", yaml_text(each.key), each.value));
@@ -51,7 +52,7 @@ bool take_away_uses(Written& written, const std::string& owner) {
 /// An item of a list of names as a path with its place: `observations.angle` of `[angle]`.
 OutlinePath with_places(const Written& written, OutlinePath path) {
   for (std::size_t i = 1; i <= path.size(); ++i) {
-    const OutlineNode* const above = written.node({path.begin(), path.begin() + (i - 1)});
+    const OutlineNode* const above = written.node(beginning_of(path, i - 1));
     if (above == nullptr || above->kind != OutlineNode::Kind::list) continue;
     const std::string key = key_at(path, i - 1);
     if (key.empty()) continue;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/edit/changes.hpp"
+#include "generator/edit/words.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/read/tree.hpp"
 
@@ -133,8 +134,7 @@ Change set_value(std::string_view text, const OutlinePath& path, const std::stri
   const Written before(text);
   Written after = before;
   const std::string name = shown(path);
-  const Change impossible =
-      refused(fmt::format("`{}` cannot be set where it is written", name), kByHand);
+  Change impossible = refused(fmt::format("`{}` cannot be set where it is written", name), kByHand);
   if (const OutlineEntry* const entry = before.entry(path)) {
     const std::size_t begin = before.value_begin(*entry);
     std::size_t end = std::max(begin, before.end_of(*entry));
@@ -151,8 +151,8 @@ Change set_value(std::string_view text, const OutlinePath& path, const std::stri
                               is_item ? "" : " ", value));
   } else {
     std::size_t known = path.size() - 1;
-    while (known > 0 && before.node({path.begin(), path.begin() + known}) == nullptr) --known;
-    OutlinePath above(path.begin(), path.begin() + known);
+    while (known > 0 && before.node(beginning_of(path, known)) == nullptr) --known;
+    const OutlinePath above = beginning_of(path, known);
     std::string inner = value;
     for (std::size_t i = path.size() - 1; i > known; --i) {
       const std::string key = key_at(path, i);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cctype>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,11 @@ inline bool is_letter(char c) {
 inline std::string text_at(const OutlineNode& map, std::string_view key) {
   const OutlineNode* const value = map.find(key);
   return value != nullptr ? value->text : std::string();
+}
+
+/// The first `count` steps of a path.
+inline OutlinePath beginning_of(const OutlinePath& path, std::size_t count) {
+  return {path.begin(), std::next(path.begin(), static_cast<std::ptrdiff_t>(count))};
 }
 
 }  // namespace eagerx::gen

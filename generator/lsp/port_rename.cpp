@@ -105,6 +105,7 @@ Server::Answer Server::port_renamed(const PortToRename& port, const std::string&
   if (why.empty()) why = why_not(changes);
   if (!why.empty()) return {{}, kInvalidParams, why};
   std::vector<std::pair<std::string, Json>> edits;
+  edits.reserve(changes.size());
   for (const Change& each : changes)
     edits.emplace_back(each.uri, splices_json(each.splices, each.text));
   return {edits_json(edits)};

@@ -20,6 +20,7 @@ class Placer {
 
   void run(const std::vector<PlacementSpec>& items) {
     std::vector<std::optional<std::size_t>> parts;
+    parts.reserve(items.size());
     for (const auto& item : items) parts.push_back(part_of(item));
     // What is named itself is not with the rest.
     for (std::size_t i = 0; i < items.size(); ++i)

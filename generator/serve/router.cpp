@@ -89,11 +89,12 @@ std::optional<Answer> Router::refusal(const Asked& asked) const {
     return refused(kForbidden, "the request is for another host");
   if (!asked.origin.empty() && asked.origin != "http://" + asked.host)
     return refused(kForbidden, "the request comes from another page");
+  constexpr std::size_t kNone = std::string_view::npos;
   const std::string_view path = asked.path;
   const std::size_t end = path.find('/', std::min<std::size_t>(1, path.size()));
   const std::string_view token =
-      path.substr(std::min<std::size_t>(1, path.size()), end == path.npos ? path.npos : end - 1);
-  if (end == path.npos || !is_same(token, token_))
+      path.substr(std::min<std::size_t>(1, path.size()), end == kNone ? kNone : end - 1);
+  if (end == kNone || !is_same(token, token_))
     return refused(kForbidden, "the address has no valid token",
                    "open the address that eagerx-gen serve has printed");
   const std::string_view what = rest_of(path, token_);

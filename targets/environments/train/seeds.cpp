@@ -66,6 +66,7 @@ std::string table_of(const std::vector<Trained>& all, bool has_success) {
 
 void write_all(const Options& options, const Library& library, const std::vector<Trained>& all) {
   std::vector<std::vector<CurvePoint>> curves;
+  curves.reserve(all.size());
   for (const Trained& one : all) curves.push_back(one.curve);
   if (!options.curve.empty())
     write_file(options.curve, curves_svg(curves, library.description().graph));
@@ -88,11 +89,13 @@ std::string path_of_seed(const std::string& path, std::uint64_t seed) {
 
 int train_seeds(const Options& options, const Library& library, const Interrupt& is_interrupted) {
   std::vector<Trained> all;
-  for (std::uint64_t i = 0; i < options.seeds && !is_interrupted; ++i) {
+  // The first one says itself that it was interrupted: there is always one to write.
+  for (std::uint64_t i = 0; i < options.seeds && (i == 0 || !is_interrupted); ++i) {
     const Options one = options_of(options, options.settings.seed + i);
     if (!options.is_quiet) print(fmt::format("seed {}\n", one.settings.seed));
     const auto table = [&](const std::vector<CurvePoint>& curve) {
       std::vector<std::vector<CurvePoint>> curves;
+      curves.reserve(all.size() + 1);
       for (const Trained& each : all) curves.push_back(each.curve);
       curves.push_back(curve);
       return curves_csv(curves, options.settings.seed);
