@@ -56,7 +56,8 @@ file(WRITE ${stage}/extension.vsixmanifest "<?xml version=\"1.0\" encoding=\"utf
   </Assets>
 </PackageManifest>
 ")
-# The same bytes on every machine.
+# The same files on every machine; the archive itself also says when each was read and changed, which CMake cannot leave
+# out.
 file(REMOVE ${OUTPUT})
 execute_process(COMMAND ${CMAKE_COMMAND} -E tar cf ${OUTPUT} --format=zip --mtime=2024-01-01 "[Content_Types].xml" extension.vsixmanifest extension
                 WORKING_DIRECTORY ${stage} COMMAND_ERROR_IS_FATAL ANY)
