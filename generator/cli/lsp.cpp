@@ -14,6 +14,7 @@
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/half_written.hpp"
 #include "generator/cli/manifest_check.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/resolved_facts.hpp"
@@ -22,7 +23,6 @@
 #include "generator/library/schema.hpp"
 #include "generator/lsp/server.hpp"
 #include "generator/lsp/stream.hpp"
-#include "generator/outline/outline.hpp"
 #include "generator/read/memory.hpp"
 
 namespace eagerx::gen {
@@ -128,16 +128,7 @@ class Workshop final : public lsp::Analyst {
 
   /// The whole library of a graph, read once for all that have the same folders.
   const Known& library_of(const std::string& path, const std::string& text) {
-    LibraryOptions options = options_;
-    const OutlineNode outline = outline_of(text);
-    if (const OutlineNode* const folders = outline.find("library")) {
-      for (const OutlineEntry& each : folders->entries) {
-        std::error_code ignored;
-        const fs::path folder = fs::path(path).parent_path() / each.value.text;
-        if (!each.value.text.empty() && fs::is_directory(folder, ignored))
-          options.paths.push_back(folder.lexically_normal().string());
-      }
-    }
+    const LibraryOptions options = with_folders_of(options_, path, text);
     if (known_.size() > kMostLibraries) known_.clear();
     const auto [place, is_new] = known_.try_emplace(options.paths);
     if (is_new) place->second = read_library(options);

@@ -12,6 +12,7 @@
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/entity_json.hpp"
+#include "generator/cli/half_written.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/files/files.hpp"
@@ -95,12 +96,12 @@ class ServeWorkshop final : public serve::Workshop {
 
   Json library(const std::string& path, const std::string& text) override {
     Run run;
-    load(run, with_folders(path, text));
+    load(run, with_folders_of(options_, path, text));
     return library_json(run.library);
   }
   Json schema(const std::string& path, const std::string& text) override {
     Run run;
-    load(run, with_folders(path, text));
+    load(run, with_folders_of(options_, path, text));
     return sections_json(graph_schema(run.library));
   }
 
@@ -128,22 +129,6 @@ class ServeWorkshop final : public serve::Workshop {
     contents.sources = &run.sources;
     contents.diagnostics = &run.diagnostics;
     return page_json(contents);
-  }
-
-  /// Also the folders that a graph names, which may be half written.
-  [[nodiscard]] LibraryOptions with_folders(const std::string& path,
-                                            const std::string& text) const {
-    LibraryOptions options = options_;
-    const OutlineNode outline = outline_of(text);
-    const OutlineNode* const folders = outline.find("library");
-    if (folders == nullptr) return options;
-    for (const OutlineEntry& each : folders->entries) {
-      std::error_code ignored;
-      const fs::path folder = fs::path(path).parent_path() / each.value.text;
-      if (!each.value.text.empty() && fs::is_directory(folder, ignored))
-        options.paths.push_back(folder.lexically_normal().string());
-    }
-    return options;
   }
 
   const LibraryOptions options_;
