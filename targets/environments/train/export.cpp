@@ -139,7 +139,8 @@ std::string golden_rows(const Policy& policy, const Kernels& kernels,
       for (std::size_t i = t; i < lines.size(); i += steps) {
         const std::size_t l = i / steps;
         lines[i] = remembers ? (t == 0 ? "1," : "0,") : "";
-        lines[i] += fmt::format("{}", fmt::join(&tile[l * inputs], &tile[l * inputs] + inputs, ","));
+        lines[i] +=
+            fmt::format("{}", fmt::join(&tile[l * inputs], &tile[l * inputs] + inputs, ","));
         lines[i] += answered(policy, &row[policy.network.output()], l);
       }
     }

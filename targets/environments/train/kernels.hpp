@@ -59,8 +59,8 @@ struct Kernels {
 
   /// `dafter` to the derivatives by gates and products; what of it goes to the state before without
   /// them takes its place.
-  void (*gru_slopes)(std::size_t units, const Pack* gates, const Pack* products,
-                     const Pack* before, Pack* dafter, Pack* dgates, Pack* dproducts);
+  void (*gru_slopes)(std::size_t units, const Pack* gates, const Pack* products, const Pack* before,
+                     Pack* dafter, Pack* dgates, Pack* dproducts);
   void (*lstm_slopes)(std::size_t units, const Pack* gates, const Pack* products,
                       const Pack* before, Pack* dafter, Pack* dgates, Pack* dproducts);
 

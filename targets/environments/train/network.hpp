@@ -55,8 +55,8 @@ class Network {
                 std::size_t tiles, Pack* scratch, float* gradient,
                 const Pack* goes_on = nullptr) const;
 
-  /// Without a memory: fills the rest of `deltas` [row()], whose outputs' places have the derivatives of something:
-  /// its derivatives by the inputs are in the first places.
+  /// Without a memory: fills the rest of `deltas` [row()], whose outputs' places have the
+  /// derivatives of something: its derivatives by the inputs are in the first places.
   void input_slopes(const Kernels& kernels, const float* parameters, const Pack* row,
                     Pack* deltas) const;
 

@@ -32,8 +32,8 @@ struct Settings {
   Memory memory{};  // in front of the layers, of actor and critic each
   std::size_t memory_units{};
   std::size_t memory_steps{};  // that gradients go back; the horizon is a multiple
-  float discount{};     // γ
-  float trace_decay{};  // λ of generalised advantage estimation
+  float discount{};            // γ
+  float trace_decay{};         // λ of generalised advantage estimation
 
   std::size_t environments{};  // a multiple of kParts * kLanes
   bool stagger{};

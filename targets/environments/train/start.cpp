@@ -107,7 +107,8 @@ std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& li
   if (!is_sac(settings)) return std::make_unique<Ppo>(settings, library, kernels, team, longest);
   // A training that goes on takes the actions of its era from the memory.
   sac::Settings& s = settings.sac;
-  s.memory = std::max(s.memory, era_of(settings, library.description()) * s.horizon * s.environments);
+  s.memory =
+      std::max(s.memory, era_of(settings, library.description()) * s.horizon * s.environments);
   return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
 }
 

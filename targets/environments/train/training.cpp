@@ -107,8 +107,7 @@ Ending Training::iterate(const Interrupt& is_interrupted) {
       showing_.show(progressed_.curve, judge_.seen());
       break;
     }
-    if (algorithm_->iteration > first_iteration_)
-      showing_.show(progressed_.curve, judge_.seen());
+    if (algorithm_->iteration > first_iteration_) showing_.show(progressed_.curve, judge_.seen());
     if (steps() >= options_.steps) return Ending::steps;
     if (is_interrupted) return Ending::interrupted;
     start_iteration();

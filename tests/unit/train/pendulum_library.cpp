@@ -33,8 +33,8 @@ constexpr std::size_t kWidth = 2;  // of an observation
 #define SPEED
 #else
 constexpr std::size_t kWidth = 3;
-#define SPEED                                                                               \
-  R"(, {"name": "speed", "shape": [], "dtype": "float32", "window": 1, "low": [null],)"     \
+#define SPEED                                                                           \
+  R"(, {"name": "speed", "shape": [], "dtype": "float32", "window": 1, "low": [null],)" \
   R"( "high": [null], "first": 2})"
 #endif
 

@@ -1,9 +1,9 @@
 // Networks with a memory: against the formulas in double, and against what reads their files.
-#include <eagerx/policy/recurrent.hpp>
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
+#include <eagerx/policy/recurrent.hpp>
 #include <fstream>
 
 #include "generator/formats/golden.hpp"
@@ -14,7 +14,7 @@
 #include "targets/environments/train/network.hpp"
 #include "targets/environments/train/recurrent/states.hpp"
 
-namespace eagerx::train {
+namespace eagerx::train::recurrent_test {
 namespace {
 
 constexpr std::size_t kInputs = 3, kUnits = 5, kOutputs = 2, kSteps = 6;
@@ -93,8 +93,7 @@ Values product(const Values& weights, const Cell::Product& at, const Values& x) 
   Values y;
   for (std::size_t j = 0; j < at.sizes.outputs; ++j) {
     double sum = weights[at.bias + j];
-    for (std::size_t i = 0; i < x.size(); ++i)
-      sum += weights[at.weights + j * x.size() + i] * x[i];
+    for (std::size_t i = 0; i < x.size(); ++i) sum += weights[at.weights + j * x.size() + i] * x[i];
     y.push_back(sum);
   }
   return y;
@@ -135,8 +134,7 @@ double loss_of_lane(const Network& network, const Values& weights, const Packs& 
   for (std::size_t t = 0; t < kSteps; ++t) {
     if (t > 0 && goes_on[t].lane[lane] == 0.0F) h = c = Values(kUnits);
     Values x;
-    for (std::size_t i = 0; i < kInputs; ++i)
-      x.push_back(rows[t * network.row() + i].lane[lane]);
+    for (std::size_t i = 0; i < kInputs; ++i) x.push_back(rows[t * network.row() + i].lane[lane]);
     step(cell, weights, x, h, c);
     Values y = h;
     for (const auto& layer : network.layers()) {
@@ -152,8 +150,7 @@ double loss_of_lane(const Network& network, const Values& weights, const Packs& 
 double loss(const Network& network, const Values& weights, const Packs& rows,
             const Packs& goes_on) {
   double sum = 0.0;
-  for (std::size_t l = 0; l < kLanes; ++l)
-    sum += loss_of_lane(network, weights, rows, goes_on, l);
+  for (std::size_t l = 0; l < kLanes; ++l) sum += loss_of_lane(network, weights, rows, goes_on, l);
   return sum;
 }
 
@@ -233,6 +230,7 @@ TEST_P(TrainRecurrent, IsWhatTheRuntimeComputes) {
 
 Description description() {
   Description result;
+  result.rate_hz = 30.0;
   result.observations = {{"joint", "float32", 3, {-1, -1, -1}, {1, 1, 1}}};
   result.actions = {{"voltage", "float32", 2, {-2, 0}, {2, 10}}};
   return result;
@@ -297,9 +295,7 @@ TEST_P(TrainRecurrent, TheReaderOfPoliciesGivesTheGoldenAnswers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, TrainRecurrent, testing::Values(Memory::gru, Memory::lstm),
-                         [](const auto& info) {
-                           return info.param == Memory::gru ? "Gru" : "Lstm";
-                         });
+                         [](const auto& one) { return one.param == Memory::gru ? "Gru" : "Lstm"; });
 
 }  // namespace
-}  // namespace eagerx::train
+}  // namespace eagerx::train::recurrent_test

@@ -87,10 +87,9 @@ struct MemoryKernelsOf {
       const Vector candidate = load(gates[g]), output = load(gates[o]);
       const Vector bounded = load(products[k]), dh = load(dafter[k]);
       const Vector dcell = load(dafter[f]) + tanh_slope(bounded, dh * output);
-      const Vector slopes[] = {sigmoid_slope(input, dcell * candidate),
-                               sigmoid_slope(forget, dcell * load(before[f])),
-                               tanh_slope(candidate, dcell * input),
-                               sigmoid_slope(output, dh * bounded)};
+      const Vector slopes[] = {
+          sigmoid_slope(input, dcell * candidate), sigmoid_slope(forget, dcell * load(before[f])),
+          tanh_slope(candidate, dcell * input), sigmoid_slope(output, dh * bounded)};
       for (std::size_t j = 0; j < 4; ++j) {
         store(slopes[j], dgates[j * units + k]);
         store(slopes[j], dproducts[j * units + k]);
