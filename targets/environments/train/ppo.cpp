@@ -246,11 +246,9 @@ void Ppo::go_on(std::uint32_t era) {
     rollout.taken = std::move(taken[part]);
     rollout.replay(settings_.discount);
     if (!remembers_) rollout.taken = {};
+    const std::size_t states = model_.remembered.size() / kParts;
+    if (has_actions) rollout.recall(&model_.remembered[part * states]);
   });
-  const float* states = model_.remembered.data();
-  for (auto& rollout : rollouts_) {
-    if (has_actions) states = rollout->restore_states(states);
-  }
 }
 
 std::vector<Episode> Ppo::collect() {
@@ -366,7 +364,9 @@ Algorithm::Result Ppo::iterate() {
   average();
   see();
   model_.remembered.clear();
-  for (const auto& rollout : rollouts_) rollout->save_states(model_.remembered);
+  for (const auto& rollout : rollouts_)
+    model_.remembered.insert(model_.remembered.end(), rollout->remembered.begin(),
+                             rollout->remembered.end());
   ++iteration;
   result.divergence = divergence_;
   return result;

@@ -123,6 +123,9 @@ void Rollout::collect(const Frozen& frozen) {
     value_[horizon_ * tiles() + k] = critic_row_[frozen.model.critic.output()];
   }
   estimate_advantages(frozen.settings);
+  remembered.clear();
+  actor_states_.save(remembered);
+  critic_states_.save(remembered);
 }
 
 /// Draws the actions of all environments and notes what the critic thinks.
@@ -227,13 +230,8 @@ Pack Rollout::goes_on(std::size_t step, std::size_t tile) const {
   return result;
 }
 
-void Rollout::save_states(std::vector<float>& to) const {
-  actor_states_.save(to);
-  critic_states_.save(to);
-}
-
-const float* Rollout::restore_states(const float* from) {
-  return critic_states_.restore(actor_states_.restore(from));
+void Rollout::recall(const float* states) {
+  critic_states_.restore(actor_states_.restore(states));
 }
 
 /// Whether it was the last of the episode.

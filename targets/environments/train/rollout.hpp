@@ -39,10 +39,8 @@ class Rollout {
   /// Steps all environments, which have just been reset, with `taken` again. They are then where
   /// they were when the last of these actions had been taken.
   void replay(float discount);
-  /// What the networks remember of all environments: appends it, and takes it again. Returns what
-  /// is behind it.
-  void save_states(std::vector<float>& to) const;
-  const float* restore_states(const float* from);
+  /// The networks remember of all environments what was in `remembered` once.
+  void recall(const float* states);
 
   /// How environments are stepped, and what made that slower.
   std::string stepping() const { return environments_.stepping(); }
@@ -56,6 +54,7 @@ class Rollout {
   Packs advantage, target;  // target of the critic
   /// [horizon / memory_steps][tiles][state] what was remembered at the beginning of each sequence.
   Packs actor_starts, critic_starts;
+  std::vector<float> remembered;  // [states of actor and critic] behind the rollout
   Sums observation_sums, return_sums;
   Sums advantage_sums;
   std::vector<Episode> episodes;  // in order of time
