@@ -22,7 +22,7 @@ CommandLine command_line() {
                    diff_command(),     graph_command(),    report_command(), explain_command(),
                    import_command(),   schema_command(),   new_command(),    size_command(),
                    replay_command(),   identify_command(), trace_command(),  plot_command(),
-                   monitor_command(),  policy_command(),   docs_command(),   fix_command(),
+                   monitor_command(),  policy_command(),   key_command(),    docs_command(),   fix_command(),
                    rename_command(),   lsp_command(),      serve_command(),  pages_command(pages)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
