@@ -202,7 +202,7 @@ bool LinkPort::open_tcp(const std::string& address, Say say) {
     if (file < 0) continue;
     const int yes = 1;
     if (say != nullptr) {
-      constexpr int kWaiting = 16;  // strangers who wait to be dropped
+      constexpr int kWaiting = 128;  // strangers who wait to be dropped
       setsockopt(file, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
       if (bind(file, item->ai_addr, item->ai_addrlen) == 0 &&
           ::listen(file, key_.sodium == nullptr ? 1 : kWaiting) == 0) {

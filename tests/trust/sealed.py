@@ -122,7 +122,7 @@ class Sealed:
             raise Refused("a record that nobody sends")
         return data
 
-    def close(self):
+    def end(self):
+        """Says that nothing comes any more."""
         length = struct.pack("<H", 0)
         self.connection.sendall(length + self.out.seal(b"", length, FINAL))
-        self.connection.close()
