@@ -33,22 +33,24 @@ int perform(const KeyNewOptions& options) {
 }
 
 Command table(KeyNewOptions& options) {
-  return {.name = "new",
-          .about = "write a new key, which nobody but you can read (mode 0600)",
-          .examples = {{"for the line to a part on another machine", "eagerx-gen key new camera.key"}},
-          .arguments = joined({{required(writes(text(
-                                   "file", options.file, "where no file is", "FILE")))},
-                               diagnostics(options)}),
-          .run = [&options] { return perform(options); }};
+  return {
+      .name = "new",
+      .about = "write a new key, which nobody but you can read (mode 0600)",
+      .examples = {{"for the line to a part on another machine", "eagerx-gen key new camera.key"}},
+      .arguments =
+          joined({{required(writes(text("file", options.file, "where no file is", "FILE")))},
+                  diagnostics(options)}),
+      .run = [&options] { return perform(options); }};
 }
 
 }  // namespace
 
 Command key_command() {
-  return {.name = "key",
-          .about = "make a key: who has it may be a part of a graph, or its hub, over TCP",
-          .examples = {{"for the line to a part on another machine", "eagerx-gen key new camera.key"}},
-          .commands = {with_options<KeyNewOptions>(table)}};
+  return {
+      .name = "key",
+      .about = "make a key: who has it may be a part of a graph, or its hub, over TCP",
+      .examples = {{"for the line to a part on another machine", "eagerx-gen key new camera.key"}},
+      .commands = {with_options<KeyNewOptions>(table)}};
 }
 
 }  // namespace eagerx::gen

@@ -78,7 +78,8 @@ std::string how_elsewhere(const PlacedPart& part, const std::string& image, std:
         shell_word(fs::path(key).filename().string()), part.name, host, port);
   return fmt::format(
       "copy {} there and type `./{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
-      "`--link {}=localhost:{}`. Without ssh it takes a key: `eagerx-gen key new {}.key`, then this "
+      "`--link {}=localhost:{}`. Without ssh it takes a key: `eagerx-gen key new {}.key`, then "
+      "this "
       "command with `--key {}.key`",
       shell_word(image), there, port, port, port, host, part.name, port, part.name, part.name);
 }

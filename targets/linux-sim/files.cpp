@@ -52,9 +52,9 @@ void open_standard_files() {
 std::string problem_with_files(const Options& options) {
   const bool reads_actions = options.agent == target::Agent::csv;
   std::vector<Named> inputs = {{"--agent", reads_actions ? options.action_file : ""},
-                          {"--replay", options.replay},
-                          {"--identify", options.identify},
-                          {"--publish-key", options.publish_key}};
+                               {"--replay", options.replay},
+                               {"--identify", options.identify},
+                               {"--publish-key", options.publish_key}};
   for (const std::string& key : options.keys) {
     inputs.push_back({"--key", key});
     inputs.push_back({"--key", key.substr(key.find('=') + 1)});

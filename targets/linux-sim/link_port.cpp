@@ -214,8 +214,8 @@ bool LinkPort::open_tcp(const std::string& address, Say say) {
       }
       number = errno;
     } else {
-      number = connect_until(file, item->ai_addr, item->ai_addrlen,
-                             now_ns() + kGreetingS * kSecondNs);
+      number =
+          connect_until(file, item->ai_addr, item->ai_addrlen, now_ns() + kGreetingS * kSecondNs);
       if (number == 0) {
         setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
         file_ = file;
@@ -314,8 +314,8 @@ std::size_t LinkPort::write_bytes(const std::uint8_t* bytes, std::size_t size,
   return sent;
 }
 
-/// What is sealed has its place in the order, so it has to go before anything else: what there is no
-/// time for is never sealed. Whether all of it went.
+/// What is sealed has its place in the order, so it has to go before anything else: what there is
+/// no time for is never sealed. Whether all of it went.
 bool LinkPort::send_sealed(std::uint64_t until_ns) {
   sealed_begin_ +=
       write_bytes(sealed_.data() + sealed_begin_, sealed_end_ - sealed_begin_, until_ns);

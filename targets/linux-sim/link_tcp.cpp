@@ -132,8 +132,7 @@ class Door {
         unknown_, {}, [](const Unknown& each) { return each.file < 0 ? 0 : each.until_ns; });
     if (oldest->file >= 0) drop(*oldest, "was one of too many");
     oldest->file = file;
-    oldest->until_ns =
-        LinkPort::now_ns() + static_cast<std::uint64_t>(greeting_s_) * kNsOfSecond;
+    oldest->until_ns = LinkPort::now_ns() + static_cast<std::uint64_t>(greeting_s_) * kNsOfSecond;
     oldest->greeting.begin(*key_.sodium, key_.key, key::Role::listens);
     return true;
   }

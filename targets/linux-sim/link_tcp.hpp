@@ -1,4 +1,5 @@
-// TCP lines between the programs of a split graph: who may speak, and how long nobody is waited for.
+// TCP lines between the programs of a split graph: who may speak, and how long nobody is waited
+// for.
 #pragma once
 
 #include <sys/socket.h>

@@ -43,7 +43,8 @@ bool read_digits(std::string_view text, Key& key) {
 std::string problem_of_rights(const std::string& path, const struct stat& status) {
   if (!S_ISREG(status.st_mode)) return "it is no file" + std::string(kMakeOne);
   if (status.st_uid != geteuid())
-    return "it belongs to another user\nhelp: each user has a copy, with `install -m 600 FILE COPY`";
+    return "it belongs to another user\nhelp: each user has a copy, with `install -m 600 FILE "
+           "COPY`";
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
     return "others can read it, or write it\nhelp: chmod 600 " + path +
            "; if somebody may have read it, take a new key";

@@ -47,9 +47,8 @@ Records::Found Records::open(std::uint8_t* bytes, std::size_t& size) {
   if (taken_size_ < whole) return Found::nothing;
   unsigned long long opened = 0;
   std::uint8_t tag = 0;
-  const bool is_right =
-      sodium_->pull(&in_, bytes, &opened, &tag, taken_.data() + kLengthBytes, length + kSealBytes,
-                    taken_.data(), kLengthBytes) == 0;
+  const bool is_right = sodium_->pull(&in_, bytes, &opened, &tag, taken_.data() + kLengthBytes,
+                                      length + kSealBytes, taken_.data(), kLengthBytes) == 0;
   taken_size_ -= whole;
   std::memmove(taken_.data(), taken_.data() + whole, taken_size_);
   size = is_right ? static_cast<std::size_t>(opened) : 0;
@@ -136,8 +135,8 @@ bool Greeting::take_proof(const std::uint8_t* proof) {
 void Greeting::send_proof(std::size_t at) {
   const std::uint8_t nothing = 0;
   sodium_->init_push(&out_, send_.data() + at, out_key_.data());
-  sodium_->push(&out_, send_.data() + at + kHeadBytes, nullptr, &nothing, 0,
-                said_.data(), said_.size(), kTagMessage);
+  sodium_->push(&out_, send_.data() + at + kHeadBytes, nullptr, &nothing, 0, said_.data(),
+                said_.size(), kTagMessage);
   send_size_ = at + kProofBytes;
 }
 
@@ -147,7 +146,8 @@ bool Greeting::make_keys(const std::uint8_t* other) {
   if (std::equal(open_.begin(), open_.end(), other)) return false;
   std::array<std::uint8_t, kSharedBytes> in{}, out{};
   const bool connects = role_ == Role::connects;
-  const auto exchange = connects ? sodium_->kx_client_session_keys : sodium_->kx_server_session_keys;
+  const auto exchange =
+      connects ? sodium_->kx_client_session_keys : sodium_->kx_server_session_keys;
   const bool is_good = exchange(in.data(), out.data(), open_.data(), secret_.data(), other) == 0;
   if (is_good) {
     mix(in.data(), connects, in_key_.data());

@@ -31,8 +31,8 @@ const Functions* sodium(std::string& problem) {
   static const bool found = [] {
     void* const opened = dlopen(kSodium, RTLD_NOW | RTLD_LOCAL);
     return opened != nullptr && look_up_sodium(opened, functions) && functions.init() >= 0 &&
-           functions.state_bytes() == sizeof(StreamState) &&
-           functions.head_bytes() == kHeadBytes && functions.seal_bytes() == kSealBytes;
+           functions.state_bytes() == sizeof(StreamState) && functions.head_bytes() == kHeadBytes &&
+           functions.seal_bytes() == kSealBytes;
   }();
   if (!found)
     problem = "a key needs the library libsodium, `" + std::string(kSodium) +

@@ -10,10 +10,11 @@ namespace eagerx::key {
 // Of libsodium's headers, version 1.0.18: Debian 12 and 13. They are not needed where a program is
 // built, and the library not where nobody uses a key. The unit test compares them with the headers.
 
-inline constexpr std::size_t kPublicBytes = 32;    // crypto_kx_PUBLICKEYBYTES
-inline constexpr std::size_t kSecretBytes = 32;    // crypto_kx_SECRETKEYBYTES
-inline constexpr std::size_t kSharedBytes = 32;    // crypto_kx_SESSIONKEYBYTES
-inline constexpr std::size_t kStreamKeyBytes = 32;  // crypto_secretstream_xchacha20poly1305_KEYBYTES
+inline constexpr std::size_t kPublicBytes = 32;  // crypto_kx_PUBLICKEYBYTES
+inline constexpr std::size_t kSecretBytes = 32;  // crypto_kx_SECRETKEYBYTES
+inline constexpr std::size_t kSharedBytes = 32;  // crypto_kx_SESSIONKEYBYTES
+inline constexpr std::size_t kStreamKeyBytes =
+    32;                                        // crypto_secretstream_xchacha20poly1305_KEYBYTES
 inline constexpr std::size_t kHeadBytes = 24;  // crypto_secretstream_xchacha20poly1305_HEADERBYTES
 inline constexpr std::size_t kSealBytes = 17;  // crypto_secretstream_xchacha20poly1305_ABYTES
 inline constexpr std::uint8_t kTagMessage = 0;
