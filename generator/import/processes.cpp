@@ -77,23 +77,24 @@ void translate_processes(Translation& t, const Processes& processes) {
   place(processes.elsewhere, Process::external, "EXTERNAL in EAGERx: name its machine", elsewhere);
   for (const std::string& name : processes.kept)
     kept.push_back(name == "engine" ? "the engine" : "`" + name + "`");
+  if (alone.empty() && elsewhere.empty()) {
+    if (kept.empty()) return;
+    t.diagnostics.note(processes.place, fmt::format("in the main program here, but in EAGERx in a "
+                                                    "process of its own: {}",
+                                                    joined(kept)));
+    return;
+  }
   std::vector<std::string> texts;
-  if (!alone.empty())
-    texts.push_back(fmt::format("on this machine {}", joined(alone)));
-  if (!elsewhere.empty())
-    texts.push_back(fmt::format("on machines for you to name {}", joined(elsewhere)));
-  std::string text = texts.empty() ? ""
-                                   : fmt::format("processes of EAGERx become programs of their own "
-                                                 "(`placement:`): {}",
-                                                 fmt::join(texts, "; "));
-  if (!kept.empty())
-    text += fmt::format("{}in the main program, with all of the engine: {}",
-                        text.empty() ? "`process` of EAGERx is left out: " : "; ", joined(kept));
-  auto& note = t.diagnostics.note(processes.place, text);
-  if (!texts.empty())
-    note.help =
-        "the messages are the same in one program, and their steps then take no exchanges: leave "
-        "out of `placement:` what need not be elsewhere";
+  if (!alone.empty()) texts.push_back(joined(alone) + " on this machine");
+  if (!elsewhere.empty()) texts.push_back(joined(elsewhere) + " on a machine for you to name");
+  if (!kept.empty()) texts.push_back(joined(kept) + " in the main program, with all of the engine");
+  t.diagnostics
+      .note(processes.place, fmt::format("what had a process of its own in EAGERx is a program of "
+                                         "its own (`placement:`): {}",
+                                         fmt::join(texts, "; ")))
+      .help =
+      "one program has the same messages and is faster: leave out of `placement:` what need not "
+      "run elsewhere";
 }
 
 }  // namespace eagerx::gen

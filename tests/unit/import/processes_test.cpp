@@ -2,14 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "generator/import/import.hpp"
-#include "generator/resolve/resolve.hpp"
+#include "generator/resolve/graph.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 /// BaseEnv.save of an object and two nodes between it and the environment; each with its process,
 /// "process: 0, " or nothing.
-std::string saved(const std::string& engine, const std::string& sensor, const std::string& first,
+std::string saved_with(const std::string& engine, const std::string& sensor, const std::string& first,
                   const std::string& second) {
   const std::string space = "space: {dtype: int64, low: 0, high: 1000000000, shape: [2]}";
   const auto node = [&](const std::string& name, const std::string& process) {
@@ -42,8 +42,8 @@ std::string saved(const std::string& engine, const std::string& sensor, const st
          engine_node("s0", "OSensor", sensor, "") + node("first", first) + node("second", second);
 }
 
-struct Import {
-  explicit Import(const std::string& text) {
+struct ProcessesOf {
+  explicit ProcessesOf(const std::string& text) {
     SourceMap sources;
     const YamlValue tree = read_yaml_text("state.yaml", text, sources, diagnostics, Tags::accept);
     library = load_library({{"tests/data/import/models", {}}, {"targets", {}}}, sources, diagnostics);
@@ -72,16 +72,16 @@ struct Import {
 using Notes = std::vector<std::string>;
 
 TEST(Processes, WhatIsTogetherInEagerxIsOneProgram) {
-  const Import import(saved("process: 1, ", "process: 2, ", "process: 1, ", "process: 2, "));
+  const ProcessesOf import(saved_with("process: 1, ", "process: 2, ", "process: 1, ", "process: 2, "));
   ASSERT_TRUE(import.resolved) << import.report;
   EXPECT_FALSE(import.resolved->placement);
   EXPECT_EQ(import.written.find("placement"), std::string::npos) << import.written;
   EXPECT_EQ(import.notes(), Notes{});
-  EXPECT_FALSE(Import(saved("", "", "", "")).resolved->placement) << "nothing is said";
+  EXPECT_FALSE(ProcessesOf(saved_with("", "", "", "")).resolved->placement) << "nothing is said";
 }
 
 TEST(Processes, ANewProcessIsAPartAndAnExternalOneHasAHost) {
-  const Import import(saved("process: 1, ", "process: 2, ", "process: 0, ", "process: 3, "));
+  const ProcessesOf import(saved_with("process: 1, ", "process: 2, ", "process: 0, ", "process: 3, "));
   ASSERT_TRUE(import.resolved) << import.report;
   ASSERT_TRUE(import.resolved->placement);
   const auto& parts = import.resolved->placement->parts;
@@ -97,35 +97,35 @@ TEST(Processes, ANewProcessIsAPartAndAnExternalOneHasAHost) {
                                 "name its machine\n"),
             std::string::npos)
       << import.written;
-  EXPECT_EQ(import.notes(), Notes{"processes of EAGERx become programs of their own "
-                                  "(`placement:`): on this machine `first`; on machines for you "
-                                  "to name `second`"});
+  EXPECT_EQ(import.notes(), Notes{"what had a process of its own in EAGERx is a program of its own "
+                                  "(`placement:`): `first` on this machine; `second` on a machine "
+                                  "for you to name"});
 }
 
 TEST(Processes, TheEngineAndItsNodesStayTogether) {
-  const Import import(saved("process: 0, ", "process: 3, ", "process: 0, ", "process: 1, "));
+  const ProcessesOf import(saved_with("process: 0, ", "process: 3, ", "process: 0, ", "process: 1, "));
   ASSERT_TRUE(import.resolved) << import.report;
   ASSERT_TRUE(import.resolved->placement);
   EXPECT_EQ(import.resolved->placement->parts.size(), 1U);
   EXPECT_EQ(import.resolved->placement->parts.front().name, "first");
   EXPECT_EQ(import.notes(),
-            Notes{"processes of EAGERx become programs of their own (`placement:`): on this "
-                  "machine `first`; in the main program, with all of the engine: the engine, "
-                  "`obj/s0`"});
-  const Import alone(saved("process: 0, ", "process: 2, ", "process: 1, ", "process: 1, "));
+            Notes{"what had a process of its own in EAGERx is a program of its own "
+                  "(`placement:`): `first` on this machine; the engine, `obj/s0` in the main "
+                  "program, with all of the engine"});
+  const ProcessesOf alone(saved_with("process: 0, ", "process: 2, ", "process: 1, ", "process: 1, "));
   EXPECT_FALSE(alone.resolved->placement);
-  EXPECT_EQ(alone.notes(), Notes{"`process` of EAGERx is left out: in the main program, with all "
-                                 "of the engine: the engine"});
+  EXPECT_EQ(alone.notes(), Notes{"in the main program here, but in EAGERx in a process of its own: "
+                                 "the engine"});
 }
 
 TEST(Processes, WhatIsNoProcessIsAnError) {
   for (const char* wrong : {"process: 4, ", "process: -1, ", "process: new, ", "process: [0], ",
                             "process: 00, ", "process: '', "}) {
-    const Import import(saved("", "", wrong, ""));
+    const ProcessesOf import(saved_with("", "", wrong, ""));
     EXPECT_FALSE(import.graph) << wrong;
     EXPECT_NE(import.report.find("E0802"), std::string::npos) << import.report;
   }
-  EXPECT_TRUE(Import(saved("", "", "process: null, ", "")).graph);
+  EXPECT_TRUE(ProcessesOf(saved_with("", "", "process: null, ", "")).graph);
 }
 
 }  // namespace
