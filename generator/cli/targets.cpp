@@ -70,13 +70,14 @@ void check_target(Run& run, const Target& target) {
   const bool is_linux = target.system == "linux";
   run.diagnostics
       .error("E0335", placement.span(),
-             is_linux
-                 ? fmt::format("target `{}` runs whole graphs only", target.id.value)
-                 : fmt::format("target `{1}` cannot run the part beside `{0}`: that part needs Linux",
-                               placement.parts.front().target->id.value, target.id.value))
-      .help = is_linux ? fmt::format("make it by itself and without `--split`, `--target {}` alone: "
-                                     "then `placement:` does not count",
-                                     target.id.value)
+             is_linux ? fmt::format("target `{}` runs whole graphs only", target.id.value)
+                      : fmt::format(
+                            "target `{1}` cannot run the part beside `{0}`: that part needs Linux",
+                            placement.parts.front().target->id.value, target.id.value))
+      .help = is_linux ? fmt::format(
+                             "make it by itself and without `--split`, `--target {}` alone: "
+                             "then `placement:` does not count",
+                             target.id.value)
                        : "leave out `--target`, or name a target of Linux";
 }
 

@@ -22,8 +22,7 @@ std::optional<Process> process_of(const SavedEntity& entity, Diagnostics& diagno
   diagnostics
       .error("E0802", saved->span,
              fmt::format("`process` of `{}` is none of EAGERx's", entity.name.value))
-      .help =
-      "it is 0 (NEW_PROCESS), 1 (ENVIRONMENT), 2 (ENGINE) or 3 (EXTERNAL)";
+      .help = "it is 0 (NEW_PROCESS), 1 (ENVIRONMENT), 2 (ENGINE) or 3 (EXTERNAL)";
   return std::nullopt;
 }
 
@@ -51,7 +50,7 @@ Processes find_processes(const SavedGraph& saved, Diagnostics& diagnostics) {
     if (result.place.line == 0) result.place = entity.parameter("process")->span;
     const bool is_node =
         entity.kind == SavedEntity::Kind::node && saved.owner_of(entity.name.value) == nullptr;
-    auto& list = !is_node                       ? result.kept
+    auto& list = !is_node                        ? result.kept
                  : *process == Process::external ? result.elsewhere
                                                  : result.alone;
     list.push_back(entity.name.value);
@@ -62,8 +61,8 @@ Processes find_processes(const SavedGraph& saved, Diagnostics& diagnostics) {
 void translate_processes(Translation& t, const Processes& processes) {
   if (processes.place.line == 0) return;
   std::vector<std::string> alone, elsewhere, kept;
-  const auto place = [&](const std::vector<std::string>& nodes, Process process,
-                         const char* remark, std::vector<std::string>& said) {
+  const auto place = [&](const std::vector<std::string>& nodes, Process process, const char* remark,
+                         std::vector<std::string>& said) {
     for (const std::string& saved : nodes) {
       if (t.entity(saved) == nullptr) continue;
       const std::string& name = t.names.at(saved);

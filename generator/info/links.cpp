@@ -60,8 +60,8 @@ std::string time_rows(const Plan& plan, const PartLink& link, const YamlValue* l
                                    "line {:.3g} of the {:.4g} ms of a step",
                                    ms, 1e3 / steps_per_s(plan)));
   if (limit != nullptr)
-    text += row("budget", fmt::format("{} baud, of which it needs {:.0f}", limit->text,
-                                      std::ceil(baud)));
+    text += row("budget",
+                fmt::format("{} baud, of which it needs {:.0f}", limit->text, std::ceil(baud)));
   return text;
 }
 
@@ -73,8 +73,7 @@ std::string part_text(const Plan& plan, std::size_t part, const YamlValue* limit
                                                               : " on this machine";
   return fmt::format("  {}, for {}{}\n", placed.name, placed.target->id.value, machine) +
          row("takes", messages_text(plan, link.to_part)) +
-         row("gives", messages_text(plan, link.to_hub)) +
-         row("a step", load_of_part(plan, part)) +
+         row("gives", messages_text(plan, link.to_hub)) + row("a step", load_of_part(plan, part)) +
          (link.exchanges == 0.0 ? std::string() : time_rows(plan, link, limit));
 }
 
@@ -106,7 +105,8 @@ std::string parts_text(const Plan& plan, const std::optional<YamlValue>& budget)
     bytes += bytes_on_line(links[part]);
   }
   if (links.size() > 1)
-    text += fmt::format("  all of them: {:.4g} exchanges and {:.4g} bytes a step\n", exchanges, bytes);
+    text +=
+        fmt::format("  all of them: {:.4g} exchanges and {:.4g} bytes a step\n", exchanges, bytes);
   return text;
 }
 

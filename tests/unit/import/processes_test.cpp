@@ -9,8 +9,8 @@ namespace {
 
 /// BaseEnv.save of an object and two nodes between it and the environment; each with its process,
 /// "process: 0, " or nothing.
-std::string saved_with(const std::string& engine, const std::string& sensor, const std::string& first,
-                  const std::string& second) {
+std::string saved_with(const std::string& engine, const std::string& sensor,
+                       const std::string& first, const std::string& second) {
   const std::string space = "space: {dtype: int64, low: 0, high: 1000000000, shape: [2]}";
   const auto node = [&](const std::string& name, const std::string& process) {
     return "  " + name + ": {node_type: x, config: {entity_id: oracle_nodes/CountNode, rate: 10, " +
@@ -46,7 +46,8 @@ struct ProcessesOf {
   explicit ProcessesOf(const std::string& text) {
     SourceMap sources;
     const YamlValue tree = read_yaml_text("state.yaml", text, sources, diagnostics, Tags::accept);
-    library = load_library({{"tests/data/import/models", {}}, {"targets", {}}}, sources, diagnostics);
+    library =
+        load_library({{"tests/data/import/models", {}}, {"targets", {}}}, sources, diagnostics);
     graph = import_graph(tree, "state.yaml", library, {}, diagnostics);
     if (graph) {
       written = write_graph(*graph);
@@ -72,7 +73,8 @@ struct ProcessesOf {
 using Notes = std::vector<std::string>;
 
 TEST(Processes, WhatIsTogetherInEagerxIsOneProgram) {
-  const ProcessesOf import(saved_with("process: 1, ", "process: 2, ", "process: 1, ", "process: 2, "));
+  const ProcessesOf import(
+      saved_with("process: 1, ", "process: 2, ", "process: 1, ", "process: 2, "));
   ASSERT_TRUE(import.resolved) << import.report;
   EXPECT_FALSE(import.resolved->placement);
   EXPECT_EQ(import.written.find("placement"), std::string::npos) << import.written;
@@ -81,7 +83,8 @@ TEST(Processes, WhatIsTogetherInEagerxIsOneProgram) {
 }
 
 TEST(Processes, ANewProcessIsAPartAndAnExternalOneHasAHost) {
-  const ProcessesOf import(saved_with("process: 1, ", "process: 2, ", "process: 0, ", "process: 3, "));
+  const ProcessesOf import(
+      saved_with("process: 1, ", "process: 2, ", "process: 0, ", "process: 3, "));
   ASSERT_TRUE(import.resolved) << import.report;
   ASSERT_TRUE(import.resolved->placement);
   const auto& parts = import.resolved->placement->parts;
@@ -103,7 +106,8 @@ TEST(Processes, ANewProcessIsAPartAndAnExternalOneHasAHost) {
 }
 
 TEST(Processes, TheEngineAndItsNodesStayTogether) {
-  const ProcessesOf import(saved_with("process: 0, ", "process: 3, ", "process: 0, ", "process: 1, "));
+  const ProcessesOf import(
+      saved_with("process: 0, ", "process: 3, ", "process: 0, ", "process: 1, "));
   ASSERT_TRUE(import.resolved) << import.report;
   ASSERT_TRUE(import.resolved->placement);
   EXPECT_EQ(import.resolved->placement->parts.size(), 1U);
@@ -112,7 +116,8 @@ TEST(Processes, TheEngineAndItsNodesStayTogether) {
             Notes{"what had a process of its own in EAGERx is a program of its own "
                   "(`placement:`): `first` on this machine; the engine, `obj/s0` in the main "
                   "program, with all of the engine"});
-  const ProcessesOf alone(saved_with("process: 0, ", "process: 2, ", "process: 1, ", "process: 1, "));
+  const ProcessesOf alone(
+      saved_with("process: 0, ", "process: 2, ", "process: 1, ", "process: 1, "));
   EXPECT_FALSE(alone.resolved->placement);
   EXPECT_EQ(alone.notes(), Notes{"in the main program here, but in EAGERx in a process of its own: "
                                  "the engine"});
