@@ -1,10 +1,6 @@
 // eagerx-campaign LIBRARY: many episodes of a graph with its agent in the loop.
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <csignal>
 #include <runtime/host/base/interrupt.hpp>
-#include <string_view>
 
 #include "targets/environments/campaign/campaign.hpp"
 #include "targets/environments/client/files.hpp"
@@ -12,18 +8,6 @@
 
 namespace eagerx::campaign {
 namespace {
-
-/// A file of this process alone with these bytes, for dlopen().
-std::string file_of(const std::string& bytes) {
-  const int file = memfd_create("library", MFD_CLOEXEC);
-  std::string_view left = bytes;
-  while (file >= 0 && !left.empty()) {
-    const ssize_t written = write(file, left.data(), left.size());
-    if (written < 0) throw client::Problem(client::kInputOutput, "no memory for the library");
-    left.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return "/proc/self/fd/" + std::to_string(file);
-}
 
 /// Rank 0 alone looks at options and files. What it shares is the library, which need not be on the
 /// machines of the others; nothing, if there is nothing to do.
@@ -38,7 +22,7 @@ int run_ranks(int argc, char** argv, Ranks& ranks) {
     ranks.share(is_all || ranks.size() == 1 ? std::string() : client::read_file(options.library));
     if (is_all) return client::kDone;
   }
-  const client::Library library(ranks.is_first() ? options.library : file_of(bytes));
+  const client::Library library(ranks.is_first() ? options.library : environments::file_of(bytes));
   return run_campaign(options, library, ranks,
                       host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends));
 }
@@ -46,7 +30,7 @@ int run_ranks(int argc, char** argv, Ranks& ranks) {
 int run(int argc, char** argv) {
   std::unique_ptr<Ranks> ranks;
   try {
-    ranks = make_ranks(argc, argv);
+    ranks = environments::make_ranks(argc, argv);
     return run_ranks(argc, argv, *ranks);
   } catch (const std::exception& error) {
     const int code = client::tell(error);
