@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <limits>
 #include <runtime/host/base/interrupt.hpp>
-#include <thread>
 
 #include "targets/environments/client/problem.hpp"
 #include "targets/environments/ranks/ranks.hpp"
@@ -90,6 +89,7 @@ class MpiRanks final : public Ranks {
     std::_Exit(exit_code);
   }
 
+  using Ranks::gather;
   void gather(std::span<const char> mine, std::span<char> all,
               std::span<const std::size_t> sizes) override {
     const Pieces pieces(sizes);
@@ -120,7 +120,8 @@ class MpiRanks final : public Ranks {
       if (rank_ != 0 || !host::interrupted()) continue;
       if (!told) told = Clock::now();
       if (Clock::now() - *told < kPatience) continue;
-      throw client::Problem(client::kInterrupted, "another rank is gone, or still at work");
+      throw client::Problem(client::kInterrupted, "another rank is gone, or still at work",
+                            "`--resume` goes on from the last checkpoint");
     }
   }
 

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstring>
+#include <cstdlib>
 #include <numeric>
 #include <string_view>
 
@@ -40,8 +40,40 @@ bool Ranks::is_any(bool here) {
   return std::ranges::count(all, '\0') != static_cast<std::ptrdiff_t>(size());
 }
 
+void Alone::abort(int exit_code) {
+  std::exit(exit_code);
+}
+
+void Alone::gather(std::span<const char> mine, std::span<char> all,
+                   std::span<const std::size_t> /*sizes*/) {
+  std::ranges::copy(mine, all.begin());
+}
+
+void Alone::exchange(std::span<const char> out, std::span<const std::size_t> /*out_sizes*/,
+                     std::span<char> in, std::span<const std::size_t> /*in_sizes*/) {
+  std::ranges::copy(out, in.begin());
+}
+
+Ranks& alone() {
+  static Alone ranks;
+  return ranks;
+}
+
 Share share_of(std::size_t parts, std::uint32_t rank, std::uint32_t ranks) {
   return {parts * rank / ranks, parts * (rank + 1) / ranks};
+}
+
+std::string words_of(int argc, const char* const* argv) {
+  std::string words;
+  for (int i = 1; i < argc; ++i) words += argv[i] + std::string(1, '\0');
+  return words;
+}
+
+std::vector<const char*> command_line(const char* name, const std::string& shared) {
+  std::vector<const char*> argv = {name};
+  for (std::size_t at = 0; at < shared.size(); at = shared.find('\0', at) + 1)
+    argv.push_back(shared.data() + at);
+  return argv;
 }
 
 std::string file_of(const std::string& bytes) {

@@ -49,17 +49,40 @@ class Ranks {
   bool is_any(bool here);
 };
 
+/// The only one.
+class Alone final : public Ranks {
+ public:
+  std::uint32_t rank() const override { return 0; }
+  std::uint32_t size() const override { return 1; }
+  std::string share(std::string bytes) override { return bytes; }
+  void send(const std::string& /*bytes*/) override {}
+  std::optional<std::string> take() override { return std::nullopt; }
+  [[noreturn]] void abort(int exit_code) override;
+  using Ranks::gather;
+  void gather(std::span<const char> mine, std::span<char> all,
+              std::span<const std::size_t> sizes) override;
+  void exchange(std::span<const char> out, std::span<const std::size_t> out_sizes,
+                std::span<char> in, std::span<const std::size_t> in_sizes) override;
+};
+/// For who has no others.
+Ranks& alone();
+
 /// Of this program. One is alone, or it has the ranks of MPI: two libraries have this function.
 /// Waiting for others that do not come throws client::Problem in rank 0 once a signal wants the end
 /// (host::interrupted()): when one dies, mpirun tells the others so.
 std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv);
 
-/// `first`, …: the parts of `parts` that are this rank's: neighbours, as many as in others or one
-/// more.
+/// The parts first … end - 1 are those of one rank.
 struct Share {
   std::size_t first, end;
 };
+/// Parts beside each other, as many as others have or one more.
 Share share_of(std::size_t parts, std::uint32_t rank, std::uint32_t ranks);
+
+/// A command line for other ranks, without the program's name, and what one of them makes of it: a
+/// command line of `name`, as long as `shared` lives.
+std::string words_of(int argc, const char* const* argv);
+std::vector<const char*> command_line(const char* name, const std::string& shared);
 
 /// A file of this process alone with these bytes, for what opens files. Throws client::Problem.
 std::string file_of(const std::string& bytes);
