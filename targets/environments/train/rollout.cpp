@@ -209,7 +209,8 @@ void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environ
   ended_[step * count_ + e] = ended ? 1 : 0;
   if (!ended) return;
   if (is_cut_[e] == 0)
-    episodes.push_back({return_[e], static_cast<std::uint32_t>(step), rows_.success[e] != 0 ? 1U : 0U});
+    episodes.push_back(
+        {return_[e], static_cast<std::uint32_t>(step), rows_.success[e] != 0 ? 1U : 0U});
   begin_episode(e);
 }
 

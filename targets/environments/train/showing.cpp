@@ -30,8 +30,7 @@ void Showing::warn(const std::string& problem, const char* goes_on) {
 void Showing::show(const std::vector<CurvePoint>& curve, const Evaluation& seen) {
   progress_.show(curve.back());
   // A disk that is full now may have room in a second; at the end it is an error.
-  const std::string problem =
-      curve_file_.grow(progress_.seconds(), [&] { return table_(curve); });
+  const std::string problem = curve_file_.grow(progress_.seconds(), [&] { return table_(curve); });
   if (!problem.empty()) warn(problem, "and tries again");
   if (events_) show_events(curve.back(), seen);
 }

@@ -109,7 +109,8 @@ std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& li
     return std::make_unique<Ppo>(settings, library, kernels, team, longest, ranks);
   // A training that goes on takes the actions of its era from the memory.
   sac::Settings& s = settings.sac;
-  s.memory = std::max(s.memory, era_of(settings, library.description()) * s.horizon * s.environments);
+  s.memory =
+      std::max(s.memory, era_of(settings, library.description()) * s.horizon * s.environments);
   return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
 }
 

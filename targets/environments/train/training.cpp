@@ -111,8 +111,7 @@ Ending Training::iterate(const Interrupt& is_interrupted) {
       showing_.show(progressed_.curve, judge_.seen());
       break;
     }
-    if (algorithm_->iteration > first_iteration_)
-      showing_.show(progressed_.curve, judge_.seen());
+    if (algorithm_->iteration > first_iteration_) showing_.show(progressed_.curve, judge_.seen());
     if (steps() >= options_.steps) return Ending::steps;
     if (ranks_.is_any(is_interrupted)) return Ending::interrupted;
     start_iteration();

@@ -104,7 +104,8 @@ void Walk::settle(Model& model, std::size_t environment, std::uint32_t time) {
   if (ended) episodes.back().step = time;
   model.memory.add({&before_[e * width_],
                     ended ? &rows_.final_observation[e * width_] : &rows_.observation[e * width_],
-                    &squashed_[e * numbers_], rows_.reward[e], rows_.terminated[e] != 0 ? 0.0F : 1.0F});
+                    &squashed_[e * numbers_], rows_.reward[e],
+                    rows_.terminated[e] != 0 ? 0.0F : 1.0F});
 }
 
 void Walk::sum_observations() {

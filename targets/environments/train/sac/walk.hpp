@@ -45,9 +45,9 @@ class Walk {
   Rows rows_;                             // [count] of the last step; [kLanes] of observations
   std::vector<float> before_;             // [kLanes][width]; rows beyond count are 0
   std::vector<float> squashed_, action_;  // [count][numbers] in -1…1; in their bounds
-  std::vector<double> return_;     // [count] of the episode so far
-  std::vector<float> discounted_;  // [count] of the episode so far
-  Packs row_;                      // scratch
+  std::vector<double> return_;            // [count] of the episode so far
+  std::vector<float> discounted_;         // [count] of the episode so far
+  Packs row_;                             // scratch
 };
 
 }  // namespace eagerx::train::sac
