@@ -13,8 +13,8 @@ const host::Interrupt& interrupts() {
   return host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends);
 }
 
-/// Rank 0 alone looks at options and files. What it shares are its words and the library, which need
-/// not be on the machines of the others; nothing, if there is nothing to do.
+/// Rank 0 alone looks at options and files. What it shares are its words and the library, which
+/// need not be on the machines of the others; nothing, if there is nothing to do.
 int run_first(int argc, char** argv, Ranks& ranks) {
   const Options options = parse_options(argc, argv);
   if (options.wants_help) client::print(help_text());

@@ -209,8 +209,7 @@ void Ppo::go_on(std::uint32_t era) {
   std::vector<std::vector<float>> taken;
   for (auto& part : parts_) taken.push_back(std::exchange(part->taken, {}));
   begin_era(era);
-  for (std::size_t part = 0; part < kParts && remembers_; ++part)
-    parts_[part]->taken = taken[part];
+  for (std::size_t part = 0; part < kParts && remembers_; ++part) parts_[part]->taken = taken[part];
   in_parts([&](std::size_t part) { rollout(part).replay(taken[part], settings_.discount); });
 }
 

@@ -73,7 +73,7 @@ class Ppo : public Algorithm {
   const environments::Share own_;  // parts of this rank
   const bool has_threads_;
   bool remembers_ = false;
-  std::vector<std::unique_ptr<Seen>> parts_;        // [kParts] rollouts, where they are of this rank
+  std::vector<std::unique_ptr<Seen>> parts_;  // [kParts] rollouts, where they are of this rank
   std::vector<std::unique_ptr<Learner>> learners_;  // [own_]
   GradientSum gradient_sum_;
   std::vector<float> precision_;  // [outputs] 1 / deviation of the actions

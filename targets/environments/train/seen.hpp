@@ -18,7 +18,8 @@ struct Seen {
   Sums observation_sums, return_sums;
   Sums advantage_sums;            // [1]
   std::vector<Episode> episodes;  // that ended, in order of time
-  std::vector<float> taken;  // [steps][count][numbers] actions since reset(), if they are remembered
+  std::vector<float>
+      taken;  // [steps][count][numbers] actions since reset(), if they are remembered
 };
 
 /// Calls `visitor` with all but the actions.

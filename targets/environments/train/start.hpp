@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/ranks/ranks.hpp"
+#include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/kernels.hpp"
 #include "targets/environments/train/options.hpp"
@@ -35,7 +35,6 @@ std::uint32_t era_of(const Settings& settings, const Description& description);
 
 /// With several ranks, it has been checked that they can share it: ranks/start.hpp.
 std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
-                                            const Kernels& kernels, Team& team,
-                                            Ranks& ranks);
+                                            const Kernels& kernels, Team& team, Ranks& ranks);
 
 }  // namespace eagerx::train

@@ -17,8 +17,7 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-Training::Training(const Options& options, const Library& library, Table table,
-                   Ranks& ranks)
+Training::Training(const Options& options, const Library& library, Table table, Ranks& ranks)
     : options_(options),
       library_(library),
       kernels_(chosen_kernels(options.kernels)),
@@ -29,7 +28,8 @@ Training::Training(const Options& options, const Library& library, Table table,
       team_(chosen_threads(options.threads), Team::Size::at_most),
       algorithm_(chosen_algorithm(options.settings, library, kernels_, team_, ranks)),
       judge_(options.settings, library, kernels_, team_, ranks),
-      saving_(ranks.is_first() ? options.checkpoint : std::string(), options.checkpoint_every_s, [this] { return checkpoint(); }),
+      saving_(ranks.is_first() ? options.checkpoint : std::string(), options.checkpoint_every_s,
+              [this] { return checkpoint(); }),
       showing_(options, library.description(), begin(), std::move(table)) {}
 
 /// With a checkpoint, what another training has learnt, or logs. Returns the first step.

@@ -54,9 +54,9 @@ const Gradient& GradientSum::of(std::span<Gradient* const> own) {
     return *own.front();
   }
   cut(own);
-  ranks_.exchange(std::span(reinterpret_cast<const char*>(to_.data()), to_.size() * sizeof(float)),
-                  out_, std::span(reinterpret_cast<char*>(from_.data()), from_.size() * sizeof(float)),
-                  in_);
+  ranks_.exchange(
+      std::span(reinterpret_cast<const char*>(to_.data()), to_.size() * sizeof(float)), out_,
+      std::span(reinterpret_cast<char*>(from_.data()), from_.size() * sizeof(float)), in_);
   add_slices();
   put_together(own);
   return total_;
@@ -65,7 +65,8 @@ const Gradient& GradientSum::of(std::span<Gradient* const> own) {
 void GradientSum::cut(std::span<Gradient* const> own) {
   for (std::size_t i = 0; i < own.size(); ++i) {
     auto to = flat_.begin();
-    for (const std::vector<float>* values : own[i]->vectors()) to = std::ranges::copy(*values, to).out;
+    for (const std::vector<float>* values : own[i]->vectors())
+      to = std::ranges::copy(*values, to).out;
     std::size_t piece = 0;
     for (std::uint32_t rank = 0; rank < ranks_.size(); ++rank) {
       const Share share = share_of(numbers_, rank, ranks_.size());

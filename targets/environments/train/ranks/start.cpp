@@ -22,9 +22,9 @@ void check_shared(const Options& options, std::uint32_t ranks) {
     throw Problem(kUsage, "several ranks share one training, and `--seeds` are several",
                   "give each its `--seed`");
   if (ranks > kParts)
-    throw Problem(kUsage,
-                  fmt::format("a training has {} parts, which {} ranks cannot share", kParts, ranks),
-                  fmt::format("`mpirun -n {}`, and more threads for each", kParts));
+    throw Problem(
+        kUsage, fmt::format("a training has {} parts, which {} ranks cannot share", kParts, ranks),
+        fmt::format("`mpirun -n {}`, and more threads for each", kParts));
 }
 
 std::string content_of(const std::string& path) {
