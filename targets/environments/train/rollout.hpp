@@ -55,7 +55,7 @@ class Rollout final : public Seen {
   Packs advantage, target;  // target of the critic
   /// [horizon / memory_steps][tiles][state] what was remembered at the beginning of each sequence.
   Packs actor_starts, critic_starts;
-  bool remembers = false;   // in `taken`
+  bool remembers = false;  // in `taken`
 
  private:
   void act(const Frozen& frozen, std::size_t step);
