@@ -72,7 +72,7 @@ class Evaluator::Part {
              const Statistics& observations) {
     result_ = {.episodes = std::vector(count_, Episode{0.0, std::vector<double>(terms_), 0, false}),
                .far = std::vector<std::uint64_t>(policy.network.inputs())};
-    row_.resize(policy.network.row());
+    row_.assign(policy.network.row(), Pack{});  // nothing is remembered
     std::vector<bool> ended(count_);
     environments_.reset(seed, rows_.observation.data());
     while (std::count(ended.begin(), ended.end(), false) != 0) {

@@ -10,6 +10,7 @@
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/policy.hpp"
+#include "targets/environments/train/recurrent/states.hpp"
 #include "targets/environments/train/seen.hpp"
 
 namespace eagerx::train {
@@ -39,19 +40,27 @@ class Rollout final : public Seen {
   /// Steps all environments, which have just been reset, with `again` [steps][count][numbers] once
   /// more. They are then where they were when the last of these had been taken.
   void replay(const std::vector<float>& again, float discount);
+  /// The networks remember of all environments what was in `remembered` once.
+  void recall(const float* states);
 
   /// How environments are stepped, and what made that slower.
   std::string stepping() const { return environments_.stepping(); }
   std::size_t tiles() const { return count_ / kLanes; }
+  /// 1 where the episode went on behind a step of the rollout, 0 where it ended; [16] of a tile.
+  Pack goes_on(std::size_t step, std::size_t tile) const;
 
   Packs inputs;           // [horizon + 1][tiles][inputs] normalised observations
   Packs actions;          // [horizon][tiles][numbers] as drawn, in -1…1 or beyond; or the choice
   Packs log_probability;  // of the actions
   Packs advantage, target;  // target of the critic
-  bool remembers = false;   // in `taken`
+  /// [horizon / memory_steps][tiles][state] what was remembered at the beginning of each sequence.
+  Packs actor_starts, critic_starts;
+  bool remembers = false;  // in `taken`
 
  private:
   void act(const Frozen& frozen, std::size_t step);
+  void note_states(const Frozen& frozen, std::size_t step);
+  void forget(std::size_t step);
   void draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* means);
   void draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* scores);
   Random noise(const Frozen& frozen, std::size_t step, std::size_t environment) const;
@@ -84,6 +93,7 @@ class Rollout final : public Seen {
   Packs rewards_;                      // [horizon][tiles] scaled
   std::vector<std::uint8_t> ended_;    // [horizon][count]
   Packs actor_row_, critic_row_;       // scratch
+  States actor_states_, critic_states_;
 };
 
 }  // namespace eagerx::train

@@ -18,8 +18,9 @@ struct Seen {
   Sums observation_sums, return_sums;
   Sums advantage_sums;            // [1]
   std::vector<Episode> episodes;  // that ended, in order of time
-  std::vector<float>
-      taken;  // [steps][count][numbers] actions since reset(), if they are remembered
+  std::vector<float> remembered;  // [states of actor and critic] behind the rollout
+  /// [steps][count][numbers] actions since reset(), if they are remembered.
+  std::vector<float> taken;
 };
 
 /// Calls `visitor` with all but the actions.
@@ -31,6 +32,7 @@ void visit_seen(Visitor& visitor, SomeSeen& seen) {
     visitor(sums->count);
   }
   visitor(seen.episodes);
+  visitor(seen.remembered);
 }
 
 }  // namespace eagerx::train
