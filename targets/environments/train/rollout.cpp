@@ -18,9 +18,7 @@ float& lane(Packs& packs, std::size_t row, std::size_t environment) {
 
 Rollout::Rollout(const Settings& settings, const Library& library, const Head& head,
                  std::uint32_t longest, std::size_t part)
-    : observation_sums(library.description().observation_numbers()),
-      return_sums(1),
-      advantage_sums(1),
+    : Seen(library.description().observation_numbers()),
       head_(head),
       environments_(library.functions(), static_cast<std::uint32_t>(settings.environments / kParts),
                     static_cast<std::uint32_t>(settings.environments / kParts * part),
@@ -90,8 +88,8 @@ void Rollout::cut_first_episodes() {
   if (any) environments_.reset_some(is_cut_.data(), rows_.observation.data());
 }
 
-void Rollout::replay(float discount) {
-  for (auto row = taken.begin(); row != taken.end();) {
+void Rollout::replay(const std::vector<float>& again, float discount) {
+  for (auto row = again.begin(); row != again.end();) {
     const auto end = row + static_cast<std::ptrdiff_t>(action_.size());
     std::copy(row, end, action_.begin());
     step_environments();

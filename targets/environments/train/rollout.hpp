@@ -11,6 +11,7 @@
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/recurrent/states.hpp"
+#include "targets/environments/train/seen.hpp"
 
 namespace eagerx::train {
 
@@ -27,7 +28,7 @@ struct Frozen {
 
 /// One of kParts parts of the environments, in tiles of sixteen. Steps are in order of time:
 /// [horizon][tiles], one more where it says so.
-class Rollout {
+class Rollout final : public Seen {
  public:
   Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
           std::size_t part);
@@ -36,9 +37,9 @@ class Rollout {
   void reset(std::uint64_t seed);
   /// Steps all environments `horizon` times and estimates advantages.
   void collect(const Frozen& frozen);
-  /// Steps all environments, which have just been reset, with `taken` again. They are then where
-  /// they were when the last of these actions had been taken.
-  void replay(float discount);
+  /// Steps all environments, which have just been reset, with `again` [steps][count][numbers] once
+  /// more. They are then where they were when the last of these had been taken.
+  void replay(const std::vector<float>& again, float discount);
   /// The networks remember of all environments what was in `remembered` once.
   void recall(const float* states);
 
@@ -54,12 +55,7 @@ class Rollout {
   Packs advantage, target;  // target of the critic
   /// [horizon / memory_steps][tiles][state] what was remembered at the beginning of each sequence.
   Packs actor_starts, critic_starts;
-  std::vector<float> remembered;  // [states of actor and critic] behind the rollout
-  Sums observation_sums, return_sums;
-  Sums advantage_sums;
-  std::vector<Episode> episodes;  // in order of time
-  bool remembers = false;         // in `taken`
-  std::vector<float> taken;       // [steps since reset()][count][numbers] actions
+  bool remembers = false;  // in `taken`
 
  private:
   void act(const Frozen& frozen, std::size_t step);
