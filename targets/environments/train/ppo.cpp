@@ -234,12 +234,13 @@ void Ppo::take_up(const std::vector<float>& actions, std::uint32_t iterations) {
 void Ppo::go_on(std::uint32_t era) {
   std::vector<std::vector<float>> taken;
   for (auto& part : parts_) taken.push_back(std::exchange(part->taken, {}));
-  const std::size_t states = taken.front().empty() ? 0 : model_.remembered.size() / kParts;
+  const bool has_actions = !taken.front().empty();
   begin_era(era);
   for (std::size_t part = 0; part < kParts && remembers_; ++part) parts_[part]->taken = taken[part];
   in_parts([&](std::size_t part) {
     rollout(part).replay(taken[part], settings_.discount);
-    if (states > 0) rollout(part).recall(&model_.remembered[part * states]);
+    const std::size_t states = model_.remembered.size() / kParts;
+    if (has_actions) rollout(part).recall(&model_.remembered[part * states]);
   });
 }
 

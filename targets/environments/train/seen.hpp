@@ -19,8 +19,8 @@ struct Seen {
   Sums advantage_sums;            // [1]
   std::vector<Episode> episodes;  // that ended, in order of time
   std::vector<float> remembered;  // [states of actor and critic] behind the rollout
-  std::vector<float>
-      taken;  // [steps][count][numbers] actions since reset(), if they are remembered
+  /// [steps][count][numbers] actions since reset(), if they are remembered.
+  std::vector<float> taken;
 };
 
 /// Calls `visitor` with all but the actions.
