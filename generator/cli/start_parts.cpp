@@ -50,18 +50,29 @@ std::uint32_t port_of(const Run& run, const PlacedPart& part) {
   return kFirst + static_cast<std::uint32_t>(&part - run.graph->placement->parts.data());
 }
 
+/// What is brought to another machine, and what is typed there beside it: a program, or the folder
+/// of one that is interpreted.
+std::pair<std::string, std::string> to_copy(const Run& run, const BuiltProgram& program) {
+  const fs::path image = program.image;
+  const auto command = command_to_start(run, program);
+  if (program.target->language.empty() || command.empty() || command.front() == program.image)
+    return {program.image, "./" + shell_word(image.filename().string())};
+  const fs::path folder = image.parent_path();
+  return {folder.string(), command.front() + " " + shell_word(folder.filename().string())};
+}
+
 void tell_elsewhere(Run& run, const BuiltProgram& program) {
   const PlacedPart& part = *program.part;
   const std::uint32_t port = port_of(run, part);
-  const std::string image = fs::path(program.image).filename().string();
+  const auto [what, start] = to_copy(run, program);
   run.diagnostics
       .error(
           "E0518", part.span,
           fmt::format("part `{}` runs on {}, where nobody here can start it", part.name, part.host))
       .help = fmt::format(
-      "copy {} there and type `./{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
+      "copy {} there and type `{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
       "`--link {}=localhost:{}`",
-      shell_word(program.image), shell_word(image), port, port, port, shell_word(part.host),
+      shell_word(what), start, port, port, port, shell_word(part.host),
       part.name, port);
 }
 
@@ -106,7 +117,7 @@ bool start_parts(Run& run, const std::vector<BuiltProgram>& programs,
     } else {
       command.insert(command.end(), {"--listen", "unix:" + socket});
     }
-    if (command.front() != program->image) {
+    if (command.front() != program->image && program->target->language.empty()) {
       of_board.insert(of_board.begin(), {"--time-limit", "0"});  // as long as the hub runs
       command.insert(command.begin() + 2, of_board.begin(), of_board.end());
     }

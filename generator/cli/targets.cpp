@@ -53,6 +53,13 @@ void check_serial_port(Run& run, const Target& target) {
 
 /// Whether the graph, or the part of it that stays on Linux, can run there.
 void check_target(Run& run, const Target& target) {
+  if (!target.language.empty()) {
+    run.diagnostics
+        .error("E0334", {},
+               fmt::format("target `{}` runs a part of a graph, not all of it", target.id.value))
+        .help = fmt::format("place nodes there: `--split NODE=PART:{}`", target.id.value);
+    return;
+  }
   check_serial_port(run, target);
   const bool split = run.graph->placement.has_value();
   check_system(*run.graph, split ? Part::hub : Part::whole, target, run.library, run.diagnostics);

@@ -157,6 +157,8 @@ struct Target {
       templates;  // template file (full path) → output name
   std::vector<std::pair<std::string, std::string>>
       partner;  // the same of the board's half of a split graph; empty: it cannot be one
+  std::string language;  // of a part's program that is not of C++; empty: C++
+  std::vector<std::pair<std::string, std::string>> yours;  // as `partner`, written once
   std::string cmake, toolchain;
   bool packs = false;                 // whether it also takes the program over packs of numbers
   std::string system;                 // its operating system; empty: none

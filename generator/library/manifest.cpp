@@ -333,6 +333,10 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   };
   read_templates("templates", target.templates);
   read_templates("partner", target.partner);
+  read_templates("yours", target.yours);
+  target.language = text_at(root, "language");
+  if (target.language.empty() && root.find("cmake") == nullptr)
+    diagnostics.error("E0202", target.id.span, "missing key `cmake` in a target");
   target.packs = text_at(root, "packs") == "true";
   target.cmake = text_at(root, "cmake");
   target.toolchain = text_at(root, "toolchain");

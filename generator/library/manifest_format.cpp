@@ -232,9 +232,14 @@ FormatPtr target_format() {
           Fields{{"templates", templates_format(), false, "files made for each graph"},
                  {"partner", templates_format(), false,
                   "files made for the board's half of a split graph"},
+                 {"language", format::text("a language"), false,
+                  "the language of `partner`, if it is not C++: templates get messages and nodes of "
+                  "the part"},
+                 {"yours", templates_format(), false,
+                  "with `language`: files that are written once, and then the user's"},
                  {"packs", format::boolean(), false,
                   "whether the program over packs of numbers is made, too (default: false)"},
-                 {"cmake", format::path("a CMake file", true), true,
+                 {"cmake", format::path("a CMake file", true), false,
                   "the CMake file that defines eagerx_configure_target"},
                  {"toolchain", format::file_name("a toolchain file"), false, "in toolchains/"},
                  // For people and for CMake; a board in the making has blanks here.
