@@ -33,7 +33,8 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
     of_part.part = part;
     of_part.graph_hash = hash;
     of_part.output = options.output + "/" + folder;
-    if (part.is_placed()) of_part.targets = {run.graph->placement->parts[part.index()].target};
+    if (part.is_placed() && hash != 0)
+      of_part.targets = {run.graph->placement->parts[part.index()].target};
     auto made = part.is_placed() ? emit_part(run, of_part, part.index(), hash)
                                  : emit_whole(run, of_part);
     for (auto& file : made.value_or(std::vector<GeneratedFile>()))
@@ -47,8 +48,15 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
       if (!add(Part::placed(part), parts[part].name, hash)) return false;
     return true;
   };
-  // What the hash is made of comes first, with 0 in its place.
-  if (!add_all(0)) return std::nullopt;
+  // What the hash is made of comes first, with 0 in its place. Where a part runs, and in which
+  // language it is written, changes nothing of what it says.
+  auto& parts = run.graph->placement->parts;
+  const std::vector<PlacedPart> placed = parts;
+  static const Target kAnywhere{};
+  for (PlacedPart& part : parts) part = {part.name, &kAnywhere, {}, part.span};
+  const bool made = add_all(0);
+  parts = placed;
+  if (!made) return std::nullopt;
   const std::uint64_t hash = hash_of(files);
   files.clear();
   if (!add_all(hash)) return std::nullopt;

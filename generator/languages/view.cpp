@@ -3,12 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <string_view>
 
 #include "generator/emit/namer.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// A text of others for a docstring or a comment of any language.
 std::string plain(const std::string& text) {
@@ -34,6 +40,8 @@ std::string count_text(const Input& input) {
   return count + (input.skip ? "; none at n = 0" : "");
 }
 
+constexpr std::string_view kPython = ".py";
+
 class LanguageView {
  public:
   LanguageView(const Plan& plan, const PartLayout& layout)
@@ -49,21 +57,37 @@ class LanguageView {
     view.set("hash", fmt::format("0x{:016x}", hash));
     view.set("most_to_part", fmt::format("{}", link.part_payload));
     view.set("most_to_hub", fmt::format("{}", link.hub_payload));
-    View nodes = list();
+    View nodes = list(), blanks = list(), imports = list();
     for (const auto* turns : {&layout_.before, &layout_.after}) {
-      for (const LayoutTurn& turn : *turns)
-        if (turn.runs) nodes.push_back(node(turn.node));
+      for (const LayoutTurn& turn : *turns) {
+        if (!turn.runs) continue;
+        View item = node(turn.node, *part.target);
+        nodes.push_back(item);
+        if (!is_imported(*part.target, graph_.nodes[turn.node])) {
+          blanks.push_back(item);
+        } else if (imported_.insert(graph_.nodes[turn.node].entity).second) {
+          imports.push_back(item);
+        }
+      }
     }
+    view.set("has_blanks", blanks.is_non_empty_list());
+    view.set("has_imports", imports.is_non_empty_list());
     view["nodes"] = std::move(nodes);
+    view["blanks"] = std::move(blanks);
+    view["imports"] = std::move(imports);
     return view;
   }
 
  private:
-  View node(std::size_t n) {
+  View node(std::size_t n, const Target& target) {
     const GraphNode& node = graph_.nodes[n];
     View view = object();
     view.set("node", node.name);
-    view.set("class", classes_.unique(camel(node.name)));
+    const std::string file = fs::path(node.entity->python).stem().string();
+    const bool imported = is_imported(target, node);
+    view.set("module", imported ? file : "");
+    view.set("class", imported ? file + "." + node.entity->id.value
+                               : classes_.unique(camel(node.name)));
     view.set("entity", node.entity->id.value);
     view.set("rate", node.rate_hz.to_string());
     std::vector<std::string> parameters;
@@ -123,9 +147,23 @@ class LanguageView {
   const Graph& graph_;
   const PartLayout& layout_;
   Names classes_;
+  std::set<const Entity*> imported_;
 };
 
 }  // namespace
+
+bool is_imported(const Target& target, const GraphNode& node) {
+  return !node.entity->python.empty() && std::ranges::any_of(target.yours, [](const auto& item) {
+    return item.second.ends_with(kPython);
+  });
+}
+
+bool is_module(const std::string& file) {
+  const std::string_view stem = std::string_view(file).substr(0, file.rfind('.'));
+  const auto in_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  return file.ends_with(kPython) && !stem.empty() && std::isdigit(stem.front()) == 0 &&
+         std::ranges::all_of(stem, in_word);
+}
 
 View language_view(const Plan& plan, const PartLayout& layout, std::uint64_t hash,
                    const std::string& version) {

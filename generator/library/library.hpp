@@ -109,7 +109,8 @@ struct Entity {
   Spanned<std::string> id;
   std::vector<EagerxId> eagerx_ids;
   std::string summary, description;
-  CppClass cpp;
+  CppClass cpp;        // of a node in Python alone without a name
+  std::string python;  // nodes: the file with its class in Python, which is called as the id
   std::optional<CppClass> cpp_of_packs;  // where it is another class
   CppClass simulator;                    // engines
   std::vector<std::string> engines;  // engine nodes and states: where they work; empty: everywhere

@@ -117,15 +117,22 @@ FormatPtr system_format() {
   return format::keyword({"linux"});
 }
 
-Fields cpp() {
-  return {{"header", header_format(), true, "header beside the manifest"},
-          {"class", format::text("a C++ class template"), true, "C++ class template over its Io"},
+Fields cpp(bool is_needed = true) {
+  return {{"header", header_format(), is_needed, "header beside the manifest"},
+          {"class", format::text("a C++ class template"), is_needed,
+           "C++ class template over its Io"},
           {"pkg_config",
            format::list("a list of names of libraries", format::file_name("the name of a library")),
            false, "pkg-config's names of the libraries that it needs"},
           {"system", system_format(), false, "the operating system it needs (default: none)"},
           {"family", format::name("a family of boards"), false,
            "the family of boards it needs (default: none)"}};
+}
+
+Fields python() {
+  return {{"python", format::path("a file in Python", true), false,
+           "file beside the manifest with a class of the name `id`, for parts in Python; without "
+           "`header` and `class` it is one of these alone"}};
 }
 
 /// Of what ticks or converts; a reset runs alone.
@@ -305,7 +312,8 @@ std::vector<std::string> manifest_kinds() {
 const Format* manifest_format(std::string_view kind) {
   static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
       {"node",
-       format::record("a node", common("node") + cpp() + packs() + config() + node_ports(true))},
+       format::record("a node", common("node") + cpp(false) + python() + packs() + config() +
+                                    node_ports(true))},
       {"reset_node",
        format::record("a reset node", common("reset_node") + cpp() + config() + node_ports(true) +
                                           Fields{{"targets", ports("targets", port_fields()), true,

@@ -62,6 +62,17 @@ std::string missing(const Entity& entity, const Target& target) {
   return {};
 }
 
+void report_no_class(const Graph& graph, const Entity& entity, Span span,
+                     Diagnostics& diagnostics) {
+  const auto node = std::ranges::find(graph.nodes, &entity, &GraphNode::entity);
+  diagnostics
+      .error("E0351", span, fmt::format("`{}` is written in Python alone", entity.id.value))
+      .help = fmt::format(
+      "place it in a part: `placement: {{{}: {{part: PART, target: python}}}}`; or write its class "
+      "in C++, too",
+      node == graph.nodes.end() ? "NODE" : node->name);
+}
+
 }  // namespace
 
 bool runs_here(const Graph& graph, Part part, std::size_t node) {
@@ -87,6 +98,9 @@ void check_system(const Graph& graph, Part part, const Target& target, const Lib
   bool is_engine = !part.is_placed() && graph.has_engine();
   const bool engine_runs = !is_engine || missing(*graph.engine().entity, target).empty();
   for_each_entity(graph, part, [&](const Entity& entity, Span span) {
+    if (entity.kind == EntityKind::node && entity.cpp.name.empty() && target.language.empty() &&
+        reported.insert(entity.id.value).second)
+      report_no_class(graph, entity, span, diagnostics);
     const bool follows = !is_engine && !engine_runs && !entity.engines.empty();
     is_engine = false;
     const std::string what = missing(entity, target);

@@ -2,7 +2,8 @@
 import os
 import sys
 
+from eagerx_part import main  # first: it says what is missing
+
 import nodes
-from eagerx_part import main
 
 sys.exit(main(nodes.NODES, os.path.dirname(os.path.abspath(__file__))))

@@ -59,9 +59,8 @@ class Message:
             given.dtype.kind in "iu" and self.dtype.kind in "iu" and bool(np.all(given.astype(self.dtype) == given)))
         check(given.shape == self.shape and fits,
               f"{where} is {wanted}, but step() gave {space_text(given.dtype.name, given.shape)}")
-        place = self.ring[seq % self.keep]
-        place[...] = given
-        return place.tobytes()
+        self.ring[seq % self.keep] = given
+        return self.ring[seq % self.keep].tobytes()
 
     def window(self, end, size):
         """The last `size` of `end` messages, oldest first: an array [size, *shape] of its own."""
