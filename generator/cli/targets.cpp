@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "generator/cli/build_tree.hpp"
+#include "generator/languages/layout.hpp"
 #include "generator/read/text.hpp"
 #include "generator/resolve/needs.hpp"
 
@@ -141,6 +142,7 @@ std::vector<const Target*> find_targets(Run& run, const GraphOptions& options) {
        ++part) {
     const Target& target = *run.graph->placement->parts[part].target;
     check_filled(run, target);
+    if (!target.language.empty()) check_languages(*run.plan, part, run.diagnostics);
     check_system(*run.graph, Part::placed(part), target, run.library, run.diagnostics);
   }
   return result;

@@ -57,8 +57,6 @@ std::optional<std::vector<GeneratedFile>> emit_language(const Plan& plan, std::s
                                                         const std::string& version,
                                                         Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.error_count();
-  check_languages(plan, part, diagnostics);
-  if (diagnostics.error_count() != before) return std::nullopt;
   const PartLayout layout = layout_of_part(plan, part);
   const PlacedPart& placed = plan.graph->placement->parts[part];
   const std::uint64_t own = hash_of_part(hash, placed.name);
