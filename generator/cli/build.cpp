@@ -65,9 +65,9 @@ struct Planned {
 
 /// Whether a target has something to compile: each that makes a project of CMake.
 bool is_compiled(const Target& target) {
-  return target.language.empty() ||
-         std::ranges::any_of(target.partner,
-                             [](const auto& item) { return item.second == "CMakeLists.txt"; });
+  return target.language.empty() || std::ranges::any_of(target.partner, [](const auto& item) {
+           return item.second == "CMakeLists.txt";
+         });
 }
 
 std::vector<Planned> planned(const Run& run, const GenerateOptions& options,

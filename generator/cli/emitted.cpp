@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The program of a part, in whatever language, and what it says with its hub. `hash`: of the graph,
-/// 0 as long as nobody knows it: what it is made of is the same in every language.
+/// The program of a part, in whatever language, and what it says with its hub. `hash`: of the
+/// graph, 0 as long as nobody knows it: what it is made of is the same in every language.
 std::optional<std::vector<GeneratedFile>> emit_part(Run& run, const EmitOptions& options,
                                                     std::size_t part, std::uint64_t hash) {
   const PlacedPart& placed = run.graph->placement->parts[part];
@@ -35,8 +35,8 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
     of_part.output = options.output + "/" + folder;
     if (part.is_placed() && hash != 0)
       of_part.targets = {run.graph->placement->parts[part.index()].target};
-    auto made = part.is_placed() ? emit_part(run, of_part, part.index(), hash)
-                                 : emit_whole(run, of_part);
+    auto made =
+        part.is_placed() ? emit_part(run, of_part, part.index(), hash) : emit_whole(run, of_part);
     for (auto& file : made.value_or(std::vector<GeneratedFile>()))
       files.push_back({folder + "/" + file.path, std::move(file.text), file.yours});
     return made.has_value();

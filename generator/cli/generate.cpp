@@ -127,7 +127,8 @@ Arguments outputs(GenerateOptions& options) {
       flag("--standalone", options.standalone,
            "also write everything that is needed to compile the output"),
       text("--part", options.part,
-           "write only this part of a placed graph, in the language that `--package` names", "PART"),
+           "write only this part of a placed graph, in the language that `--package` names",
+           "PART"),
       texts("--package", options.packages,
             "make the output standalone and a package: arduino, esp-idf, platformio or zephyr; "
             "with --library a controller for hardware, without it an episode of the simulation; "

@@ -72,8 +72,7 @@ void tell_elsewhere(Run& run, const BuiltProgram& program) {
       .help = fmt::format(
       "copy {} there and type `{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
       "`--link {}=localhost:{}`",
-      shell_word(what), start, port, port, port, shell_word(part.host),
-      part.name, port);
+      shell_word(what), start, port, port, port, shell_word(part.host), part.name, port);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // part.json: a layout as text.
+#include "generator/json/json.hpp"
+
 #include <fmt/format.h>
 
-#include "generator/json/json.hpp"
 #include "generator/languages/layout.hpp"
 
 namespace eagerx::gen {
@@ -129,9 +130,12 @@ class LayoutWriter {
       item["value"] = listed(state.random->first);
       states[state.name] = std::move(item);
     }
-    return Json{{"name", node.name},     {"type", node.entity->id.value},
-                {"rate", fraction(node.rate_hz)}, {"config", std::move(config)},
-                {"states", std::move(states)},    {"inputs", inputs(n)},
+    return Json{{"name", node.name},
+                {"type", node.entity->id.value},
+                {"rate", fraction(node.rate_hz)},
+                {"config", std::move(config)},
+                {"states", std::move(states)},
+                {"inputs", inputs(n)},
                 {"outputs", outputs(n)}};
   }
 

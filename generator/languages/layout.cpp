@@ -21,7 +21,8 @@ std::string unit_of(const Graph& graph, const GraphNode& node, const Output& out
     return unit_of(graph.objects[*node.object].entity->sensors,
                    std::string_view(sensor).substr(sensor.rfind('.') + 1));
   }
-  return node.entity == nullptr || output.processor ? "" : unit_of(node.entity->outputs, output.name);
+  return node.entity == nullptr || output.processor ? ""
+                                                    : unit_of(node.entity->outputs, output.name);
 }
 
 class LayoutMaker {

@@ -42,8 +42,8 @@ struct PartLayout {
 /// `plan` is of a placed graph.
 PartLayout layout_of_part(const Plan& plan, std::size_t part);
 
-/// What the hub and one part tell each other, as hash_of_part() of eagerx/link/frame.hpp: FNV-1a that
-/// goes on from the hash of the graph.
+/// What the hub and one part tell each other, as hash_of_part() of eagerx/link/frame.hpp: FNV-1a
+/// that goes on from the hash of the graph.
 inline std::uint64_t hash_of_part(std::uint64_t graph, std::string_view part) {
   return host::fnv1a(part, graph);
 }

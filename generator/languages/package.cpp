@@ -39,8 +39,9 @@ std::vector<GeneratedFile> files_of_nodes(const Plan& plan, const PartLayout& la
                                       : "another file of this part has the same name"))
             .help = "give the file another name: letters, digits and `_`, and `.py`";
       } else if (file.status != LoadedFile::Status::loaded) {
-        diagnostics.io_error("E0301", node.entity->id.span,
-                             fmt::format("cannot read `{}`: {}", path, file.reason))
+        diagnostics
+            .io_error("E0301", node.entity->id.span,
+                      fmt::format("cannot read `{}`: {}", path, file.reason))
             .help = "`python:` is a file beside the manifest";
       } else {
         files.push_back({name, std::move(file.bytes)});

@@ -86,13 +86,14 @@ class LanguageView {
     const std::string file = fs::path(node.entity->python).stem().string();
     const bool imported = is_imported(target, node);
     view.set("module", imported ? file : "");
-    view.set("class", imported ? file + "." + node.entity->id.value
-                               : classes_.unique(camel(node.name)));
+    view.set("class",
+             imported ? file + "." + node.entity->id.value : classes_.unique(camel(node.name)));
     view.set("entity", node.entity->id.value);
     view.set("rate", node.rate_hz.to_string());
     std::vector<std::string> parameters;
     for (const ConfigValue& value : node.config) parameters.push_back(value.parameter->name.value);
-    view.set("config", parameters.empty() ? "none" : fmt::format("{}", fmt::join(parameters, ", ")));
+    view.set("config",
+             parameters.empty() ? "none" : fmt::format("{}", fmt::join(parameters, ", ")));
     std::string states, arguments;
     for (const State& state : node.states)
       if (state.random) states += ", " + state.name;
@@ -115,7 +116,8 @@ class LanguageView {
     view.set("field", name);
     view.set("dtype", std::string(to_string(space.dtype)));
     view.set("shape", fmt::format("{}", fmt::join(space.shape, ", ")));
-    view.set("window", space.shape.empty() ? "[n]" : fmt::format("[n, {}]", fmt::join(space.shape, ", ")));
+    view.set("window",
+             space.shape.empty() ? "[n]" : fmt::format("[n, {}]", fmt::join(space.shape, ", ")));
     const std::string& unit = layout_.messages[message].unit;
     view.set("unit", unit.empty() ? "" : " in " + plain(unit));
     view.set("zeros", zeros(space));

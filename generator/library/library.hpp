@@ -157,7 +157,7 @@ struct Target {
   std::vector<std::pair<std::string, std::string>>
       templates;  // template file (full path) → output name
   std::vector<std::pair<std::string, std::string>>
-      partner;  // the same of the board's half of a split graph; empty: it cannot be one
+      partner;           // the same of the board's half of a split graph; empty: it cannot be one
   std::string language;  // of a part's program that is not of C++; empty: C++
   std::vector<std::pair<std::string, std::string>> yours;  // as `partner`, written once
   std::string cmake, toolchain;

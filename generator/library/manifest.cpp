@@ -141,9 +141,8 @@ void read_python(const YamlValue& root, const fs::path& folder, Entity& entity,
   const bool has_header = root.find("header") != nullptr, has_class = root.find("class") != nullptr;
   if (has_header && has_class) return;
   if (has_header != has_class || file.empty())
-    diagnostics.error(
-        "E0202", root.span,
-        fmt::format("missing key `{}` in a node", has_header ? "class" : "header"));
+    diagnostics.error("E0202", root.span,
+                      fmt::format("missing key `{}` in a node", has_header ? "class" : "header"));
 }
 
 EntityKind entity_kind(const std::string& word) {

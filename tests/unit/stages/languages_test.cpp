@@ -12,12 +12,12 @@ constexpr std::uint64_t kHash = 0x0123456789abcdefU;
 
 /// The pendulum with its filter in Python, which runs at `rate`.
 std::unique_ptr<GraphOfText> placed(const std::string& rate = "30", const std::string& more = "") {
-  return graph_of_text(
-      swing(rate, "placement: {smooth: {part: filter, target: python}}\n" + more));
+  return graph_of_text(swing(rate, "placement: {smooth: {part: filter, target: python}}\n" + more));
 }
 
 Json layout_of_text(const GraphOfText& graph) {
-  const auto json = parse_json(layout_json(*graph.plan, layout_of_part(*graph.plan, 0), kHash, "0.2.1"));
+  const auto json =
+      parse_json(layout_json(*graph.plan, layout_of_part(*graph.plan, 0), kHash, "0.2.1"));
   EXPECT_TRUE(json);
   return json.value_or(Json());
 }
@@ -93,9 +93,9 @@ TEST(Languages, WhatOnlyCppCanDoIsRefused) {
     text.replace(text.find(plain), plain.size(), "to: smooth.signal, processor: Identity}");
     return text;
   };
-  EXPECT_EQ(refused(with_processor(
-                swing("30", "placement: {smooth: {part: filter, target: python}}\n"))),
-            "E0350");
+  EXPECT_EQ(
+      refused(with_processor(swing("30", "placement: {smooth: {part: filter, target: python}}\n"))),
+      "E0350");
 }
 
 }  // namespace
