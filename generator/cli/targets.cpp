@@ -134,7 +134,8 @@ std::vector<const Target*> find_targets(Run& run, const GraphOptions& options) {
       continue;
     }
     std::vector<std::string> known;
-    for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
+    for (const auto& [id, target] : run.library.all_targets())
+      if (target.language.empty()) known.push_back(id);
     run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", wanted)).help =
         suggestion(wanted, known);
   }

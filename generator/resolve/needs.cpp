@@ -41,7 +41,7 @@ std::string targets_help(const Library& library, std::string Target::*member,
                          const std::string& wanted) {
   std::vector<std::string> ids;
   for (const auto& [id, target] : library.all_targets()) {
-    if (target.*member == wanted) ids.push_back("`--target " + id + "`");
+    if (target.*member == wanted && target.language.empty()) ids.push_back("`--target " + id + "`");
   }
   return fmt::format("{}{}another engine: `--engine NAME`", fmt::join(ids, ", "),
                      ids.empty() ? "" : ", or ");
