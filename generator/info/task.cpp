@@ -56,6 +56,11 @@ std::string task_text(const Graph& graph) {
   text += conditions_text("success", task.success);
   if (!task.success.empty())
     text += fmt::format("  {:<11} over the last {}\n", "", in_seconds(task.over_last, graph));
+  what = "critic sees";
+  for (const CriticInput& seen : task.critic) {
+    text += fmt::format("  {:<11} {}: {}\n", what, seen.name, seen.space.describe());
+    what = "";
+  }
   return text;
 }
 
@@ -71,6 +76,8 @@ Json task_json(const Graph& graph) {
   json["terminated"] = conditions_json(task.terminated);
   json["truncated"] = conditions_json(task.truncated);
   json["success"] = conditions_json(task.success);
+  json["critic"] = Json::array();
+  for (const CriticInput& seen : task.critic) json["critic"].push_back(seen.name);
   json["episode_steps"] = task.after;
   json["success_steps"] = task.over_last;
   return json;

@@ -197,6 +197,10 @@ void resolve_safety(Draft& draft);  // safe actions, in the spaces of the action
 /// Expressions of the task, once its inputs' spaces are known. Problems: E0323 a time of too many
 /// steps, E0339 an expression.
 void resolve_task(Draft& draft);
+/// What the critic of a training sees (E0307). Its inputs of the task get an output each, of the
+/// task's node, behind the terms (E0315).
+void add_critic_outputs(Draft& draft, DraftNode& task);
+void resolve_critic(Draft& draft);
 /// Whether the source of `render:` can be shown (E0360), and which nodes only pictures need.
 void resolve_render(Draft& draft);
 void resolve_states(Draft& draft);         // how states are drawn

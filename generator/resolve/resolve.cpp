@@ -205,6 +205,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   place_parts(draft, options.placement.empty() ? spec.placement : options.placement);
   resolve_spaces(draft);
   resolve_task(draft);
+  resolve_critic(draft);
   resolve_render(draft);
   resolve_telemetry(draft);
   resolve_safety(draft);

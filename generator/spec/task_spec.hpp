@@ -36,12 +36,13 @@ struct TaskSpec {
   std::vector<TaskInputSpec> inputs;
   std::vector<TermSpec> reward;
   std::vector<TaskConditionSpec> terminated, truncated, success;
+  std::vector<Spanned<std::string>> critic;      // `critic: […]`, inputs of the task and states
   std::optional<Spanned<Rational>> after_s;      // `truncated: {after: …}`
   std::optional<Spanned<Rational>> over_last_s;  // `success: {over_last: …}`
 };
 
 /// Of a tree that `check` has accepted, without its span. Problems: E0204 a task without a term,
-/// E0206 `over_last` without a condition.
+/// E0206 `over_last` without a condition, a name that `critic` has twice.
 TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -75,6 +75,7 @@ class Ppo : public Algorithm {
   const Settings settings_;
   const Head head_;
   Model model_;
+  const std::string critic_;  // what only the critic sees, in words, for checkpoints
   const Kernels& kernels_;
   Team& team_;
   const bool has_threads_;

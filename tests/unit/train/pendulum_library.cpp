@@ -1,6 +1,7 @@
 // A library of environments, written by hand: the disc pendulum without friction, with the
 // interface that generated libraries have. Test double of the trainer's tests. With
-// EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V. In the environment of a process,
+// EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V. With EAGERX_TEST_CRITIC the critic
+// sees the angle's distance from upright, too, and a number of the episode. In the environment of a process,
 // EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
 // EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
 #include <cstdlib>
@@ -27,6 +28,16 @@ constexpr bool kChooses = false;
 #define ACTION R"("shape": [], "dtype": "float32", "low": [-2], "high": [2])"
 #endif
 
+#ifdef EAGERX_TEST_CRITIC
+#define CRITIC R"(, "critic": [
+      {"name": "error", "shape": [], "dtype": "float32", "window": 1, "low": [null], "high": [null],
+       "first": 0},
+      {"name": "luck", "shape": [], "dtype": "float32", "window": 1, "low": [null], "high": [null],
+       "first": 1}])"
+#else
+#define CRITIC
+#endif
+
 float voltage_of(float action) {
   return kChooses ? 2.0F * (action - 4.0F) : action;
 }
@@ -35,12 +46,15 @@ struct Pendulum {
   std::uint64_t seed = 0;
   std::uint32_t number = 0, episode = 0, step = 0, upright = 0;
   float angle = 0.0F, speed = 0.0F;  // rad, rad/s; 0 is upright
+  float luck = 0.0F;                 // of the episode
+  float end[2] = {};                 // what the critic saw last in the one that ended
   bool ended = false;
 
   void begin() {
     eagerx::Random random({seed, number, episode++}, eagerx::entity_id("pendulum"));
     angle = random.uniform(-3.14F, 3.14F);
     speed = random.uniform(-9.0F, 9.0F);
+    luck = random.uniform(0.0F, 1.0F);
     step = upright = 0;
     ended = false;
   }
@@ -54,6 +68,10 @@ struct Pendulum {
     ++step;
   }
   float error() const { return eagerx::atan2(eagerx::sin(angle), eagerx::cos(angle)); }
+  void show(float* row) const {
+    row[0] = error();
+    row[1] = luck;
+  }
   void observe(float* row) const {
     row[0] = eagerx::cos(angle);
     row[1] = eagerx::sin(angle);
@@ -101,7 +119,7 @@ const char* eagerx_describe(void) {
        "high": [null], "first": 2}],
     "actions": [{"name": "voltage", )" ACTION R"(, "first": 0}],
     "states": [],
-    "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150}})";
+    "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150)" CRITIC "}}";
 }
 const char* eagerx_error(void) {
   return failure.c_str();
@@ -165,12 +183,22 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
     if (rows->terms != nullptr) std::memcpy(rows->terms + 3 * i, terms, sizeof terms);
     if (one.ended && environments->autoreset == EAGERX_SAME_STEP) {
       if (rows->final_observation != nullptr) one.observe(rows->final_observation + 3 * i);
+      one.show(one.end);
       one.begin();
     }
     if (rows->observation != nullptr) one.observe(rows->observation + 3 * i);
   }
   if (!is_finite) failure = "a reward is not finite";
   return is_finite ? 0 : 1;
+}
+
+int eagerx_critic(eagerx_environments* environments, float* critic, float* final_critic) {
+  for (std::size_t i = 0; i < environments->all.size(); ++i) {
+    const Pendulum& one = environments->all[i];
+    if (critic != nullptr) one.show(critic + 2 * i);
+    if (final_critic != nullptr) std::memcpy(final_critic + 2 * i, one.end, sizeof one.end);
+  }
+  return 0;
 }
 
 }  // extern "C"
