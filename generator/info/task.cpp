@@ -76,7 +76,7 @@ Json task_json(const Graph& graph) {
   json["terminated"] = conditions_json(task.terminated);
   json["truncated"] = conditions_json(task.truncated);
   json["success"] = conditions_json(task.success);
-  json["critic"] = Json::array();
+  json["critic"] = Json::list();
   for (const CriticInput& seen : task.critic) json["critic"].push_back(seen.name);
   json["episode_steps"] = task.after;
   json["success_steps"] = task.over_last;
