@@ -106,7 +106,7 @@ FormatPtr task_format() {
         false, "what counts as success, if all of these hold; it ends nothing"},
        {"critic",
         format::list("a list of inputs of the task and states",
-                     format::port("an input of the task, or a state such as `pendulum.mass`")),
+                     format::text("an input of the task, or a state such as `pendulum.mass`")),
         false, "what the critic of a training sees besides the observations"}});
 }
 

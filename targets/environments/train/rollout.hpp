@@ -10,6 +10,7 @@
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/policy.hpp"
+#include "targets/environments/train/sight.hpp"
 
 namespace eagerx::train {
 
@@ -43,7 +44,7 @@ class Rollout {
   std::string stepping() const { return environments_.stepping(); }
   std::size_t tiles() const { return count_ / kLanes; }
 
-  Packs inputs;           // [horizon + 1][tiles][inputs] normalised observations
+  Packs inputs;           // [horizon + 1][tiles][inputs of the critic] normalised observations
   Packs actions;          // [horizon][tiles][numbers] as drawn, in -1…1 or beyond; or the choice
   Packs log_probability;  // of the actions
   Packs advantage, target;  // target of the critic
@@ -80,6 +81,7 @@ class Rollout {
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
   Rows rows_;                          // [count] of the last step
+  Sight sight_;                        // with what only the critic sees, [count][width]
   std::vector<float> action_;          // [count][numbers]
   std::vector<double> return_;         // [count] of the episode so far
   std::vector<float> discounted_;      // [count] of the episode so far

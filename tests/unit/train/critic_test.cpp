@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -15,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Interrupt never = false;
+const Interrupt unbroken = false;
 
-const Library& critic() {
+const Library& with_critic() {
   static const Library library(EAGERX_TEST_CRITIC);
   return library;
 }
-const Library& pendulum() {
+const Library& without_critic() {
   static const Library library(EAGERX_TEST_PENDULUM);
   return library;
 }
@@ -43,7 +44,7 @@ class TrainCritic : public testing::Test {
     return result;
   }
   static std::string trained(const Options& options, const Library& library) {
-    Training(options, library).run(never);
+    Training(options, library).run(unbroken);
     return read_file(options.output);
   }
   static std::string said(const Options& options, const Library& library) {
@@ -60,14 +61,14 @@ class TrainCritic : public testing::Test {
 };
 
 TEST_F(TrainCritic, RowsHaveWhatItSees) {
-  const Description& description = critic().description();
+  const Description& description = with_critic().description();
   ASSERT_EQ(description.critic_numbers(), 2U);
   Rows rows(description, 2);
   rows.final_observation = rows.observation;
   Sight sight(description, rows);
   EXPECT_EQ(sight.width(), 5U);
   EXPECT_EQ(sight.actor_width(), 3U);
-  Environments environments(critic().functions(), 2, 0, 1, 0, EAGERX_SAME_STEP);
+  Environments environments(with_critic().functions(), 2, 0, 1, 0, EAGERX_SAME_STEP);
   environments.reset(1, rows.observation.data());
   sight.look(environments);
   const float luck = sight.now()[5 + 4];
@@ -93,42 +94,42 @@ TEST_F(TrainCritic, RowsHaveWhatItSees) {
 
 TEST_F(TrainCritic, AnyThreadsLearnTheSameBitsAndOthersThanWithoutIt) {
   Options one = options(6);
-  const std::string policy = trained(one, critic());
+  const std::string policy = trained(one, with_critic());
   one.threads = 3;
   one.kernels = "plain";
-  EXPECT_EQ(trained(one, critic()), policy);
-  EXPECT_NE(trained(one, pendulum()), policy);
+  EXPECT_EQ(trained(one, with_critic()), policy);
+  EXPECT_NE(trained(one, without_critic()), policy);
 }
 
 TEST_F(TrainCritic, ThePolicySeesNothingOfIt) {
-  const std::string policy = trained(options(1), critic());
+  const std::string policy = trained(options(1), with_critic());
   EXPECT_NE(policy.find("\"obs\":\"angle (2), speed\""), std::string::npos);
   EXPECT_NE(policy.find("\"policy.hidden.0.weight\":{\"dtype\":\"F32\",\"shape\":[8,3]"),
             std::string::npos);
 }
 
 TEST_F(TrainCritic, WhatGoesOnIsOneTraining) {
-  const std::string policy = trained(options(6), critic());
+  const std::string policy = trained(options(6), with_critic());
   Options first = options(3);
   first.checkpoint = path("checkpoint");
-  trained(first, critic());
+  trained(first, with_critic());
   Options rest = options(6);
   rest.resume = first.checkpoint;
-  EXPECT_EQ(trained(rest, critic()), policy);
+  EXPECT_EQ(trained(rest, with_critic()), policy);
 }
 
 TEST_F(TrainCritic, CheckpointsOfAnotherCriticAreRefused) {
   Options first = options(1);
   first.checkpoint = path("checkpoint");
-  trained(first, critic());
+  trained(first, with_critic());
   Options other = options(2);
   other.resume = first.checkpoint;
-  EXPECT_EQ(said(other, pendulum()),
+  EXPECT_EQ(said(other, without_critic()),
             "`" + first.checkpoint + "` belongs to another training: critic error[1] luck[1] (here there is none)");
   other.resume.clear();
   other.from = first.checkpoint;
-  EXPECT_NE(said(other, pendulum()).find("is of other networks"), std::string::npos);
-  EXPECT_EQ(said(other, critic()), "nothing");
+  EXPECT_NE(said(other, without_critic()).find("is of other networks"), std::string::npos);
+  EXPECT_EQ(said(other, with_critic()), "nothing");
 }
 
 }  // namespace

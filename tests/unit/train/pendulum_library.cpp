@@ -29,11 +29,10 @@ constexpr bool kChooses = false;
 #endif
 
 #ifdef EAGERX_TEST_CRITIC
-#define CRITIC R"(, "critic": [
-      {"name": "error", "shape": [], "dtype": "float32", "window": 1, "low": [null], "high": [null],
-       "first": 0},
-      {"name": "luck", "shape": [], "dtype": "float32", "window": 1, "low": [null], "high": [null],
-       "first": 1}])"
+#define NUMBER R"("shape": [], "dtype": "float32", "low": [null], "high": [null], "first": )"
+#define CRITIC                                     \
+  R"(, "critic": [{"name": "error", )" NUMBER      \
+  R"(0}, {"name": "luck", )" NUMBER "1}]"
 #else
 #define CRITIC
 #endif
