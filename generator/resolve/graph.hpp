@@ -225,8 +225,8 @@ struct TaskExpression {
   Span span;            // of the name
 };
 
-/// What the critic of a training sees besides the observations: an input of the task, which then has
-/// an output `critic_NAME`, or a state as the episode began with it.
+/// What the critic of a training sees besides the observations: an input of the task, which then
+/// has an output `critic_NAME`, or a state as the episode began with it.
 struct CriticInput {
   std::string name;                  // "speed", "pendulum.mass"
   std::optional<std::size_t> input;  // of the task's node; without: a state
@@ -241,8 +241,8 @@ struct Task {
   std::vector<TaskExpression> terms;  // of the reward, in their order
   std::vector<TaskExpression> terminated, truncated, success;
   std::vector<CriticInput> critic;  // inputs in the order of their outputs, behind the terms
-  std::uint64_t after = 0;      // steps of an episode that is cut off; 0: none is
-  std::uint64_t over_last = 1;  // steps in a row in which success must hold
+  std::uint64_t after = 0;          // steps of an episode that is cut off; 0: none is
+  std::uint64_t over_last = 1;      // steps in a row in which success must hold
   std::shared_ptr<const Entity> entity;
   Span span;
   /// The first outputs of its node; those after them are the terms, then what the critic

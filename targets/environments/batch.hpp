@@ -294,9 +294,8 @@ class Batch {
           packs_.show_guard(packs_.column(member, first, lane), programs_[first + lane]);
       }
     }
-    for (std::uint32_t lane = 0; seen_of<Graph> > 0 && lane < packs_.lanes(); ++lane) {
-      if ((alone >> lane & 1U) == 0)
-        critic_.step(first + lane, packs_.column(member, first, lane));
+    for (std::uint32_t lane = 0; seen_of < Graph >> 0 && lane < packs_.lanes(); ++lane) {
+      if ((alone >> lane & 1U) == 0) critic_.step(first + lane, packs_.column(member, first, lane));
     }
     for (; notable != 0; notable &= notable - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(notable));

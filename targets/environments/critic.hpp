@@ -16,7 +16,9 @@ namespace eagerx::environments {
 
 /// Whether the critic of a training sees anything besides the observations.
 template <class Graph>
-inline constexpr bool has_critic = seen_of<Graph> > 0 || requires { Graph::kCriticStates; };
+inline constexpr bool has_critic = seen_of<Graph> > 0 || requires {
+  Graph::kCriticStates;
+};
 
 /// The columns of its rows: messages of the task, then states as episodes began with them.
 template <class Graph>
@@ -34,7 +36,7 @@ class CriticLayout {
   /// f(name, type of the message) for each field, in the order in which they were added.
   template <class F>
   static void for_each_field(F&& f) {
-    if constexpr (seen_of<Graph> > 0) {
+    if constexpr (seen_of < Graph >> 0) {
       typename Graph::Outcome{}.for_each_seen([&](const char* name, const auto& message) {
         f(name, std::type_identity<std::remove_cvref_t<decltype(message)>>{});
       });
@@ -123,11 +125,11 @@ class CriticRows {
   }
   template <class Program>
   void step([[maybe_unused]] std::uint32_t k, [[maybe_unused]] const Program& program) {
-    if constexpr (seen_of<Graph> > 0)
+    if constexpr (seen_of < Graph >> 0)
       CriticLayout<Graph>::get().write_seen(program.outcome(), row(k));
   }
   void step([[maybe_unused]] std::uint32_t k, [[maybe_unused]] const PackColumn& column) {
-    if constexpr (seen_of<Graph> > 0) CriticLayout<Graph>::get().write_seen(column, row(k));
+    if constexpr (seen_of < Graph >> 0) CriticLayout<Graph>::get().write_seen(column, row(k));
   }
   /// The episode is over, and the next one begins at once.
   void end(std::uint32_t k) {

@@ -167,7 +167,7 @@ class Packs {
   }
   template <class Outcome>
   static void put_seen([[maybe_unused]] const Outcome& outcome, [[maybe_unused]] float* column) {
-    if constexpr (seen_of<Graph> > 0) {
+    if constexpr (seen_of < Graph >> 0) {
       outcome.for_each_seen([&](const char*, const auto& message) {
         for (std::size_t i = 0; i < size_of<std::remove_cvref_t<decltype(message)>>;
              ++i, column += Lanes)

@@ -354,8 +354,7 @@ double Ppo::deviation() const {
 std::string Ppo::checkpoint(const std::string& conditions, const std::string& interface,
                             Progressed& progressed, std::uint32_t iterations) const {
   if (!progressed.succeeded) progressed.actions = actions(iterations);
-  std::string bytes =
-      checkpoint_of(conditions + critic_, interface + critic_, model_, progressed);
+  std::string bytes = checkpoint_of(conditions + critic_, interface + critic_, model_, progressed);
   progressed.actions = {};
   return bytes;
 }

@@ -125,7 +125,8 @@ TEST_F(TrainCritic, CheckpointsOfAnotherCriticAreRefused) {
   Options other = options(2);
   other.resume = first.checkpoint;
   EXPECT_EQ(said(other, without_critic()),
-            "`" + first.checkpoint + "` belongs to another training: critic error[1] luck[1] (here there is none)");
+            "`" + first.checkpoint +
+                "` belongs to another training: critic error[1] luck[1] (here there is none)");
   other.resume.clear();
   other.from = first.checkpoint;
   EXPECT_NE(said(other, without_critic()).find("is of other networks"), std::string::npos);

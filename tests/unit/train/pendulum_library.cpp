@@ -1,8 +1,8 @@
 // A library of environments, written by hand: the disc pendulum without friction, with the
 // interface that generated libraries have. Test double of the trainer's tests. With
 // EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V. With EAGERX_TEST_CRITIC the critic
-// sees the angle's distance from upright, too, and a number of the episode. In the environment of a process,
-// EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
+// sees the angle's distance from upright, too, and a number of the episode. In the environment of a
+// process, EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
 // EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
 #include <cstdlib>
 #include <cstring>
@@ -30,9 +30,7 @@ constexpr bool kChooses = false;
 
 #ifdef EAGERX_TEST_CRITIC
 #define NUMBER R"("shape": [], "dtype": "float32", "low": [null], "high": [null], "first": )"
-#define CRITIC                                     \
-  R"(, "critic": [{"name": "error", )" NUMBER      \
-  R"(0}, {"name": "luck", )" NUMBER "1}]"
+#define CRITIC R"(, "critic": [{"name": "error", )" NUMBER R"(0}, {"name": "luck", )" NUMBER "1}]"
 #else
 #define CRITIC
 #endif
@@ -118,7 +116,8 @@ const char* eagerx_describe(void) {
        "high": [null], "first": 2}],
     "actions": [{"name": "voltage", )" ACTION R"(, "first": 0}],
     "states": [],
-    "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150)" CRITIC "}}";
+    "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150)" CRITIC
+         "}}";
 }
 const char* eagerx_error(void) {
   return failure.c_str();
