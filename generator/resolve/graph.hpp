@@ -235,11 +235,18 @@ struct CriticInput {
   Span span;
 };
 
+/// Noise on an observation, which a SensorModel adds.
+struct ObservationNoise {
+  std::string observation, text;    // "angle", "0.01", "at most 0.1"
+  std::optional<std::size_t> node;  // that adds it; without: real sensors have noise of their own
+};
+
 /// Reward and end of a step: a node at the rate of the environment, whose class is generated.
 struct Task {
   std::size_t node = 0;
   std::vector<TaskExpression> terms;  // of the reward, in their order
   std::vector<TaskExpression> terminated, truncated, success;
+  std::vector<ObservationNoise> noise;
   std::vector<CriticInput> critic;  // inputs in the order of their outputs, behind the terms
   std::uint64_t after = 0;          // steps of an episode that is cut off; 0: none is
   std::uint64_t over_last = 1;      // steps in a row in which success must hold

@@ -197,6 +197,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   add_task(draft);
   add_render(draft);
   connect(draft);
+  add_noise(draft);
   let_task_skip(draft);
   resolve_states(draft);
   resolve_reset_targets(draft);
