@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 #include <runtime/host/base/hash.hpp>
 #include <string_view>
-#include <type_traits>
 
+#include "targets/environments/train/bytes.hpp"
 #include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
@@ -16,57 +15,6 @@ namespace {
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
 constexpr std::string_view kFirstLine = "eagerx-train checkpoint 5\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
-
-/// Visits values of a checkpoint in its order: writes them.
-class Writer {
- public:
-  std::string bytes;
-
-  template <class T>
-  void operator()(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  template <class T>
-  void operator()(const std::vector<T>& values) {
-    (*this)(std::uint64_t{values.size()});
-    for (const T& value : values) (*this)(value);
-  }
-};
-
-/// The same, and reads them. False in `complete` if there are not enough.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
-  bool complete = true;
-
-  template <class T>
-  void operator()(T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    complete = complete && bytes_.size() >= sizeof value;
-    if (!complete) return;
-    std::memcpy(&value, bytes_.data(), sizeof value);
-    bytes_.remove_prefix(sizeof value);
-  }
-  void operator()(bool& value) {
-    std::uint8_t byte = 0;
-    (*this)(byte);
-    complete = complete && byte <= 1;
-    value = byte == 1;
-  }
-  template <class T>
-  void operator()(std::vector<T>& values) {
-    std::uint64_t count = 0;
-    (*this)(count);
-    complete = complete && count <= bytes_.size() / sizeof(T);
-    if (!complete) return;
-    values.resize(count);
-    for (T& value : values) (*this)(value);
-  }
-
- private:
-  std::string_view bytes_;
-};
 
 /// The sizes of what it visits.
 struct Sizes {
@@ -134,6 +82,9 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   }
   visitor(progressed.actions);
   visit_model(visitor, model);
+  if constexpr (requires { model.remembered; }) {
+    if (model.actor.memory() != nullptr) visitor(model.remembered);
+  }
   if constexpr (requires { model.memory; }) {
     visitor(model.was_taught);
     visitor(model.replayed);
@@ -254,10 +205,14 @@ std::string conditions(const Settings& settings, const std::string& contract_has
 }
 
 std::string interface_of(const Settings& settings, const Description& description) {
-  return fmt::format("algorithm {}; observations {}; actions {}; layers {}; activation {}",
+  std::string memory;
+  if (settings.memory != Memory::none)
+    memory = fmt::format("; memory {} {}", settings.memory == Memory::gru ? "gru" : "lstm",
+                         settings.memory_units);
+  return fmt::format("algorithm {}; observations {}; actions {}; layers {}; activation {}{}",
                      settings.algorithm, names_and_sizes(description.observations),
                      names_and_sizes(description.actions), fmt::join(settings.layers, ","),
-                     settings.activation == Activation::relu ? "relu" : "tanh");
+                     settings.activation == Activation::relu ? "relu" : "tanh", memory);
 }
 
 std::string critic_of(const Description& description) {
@@ -276,7 +231,10 @@ std::string checkpoint_of(const std::string& conditions, const std::string& inte
 
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
              Model& model, Progressed& progressed) {
+  const std::size_t remembered = model.remembered.size();
   read_own(bytes, name, conditions, model, progressed);
+  if (model.remembered.size() != remembered)
+    throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);
 }
 
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,

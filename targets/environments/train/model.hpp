@@ -18,8 +18,10 @@ inline constexpr float kHalfLogTwoPi = 0.9189385F;
 struct Model {
   /// `inputs` of the actor; the critic sees `more` behind them.
   Model(const Settings& settings, std::size_t inputs, const Head& head, std::size_t more = 0)
-      : actor(inputs, settings.layers, head.outputs, settings.activation),
-        critic(inputs + more, settings.layers, 1, settings.activation),
+      : actor(inputs, settings.layers, head.outputs, settings.activation,
+              {settings.memory, settings.memory_units}),
+        critic(inputs + more, settings.layers, 1, settings.activation,
+               {settings.memory, settings.memory_units}),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
         critic_parameters(critic.drawn(random(settings, "train/critic"), 1.0F)),
         log_deviation(head.chooses ? 0 : head.outputs, log(settings.first_deviation)),
@@ -29,7 +31,9 @@ struct Model {
         deviation_adam(log_deviation.size()),
         observations(inputs + more),
         returns(1),
-        step_size(settings.learning_rate) {}
+        step_size(settings.learning_rate),
+        remembered(settings.environments * 2 *
+                   CellShape{settings.memory, settings.memory_units}.state()) {}
 
   Network actor;   // tanh of its outputs is the mean of the actions, or they are scores of choices
   Network critic;  // the discounted return, divided by the deviation of returns
@@ -40,6 +44,8 @@ struct Model {
   Statistics observations;  // [inputs of the critic], those of the actor first
   Statistics returns;       // [1] discounted, while they run
   float step_size;
+  /// [environments][states of actor and critic] after the last iteration.
+  std::vector<float> remembered;
 
  private:
   static Random random(const Settings& settings, const char* name) {
