@@ -32,6 +32,14 @@ std::string messages_text(const Plan& plan, const std::vector<bool>& crosses) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+/// "goes on while up to 3 exchanges are on their way"
+std::string ahead_text(const PartLink& link) {
+  if (link.depth > 1)
+    return fmt::format("the hub goes on while up to {} exchanges are on their way", link.depth);
+  return fmt::format("the hub waits for each exchange{}: {}",
+                     link.posts ? " when it needs it" : "", link.why_not_ahead);
+}
+
 Json names_json(const Plan& plan, const std::vector<bool>& crosses) {
   Json names = Json::list();
   for (std::size_t c = 0; c < plan.channels.size(); ++c)
@@ -70,6 +78,7 @@ std::string parts_text(const Plan& plan) {
           link.exchanges, bytes_on_line(link), ms, 1e3 / steps_per_s(plan),
           std::ceil(100.0 * baud_of(plan, link) / kUsualBaud));
     }
+    text += fmt::format("    {}\n", ahead_text(link));
     text += fmt::format("    to it: {}\n", messages_text(plan, link.to_part));
     text += fmt::format("    from it: {}\n", messages_text(plan, link.to_hub));
   }
@@ -89,6 +98,8 @@ Json parts_json(const Plan& plan) {
                          {"to_hub", names_json(plan, link.to_hub)},
                          {"exchanges_a_step", known ? Json(link.exchanges) : Json(nullptr)},
                          {"bytes_a_step", known ? Json(bytes_on_line(link)) : Json(nullptr)},
+                         {"exchanges_on_their_way", Json(static_cast<double>(link.depth))},
+                         {"why_not_more", link.depth > 1 ? Json(nullptr) : Json(link.why_not_ahead)},
                          {"baud", known ? Json(baud_of(plan, link)) : Json(nullptr)}});
   }
   return parts;

@@ -159,6 +159,7 @@ void run_program(Watch& watch, Program& program) {
     LinkOf<Graph>::make_safe(program);
     target::step_safely<Graph>(program);
   }
+  target::settle(program);
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
   target::stop(program);
 }

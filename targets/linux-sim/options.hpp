@@ -58,6 +58,7 @@ struct Options {
   std::vector<std::string> links;  // `PART=LINE`; of one part LINE alone
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
+  bool lockstep = false;  // with parts, also where delays would let the program go on
   bool strict_spaces = false;
   bool csv_states = false;
   std::string until;  // a condition; empty: none

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <targets/common/partner.hpp>
+#include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/split.hpp>
 #include <vector>
 
@@ -193,6 +194,8 @@ std::string connect(SplitLink& link, const std::string& line, const GraphFacts& 
   if (!link.port().open(line, options.baud))
     return "error: cannot open `" + line + "`: " + link.port().error() +
            (facts.part_count == 1 ? "" : "\nnote: of " + name_of_part(link.part()));
+  // Who changes messages, or takes their place, does so when they are sent.
+  link.set_runs_ahead(!options.lockstep && !recorder_of_run.takes_part());
   link.set_time_limit(static_cast<std::uint64_t>(options.link_timeout_s * kNanosecondsPerSecond));
   return link.open(new_session()) ? std::string() : problem_of(link, facts);
 }

@@ -69,6 +69,18 @@ class Star {
     return true;
   }
 
+  /// Whether a hub that can (ahead.hpp) asks for messages before it needs them.
+  bool runs_ahead() const { return runs_ahead_; }
+  void set_runs_ahead(bool runs_ahead) { runs_ahead_ = runs_ahead; }
+  template <std::size_t K>
+  bool is_full(PartIndex<K> /*part*/) const {
+    return link<K>().is_full();
+  }
+  template <std::size_t K>
+  void post(PartIndex<K> /*part*/) {
+    link<K>().post();
+  }
+
   void begin_episode(const Episode& episode) {
     for_each([&](auto& link) { link.begin_episode(episode); });
   }
@@ -89,6 +101,7 @@ class Star {
  private:
   std::tuple<Links...> links_{};
   PartProgress progress_[kParts] = {};
+  bool runs_ahead_ = false;
 };
 
 }  // namespace eagerx::link
