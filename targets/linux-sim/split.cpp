@@ -94,7 +94,8 @@ std::string problem_of(SplitLink& link, const GraphFacts& facts) {
              "how long to wait";
     case Problem::closed:
       return "error: the line to " + name_of_part(link.part()) + " is closed, " + repeated + ": " +
-             link.port().error() + behind;
+             link.port().error() + behind +
+             "\nhelp: has it ended, or its machine? What it said last is where it was started";
     case Problem::other_protocol:
       return who + " speaks version " + std::to_string(other.protocol) +
              " of the link, this program version " + std::to_string(link::kProtocol) +
