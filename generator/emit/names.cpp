@@ -85,10 +85,9 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_lo
     for (const PlacedPart& placed : graph.placement->parts)
       part_constant.push_back(parts.unique("k" + camel(plain(placed.name))));
   }
-  for (const char* taken :
-       {"link_", "slot_", "due_", "countdown_", "warm_", "started_", "resetting_",
-        "reset_timeouts_", "refused_delays_", "memory_faults_", "arrivals_", "drawing_",
-        "ahead_", "taken_"})
+  for (const char* taken : {"link_", "slot_", "due_", "countdown_", "warm_", "started_",
+                            "resetting_", "reset_timeouts_", "refused_delays_", "memory_faults_",
+                            "arrivals_", "drawing_", "ahead_", "taken_"})
     members.unique(taken);
   for (const auto& node : graph.nodes) {
     io.push_back(types.unique(camel(node.name) + "Io"));
@@ -272,8 +271,8 @@ std::size_t ProgramNames::place_in_taken(std::size_t node) const {
 std::string ProgramNames::awaited(std::size_t node, const std::string& count) const {
   if (!posts(node)) return count;
   return fmt::format("ahead_.need(*this, {}taken_[{}], {})",
-                     link_argument(plan_.graph->placement->part_of[node]),
-                     place_in_taken(node), count);
+                     link_argument(plan_.graph->placement->part_of[node]), place_in_taken(node),
+                     count);
 }
 
 bool ProgramNames::has_ring(std::size_t ring) const {

@@ -43,8 +43,8 @@ class Finder {
     double steps = kMoreSteps, ticks = 1.0;
     for (std::size_t part = 0; part < split_.links.size(); ++part) {
       const PartLink& link = split_.links[part];
-      steps = std::max(steps, kMoreSteps + static_cast<double>(link.depth) /
-                                               std::max(link.exchanges, 1e-3));
+      steps = std::max(
+          steps, kMoreSteps + static_cast<double>(link.depth) / std::max(link.exchanges, 1e-3));
       ticks = std::max(ticks, ticks_per_step(part));
     }
     constexpr double kMostTicks = 4096.0;
@@ -82,7 +82,8 @@ class Finder {
   /// Why the hub has to wait for each message of a part at once.
   [[nodiscard]] std::string reason_against(std::size_t part) const {
     const PartLink& link = split_.links[part];
-    if (part_of_[Graph::kEnvironment] == part) return "the agent is in it, and a step needs its action";
+    if (part_of_[Graph::kEnvironment] == part)
+      return "the agent is in it, and a step needs its action";
     if (graph_.asynchronous) return "the graph has `sync: false`";
     if (graph_.has_reset_nodes()) return "the graph has reset nodes";
     if (plan_.schedule.masks.empty()) return "the rates are too far apart";

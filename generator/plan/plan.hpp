@@ -101,11 +101,11 @@ struct PartLink {
   double exchanges = 0.0;             // a step: a frame there and one back
   double part_bytes = 0.0;            // a step, to the part, without frames
   double hub_bytes = 0.0;
-  bool several_frames = false;   // whether messages do not fit into one
-  bool posts = false;            // the hub asks for messages where they are sent, and takes them
-                                 // where they are read
-  std::size_t depth = 1;         // exchanges on their way at most
-  std::string why_not_ahead;     // why no more than one
+  bool several_frames = false;  // whether messages do not fit into one
+  bool posts = false;           // the hub asks for messages where they are sent, and takes them
+                                // where they are read
+  std::size_t depth = 1;        // exchanges on their way at most
+  std::string why_not_ahead;    // why no more than one
 };
 struct Split {
   std::vector<PartLink> links;   // of each part

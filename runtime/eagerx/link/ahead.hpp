@@ -1,6 +1,6 @@
-// A hub that goes on while its parts calculate: it asks for a message where the message is sent, and
-// waits for it where it is read. What a delay holds back is not waited for, and parts that do not
-// need each other calculate at the same time. Which message is read when, and the order of the
+// A hub that goes on while its parts calculate: it asks for a message where the message is sent,
+// and waits for it where it is read. What a delay holds back is not waited for, and parts that do
+// not need each other calculate at the same time. Which message is read when, and the order of the
 // trace, stay what they are.
 #pragma once
 
@@ -80,8 +80,9 @@ class LaterTrace {
 
  private:
   template <class Message>
-  static constexpr std::uint32_t kBytesOf =
-      sizeof(Record) + (sizeof(Message) + alignof(Record) - 1) / alignof(Record) * alignof(Record);
+  static constexpr std::uint32_t kBytesOf = sizeof(Record) +
+                                            (sizeof(Message) + alignof(Record) - 1) /
+                                                alignof(Record) * alignof(Record);
 
   template <class Message>
   static void tell(void* trace, Record& record) {
