@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "targets/environments/client/problem.hpp"
+#include "targets/environments/client/rows.hpp"
 
 namespace eagerx::campaign {
 
@@ -16,26 +17,15 @@ class Runner::Chunk {
         count_(runner.plan_.size_of(chunk)),
         environments_(runner.library_.functions(), count_, runner.plan_.first_of(chunk),
                       runner.plan_.seed, runner.plan_.longest, EAGERX_DISABLED),
-        observation_(count_ * runner.library_.description().observation_numbers()),
+        rows_(runner.library_.description(), count_),
         action_(count_ * runner.library_.description().action_numbers()),
-        reward_(count_),
-        terminated_(count_),
-        truncated_(count_),
-        success_(count_),
         ended_(count_),
         results_(count_, runner.plan_.width()) {
     begin(runner.plan_.first_of(chunk));
   }
 
   Results run() {
-    const eagerx_rows rows{.size = sizeof(eagerx_rows),
-                           .observation = observation_.data(),
-                           .reward = reward_.data(),
-                           .terminated = terminated_.data(),
-                           .truncated = truncated_.data(),
-                           .success = success_.data(),
-                           .terms = nullptr,
-                           .final_observation = nullptr};
+    const eagerx_rows rows = rows_.pointers();
     for (std::uint32_t running = count_; running != 0;) {
       check(runner_.functions_.act(environments_.handle(), seen(), action_.data()));
       spoil(FaultRow::action, action_, given_);
@@ -62,7 +52,7 @@ class Runner::Chunk {
         std::ranges::copy(plan.states_of(first + e), std::back_inserter(states));
       check(runner_.functions_.set_states(environments_.handle(), nullptr, states.data()));
     }
-    environments_.reset(plan.seed, observation_.data());
+    environments_.reset(plan.seed, rows_.observation.data());
     states.resize(count_ * plan.columns.size());
     if (!states.empty())
       check(runner_.functions_.get_states(environments_.handle(), states.data()));
@@ -81,8 +71,8 @@ class Runner::Chunk {
 
   /// What the agents see: observations with their faults.
   const float* seen() {
-    if (faults_.empty()) return observation_.data();
-    seen_ = observation_;
+    if (faults_.empty()) return rows_.observation.data();
+    seen_ = rows_.observation;
     spoil(FaultRow::observation, seen_, shown_);
     return seen_.data();
   }
@@ -106,12 +96,12 @@ class Runner::Chunk {
   /// Whether the step ended the episode.
   bool note_step(std::uint32_t e) {
     if (ended_[e] != 0) return false;
-    results_.returns[e] += reward_[e];
+    results_.returns[e] += rows_.reward[e];
     ++results_.steps[e];
-    if (terminated_[e] == 0 && truncated_[e] == 0) return false;
-    results_.flags[e] = static_cast<std::uint8_t>((success_[e] != 0 ? kSuccess : 0) |
-                                                  (terminated_[e] != 0 ? kTerminated : 0) |
-                                                  (truncated_[e] != 0 ? kTruncated : 0));
+    if (!rows_.ended(e)) return false;
+    results_.flags[e] = static_cast<std::uint8_t>((rows_.success[e] != 0 ? kSuccess : 0) |
+                                                  (rows_.terminated[e] != 0 ? kTerminated : 0) |
+                                                  (rows_.truncated[e] != 0 ? kTruncated : 0));
     return (ended_[e] = 1) == 1;
   }
 
@@ -124,11 +114,12 @@ class Runner::Chunk {
   const Runner& runner_;
   std::uint32_t count_;
   client::Environments environments_;
-  std::vector<float> observation_, action_, reward_;
+  client::Rows rows_;  // of the last step
+  std::vector<float> action_;
   std::vector<std::vector<target::PlacedFault>> faults_;  // [count], or nothing if there are none
   std::vector<float> seen_;           // observations of a step with their faults
   std::vector<float> shown_, given_;  // what the agents saw and gave a step earlier
-  std::vector<std::uint8_t> terminated_, truncated_, success_, ended_;
+  std::vector<std::uint8_t> ended_;
   Results results_;
 };
 

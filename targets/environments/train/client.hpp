@@ -8,6 +8,7 @@
 #include "targets/environments/client/files.hpp"
 #include "targets/environments/client/library.hpp"
 #include "targets/environments/client/problem.hpp"
+#include "targets/environments/client/rows.hpp"
 #include "targets/environments/client/words.hpp"
 
 namespace eagerx::train {
@@ -24,6 +25,7 @@ using client::Problem;
 using client::read_description;
 using client::read_file;
 using client::rounded;
+using client::Rows;
 using client::Space;
 using client::write_file;
 using client::write_files;
@@ -32,8 +34,8 @@ using host::Interrupt;
 using host::Team;
 
 /// A step that can be learnt from. Throws Problem if a reward is not finite.
-inline void step_all(Environments& environments, const float* action, const eagerx_rows& rows) {
-  if (environments.step(action, rows)) return;
+inline void step_all(Environments& environments, const float* action, Rows& rows) {
+  if (environments.step(action, rows.pointers())) return;
   throw Problem(kProblems, environments.error(),
                 "log() and sqrt() have no value below 0, a quotient none at 0: `max(x, 1e-6)` "
                 "keeps x away from them. A simulation that breaks down needs `terminated:` before "

@@ -30,13 +30,11 @@ class Evaluator::Part {
       : environments_(library.functions(), count, first, 0, longest, EAGERX_DISABLED),
         terms_(library.description().terms.size()),
         count_(count),
-        observation_(kLanes * library.description().observation_numbers()),
-        action_(count * library.description().action_numbers()),
-        reward_(count),
-        step_terms_(count * terms_),
-        terminated_(count),
-        truncated_(count),
-        success_(count) {}
+        rows_(library.description(), count),
+        action_(count * library.description().action_numbers()) {
+    rows_.terms.resize(count * terms_);
+    rows_.observation.resize(kLanes * library.description().observation_numbers());
+  }
 
   std::vector<Episode> episodes;
   std::uint64_t saturated = 0, numbers = 0;  // of the actions
@@ -46,34 +44,26 @@ class Evaluator::Part {
            const Statistics& observations) {
     saturated = numbers = 0;
     far.assign(policy.network.inputs(), 0);
-    row_.resize(policy.network.row());
+    row_.assign(policy.network.row(), Pack{});  // nothing is remembered
     episodes.assign(count_, Episode{0.0, std::vector<double>(terms_), 0, false});
     std::vector<bool> ended(count_);
-    environments_.reset(seed, observation_.data());
+    environments_.reset(seed, rows_.observation.data());
     while (std::count(ended.begin(), ended.end(), false) != 0) {
       act(kernels, policy);
       for (std::uint32_t e = 0; e < count_; ++e) {
         if (!ended[e]) look(policy, observations, e);
       }
-      step_all(environments_, action_.data(),
-               {.size = sizeof(eagerx_rows),
-                .observation = observation_.data(),
-                .reward = reward_.data(),
-                .terminated = terminated_.data(),
-                .truncated = truncated_.data(),
-                .success = success_.data(),
-                .terms = step_terms_.data(),
-                .final_observation = nullptr});
+      step_all(environments_, action_.data(), rows_);
       for (std::uint32_t e = 0; e < count_; ++e) {
         if (!ended[e]) count(e);
-        ended[e] = ended[e] || terminated_[e] != 0 || truncated_[e] != 0;
+        ended[e] = ended[e] || rows_.ended(e);
       }
     }
   }
 
  private:
   void act(const Kernels& kernels, const Policy& policy) {
-    policy.answer(kernels, observation_.data(), row_.data());
+    policy.answer(kernels, rows_.observation.data(), row_.data());
     const Pack* const answers = &row_[policy.network.output()];
     for (std::size_t e = 0; e < count_; ++e) {
       policy.head.act(answers, e, &action_[e * policy.head.numbers]);
@@ -87,23 +77,22 @@ class Evaluator::Part {
       ++numbers;
     }
     for (std::size_t i = 0; i < far.size(); ++i) {
-      const double distance = observation_[e * far.size() + i] - observations.mean[i];
+      const double distance = rows_.observation[e * far.size() + i] - observations.mean[i];
       far[i] += std::abs(distance) * observations.scale(i) > double{kFar} ? 1 : 0;
     }
   }
   void count(std::uint32_t e) {
     Episode& episode = episodes[e];
-    episode.sum += reward_[e];
-    for (std::size_t i = 0; i < terms_; ++i) episode.terms[i] += step_terms_[e * terms_ + i];
+    episode.sum += rows_.reward[e];
+    for (std::size_t i = 0; i < terms_; ++i) episode.terms[i] += rows_.terms[e * terms_ + i];
     ++episode.steps;
-    episode.success = success_[e] != 0;
+    episode.success = rows_.success[e] != 0;
   }
 
   Environments environments_;
   std::size_t terms_, count_;
-  std::vector<float> observation_;  // [kLanes][width]
-  std::vector<float> action_, reward_, step_terms_;
-  std::vector<std::uint8_t> terminated_, truncated_, success_;
+  Rows rows_;  // [count] of the last step; [kLanes] of observations
+  std::vector<float> action_;
   Packs row_;
 };
 

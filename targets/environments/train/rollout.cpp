@@ -35,16 +35,14 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
                                  : library.description().episode_steps),
       cut_at_(count_),
       is_cut_(count_),
-      observation_(count_ * width_),
-      final_observation_(count_ * width_),
+      rows_(library.description(), count_),
       action_(count_ * numbers_),
-      reward_(count_),
-      terminated_(count_),
-      truncated_(count_),
-      success_(count_),
       return_(count_),
       discounted_(count_),
-      ended_(horizon_ * count_) {
+      ended_(horizon_ * count_),
+      actor_states_(tiles(), {settings.memory, settings.memory_units}),
+      critic_states_(actor_states_) {
+  rows_.final_observation = rows_.observation;
   const std::size_t steps = horizon_ * tiles();
   inputs.resize((steps + tiles()) * width_);
   actions.resize(steps * numbers_);
@@ -53,10 +51,12 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
 }
 
 void Rollout::reset(std::uint64_t seed) {
-  environments_.reset(seed, observation_.data());
+  environments_.reset(seed, rows_.observation.data());
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
   taken.clear();
+  actor_states_.clear();
+  critic_states_.clear();
   draw_cuts(seed);
   observation_sums.clear();
   sum_observations();
@@ -80,14 +80,14 @@ void Rollout::cut_first_episodes() {
   ++time_;
   bool any = false;
   for (std::size_t e = 0; e < count_; ++e) {
-    const bool cuts = cut_at_[e] == time_ && terminated_[e] == 0 && truncated_[e] == 0;
+    const bool cuts = cut_at_[e] == time_ && !rows_.ended(e);
     is_cut_[e] = cuts ? 1 : 0;
     any = any || cuts;
     if (!cuts) continue;
-    truncated_[e] = 1;
-    std::copy_n(&observation_[e * width_], width_, &final_observation_[e * width_]);
+    rows_.truncated[e] = 1;
+    std::copy_n(&rows_.observation[e * width_], width_, &rows_.final_observation[e * width_]);
   }
-  if (any) environments_.reset_some(is_cut_.data(), observation_.data());
+  if (any) environments_.reset_some(is_cut_.data(), rows_.observation.data());
 }
 
 void Rollout::replay(float discount) {
@@ -108,17 +108,24 @@ void Rollout::collect(const Frozen& frozen) {
   observation_sums.clear();
   return_sums.clear();
   episodes.clear();
+  actor_starts.clear();
+  critic_starts.clear();
   for (std::size_t t = 0; t < horizon_; ++t) {
+    note_states(frozen, t);
     act(frozen, t);
     step(frozen, t);
   }
   for (std::size_t k = 0; k < tiles(); ++k) {
-    frozen.normaliser.load(&observation_[k * kLanes * width_], critic_row_.data());
+    frozen.normaliser.load(&rows_.observation[k * kLanes * width_], critic_row_.data());
+    critic_states_.load(frozen.model.critic, k, critic_row_.data());
     frozen.model.critic.forward(frozen.kernels, frozen.model.critic_parameters.data(),
                                 critic_row_.data());
     value_[horizon_ * tiles() + k] = critic_row_[frozen.model.critic.output()];
   }
   estimate_advantages(frozen.settings);
+  remembered.clear();
+  actor_states_.save(remembered);
+  critic_states_.save(remembered);
 }
 
 /// Draws the actions of all environments and notes what the critic thinks.
@@ -126,11 +133,15 @@ void Rollout::act(const Frozen& frozen, std::size_t step) {
   const Model& model = frozen.model;
   for (std::size_t k = 0; k < tiles(); ++k) {
     Pack* x = input(step, k);
-    frozen.normaliser.load(&observation_[k * kLanes * width_], x);
+    frozen.normaliser.load(&rows_.observation[k * kLanes * width_], x);
     std::copy_n(x, width_, actor_row_.data());
     std::copy_n(x, width_, critic_row_.data());
+    actor_states_.load(model.actor, k, actor_row_.data());
+    critic_states_.load(model.critic, k, critic_row_.data());
     model.actor.forward(frozen.kernels, model.actor_parameters.data(), actor_row_.data());
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
+    actor_states_.keep(model.actor, k, actor_row_.data());
+    critic_states_.keep(model.critic, k, critic_row_.data());
     Pack* answers = &actor_row_[model.actor.output()];
     if (head_.chooses) {
       draw_choices(frozen, step, k, answers);
@@ -181,15 +192,7 @@ void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t t
 }
 
 void Rollout::step_environments() {
-  step_all(environments_, action_.data(),
-           {.size = sizeof(eagerx_rows),
-            .observation = observation_.data(),
-            .reward = reward_.data(),
-            .terminated = terminated_.data(),
-            .truncated = truncated_.data(),
-            .success = success_.data(),
-            .terms = nullptr,
-            .final_observation = final_observation_.data()});
+  step_all(environments_, action_.data(), rows_);
   cut_first_episodes();
 }
 
@@ -198,15 +201,45 @@ void Rollout::step(const Frozen& frozen, std::size_t step) {
   if (remembers) taken.insert(taken.end(), action_.begin(), action_.end());
   for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
   bootstrap(frozen, step);
+  forget(step);
   sum_observations();
+}
+
+/// Gradients go back to here.
+void Rollout::note_states(const Frozen& frozen, std::size_t step) {
+  if (step % frozen.settings.memory_steps != 0) return;
+  const Packs& actor = actor_states_.all();
+  const Packs& critic = critic_states_.all();
+  actor_starts.insert(actor_starts.end(), actor.begin(), actor.end());
+  critic_starts.insert(critic_starts.end(), critic.begin(), critic.end());
+}
+
+/// Nothing of an episode is remembered in the next one.
+void Rollout::forget(std::size_t step) {
+  for (std::size_t e = 0; e < count_; ++e) {
+    if (ended_[step * count_ + e] == 0) continue;
+    actor_states_.forget(e);
+    critic_states_.forget(e);
+  }
+}
+
+Pack Rollout::goes_on(std::size_t step, std::size_t tile) const {
+  Pack result;
+  for (std::size_t l = 0; l < kLanes; ++l)
+    result.lane[l] = ended_[step * count_ + tile * kLanes + l] != 0 ? 0.0F : 1.0F;
+  return result;
+}
+
+void Rollout::recall(const float* states) {
+  critic_states_.restore(actor_states_.restore(states));
 }
 
 /// Whether it was the last of the episode.
 bool Rollout::count_reward(float discount, std::size_t environment) {
   const std::size_t e = environment;
-  return_[e] += reward_[e];
-  discounted_[e] = discounted_[e] * discount + reward_[e];
-  return terminated_[e] != 0 || truncated_[e] != 0;
+  return_[e] += rows_.reward[e];
+  discounted_[e] = discounted_[e] * discount + rows_.reward[e];
+  return rows_.ended(e);
 }
 
 void Rollout::begin_episode(std::size_t environment) {
@@ -219,11 +252,12 @@ void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environ
   const std::size_t e = environment;
   const bool ended = count_reward(frozen.settings.discount, e);
   return_sums.add(0, discounted_[e]);
-  lane(rewards_, step * tiles(), e) = reward_[e] * frozen.reward_scale;
+  lane(rewards_, step * tiles(), e) = rows_.reward[e] * frozen.reward_scale;
   ended_[step * count_ + e] = ended ? 1 : 0;
   if (!ended) return;
   if (is_cut_[e] == 0)
-    episodes.push_back({return_[e], static_cast<std::uint32_t>(step), success_[e] != 0 ? 1U : 0U});
+    episodes.push_back(
+        {return_[e], static_cast<std::uint32_t>(step), rows_.success[e] != 0 ? 1U : 0U});
   begin_episode(e);
 }
 
@@ -233,15 +267,16 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
   for (std::size_t k = 0; k < tiles(); ++k) {
     bool any = false;
     for (std::size_t e = k * kLanes; e < (k + 1) * kLanes; ++e) {
-      any = any || (truncated_[e] != 0 && terminated_[e] == 0);
+      any = any || (rows_.truncated[e] != 0 && rows_.terminated[e] == 0);
     }
     if (!any) continue;
-    frozen.normaliser.load(&final_observation_[k * kLanes * width_], critic_row_.data());
+    frozen.normaliser.load(&rows_.final_observation[k * kLanes * width_], critic_row_.data());
+    critic_states_.load(model.critic, k, critic_row_.data());
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
     const Pack& value = critic_row_[model.critic.output()];
     for (std::size_t l = 0; l < kLanes; ++l) {
       const std::size_t e = k * kLanes + l;
-      if (truncated_[e] == 0 || terminated_[e] != 0) continue;
+      if (rows_.truncated[e] == 0 || rows_.terminated[e] != 0) continue;
       rewards_[step * tiles() + k].lane[l] += frozen.settings.discount * value.lane[l];
     }
   }
@@ -250,7 +285,7 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
 void Rollout::sum_observations() {
   for (std::size_t e = 0; e < count_; ++e) {
     for (std::size_t i = 0; i < width_; ++i) {
-      const float x = observation_[e * width_ + i];
+      const float x = rows_.observation[e * width_ + i];
       if (!std::isfinite(x)) {
         throw Problem(kProblems, "an observation is NaN or infinite",
                       "the simulation breaks down: look at its step, or end the episode sooner");

@@ -18,20 +18,17 @@ Walk::Walk(const train::Settings& settings, const Library& library, std::uint32_
       count_(settings.sac.environments),
       width_(library.description().observation_numbers()),
       numbers_(head_.numbers),
-      observation_(kLanes * width_),
-      before_(kLanes * width_),
-      final_observation_(count_ * width_),
+      rows_(library.description(), count_),
       squashed_(count_ * numbers_),
       action_(count_ * numbers_),
-      reward_(count_),
-      terminated_(count_),
-      truncated_(count_),
-      success_(count_),
       return_(count_),
-      discounted_(count_) {}
+      discounted_(count_) {
+  rows_.final_observation = rows_.observation;
+  rows_.observation.resize(kLanes * width_);
+}
 
 void Walk::reset(std::uint64_t seed) {
-  environments_.reset(seed, observation_.data());
+  environments_.reset(seed, rows_.observation.data());
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
   observation_sums.clear();
@@ -46,7 +43,7 @@ Random Walk::noise(std::uint32_t time, std::size_t environment) const {
 void Walk::act(const Model& model, const Normaliser& normaliser, const Kernels& kernels,
                std::uint32_t time) {
   row_.resize(model.actor.row());
-  normaliser.load(observation_.data(), row_.data());
+  normaliser.load(rows_.observation.data(), row_.data());
   model.actor.forward(kernels, model.actor_parameters.data(), row_.data());
   Pack* means = &row_[model.actor.output()];
   kernels.tanh(means + numbers_, numbers_);
@@ -67,7 +64,7 @@ void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kerne
     for (std::size_t j = 0; j < numbers_; ++j)
       squashed_[e * numbers_ + j] = random.uniform(-1.0F, 1.0F);
   }
-  before_ = observation_;
+  before_ = rows_.observation;
   step_environments();
   for (std::size_t e = 0; e < count_; ++e) settle(model, e, time);
   sum_observations();
@@ -84,26 +81,18 @@ void Walk::step_again(const Memory& memory, std::size_t back) {
 void Walk::step_environments() {
   for (std::size_t i = 0; i < action_.size(); ++i)
     action_[i] = head_.scaled(i % numbers_, squashed_[i]);
-  step_all(environments_, action_.data(),
-           {.size = sizeof(eagerx_rows),
-            .observation = observation_.data(),
-            .reward = reward_.data(),
-            .terminated = terminated_.data(),
-            .truncated = truncated_.data(),
-            .success = success_.data(),
-            .terms = nullptr,
-            .final_observation = final_observation_.data()});
+  step_all(environments_, action_.data(), rows_);
 }
 
 /// Whether it was the last of the episode, whose return is then in `return_` for the last time.
 bool Walk::count_reward(std::size_t environment) {
   const std::size_t e = environment;
-  const bool ended = terminated_[e] != 0 || truncated_[e] != 0;
-  return_[e] += reward_[e];
-  discounted_[e] = discounted_[e] * settings_.discount + reward_[e];
+  const bool ended = rows_.ended(e);
+  return_[e] += rows_.reward[e];
+  discounted_[e] = discounted_[e] * settings_.discount + rows_.reward[e];
   return_sums.add(0, discounted_[e]);
   if (!ended) return false;
-  episodes.push_back({return_[e], 0, success_[e] != 0 ? 1U : 0U});
+  episodes.push_back({return_[e], 0, rows_.success[e] != 0 ? 1U : 0U});
   return_[e] = 0.0;
   discounted_[e] = 0.0F;
   return true;
@@ -114,17 +103,18 @@ void Walk::settle(Model& model, std::size_t environment, std::uint32_t time) {
   const bool ended = count_reward(e);
   if (ended) episodes.back().step = time;
   model.memory.add({&before_[e * width_],
-                    ended ? &final_observation_[e * width_] : &observation_[e * width_],
-                    &squashed_[e * numbers_], reward_[e], terminated_[e] != 0 ? 0.0F : 1.0F});
+                    ended ? &rows_.final_observation[e * width_] : &rows_.observation[e * width_],
+                    &squashed_[e * numbers_], rows_.reward[e],
+                    rows_.terminated[e] != 0 ? 0.0F : 1.0F});
 }
 
 void Walk::sum_observations() {
   for (std::size_t i = 0; i < count_ * width_; ++i) {
-    if (!std::isfinite(observation_[i])) {
+    if (!std::isfinite(rows_.observation[i])) {
       throw Problem(kProblems, "an observation is NaN or infinite",
                     "the simulation breaks down: look at its step, or end the episode sooner");
     }
-    observation_sums.add(i % width_, observation_[i]);
+    observation_sums.add(i % width_, rows_.observation[i]);
   }
   observation_sums.count += static_cast<double>(count_);
   return_sums.count += static_cast<double>(count_);

@@ -42,14 +42,12 @@ class Walk {
   const Head head_;
   Environments environments_;
   std::size_t count_, width_, numbers_;
-  std::vector<float> observation_, before_;  // [kLanes][width]; rows beyond count are 0
-  std::vector<float> final_observation_;     // [count][width]
-  std::vector<float> squashed_, action_;     // [count][numbers] in -1…1; in their bounds
-  std::vector<float> reward_;                // [count]
-  std::vector<std::uint8_t> terminated_, truncated_, success_;
-  std::vector<double> return_;     // [count] of the episode so far
-  std::vector<float> discounted_;  // [count] of the episode so far
-  Packs row_;                      // scratch
+  Rows rows_;                             // [count] of the last step; [kLanes] of observations
+  std::vector<float> before_;             // [kLanes][width]; rows beyond count are 0
+  std::vector<float> squashed_, action_;  // [count][numbers] in -1…1; in their bounds
+  std::vector<double> return_;            // [count] of the episode so far
+  std::vector<float> discounted_;         // [count] of the episode so far
+  Packs row_;                             // scratch
 };
 
 }  // namespace eagerx::train::sac

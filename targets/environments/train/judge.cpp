@@ -1,0 +1,85 @@
+#include "targets/environments/train/judge.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "targets/environments/train/start.hpp"
+
+namespace eagerx::train {
+namespace {
+
+constexpr std::uint64_t kEvaluations = 4;  // of a policy that seems to be the best
+constexpr std::uint64_t kEvaluationSeed = std::uint64_t{1} << 63U;
+constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
+
+}  // namespace
+
+Judge::Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team)
+    : until_return_(settings.until_return),
+      has_success_(library.description().has_success),
+      has_aim_(has_success_ || std::isfinite(until_return_)),
+      head_(library.description()),
+      evaluator_(library, kernels, team, longest_of(library.description()),
+                 settings.evaluation_episodes) {}
+
+Policy Judge::policy(const Algorithm& algorithm, std::vector<float> parameters) const {
+  return {algorithm.deployed(), std::move(parameters), head_};
+}
+
+bool Judge::is_good(const Evaluation& evaluation) const {
+  if (!has_aim_ || evaluation.mean_return < until_return_) return false;
+  return !has_success_ || evaluation.passed();
+}
+
+Evaluation Judge::evaluate_at_last(const Algorithm& algorithm, const Best& best) {
+  const Policy last = policy(algorithm, best.parameters);
+  Evaluation evaluation = run(algorithm, last, kLastSeed);
+  for (std::uint64_t more = 1; more < kEvaluations; ++more)
+    evaluation.add(run(algorithm, last, kLastSeed + more));
+  return evaluation;
+}
+
+Evaluation Judge::run(const Algorithm& algorithm, const Policy& policy, std::uint64_t seed) {
+  return evaluator_.run(policy, seed, algorithm.observations());
+}
+
+/// All the episodes that choose the best policy: those that it was seen in and three times as many.
+Evaluation Judge::choose(const Algorithm& algorithm, const Policy& now, Evaluation seen) {
+  for (std::uint64_t more = 1; more < kEvaluations; ++more)
+    seen.add(run(algorithm, now, kEvaluationSeed + more));
+  return seen;
+}
+
+/// One of many evaluations may be good by luck: as many episodes that have chosen nothing.
+bool Judge::is_confirmed(const Algorithm& algorithm, const Policy& now) {
+  const std::uint64_t seed =
+      kEvaluationSeed + kEvaluations * (std::uint64_t{algorithm.iteration} + 1);
+  for (std::uint64_t more = 0; more < kEvaluations; ++more) {
+    if (!is_good(run(algorithm, now, seed + more))) return false;
+  }
+  return true;
+}
+
+bool Judge::evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point) {
+  Policy now = policy(algorithm, algorithm.deployed_parameters());
+  const Evaluation evaluation = run(algorithm, now, kEvaluationSeed);
+  const Score seen{evaluation.successes, evaluation.mean_return};
+  bool succeeds = false;
+  if (best.parameters.empty() || seen.is_better_than(best.seen) || is_good(evaluation)) {
+    const Evaluation all = choose(algorithm, now, evaluation);
+    const Score judged{all.successes, all.mean_return};
+    succeeds = is_good(all) && is_confirmed(algorithm, now);
+    if (best.parameters.empty() || judged.is_better_than(best.judged) || succeeds)
+      best = {std::move(now.parameters), seen, judged};
+  }
+  seen_ = evaluation;
+  // All at once, for who goes on after an exception.
+  point.evaluation_return = evaluation.mean_return;
+  if (has_success_) {
+    point.evaluation_success =
+        static_cast<double>(evaluation.successes) / static_cast<double>(evaluation.episodes);
+  }
+  return succeeds;
+}
+
+}  // namespace eagerx::train

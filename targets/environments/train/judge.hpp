@@ -1,0 +1,43 @@
+// Which policy of a training is the best, and whether it is good.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "targets/environments/train/algorithm.hpp"
+#include "targets/environments/train/checkpoint.hpp"
+#include "targets/environments/train/client.hpp"
+#include "targets/environments/train/evaluation.hpp"
+
+namespace eagerx::train {
+
+class Judge {
+ public:
+  Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team);
+
+  /// Whether something says when a policy is good.
+  bool has_aim() const { return has_aim_; }
+  /// Evaluates what was learnt: fills its part of `point` and, if nothing was better, `best`.
+  /// Returns whether it is good, in episodes that did not choose it, too.
+  bool evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point);
+  /// The best policy, in as many episodes as have chosen it, which are all others.
+  Evaluation evaluate_at_last(const Algorithm& algorithm, const Best& best);
+  /// The last one of evaluate(), in this run.
+  const Evaluation& seen() const { return seen_; }
+  Policy policy(const Algorithm& algorithm, std::vector<float> parameters) const;
+
+ private:
+  bool is_good(const Evaluation& evaluation) const;
+  Evaluation run(const Algorithm& algorithm, const Policy& policy, std::uint64_t seed);
+  Evaluation choose(const Algorithm& algorithm, const Policy& now, Evaluation seen);
+  bool is_confirmed(const Algorithm& algorithm, const Policy& now);
+
+  const double until_return_;
+  const bool has_success_;  // the task says it
+  const bool has_aim_;
+  const Head head_;
+  Evaluator evaluator_;
+  Evaluation seen_;
+};
+
+}  // namespace eagerx::train

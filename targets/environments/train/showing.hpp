@@ -1,0 +1,49 @@
+// What one sees of a training while it goes on: its line, its table, its events.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "targets/environments/train/client.hpp"
+#include "targets/environments/train/curve_file.hpp"
+#include "targets/environments/train/evaluation.hpp"
+#include "targets/environments/train/options.hpp"
+#include "targets/environments/train/progress.hpp"
+#include "targets/environments/train/tensorboard.hpp"
+
+namespace eagerx::train {
+
+class Showing {
+ public:
+  /// What the table of the curve has so far, for who makes another one than curve_csv().
+  using Table = std::function<std::string(const std::vector<CurvePoint>&)>;
+
+  /// `first_step`: that the training begins with.
+  Showing(const Options& options, const Description& description, std::uint64_t first_step,
+          Table table);
+
+  /// A file of events has the points that a resumed training begins with, too.
+  void open_events(const std::vector<CurvePoint>& curve);
+  /// After an iteration, the last point of `curve`; `seen`: the last evaluation of this run.
+  void show(const std::vector<CurvePoint>& curve, const Evaluation& seen);
+  /// Removes the line of a terminal.
+  void finish() { progress_.finish(); }
+  /// "warning: …; the training goes on …"
+  void warn(const std::string& problem, const char* goes_on);
+  std::string table(const std::vector<CurvePoint>& curve) const { return table_(curve); }
+  double seconds() const { return progress_.seconds(); }
+
+ private:
+  void show_events(const CurvePoint& point, const Evaluation& seen);
+
+  const Description& description_;
+  const std::string folder_;  // of events; empty: none
+  const Table table_;
+  Progress progress_;
+  CurveFile curve_file_;
+  std::optional<EventFile> events_;
+};
+
+}  // namespace eagerx::train

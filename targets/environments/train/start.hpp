@@ -1,0 +1,36 @@
+// What a training is made of, from options and library: what fails here fails before any step.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "targets/environments/train/algorithm.hpp"
+#include "targets/environments/train/client.hpp"
+#include "targets/environments/train/kernels.hpp"
+#include "targets/environments/train/options.hpp"
+
+namespace eagerx::train {
+
+/// Throws Problem if a file of the options could not be written or read.
+void check_files(const Options& options);
+
+/// The description, if one can train on it. Throws Problem.
+const Description& checked(const Library& library);
+
+/// Empty: the fastest of this machine. Throws Problem if it has none of that name.
+const Kernels& chosen_kernels(const std::string& name);
+
+/// 0: one for each core.
+unsigned chosen_threads(unsigned threads);
+
+/// Steps of an episode that nothing ends; 0: the task ends them.
+std::uint32_t longest_of(const Description& description);
+
+/// Iterations between two starts of all environments.
+std::uint32_t era_of(const Settings& settings, const Description& description);
+
+std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
+                                            const Kernels& kernels, Team& team);
+
+}  // namespace eagerx::train
