@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <eagerx/math/rounding_check.hpp>
 #include <optional>
+#include <runtime/host/base/keeper.hpp>
 #include <targets/common/csv.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/graph_program.hpp>
@@ -132,6 +133,17 @@ class GraphWatch {
   Watch& watch_;
 };
 
+/// What a process does with its copy of `program`, if this one is killed; nullptr: nothing.
+template <class Program>
+auto how_to_make_safe(const Program& program) -> void (*)(void*) {
+  if (!target::is_real(program)) return nullptr;
+  return [](void* context) {
+    auto& copy = *static_cast<Program*>(context);
+    target::warm_up(copy);
+    target::stop(copy);  // which waits for an adapter
+  };
+}
+
 /// A run from its first reset to its last step, and behind that until everything is safe.
 template <class Graph, class Program>
 void run_program(Watch& watch, Program& program) {
@@ -146,6 +158,7 @@ void run_program(Watch& watch, Program& program) {
     }
   };
   LinkOf<Graph>::connect(program);
+  const host::Keeper keeper(how_to_make_safe(program), &program);
   target::warm_up(program);  // a library may need memory for it, and none afterwards
   const host::MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
