@@ -133,15 +133,14 @@ class GraphWatch {
   Watch& watch_;
 };
 
-/// What a process does with its copy of `program`, if this one is killed; nullptr: nothing.
+/// What another process does with its copy of `program` if this one is killed; nullptr: nothing.
 template <class Program>
-auto how_to_make_safe(const Program& program) -> void (*)(void*) {
-  if (!target::is_real(program)) return nullptr;
-  return [](void* context) {
-    auto& copy = *static_cast<Program*>(context);
-    target::warm_up(copy);
-    target::stop(copy);  // which waits for an adapter
-  };
+auto how_to_take_over(const Program& program) -> void (*)(void*) {
+  if constexpr (requires(Program& copy) { copy.take_over(); }) {
+    if (target::is_real(program))
+      return [](void* context) { static_cast<Program*>(context)->take_over(); };
+  }
+  return nullptr;
 }
 
 /// A run from its first reset to its last step, and behind that until everything is safe.
@@ -158,7 +157,7 @@ void run_program(Watch& watch, Program& program) {
     }
   };
   LinkOf<Graph>::connect(program);
-  const host::Keeper keeper(how_to_make_safe(program), &program);
+  const host::Keeper keeper(how_to_take_over(program), &program);
   target::warm_up(program);  // a library may need memory for it, and none afterwards
   const host::MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
