@@ -350,7 +350,7 @@ static void run_session(void) {
 static int listen_unix(const char* path) {
   struct sockaddr_un address = {.sun_family = AF_UNIX};
   struct stat there;
-  if (strlen(path) >= sizeof address.sun_path) return errno = ENAMETOOLONG, -1;
+  if (strlen(path) + 1 >= sizeof address.sun_path) return errno = ENAMETOOLONG, -1;
   strcpy(address.sun_path, path);
   if (lstat(path, &there) == 0) { /* one of an earlier run goes; what somebody listens on, or is no socket, stays */
     const int probe = socket(AF_UNIX, SOCK_DGRAM, 0);
@@ -360,8 +360,11 @@ static int listen_unix(const char* path) {
     if (!dead) return errno = EADDRINUSE, -1;
     unlink(path);
   }
+  strcat(address.sun_path, "~");
+  if (lstat(address.sun_path, &there) == 0 && S_ISSOCK(there.st_mode)) unlink(address.sun_path);
   const int file = socket(AF_UNIX, SOCK_STREAM, 0);
-  if (fchmod(file, 0600) != 0 || bind(file, (struct sockaddr*)&address, sizeof address) != 0 || listen(file, 1) != 0)
+  if (fchmod(file, 0600) != 0 || bind(file, (struct sockaddr*)&address, sizeof address) != 0 || listen(file, 1) != 0 ||
+      rename(address.sun_path, path) != 0) /* whoever sees the socket can connect */
     return -1;
   fprintf(stderr, "listens on unix:%s\n", path);
   return file;
