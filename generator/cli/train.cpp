@@ -6,6 +6,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/ranks.hpp"
 #include "generator/cli/train_settings.hpp"
 
 namespace eagerx::gen {
@@ -19,15 +20,16 @@ struct TrainOptions : EnvironmentsOptions {
 int perform(const TrainOptions& options) {
   GenerateOptions training = options;
   training.purpose = Purpose::training;
-  std::vector<std::string> words;
-  if (!options.settings.empty()) {
-    Run run;
-    const auto read = read_train_settings(options.settings, run.sources, run.diagnostics);
-    if (!read) return finish(run, options);
-    words = *read;
-  }
-  words.insert(words.end(), options.of_program.begin(), options.of_program.end());
-  return become_with_environments({"eagerx-train", "eagerx-train"}, training, words);
+  return become_in_ranks("eagerx-train", training, [&](std::vector<std::string>& words) {
+    if (!options.settings.empty()) {
+      Run run;
+      const auto read = read_train_settings(options.settings, run.sources, run.diagnostics);
+      if (!read) return finish(run, options);
+      words = *read;
+    }
+    words.insert(words.end(), options.of_program.begin(), options.of_program.end());
+    return int{kDone};
+  });
 }
 
 Command table(TrainOptions& options) {
@@ -43,7 +45,9 @@ Command table(TrainOptions& options) {
            {"and goes on",
             "eagerx-gen train robot.yaml --steps 50000000 --resume robot.checkpoint"},
            {"fine-tune for another graph what was learnt on this one",
-            "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"}},
+            "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"},
+           {"on four processes, for an eagerx-gen with MPI: the same policy, sooner",
+            "mpirun -n 4 eagerx-gen train robot.yaml"}},
       .arguments =
           joined({{graph(options), reads(text("--settings", options.settings,
                                               "settings of the algorithm; `eagerx-gen help "

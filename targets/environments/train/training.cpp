@@ -17,17 +17,19 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-Training::Training(const Options& options, const Library& library, Table table)
+Training::Training(const Options& options, const Library& library, Table table, Ranks& ranks)
     : options_(options),
       library_(library),
       kernels_(chosen_kernels(options.kernels)),
+      ranks_(ranks),
       era_(era_of(options.settings, checked(library))),
       conditions_(conditions(options.settings, library.description().hash)),
       interface_(interface_of(options.settings, library.description())),
       team_(chosen_threads(options.threads), Team::Size::at_most),
-      algorithm_(chosen_algorithm(options.settings, library, kernels_, team_)),
-      judge_(options.settings, library, kernels_, team_),
-      saving_(options.checkpoint, options.checkpoint_every_s, [this] { return checkpoint(); }),
+      algorithm_(chosen_algorithm(options.settings, library, kernels_, team_, ranks)),
+      judge_(options.settings, library, kernels_, team_, ranks),
+      saving_(ranks.is_first() ? options.checkpoint : std::string(), options.checkpoint_every_s,
+              [this] { return checkpoint(); }),
       showing_(options, library.description(), begin(), std::move(table)) {}
 
 /// With a checkpoint, what another training has learnt, or logs. Returns the first step.
@@ -44,7 +46,7 @@ std::uint64_t Training::begin() {
     const std::string said = algorithm_->replay(read_file(log), log);
     if (!options_.is_quiet) fmt::print(stderr, "{}\n", said);
   }
-  if (saving_.is_wanted()) algorithm_->remember_actions();
+  if (!options_.checkpoint.empty()) algorithm_->remember_actions();
   return steps();
 }
 
@@ -66,11 +68,13 @@ int Training::run(const Interrupt& is_interrupted) {
     evaluate(unused);
   }
   last_ = judge_.evaluate_at_last(*algorithm_, progressed_.best);
-  write_policy();
-  write_curve();
+  if (ranks_.is_first()) {
+    write_policy();
+    write_curve();
+  }
   if (!options_.is_quiet) print(report(last_, ending));
   if (unsaved) throw *unsaved;
-  if (ending == Ending::interrupted) return 130;  // as shells say it
+  if (ending == Ending::interrupted) return kInterrupted;
   return ending == Ending::success || !judge_.has_aim() ? kDone : kProblems;
 }
 
@@ -83,7 +87,7 @@ void Training::tell_where(const Problem& problem) {
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
   }
-  if (problem.code != kProblems) throw problem;
+  if (problem.code != kProblems && problem.code != kInterrupted) throw problem;
   throw Problem(problem.code,
                 fmt::format("{}\nnote: the training had made {} steps with `--seed {}`{}",
                             problem.what(), steps(), options_.settings.seed, saved),
@@ -109,7 +113,7 @@ Ending Training::iterate(const Interrupt& is_interrupted) {
     }
     if (algorithm_->iteration > first_iteration_) showing_.show(progressed_.curve, judge_.seen());
     if (steps() >= options_.steps) return Ending::steps;
-    if (is_interrupted) return Ending::interrupted;
+    if (ranks_.is_any(is_interrupted)) return Ending::interrupted;
     start_iteration();
     progressed_.curve.push_back(note(algorithm_->iterate()));
   }

@@ -22,10 +22,12 @@ class Training {
   using Table = Showing::Table;
 
   /// Throws Problem for a library that cannot be trained on, and a checkpoint of another training.
-  Training(const Options& options, const Library& library, Table table = curve_csv);
+  Training(const Options& options, const Library& library, Table table = curve_csv,
+           Ranks& ranks = environments::alone());
 
   /// Trains until the policy succeeds, the steps are used up, or `is_interrupted`. Writes the
-  /// files. Returns an exit code. Throws Problem, after the checkpoint is written.
+  /// files. Returns an exit code. Throws Problem, after the checkpoint is written. Called by all
+  /// ranks, which all come to the same; rank 0 alone writes and prints.
   int run(const Interrupt& is_interrupted);
 
   /// Of what run() has written.
@@ -50,6 +52,7 @@ class Training {
   const Options& options_;
   const Library& library_;
   const Kernels& kernels_;
+  Ranks& ranks_;
   const std::uint32_t era_;  // iterations between two starts of all environments
   const std::string conditions_, interface_;
   Team team_;
