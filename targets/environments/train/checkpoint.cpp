@@ -215,6 +215,10 @@ std::string interface_of(const Settings& settings, const Description& descriptio
                      settings.activation == Activation::relu ? "relu" : "tanh", memory);
 }
 
+std::string critic_of(const Description& description) {
+  return description.critic.empty() ? "" : "; critic " + names_and_sizes(description.critic);
+}
+
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
                           const Model& model, const Progressed& progressed) {
   return bytes_of(conditions, interface, model, progressed);

@@ -75,10 +75,10 @@ class Ppo::Learner {
 
   void evaluate(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t place) {
     const Model& model = ppo.model_;
-    const std::size_t width = model.actor.inputs();
+    const std::size_t width = model.critic.inputs();
     Pack* actor = &actor_rows_[place * model.actor.row()];
     Pack* critic = &critic_rows_[place * model.critic.row()];
-    std::copy_n(&rollout.inputs[tile * width], width, actor);
+    std::copy_n(&rollout.inputs[tile * width], model.actor.inputs(), actor);
     std::copy_n(&rollout.inputs[tile * width], width, critic);
     model.actor.forward(ppo.kernels_, model.actor_parameters.data(), actor);
     model.critic.forward(ppo.kernels_, model.critic_parameters.data(), critic);
@@ -171,7 +171,9 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
          std::uint32_t longest, Ranks& ranks)
     : settings_(settings),
       head_(library.description()),
-      model_(settings, library.description().observation_numbers(), head_),
+      model_(settings, library.description().observation_numbers(), head_,
+             library.description().critic_numbers()),
+      critic_(critic_of(library.description())),
       kernels_(kernels),
       team_(team),
       ranks_(ranks),
@@ -180,7 +182,7 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
       gradient_sum_(ranks, model_) {
   for (std::size_t part = 0; part < kParts; ++part) {
     if (part < own_.first || part >= own_.end) {
-      parts_.push_back(std::make_unique<Seen>(model_.actor.inputs()));
+      parts_.push_back(std::make_unique<Seen>(model_.critic.inputs()));
       continue;
     }
     parts_.push_back(std::make_unique<Rollout>(settings_, library, head_, longest, part));
@@ -240,7 +242,7 @@ void Ppo::go_on(std::uint32_t era) {
   in_parts([&](std::size_t part) {
     rollout(part).replay(taken[part], settings_.discount);
     const std::size_t states = model_.remembered.size() / kParts;
-    if (has_actions) rollout(part).recall(&model_.remembered[part * states]);
+    if (has_actions) rollout(part).recall(model_.remembered.data() + part * states);
   });
 }
 
@@ -391,14 +393,14 @@ double Ppo::deviation() const {
 std::string Ppo::checkpoint(const std::string& conditions, const std::string& interface,
                             Progressed& progressed, std::uint32_t iterations) const {
   if (!progressed.succeeded) progressed.actions = actions(iterations);
-  std::string bytes = checkpoint_of(conditions, interface, model_, progressed);
+  std::string bytes = checkpoint_of(conditions + critic_, interface + critic_, model_, progressed);
   progressed.actions = {};
   return bytes;
 }
 
 void Ppo::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
                   Progressed& progressed, std::uint32_t era) {
-  train::restore(bytes, name, conditions, model_, progressed);
+  train::restore(bytes, name, conditions + critic_, model_, progressed);
   iteration = progressed.iteration;
   // After a change of the task eras may be longer: then the rest of this one has new episodes.
   take_up(std::exchange(progressed.actions, {}), iteration % era);
@@ -411,7 +413,7 @@ std::string Ppo::replay(const std::string& /*text*/, const std::string& name) {
 
 void Ppo::begin_from(const std::string& bytes, const std::string& name,
                      const std::string& interface) {
-  train::begin_from(bytes, name, interface, model_);
+  train::begin_from(bytes, name, interface + critic_, model_);
 }
 
 }  // namespace eagerx::train

@@ -67,6 +67,7 @@ class Ppo : public Algorithm {
   const Settings settings_;
   const Head head_;
   Model model_;
+  const std::string critic_;  // what only the critic sees, in words, for checkpoints
   const Kernels& kernels_;
   Team& team_;
   Ranks& ranks_;

@@ -12,6 +12,7 @@
 #include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/recurrent/states.hpp"
 #include "targets/environments/train/seen.hpp"
+#include "targets/environments/train/sight.hpp"
 
 namespace eagerx::train {
 
@@ -49,7 +50,7 @@ class Rollout final : public Seen {
   /// 1 where the episode went on behind a step of the rollout, 0 where it ended; [16] of a tile.
   Pack goes_on(std::size_t step, std::size_t tile) const;
 
-  Packs inputs;           // [horizon + 1][tiles][inputs] normalised observations
+  Packs inputs;           // [horizon + 1][tiles][inputs of the critic] normalised observations
   Packs actions;          // [horizon][tiles][numbers] as drawn, in -1…1 or beyond; or the choice
   Packs log_probability;  // of the actions
   Packs advantage, target;  // target of the critic
@@ -86,6 +87,7 @@ class Rollout final : public Seen {
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
   Rows rows_;                          // [count] of the last step
+  Sight sight_;                        // with what only the critic sees, [count][width]
   std::vector<float> action_;          // [count][numbers]
   std::vector<double> return_;         // [count] of the episode so far
   std::vector<float> discounted_;      // [count] of the episode so far
