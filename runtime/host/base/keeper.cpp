@@ -28,14 +28,14 @@ void wait_for_its_end(pid_t program) {
   for (int look = 0; look < kMostLooks && getppid() == program; ++look) usleep(kLookUs);
 }
 
-[[noreturn]] void keep(int line, pid_t program, void (*make_safe)(void*), void* context) {
+[[noreturn]] void keep(int line, pid_t program, void (*make)(void*), void* context) {
   setsid();
   // Those that the program ends well after, and tells us.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGPIPE})
     std::signal(signal, SIG_IGN);
   if (!is_dismissed(line)) {
     wait_for_its_end(program);
-    make_safe(context);
+    make(context);
   }
   _exit(0);
 }
