@@ -204,7 +204,7 @@ void expect_as_deployed(const Cell& cell, const std::vector<float>& parameters, 
     for (std::size_t i = 0; i < kInputs; ++i) x[i] = rows[t * stride + i].lane[5];
     apply(weights, x, memory, y);
     for (std::size_t k = 0; k < kUnits; ++k)
-      EXPECT_NEAR(rows[t * stride + cell.after() + k].lane[5], y[k], 1e-6) << t;
+      EXPECT_EQ(rows[t * stride + cell.after() + k].lane[5], y[k]) << t;
   }
 }
 
