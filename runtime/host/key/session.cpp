@@ -30,7 +30,7 @@ std::size_t Records::seal(const std::uint8_t* bytes, std::size_t size, std::uint
   // The length is bound, too: with another one the seal is not where it is looked for.
   sealed[0] = static_cast<std::uint8_t>(size);
   sealed[1] = static_cast<std::uint8_t>(size >> kByte);
-  unsigned long long sealed_size = 0;
+  Size sealed_size = 0;
   sodium_->push(&out_, sealed + kLengthBytes, &sealed_size, bytes, size, sealed, kLengthBytes,
                 size == 0 ? kTagFinal : kTagMessage);
   return kLengthBytes + static_cast<std::size_t>(sealed_size);
@@ -45,7 +45,7 @@ Records::Found Records::open(std::uint8_t* bytes, std::size_t& size) {
   is_over_ = length > kMostBytes;
   if (is_over_) return Found::forged;
   if (taken_size_ < whole) return Found::nothing;
-  unsigned long long opened = 0;
+  Size opened = 0;
   std::uint8_t tag = 0;
   const bool is_right = sodium_->pull(&in_, bytes, &opened, &tag, taken_.data() + kLengthBytes,
                                       length + kSealBytes, taken_.data(), kLengthBytes) == 0;
@@ -123,7 +123,7 @@ bool Greeting::take_answer() {
 
 bool Greeting::take_proof(const std::uint8_t* proof) {
   std::uint8_t nothing = 0, tag = 0;
-  unsigned long long size = 0;
+  Size size = 0;
   is_done_ = sodium_->init_pull(&in_, proof, in_key_.data()) == 0 &&
              sodium_->pull(&in_, &nothing, &size, &tag, proof + kHeadBytes, kSealBytes,
                            said_.data(), said_.size()) == 0 &&

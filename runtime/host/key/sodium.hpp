@@ -27,6 +27,8 @@ struct StreamState {
   std::uint8_t pad[8];
 };
 
+using Size = unsigned long long;  // NOLINT(google-runtime-int): as libsodium has it
+
 /// 0: done, -1: refused.
 struct Functions {
   int (*init)();
@@ -35,16 +37,16 @@ struct Functions {
                                 const std::uint8_t* own_secret, const std::uint8_t* other);
   int (*kx_server_session_keys)(std::uint8_t* in, std::uint8_t* out, const std::uint8_t* own_open,
                                 const std::uint8_t* own_secret, const std::uint8_t* other);
-  int (*generichash)(std::uint8_t* out, std::size_t out_size, const std::uint8_t* bytes,
-                     unsigned long long size, const std::uint8_t* key, std::size_t key_size);
+  int (*generichash)(std::uint8_t* out, std::size_t out_size, const std::uint8_t* bytes, Size size,
+                     const std::uint8_t* key, std::size_t key_size);
   int (*init_push)(StreamState* state, std::uint8_t* head, const std::uint8_t* key);
-  int (*push)(StreamState* state, std::uint8_t* sealed, unsigned long long* sealed_size,
-              const std::uint8_t* bytes, unsigned long long size, const std::uint8_t* also,
-              unsigned long long also_size, std::uint8_t tag);
+  int (*push)(StreamState* state, std::uint8_t* sealed, Size* sealed_size,
+              const std::uint8_t* bytes, Size size, const std::uint8_t* also, Size also_size,
+              std::uint8_t tag);
   int (*init_pull)(StreamState* state, const std::uint8_t* head, const std::uint8_t* key);
-  int (*pull)(StreamState* state, std::uint8_t* bytes, unsigned long long* size, std::uint8_t* tag,
-              const std::uint8_t* sealed, unsigned long long sealed_size, const std::uint8_t* also,
-              unsigned long long also_size);
+  int (*pull)(StreamState* state, std::uint8_t* bytes, Size* size, std::uint8_t* tag,
+              const std::uint8_t* sealed, Size sealed_size, const std::uint8_t* also,
+              Size also_size);
   std::size_t (*state_bytes)();
   std::size_t (*head_bytes)();
   std::size_t (*seal_bytes)();
