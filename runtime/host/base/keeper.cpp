@@ -28,32 +28,33 @@ void wait_for_its_end(pid_t program) {
   for (int look = 0; look < kMostLooks && getppid() == program; ++look) usleep(kLookUs);
 }
 
-[[noreturn]] void keep(int line, pid_t program, void (*end_well)(void*), void* context) {
+[[noreturn]] void keep(int line, pid_t program, void (*take_over)(void*), void* context) {
   setsid();
   // Those that the program ends well after, and tells us.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGPIPE})
     std::signal(signal, SIG_IGN);
   if (!is_dismissed(line)) {
     wait_for_its_end(program);
-    end_well(context);
+    take_over(context);
   }
   _exit(0);
 }
 
 }  // namespace
 
-Keeper::Keeper(void (*end_well)(void*), void* context) {
-  if (end_well == nullptr) return;
+Keeper::Keeper(void (*take_over)(void*), void* context) {
+  if (take_over == nullptr) return;
   std::array<int, 2> ends{};
   const pid_t program = getpid();
   const bool has_line = pipe2(ends.data(), O_CLOEXEC) == 0;
   if (has_line) process_ = fork();
   if (process_ == 0) {
     close(ends[1]);
-    keep(ends[0], program, end_well, context);
+    keep(ends[0], program, take_over, context);
   }
   if (process_ < 0) {
-    std::fprintf(stderr, "warning: nobody makes the hardware safe if this program is killed: %s\n",
+    std::fprintf(stderr,
+                 "warning: nobody makes the hardware safe if this program is killed: %s\n",
                  std::strerror(errno));
   }
   if (has_line) close(ends[0]);
