@@ -52,6 +52,20 @@ TEST_F(Pipeline, AProblemThatListsWhatThereIsIsSaidOfTheWholeLibrary) {
   EXPECT_EQ(run.diagnostics.all().front().help, "did you mean `OdeEngine`?");
 }
 
+TEST_F(Pipeline, ALibraryOfEnvironmentsHasTheWholeOfAPlacedGraph) {
+  const auto is_placed = [](const std::vector<std::string>& targets) {
+    GraphOptions options = options_for("tests/data/placed.yaml");
+    options.targets = targets;
+    gen::Run run;
+    EXPECT_TRUE(make(run, options));
+    return run.graph && run.graph->placement.has_value();
+  };
+  EXPECT_TRUE(is_placed({}));
+  EXPECT_TRUE(is_placed({"linux-sim"}));
+  EXPECT_FALSE(is_placed({"environments"}));
+  EXPECT_TRUE(is_placed({"environments", "linux-sim"})) << "which E0335 then refuses";
+}
+
 TEST_F(Pipeline, TargetsAndEnginesOfTheCommandLineAreMentioned) {
   GraphOptions options = options_for("examples/pendulum_swing_up/graph.yaml");
   options.engine = "OpenDynamicsEngine";
