@@ -242,7 +242,7 @@ void Ppo::go_on(std::uint32_t era) {
   in_parts([&](std::size_t part) {
     rollout(part).replay(taken[part], settings_.discount);
     const std::size_t states = model_.remembered.size() / kParts;
-    if (has_actions) rollout(part).recall(&model_.remembered[part * states]);
+    if (has_actions) rollout(part).recall(model_.remembered.data() + part * states);
   });
 }
 

@@ -191,27 +191,43 @@ class TrainRanksTraining : public testing::Test {
     return result;
   }
 
+  /// One that is cut in two, each with other ranks.
+  void expect_the_same_bits(Memory memory, std::initializer_list<std::uint32_t> counts) const {
+    const Interrupt never = false;
+    const auto of_memory = [&](Options options) {
+      options.settings.memory = memory;
+      options.settings.memory_units = 6;
+      options.settings.minibatches = 4;
+      return options;
+    };
+    const Options whole = of_memory(options("whole", 9));
+    Training(whole, one_pendulum()).run(never);
+    const std::string policy = read_file(whole.output), checkpoint = read_file(whole.checkpoint);
+    for (const std::uint32_t count : counts) {
+      Options first = of_memory(options("first", 6));
+      in_ranks(count,
+               [&](Ranks& ranks) { Training(first, one_pendulum(), curve_csv, ranks).run(never); });
+      Options second = of_memory(options("second", 9));
+      second.resume = first.checkpoint;
+      in_ranks(10 - count, [&](Ranks& ranks) {
+        Training(second, one_pendulum(), curve_csv, ranks).run(never);
+      });
+      EXPECT_TRUE(read_file(second.output) == policy) << count;
+      EXPECT_TRUE(read_file(second.checkpoint) == checkpoint) << count;
+    }
+  }
+
  private:
   std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / ("eagerx_ranks_" + std::to_string(getpid()));
 };
 
 TEST_F(TrainRanksTraining, AnyNumberOfThemLearnsTheSameBits) {
-  const Interrupt never = false;
-  const Options whole = options("whole", 9);
-  Training(whole, one_pendulum()).run(never);
-  const std::string policy = read_file(whole.output), checkpoint = read_file(whole.checkpoint);
-  for (const std::uint32_t count : {2U, 3U, 8U}) {
-    Options first = options("first", 6);
-    in_ranks(count,
-             [&](Ranks& ranks) { Training(first, one_pendulum(), curve_csv, ranks).run(never); });
-    Options second = options("second", 9);
-    second.resume = first.checkpoint;
-    in_ranks(10 - count,
-             [&](Ranks& ranks) { Training(second, one_pendulum(), curve_csv, ranks).run(never); });
-    EXPECT_TRUE(read_file(second.output) == policy) << count;
-    EXPECT_TRUE(read_file(second.checkpoint) == checkpoint) << count;
-  }
+  expect_the_same_bits(Memory::none, {2, 3, 8});
+}
+
+TEST_F(TrainRanksTraining, WhatIsRememberedGoesToAll) {
+  expect_the_same_bits(Memory::gru, {2, 7});
 }
 
 }  // namespace
