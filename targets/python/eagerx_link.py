@@ -17,6 +17,7 @@ import numpy as np
 
 PROTOCOL = 1
 HELLO, WELCOME, REQUEST, ANSWER = 1, 2, 3, 4
+MOST_EXCHANGES = 32  # that a hub has on their way
 FRAME_BYTES = 9  # of a frame, besides its payload: kind, number, CRC
 GREETING_BYTES = 16
 GREETING_S = 5  # that a peer has to say something
@@ -286,7 +287,7 @@ class PartLink:
         self._crc_start = 0
         self._request, self._read = b"", 0
         self._answer = bytearray()
-        self._last = b""  # the last frame that was sent
+        self._kept = {}  # answers by number, for a hub that asks again: as many as may be on their way
         self._greeted = False
 
     def wait_for_hub(self):
@@ -330,8 +331,12 @@ class PartLink:
         self._wait_for_request()
 
     def _send(self, kind, number, payload, crc_start):
-        self._last = encode_frame(kind, number, payload, crc_start)
-        self.port.write(self._last)
+        frame = encode_frame(kind, number, payload, crc_start)
+        if kind == ANSWER:
+            self._kept[number] = frame
+            if len(self._kept) > MOST_EXCHANGES:
+                del self._kept[next(iter(self._kept))]
+        self.port.write(frame)
 
     def _frames(self):
         """The next thing between two zeros that may be a frame."""
@@ -374,8 +379,8 @@ class PartLink:
             if number == (1 if self._number == 0xFFFFFFFF else self._number + 1):
                 self._number, self._request, self._read = number, payload, 0
                 return
-            if number == self._number and number > 0:
-                self.port.write(self._last)
+            if number in self._kept:
+                self.port.write(self._kept[number])
 
     def _greet(self, payload):
         """Answers a greeting; SessionOver if a new session begins."""
@@ -390,6 +395,7 @@ class PartLink:
             return
         self._number, self._request, self._read = 0, b"", 0
         self._answer.clear()
+        self._kept.clear()
         self._session = None
         self._before_greeting = 0
         if (protocol, runtime, graph) != (PROTOCOL, self.runtime, self.graph):

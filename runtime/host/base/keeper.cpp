@@ -28,29 +28,29 @@ void wait_for_its_end(pid_t program) {
   for (int look = 0; look < kMostLooks && getppid() == program; ++look) usleep(kLookUs);
 }
 
-[[noreturn]] void keep(int line, pid_t program, void (*safe_action)(void*), void* context) {
+[[noreturn]] void keep(int line, pid_t program, void (*take_over)(void*), void* context) {
   setsid();
   // Those that the program ends well after, and tells us.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGPIPE})
     std::signal(signal, SIG_IGN);
   if (!is_dismissed(line)) {
     wait_for_its_end(program);
-    safe_action(context);
+    take_over(context);
   }
   _exit(0);
 }
 
 }  // namespace
 
-Keeper::Keeper(void (*safe_action)(void*), void* context) {
-  if (safe_action == nullptr) return;
+Keeper::Keeper(void (*take_over)(void*), void* context) {
+  if (take_over == nullptr) return;
   std::array<int, 2> ends{};
   const pid_t program = getpid();
   const bool has_line = pipe2(ends.data(), O_CLOEXEC) == 0;
   if (has_line) process_ = fork();
   if (process_ == 0) {
     close(ends[1]);
-    keep(ends[0], program, safe_action, context);
+    keep(ends[0], program, take_over, context);
   }
   if (process_ < 0) {
     std::fprintf(stderr,
