@@ -53,7 +53,7 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
   auto& parts = run.graph->placement->parts;
   const std::vector<PlacedPart> placed = parts;
   static const Target kAnywhere{};
-  for (PlacedPart& part : parts) part = {part.name, &kAnywhere, {}, part.span};
+  for (PlacedPart& part : parts) part = {part.name, &kAnywhere, {}, part.span, {}};
   const bool made = add_all(0);
   parts = placed;
   if (!made) return std::nullopt;

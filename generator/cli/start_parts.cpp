@@ -31,8 +31,8 @@ std::vector<std::string> values_in(const std::vector<std::string>& words, std::s
   return values;
 }
 
-/// The file of the key for the line to `part`; empty if there is none.
-std::string key_of(const PlacedPart& part, const std::vector<std::string>& words) {
+/// The file of the key for the line to `part` that an option names; empty if none does.
+std::string key_in(const PlacedPart& part, const std::vector<std::string>& words) {
   std::string found;
   for (const std::string& key : values_in(words, kKey)) {
     const std::size_t equals = key.find('=');
@@ -63,6 +63,12 @@ std::vector<const BuiltProgram*> without_line(const std::vector<BuiltProgram>& p
 std::uint32_t port_of(const Run& run, const PlacedPart& part) {
   constexpr std::uint32_t kFirst = 7001;
   return kFirst + static_cast<std::uint32_t>(&part - run.graph->placement->parts.data());
+}
+
+/// Or else of the graph.
+std::string key_of(const PlacedPart& part, const std::vector<std::string>& words) {
+  const std::string found = key_in(part, words);
+  return found.empty() ? part.key : found;
 }
 
 /// What is brought to another machine, and what is typed there beside it: a program, or the folder
@@ -109,6 +115,27 @@ void tell_elsewhere(Run& run, const BuiltProgram& program, const std::vector<std
       .help = how_elsewhere(run, program, key_of(part, words));
 }
 
+/// Whether one of the options is a TCP line to `part`: others take no key.
+bool has_tcp_line(const PlacedPart& part, const std::vector<std::string>& words) {
+  return std::ranges::any_of(values_in(words, kLink), [&](const std::string& line) {
+    const std::size_t equals = line.find('=');
+    if (equals != std::string::npos && line.substr(0, equals) != part.name) return false;
+    const std::string address = line.substr(equals == std::string::npos ? 0 : equals + 1);
+    return !address.starts_with("unix:") && address.find('/') == std::string::npos &&
+           address.find(':') != std::string::npos;
+  });
+}
+
+/// The keys of the graph, for lines that no option has a key for.
+void add_keys(const std::vector<BuiltProgram>& programs, std::vector<std::string>& words) {
+  for (const BuiltProgram& program : programs) {
+    const PlacedPart* const part = program.part;
+    if (part == nullptr || part->key.empty() || !key_in(*part, words).empty()) continue;
+    if (has_tcp_line(*part, words))
+      words.insert(words.end(), {std::string(kKey), part->name + "=" + part->key});
+  }
+}
+
 }  // namespace
 
 bool check_parts(Run& run, const std::vector<BuiltProgram>& programs,
@@ -131,6 +158,7 @@ bool check_parts(Run& run, const std::vector<BuiltProgram>& programs,
 
 bool start_parts(Run& run, const std::vector<BuiltProgram>& programs,
                  std::vector<std::string>& words) {
+  add_keys(programs, words);
   const auto parts = without_line(programs, words);
   if (parts.empty()) return true;
   // Sockets have short names, and are their owner's alone.

@@ -284,6 +284,7 @@ struct PlacedPart {
   const Target* target = nullptr;  // a board, or Linux
   std::string host;                // the machine that it runs on; empty: this one, or a board
   Span span;
+  std::string key;  // a file, for the line to that machine; empty: none
 };
 /// What runs elsewhere, in a star: the rest, the hub, runs on Linux and has a link to each part.
 struct Placement {

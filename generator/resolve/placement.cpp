@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "generator/resolve/chosen_nodes.hpp"
 #include "generator/resolve/draft.hpp"
@@ -45,9 +46,15 @@ class Placer {
     const auto found = std::ranges::find(parts, named.value, &PlacedPart::name);
     if (found == parts.end()) {
       if (!check_new(item, *target, named)) return std::nullopt;
-      parts.push_back({named.value, target, item.host.value, item.name.span});
+      parts.push_back({named.value, target, item.host.value, item.name.span, path_of_key(item)});
       return parts.size() - 1;
     }
+    if (!item.key.value.empty() && !found->key.empty() && found->key != path_of_key(item)) {
+      refuse(item.key.span, fmt::format("part `{}` has two keys", named.value), found->span,
+             "a part has one line, and the line one key");
+      return std::nullopt;
+    }
+    if (found->key.empty()) found->key = path_of_key(item);
     if (found->target != target || found->host != item.host.value) {
       refuse(item.target.span,
              found->target != target
@@ -61,16 +68,22 @@ class Placer {
     return static_cast<std::size_t>(found - parts.begin());
   }
 
+  [[nodiscard]] std::string path_of_key(const PlacementSpec& item) const {
+    if (item.key.value.empty()) return {};
+    return (std::filesystem::path(draft_.spec.path).parent_path() / item.key.value).string();
+  }
+
   static std::string machine(const std::string& host) {
     return host.empty() ? "this one" : "`" + host + "`";
   }
 
-  void refuse(Span span, const std::string& what, Span first) {
+  void refuse(Span span, const std::string& what, Span first,
+              const char* help =
+                  "a part is one program on one target: give the other one a name "
+                  "of its own, such as `{part: left, target: stm32f405}`") {
     auto& problem = draft_.diagnostics.error("E0333", span, what);
     problem.notes.push_back({"first here", first, ""});
-    problem.help =
-        "a part is one program on one target: give the other one a name of its own, "
-        "such as `{part: left, target: stm32f405}`";
+    problem.help = help;
   }
 
   bool check_new(const PlacementSpec& item, const Target& target,
@@ -78,6 +91,13 @@ class Placer {
     if (named.value == "host") {
       draft_.diagnostics.error("E0333", named.span, "a part cannot be called `host`").help =
           "that is the program of all that is not placed: give the part another name";
+      return false;
+    }
+    if (item.host.value.empty() && !item.key.value.empty()) {
+      draft_.diagnostics
+          .error("E0332", item.key.span,
+                 fmt::format("part `{}` has no `host`, so its line needs no key", named.value))
+          .help = "leave out `key`, or say on which machine the part runs: `host`";
       return false;
     }
     if (item.host.value.empty() || !target.system.empty()) return true;

@@ -26,7 +26,9 @@ FormatPtr part_format() {
                        {"target", format::text("a target"), false,
                         "what it is a program for (default: linux-sim)"},
                        {"host", format::file_name("the name of a machine"), false,
-                        "the machine that it runs on (default: this one)"}}),
+                        "the machine that it runs on (default: this one)"},
+                       {"key", format::text("a file of `eagerx-gen key new`"), false,
+                        "what `run` gives both ends of the line to `host` as `--key`"}}),
        format::text("a board")});
 }
 

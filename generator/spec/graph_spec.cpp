@@ -313,6 +313,7 @@ PlacementSpec read_placement(const YamlValue::Entry& entry) {
   take("target", item.target);
   take("part", item.part);
   take("host", item.host);
+  take("key", item.key);
   return item;
 }
 

@@ -111,6 +111,7 @@ struct PlacementSpec {
   Spanned<std::string> target;  // that the part is a program for
   Spanned<std::string> part;    // its name; empty: its host's, or its target's
   Spanned<std::string> host;    // the machine; empty: this one, or a board
+  Spanned<std::string> key;     // a file, beside the graph; empty: none
 };
 
 /// A node or an object that is made of others, of which the flat graph has only what is inside.

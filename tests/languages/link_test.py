@@ -153,6 +153,22 @@ def refused():
             expect(f"{bad!r} is no frame: {error}", True)
 
 
+def messages():
+    """What comes and goes has the type of its message, or is refused."""
+    layout = {"name": "a/b", "bytes": 3, "keep": 2, "shape": [3], "dtype": "bool"}
+    flags = eagerx_part.Message(layout)
+    flags.receive(4, b"\0\5\1")
+    expect("a bool of the line is 0 or 1", flags.window(5, 1).tobytes() == b"\0\1\1", flags.ring)
+    small = eagerx_part.Message({**layout, "dtype": "uint8"})
+    expect("whole numbers that fit are taken", small.set(0, [1, 2, 255], "x") == b"\1\2\xff")
+    for value in ([1, 2, 256], [1.0, 2.0, 3.0], [1, 2], "abc", None):
+        try:
+            small.set(0, value, "x")
+            expect(f"{value!r} is no uint8 [3]", False)
+        except eagerx_part.PartError as error:
+            expect(f"{value!r} is no uint8 [3]: {error}", True)
+
+
 def on_the_line():
     """A part's greeting twice, and its answer twice: nothing is done twice."""
     served = Served()
@@ -184,6 +200,7 @@ def addresses():
 known_answers()
 hostile_frames()
 refused()
+messages()
 on_the_line()
 addresses()
 sys.exit(1 if failures else 0)

@@ -1,5 +1,5 @@
-# A hub and its parts do what one program does, or end with the name of the part that does not. With other cuts:
-# tests/parts/run by hand.
+# A hub and its parts do what one program does, or end with the name of the part that does not. All cuts:
+# tests/parts/run BUILD WORK --list all.
 add_test(NAME parts COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/parts)
 set_tests_properties(parts PROPERTIES COST 900 LABELS long) # compiles some thirty programs
 # In real time, as the line to a part has the machine's clock.

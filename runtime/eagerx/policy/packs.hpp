@@ -19,13 +19,18 @@ using PanelWeights =
 /// Numbers of all lanes of a pack, in memory.
 template <class Real>
 const float* numbers_of(const Real* x) {
-  return reinterpret_cast<const float*>(x);  // NOLINT: read by memcpy only
+  return reinterpret_cast<const float*>(x);  // NOLINT: for memcpy only
+}
+template <class Real>
+float* numbers_of(Real* x) {
+  return reinterpret_cast<float*>(x);  // NOLINT: for memcpy only
 }
 
 /// Some outputs of one panel. w: the first one's weights, [In][Width].
 template <std::size_t In, std::size_t Width, std::size_t Outputs, class Real>
 void lane_outputs(const float* w, const float* b, const Real* x, Real* y) {
-  LaneOutputs<Outputs, Real>::run(PanelWeights<In, Width>{w, {}, {}, {}}, b, numbers_of(x), y);
+  LaneOutputs<Outputs, Real>::run(PanelWeights<In, Width>{w, {}, {}, {}}, b, numbers_of(x),
+                                  numbers_of(y));
 }
 
 template <std::size_t In, std::size_t Width, std::size_t Outputs, class Real>

@@ -30,9 +30,7 @@ struct KernelsOf {
     using One = std::integral_constant<std::size_t, 1>;
     const policy::LaneWeights<std::size_t, One, std::size_t> part{
         weights + j * sizes.inputs, sizes.inputs, {}, sizes.inputs};
-    Vector sums[Outputs];
-    policy::LaneOutputs<Outputs, Vector>::run(part, bias + j, x->lane, sums);
-    for (std::size_t k = 0; k < Outputs; ++k) store(sums[k], y[j + k]);
+    policy::LaneOutputs<Outputs, Vector>::run(part, bias + j, x->lane, y[j].lane);
   }
   /// With the sums of programs (eagerx/policy/lane_sums.hpp): what is trained is what is deployed.
   static void dense(DenseSizes sizes, const float* weights, const float* bias, const Pack* x,

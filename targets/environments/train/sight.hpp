@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/packs.hpp"
 
 namespace eagerx::train {
 
@@ -18,14 +19,15 @@ class Sight {
         seen_(description.critic_numbers()),
         rows_(rows),
         critic_(rows.reward.size() * seen_),
-        own_(seen_ > 0 ? rows.reward.size() * width() : 0),
+        own_(seen_ > 0 ? std::max(rows.reward.size(), kLanes) * width() : 0),
         own_final_(own_.size()) {}
 
   /// Numbers of a row; the actor sees the first actor_width() of them.
   std::size_t width() const { return observed_ + seen_; }
   std::size_t actor_width() const { return observed_; }
 
-  /// [environments][width()] of the last step or reset, and where an episode ended its last row.
+  /// [environments][width()] of the last step or reset, and where an episode ended its last row;
+  /// at least kLanes rows, of which those beyond are 0.
   float* now() { return seen_ > 0 ? own_.data() : rows_.observation.data(); }
   float* at_end() { return seen_ > 0 ? own_final_.data() : rows_.final_observation.data(); }
 
@@ -57,7 +59,7 @@ class Sight {
   std::size_t observed_, seen_;
   Rows& rows_;
   std::vector<float> critic_;           // [environments][seen_]
-  std::vector<float> own_, own_final_;  // [environments][width()]
+  std::vector<float> own_, own_final_;  // [environments or more][width()]
 };
 
 }  // namespace eagerx::train

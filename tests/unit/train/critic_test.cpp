@@ -118,6 +118,28 @@ TEST_F(TrainCritic, WhatGoesOnIsOneTraining) {
   EXPECT_EQ(trained(rest, with_critic()), policy);
 }
 
+TEST_F(TrainCritic, SacSeesItToo) {
+  Options one = options(1);
+  one.settings.algorithm = "sac";
+  one.steps = std::uint64_t{4} * 512;
+  const std::string policy = trained(one, with_critic());
+  EXPECT_NE(policy.find("\"policy.hidden.0.weight\":{\"dtype\":\"F32\",\"shape\":[8,3]"),
+            std::string::npos);
+  EXPECT_NE(trained(one, without_critic()), policy);
+  one.threads = 3;
+  one.kernels = "plain";
+  EXPECT_EQ(trained(one, with_critic()), policy);
+  Options first = one;
+  first.steps = std::uint64_t{3} * 512;
+  first.checkpoint = path("checkpoint");
+  trained(first, with_critic());
+  one.resume = first.checkpoint;
+  EXPECT_EQ(trained(one, with_critic()), policy);
+  one.resume.clear();
+  one.replay = {first.output};
+  EXPECT_NE(said(one, with_critic()).find("does not say what the critic sees"), std::string::npos);
+}
+
 TEST_F(TrainCritic, CheckpointsOfAnotherCriticAreRefused) {
   Options first = options(1);
   first.checkpoint = path("checkpoint");

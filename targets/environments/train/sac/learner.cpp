@@ -31,8 +31,9 @@ void Gradient::add(const Gradient& more) {
 Learner::Learner(const Model& model, std::size_t tiles)
     : gradient(model),
       tiles_(tiles),
-      width_(model.actor.inputs()),
       numbers_(model.actor.outputs() / 2),
+      width_(model.critic.inputs() - numbers_),
+      seen_by_actor_(model.actor.inputs()),
       actor_width_(model.actor.row()),
       critic_width_(model.critic.row()),
       observation_(width_),
@@ -117,7 +118,7 @@ void Learner::draw(const Frozen& frozen, const Pack* row, Random& random) {
 /// as the more doubtful target has it.
 void Learner::estimate_target(const Frozen& frozen, Random& random) {
   const Model& model = frozen.model;
-  std::copy_n(next_.begin(), width_, next_row_.begin());
+  std::copy_n(next_.begin(), seen_by_actor_, next_row_.begin());
   model.actor.forward(frozen.kernels, model.actor_parameters.data(), next_row_.data());
   draw(frozen, next_row_.data(), random);
   for (std::size_t c = 0; c < 2; ++c) {
@@ -156,7 +157,7 @@ void Learner::judge(const Frozen& frozen, std::size_t tile) {
 void Learner::improve(const Frozen& frozen, std::size_t tile, Random& random) {
   const Model& model = frozen.model;
   Pack* row = &actor_rows_[tile * actor_width_];
-  std::copy_n(observation_.begin(), width_, row);
+  std::copy_n(observation_.begin(), seen_by_actor_, row);
   model.actor.forward(frozen.kernels, model.actor_parameters.data(), row);
   draw(frozen, row, random);
   for (std::size_t c = 0; c < 2; ++c) {

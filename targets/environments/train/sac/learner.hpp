@@ -59,7 +59,9 @@ class Learner {
     return &critic_rows_[critic][tile * critic_width_];
   }
 
-  std::size_t tiles_, width_, numbers_, actor_width_, critic_width_;
+  std::size_t tiles_, numbers_;
+  std::size_t width_, seen_by_actor_;  // of what the critics see, and of that the first ones
+  std::size_t actor_width_, critic_width_;
   // Of a tile: samples, and the actions that the actor draws.
   Packs observation_, next_;  // [width] normalised
   Packs action_;              // [numbers] of the memory

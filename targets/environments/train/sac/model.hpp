@@ -25,28 +25,29 @@ inline constexpr std::uint64_t kMostReplayed = 1'000'000'000'000;
 
 /// Actor, critics and memory, with all that the next update depends on.
 struct Model {
-  Model(const train::Settings& settings, std::size_t inputs, const Head& head)
+  /// `inputs` of the actor; the critics see `more` behind them.
+  Model(const train::Settings& settings, std::size_t inputs, const Head& head, std::size_t more = 0)
       : actor(inputs, settings.layers, 2 * head.numbers, settings.activation),
-        critic(inputs + head.numbers, settings.layers, 1, settings.activation),
+        critic(inputs + more + head.numbers, settings.layers, 1, settings.activation),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
         critics{Critic(critic, random(settings, "train/critic")),
                 Critic(critic, random(settings, "train/second_critic"))},
         log_temperature(1, log(settings.sac.first_temperature)),
         actor_adam(actor.parameters()),
         temperature_adam(1),
-        observations(inputs),
+        observations(inputs + more),
         returns(1),
-        memory(inputs, head.numbers, settings.sac.memory),
+        memory(inputs + more, head.numbers, settings.sac.memory),
         settings_(settings.sac) {}
 
   Network actor;   // means of the actions before tanh, then what becomes their deviations
-  Network critic;  // of observations, then actions: the discounted return, divided by the deviation
+  Network critic;  // of what it sees, then actions: the discounted return, divided by the deviation
                    // of returns
   std::vector<float> actor_parameters;
   std::array<Critic, 2> critics;
   std::vector<float> log_temperature;  // [1]
   Adam actor_adam, temperature_adam;
-  Statistics observations;  // [inputs]
+  Statistics observations;  // [of what the critics see], those of the actor first
   Statistics returns;       // [1] discounted, while they run
   Memory memory;
   bool was_taught = false;     // it began with what another training had learnt, or with logs

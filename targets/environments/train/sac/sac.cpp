@@ -24,7 +24,8 @@ Sac::Sac(const train::Settings& settings, const Library& library, const Kernels&
     : settings_(settings),
       description_(library.description()),
       model_(settings_, library.description().observation_numbers(),
-             Head(real_numbers(library).description())),
+             Head(real_numbers(library).description()), library.description().critic_numbers()),
+      critic_(critic_of(library.description())),
       deployed_(sac::deployed(settings_, model_)),
       kernels_(kernels),
       team_(team),
@@ -108,22 +109,27 @@ std::vector<float> Sac::deployed_parameters() const {
 
 std::string Sac::checkpoint(const std::string& conditions, const std::string& interface,
                             Progressed& progressed, std::uint32_t /*iterations*/) const {
-  return checkpoint_of(conditions, interface, model_, progressed);
+  return checkpoint_of(conditions + critic_, interface + critic_, model_, progressed);
 }
 
 void Sac::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
                   Progressed& progressed, std::uint32_t era) {
-  train::restore(bytes, name, conditions, model_, progressed);
+  train::restore(bytes, name, conditions + critic_, model_, progressed);
   iteration = progressed.iteration;
   since_era_ = iteration % era;
 }
 
 void Sac::begin_from(const std::string& bytes, const std::string& name,
                      const std::string& interface) {
-  train::begin_from(bytes, name, interface, model_);
+  train::begin_from(bytes, name, interface + critic_, model_);
 }
 
 std::string Sac::replay(const std::string& text, const std::string& name) {
+  if (!critic_.empty()) {
+    throw Problem(
+        kUsage, fmt::format("`{}` does not say what the critic sees: `critic:` of the task", name),
+        "leave out `critic:`, or `--replay`");
+  }
   Sums observations(model_.actor.inputs()), returns(1);
   const Log log =
       read_log(text, name, description_, settings_.discount, model_.memory, observations, returns);

@@ -48,6 +48,7 @@ class Sac : public Algorithm {
   const train::Settings settings_;
   const Description& description_;
   Model model_;
+  const std::string critic_;  // what only the critics see, in words, for checkpoints
   const Network deployed_;
   const Kernels& kernels_;
   Team& team_;

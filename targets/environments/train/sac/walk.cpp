@@ -9,26 +9,29 @@
 namespace eagerx::train::sac {
 
 Walk::Walk(const train::Settings& settings, const Library& library, std::uint32_t longest)
-    : observation_sums(library.description().observation_numbers()),
+    : observation_sums(library.description().observation_numbers() +
+                       library.description().critic_numbers()),
       return_sums(1),
       settings_(settings),
       head_(library.description()),
       environments_(library.functions(), static_cast<std::uint32_t>(settings.sac.environments), 0,
                     settings.seed, longest, EAGERX_SAME_STEP),
       count_(settings.sac.environments),
-      width_(library.description().observation_numbers()),
       numbers_(head_.numbers),
       rows_(library.description(), count_),
+      sight_(library.description(), rows_),
+      width_(sight_.width()),
       squashed_(count_ * numbers_),
       action_(count_ * numbers_),
       return_(count_),
       discounted_(count_) {
   rows_.final_observation = rows_.observation;
-  rows_.observation.resize(kLanes * width_);
+  rows_.observation.resize(kLanes * sight_.actor_width());
 }
 
 void Walk::reset(std::uint64_t seed) {
   environments_.reset(seed, rows_.observation.data());
+  sight_.look(environments_);
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
   observation_sums.clear();
@@ -43,7 +46,9 @@ Random Walk::noise(std::uint32_t time, std::size_t environment) const {
 void Walk::act(const Model& model, const Normaliser& normaliser, const Kernels& kernels,
                std::uint32_t time) {
   row_.resize(model.actor.row());
-  normaliser.load(rows_.observation.data(), row_.data());
+  seen_.resize(width_);
+  normaliser.load(sight_.now(), seen_.data());
+  std::copy_n(seen_.begin(), sight_.actor_width(), row_.begin());
   model.actor.forward(kernels, model.actor_parameters.data(), row_.data());
   Pack* means = &row_[model.actor.output()];
   kernels.tanh(means + numbers_, numbers_);
@@ -64,7 +69,7 @@ void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kerne
     for (std::size_t j = 0; j < numbers_; ++j)
       squashed_[e * numbers_ + j] = random.uniform(-1.0F, 1.0F);
   }
-  before_ = rows_.observation;
+  before_.assign(sight_.now(), sight_.now() + count_ * width_);
   step_environments();
   for (std::size_t e = 0; e < count_; ++e) settle(model, e, time);
   sum_observations();
@@ -82,6 +87,8 @@ void Walk::step_environments() {
   for (std::size_t i = 0; i < action_.size(); ++i)
     action_[i] = head_.scaled(i % numbers_, squashed_[i]);
   step_all(environments_, action_.data(), rows_);
+  sight_.look(environments_);
+  sight_.look_at_ends(environments_);
 }
 
 /// Whether it was the last of the episode, whose return is then in `return_` for the last time.
@@ -102,19 +109,18 @@ void Walk::settle(Model& model, std::size_t environment, std::uint32_t time) {
   const std::size_t e = environment;
   const bool ended = count_reward(e);
   if (ended) episodes.back().step = time;
-  model.memory.add({&before_[e * width_],
-                    ended ? &rows_.final_observation[e * width_] : &rows_.observation[e * width_],
+  model.memory.add({&before_[e * width_], (ended ? sight_.at_end() : sight_.now()) + e * width_,
                     &squashed_[e * numbers_], rows_.reward[e],
                     rows_.terminated[e] != 0 ? 0.0F : 1.0F});
 }
 
 void Walk::sum_observations() {
   for (std::size_t i = 0; i < count_ * width_; ++i) {
-    if (!std::isfinite(rows_.observation[i])) {
+    if (!std::isfinite(sight_.now()[i])) {
       throw Problem(kProblems, "an observation is NaN or infinite",
                     "the simulation breaks down: look at its step, or end the episode sooner");
     }
-    observation_sums.add(i % width_, rows_.observation[i]);
+    observation_sums.add(i % width_, sight_.now()[i]);
   }
   observation_sums.count += static_cast<double>(count_);
   return_sums.count += static_cast<double>(count_);

@@ -8,6 +8,7 @@
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/sac/model.hpp"
+#include "targets/environments/train/sight.hpp"
 
 namespace eagerx::train::sac {
 
@@ -41,13 +42,15 @@ class Walk {
   const train::Settings& settings_;
   const Head head_;
   Environments environments_;
-  std::size_t count_, width_, numbers_;
+  std::size_t count_, numbers_;
   Rows rows_;                             // [count] of the last step; [kLanes] of observations
-  std::vector<float> before_;             // [kLanes][width]; rows beyond count are 0
+  Sight sight_;                           // with what only the critics see
+  std::size_t width_;                     // of that
+  std::vector<float> before_;             // [count][width]
   std::vector<float> squashed_, action_;  // [count][numbers] in -1…1; in their bounds
   std::vector<double> return_;            // [count] of the episode so far
   std::vector<float> discounted_;         // [count] of the episode so far
-  Packs row_;                             // scratch
+  Packs row_, seen_;                      // scratch
 };
 
 }  // namespace eagerx::train::sac
