@@ -270,11 +270,12 @@ def open_serial(path, baud):
 
 class PartLink:
     """A part's end of the line. It never speaks unasked: it answers a request once it needs more than it has, and a
-    duplicate with its last answer."""
+    duplicate with the answer that it had."""
 
-    def __init__(self, port, graph, runtime, most_to_part, most_to_hub):
+    def __init__(self, port, graph, runtime, most_to_part, most_to_hub, depth=1):
         self.port, self.graph, self.runtime = port, graph, runtime
         self.most_to_hub = most_to_hub
+        self.depth = depth  # requests that the hub sends before it waits; as many answers are kept
         payload = max(most_to_part, GREETING_BYTES) + FRAME_BYTES
         self.most_encoded = payload + payload // _RUN + 1
         self.damaged = 0  # frames that were dropped
@@ -286,7 +287,7 @@ class PartLink:
         self._crc_start = 0
         self._request, self._read = b"", 0
         self._answer = bytearray()
-        self._last = b""  # the last frame that was sent
+        self._kept = {}  # the last answers, by their numbers
         self._greeted = False
 
     def wait_for_hub(self):
@@ -325,13 +326,13 @@ class PartLink:
         if self._read != len(self._request):
             raise ProtocolError("the hub sent what is not due")
         if self._number > 0:
-            self._send(ANSWER, self._number, bytes(self._answer), self._crc_start)
+            frame = encode_frame(ANSWER, self._number, bytes(self._answer), self._crc_start)
+            self._kept[self._number] = frame
+            while len(self._kept) > self.depth:
+                del self._kept[next(iter(self._kept))]
+            self.port.write(frame)
         self._answer.clear()
         self._wait_for_request()
-
-    def _send(self, kind, number, payload, crc_start):
-        self._last = encode_frame(kind, number, payload, crc_start)
-        self.port.write(self._last)
 
     def _frames(self):
         """The next thing between two zeros that may be a frame."""
@@ -374,8 +375,8 @@ class PartLink:
             if number == (1 if self._number == 0xFFFFFFFF else self._number + 1):
                 self._number, self._request, self._read = number, payload, 0
                 return
-            if number == self._number and number > 0:
-                self.port.write(self._last)
+            if number in self._kept:
+                self.port.write(self._kept[number])
 
     def _greet(self, payload):
         """Answers a greeting; SessionOver if a new session begins."""
@@ -385,11 +386,12 @@ class PartLink:
         same = session == self._session
         if same and self._number > 0:
             return  # a late duplicate
-        self._send(WELCOME, 0, greeting(self.graph, self.runtime, session), 0)
+        self.port.write(encode_frame(WELCOME, 0, greeting(self.graph, self.runtime, session)))
         if same:
             return
         self._number, self._request, self._read = 0, b"", 0
         self._answer.clear()
+        self._kept.clear()
         self._session = None
         self._before_greeting = 0
         if (protocol, runtime, graph) != (PROTOCOL, self.runtime, self.graph):
