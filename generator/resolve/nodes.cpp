@@ -191,8 +191,7 @@ DraftNode node_of(Draft& draft, const EntitySpec& spec,
 
 void add_nodes(Draft& draft) {
   const std::set<std::string_view> connected = connected_ports(draft.spec);
-  for (const auto& spec : draft.spec.nodes)
-    draft.nodes.push_back(node_of(draft, spec, connected));
+  for (const auto& spec : draft.spec.nodes) draft.nodes.push_back(node_of(draft, spec, connected));
 }
 
 }  // namespace eagerx::gen

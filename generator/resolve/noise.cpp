@@ -16,8 +16,7 @@ YamlValue listed(const YamlValue& numbers) {
 std::string text_of(const NoiseSpec& noise) {
   std::vector<std::string> numbers;
   for (const YamlValue& number : listed(noise.numbers).items) numbers.push_back(number.text);
-  return fmt::format("{}{}", noise.is_range ? "at most " : "deviation ",
-                     fmt::join(numbers, ", "));
+  return fmt::format("{}{}", noise.is_range ? "at most " : "deviation ", fmt::join(numbers, ", "));
 }
 
 /// As a graph would say it:
@@ -49,8 +48,7 @@ class NoiseAdder {
       if (observation == nullptr) {
         report_unknown(noise.observation);
       } else if (observation->edge) {
-        draft_.graph.task->noise.push_back(
-            {noise.observation.value, text_of(noise), add(noise)});
+        draft_.graph.task->noise.push_back({noise.observation.value, text_of(noise), add(noise)});
       }
     }
   }

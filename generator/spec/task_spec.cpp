@@ -62,9 +62,7 @@ std::vector<Spanned<std::string>> read_critic(const YamlValue* yaml, Diagnostics
 
 NoiseSpec read_noise(const YamlValue::Entry& entry) {
   const YamlValue* range = entry.value.find("range");
-  return {{entry.key, entry.key_span},
-          range != nullptr ? *range : entry.value,
-          range != nullptr};
+  return {{entry.key, entry.key_span}, range != nullptr ? *range : entry.value, range != nullptr};
 }
 
 FormatPtr noise_format() {

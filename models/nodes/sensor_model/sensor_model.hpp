@@ -12,9 +12,9 @@
 namespace eagerx::models {
 
 /// y = quantised(clamp(scale·signal + bias + drift·t + noise·normal + spread·even, low, high)),
-/// element by element; with the probability `drop_out` the y of the tick before. A reset may set scale, bias,
-/// drift and the seed. Zero before the first signal; NaN passes.
-/// Random numbers (Philox) come from the seed, the tick and the element alone, lane by lane.
+/// element by element; with the probability `drop_out` the y of the tick before. A reset may set
+/// scale, bias, drift and the seed. Zero before the first signal; NaN passes. Random numbers
+/// (Philox) come from the seed, the tick and the element alone, lane by lane.
 template <class Io>
 class SensorModel {
  public:
