@@ -56,6 +56,7 @@ class LayoutWriter {
               {"runtime", version.substr(0, dot)},
               {"hash", fmt::format("0x{:016x}", hash)},
               {"payload", Json{{"to_part", link.part_payload}, {"to_hub", link.hub_payload}}},
+              {"depth", link.depth},
               {"decides", graph_.placement->part_of[Graph::kEnvironment] == layout_.part},
               {"safe_steps", graph_.safety.declared},
               {"step_rate", plan_.nodes[Graph::kEnvironment].rate},

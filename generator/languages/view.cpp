@@ -78,6 +78,7 @@ class LanguageView {
     view.set("runtime", runtime_number(version));
     view.set("hash", fmt::format("0x{:016x}", hash));
     view.set("most_to_part", fmt::format("{}", link.part_payload));
+    view.set("depth", fmt::format("{}", link.depth));
     view.set("most_to_hub", fmt::format("{}", link.hub_payload));
     View nodes = list(), blanks = list(), imports = list();
     for (const auto* turns : {&layout_.before, &layout_.after}) {

@@ -29,8 +29,10 @@ static struct {
   int file;
   uint8_t in[4096]; /* bytes of the line */
   size_t in_begin, in_end;
-  uint8_t *encoded, *body, *answer, *last; /* a frame as it comes; decoded; the payload being made; the last sent */
-  size_t encoded_size, most_encoded, body_size, read, answer_size, last_size;
+  uint8_t *encoded, *body, *answer; /* a frame as it comes; decoded; the payload being made */
+  uint8_t *out, *kept;              /* a frame before it is encoded; the last ones sent, by their numbers */
+  size_t* kept_size;
+  size_t encoded_size, most_encoded, body_size, read, answer_size;
   int too_long, greeted, has_session;
   uint32_t session, number, crc_start, damaged;
   size_t before_greeting;
@@ -103,16 +105,23 @@ static void write_all(const uint8_t* bytes, size_t size) {
   }
 }
 
+static void send_kept(uint32_t number) {
+  const uint32_t place = number % g.part->depth;
+  write_all(g.kept + place * (g.most_encoded + 2), g.kept_size[place]);
+}
+
 static void send_frame(int kind, uint32_t number, const uint8_t* payload, size_t size, uint32_t start) {
-  uint8_t* const body = g.last + g.most_encoded + 2; /* behind the frame that it becomes */
+  uint8_t* const body = g.out;
+  uint8_t* const frame = g.kept + number % g.part->depth * (g.most_encoded + 2);
   body[0] = (uint8_t)kind;
   put_number(body + 1, number, 4);
   memcpy(body + kHeader, payload, size);
   put_number(body + kHeader + size, crc32c(body, kHeader + size, start), kCrc);
-  g.last[0] = 0;
-  g.last_size = 1 + cobs_encode(body, kHeader + size + kCrc, g.last + 1);
-  g.last[g.last_size++] = 0;
-  write_all(g.last, g.last_size);
+  frame[0] = 0;
+  size_t used = 1 + cobs_encode(body, kHeader + size + kCrc, frame + 1);
+  frame[used++] = 0;
+  g.kept_size[number % g.part->depth] = used;
+  send_kept(number);
 }
 
 static uint8_t next_byte(void) {
@@ -205,8 +214,8 @@ static void wait_for_request(void) {
       g.number = number;
       g.read = kHeader;
       return;
-    } else if (number == g.number && number > 0) {
-      write_all(g.last, g.last_size);
+    } else if (number > 0 && number <= g.number && g.number - number < g.part->depth) {
+      send_kept(number);
     }
   }
 }
@@ -417,8 +426,10 @@ int eagerx_serve(int argc, char** argv, const struct eagerx_part* part) {
   g.encoded = malloc(g.most_encoded);
   g.body = malloc(g.most_encoded);
   g.answer = malloc(most);
-  g.last = malloc(2 * g.most_encoded + 2);
-  if (!g.encoded || !g.body || !g.answer || !g.last || part->rates > 64) return 1;
+  g.out = malloc(g.most_encoded);
+  g.kept = malloc(part->depth * (g.most_encoded + 2));
+  g.kept_size = calloc(part->depth, sizeof *g.kept_size);
+  if (!g.encoded || !g.body || !g.answer || !g.out || !g.kept || !g.kept_size || part->rates > 64) return 1;
   g.body_size = g.read = kHeader + kCrc;
   const int listener = is_unix ? listen_unix(address + 5) : listen_here(address + 1);
   if (listener < 0) {

@@ -34,6 +34,7 @@ struct eagerx_part {
   uint64_t hash;
   uint16_t runtime;
   uint32_t most_to_part, most_to_hub;
+  uint32_t depth; /* requests that the hub sends before it waits; as many answers are kept */
   const uint64_t* periods;
   uint32_t rates, step_rate;
   int safe_steps;

@@ -17,7 +17,6 @@ import numpy as np
 
 PROTOCOL = 1
 HELLO, WELCOME, REQUEST, ANSWER = 1, 2, 3, 4
-MOST_EXCHANGES = 32  # that a hub has on their way
 FRAME_BYTES = 9  # of a frame, besides its payload: kind, number, CRC
 GREETING_BYTES = 16
 GREETING_S = 5  # that a peer has to say something
@@ -271,11 +270,12 @@ def open_serial(path, baud):
 
 class PartLink:
     """A part's end of the line. It never speaks unasked: it answers a request once it needs more than it has, and a
-    duplicate with its last answer."""
+    duplicate with the answer that it had."""
 
-    def __init__(self, port, graph, runtime, most_to_part, most_to_hub):
+    def __init__(self, port, graph, runtime, most_to_part, most_to_hub, depth=1):
         self.port, self.graph, self.runtime = port, graph, runtime
         self.most_to_hub = most_to_hub
+        self.depth = depth  # requests that the hub sends before it waits; as many answers are kept
         payload = max(most_to_part, GREETING_BYTES) + FRAME_BYTES
         self.most_encoded = payload + payload // _RUN + 1
         self.damaged = 0  # frames that were dropped
@@ -287,7 +287,7 @@ class PartLink:
         self._crc_start = 0
         self._request, self._read = b"", 0
         self._answer = bytearray()
-        self._kept = {}  # answers by number, for a hub that asks again: as many as may be on their way
+        self._kept = {}  # the last answers, by their numbers
         self._greeted = False
 
     def wait_for_hub(self):
@@ -326,17 +326,13 @@ class PartLink:
         if self._read != len(self._request):
             raise ProtocolError("the hub sent what is not due")
         if self._number > 0:
-            self._send(ANSWER, self._number, bytes(self._answer), self._crc_start)
+            frame = encode_frame(ANSWER, self._number, bytes(self._answer), self._crc_start)
+            self._kept[self._number] = frame
+            while len(self._kept) > self.depth:
+                del self._kept[next(iter(self._kept))]
+            self.port.write(frame)
         self._answer.clear()
         self._wait_for_request()
-
-    def _send(self, kind, number, payload, crc_start):
-        frame = encode_frame(kind, number, payload, crc_start)
-        if kind == ANSWER:
-            self._kept[number] = frame
-            if len(self._kept) > MOST_EXCHANGES:
-                del self._kept[next(iter(self._kept))]
-        self.port.write(frame)
 
     def _frames(self):
         """The next thing between two zeros that may be a frame."""
@@ -390,7 +386,7 @@ class PartLink:
         same = session == self._session
         if same and self._number > 0:
             return  # a late duplicate
-        self._send(WELCOME, 0, greeting(self.graph, self.runtime, session), 0)
+        self.port.write(encode_frame(WELCOME, 0, greeting(self.graph, self.runtime, session)))
         if same:
             return
         self._number, self._request, self._read = 0, b"", 0

@@ -209,7 +209,7 @@ def serve(port, layout, classes):
     major, minor = (int(text) for text in layout["runtime"].split("."))
     part = Part(layout, classes)
     link = PartLink(port, int(layout["hash"], 16), major * 256 + minor, layout["payload"]["to_part"],
-                    layout["payload"]["to_hub"])
+                    layout["payload"]["to_hub"], layout["depth"])
     while True:
         try:
             link.wait_for_hub()
