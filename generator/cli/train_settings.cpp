@@ -43,7 +43,9 @@ FormatPtr bounded(FormatPtr number, const Row& row) {
   return std::make_shared<const Format>(std::move(copy));
 }
 
-FormatPtr format_of(const Row& row) {
+}  // namespace
+
+FormatPtr setting_format(const Row& row) {
   switch (row.kind) {
     case Kind::whole:
       return format::integer("a whole number", row.low, row.high);
@@ -59,23 +61,26 @@ FormatPtr format_of(const Row& row) {
   return bounded(format::number("a number"), row);
 }
 
+namespace {
+
 const Format& settings_format() {
   static const FormatPtr whole = [] {
     std::vector<Field> fields;
     for (const Row& row : kTrainSettings)
       fields.push_back({.name = row.name,
-                        .format = format_of(row),
+                        .format = setting_format(row),
                         .about = fmt::format("{} (default: {})", row.about, value_of(row))});
     return format::record("settings of a training", std::move(fields));
   }();
   return *whole;
 }
 
-/// As the trainer reads it on a command line.
-std::string word_of(const YamlValue& value) {
+}  // namespace
+
+std::string setting_word(const YamlValue& value) {
   if (value.is_sequence()) {
     std::vector<std::string> words;
-    for (const YamlValue& item : value.items) words.push_back(word_of(item));
+    for (const YamlValue& item : value.items) words.push_back(setting_word(item));
     return fmt::format("{}", fmt::join(words, ","));
   }
   if (const auto whole = parse_int(value.text)) return fmt::format("{}", *whole);
@@ -83,28 +88,25 @@ std::string word_of(const YamlValue& value) {
   return value.text;
 }
 
-bool check_layers(const YamlValue& yaml, Diagnostics& diagnostics) {
-  const YamlValue* layers = yaml.find("layers");
-  if (layers == nullptr || layers->items.size() <= eagerx::options::kMostLayers) return true;
-  diagnostics.error("E0204", layers->span,
+bool check_layers(const YamlValue& layers, Diagnostics& diagnostics) {
+  if (layers.items.size() <= eagerx::options::kMostLayers) return true;
+  diagnostics.error("E0204", layers.span,
                     fmt::format("expected at most {} layers, found {}",
-                                eagerx::options::kMostLayers, layers->items.size()));
+                                eagerx::options::kMostLayers, layers.items.size()));
   return false;
 }
-
-}  // namespace
 
 std::optional<std::vector<std::string>> read_train_settings(const std::string& path,
                                                             SourceMap& sources,
                                                             Diagnostics& diagnostics) {
   const YamlValue yaml = read_yaml_file(path, sources, diagnostics);
-  if (diagnostics.has_errors() || !check(yaml, settings_format(), diagnostics) ||
-      !check_layers(yaml, diagnostics))
-    return std::nullopt;
+  if (diagnostics.has_errors() || !check(yaml, settings_format(), diagnostics)) return std::nullopt;
+  const YamlValue* layers = yaml.find("layers");
+  if (layers != nullptr && !check_layers(*layers, diagnostics)) return std::nullopt;
   std::vector<std::string> words;
   for (const auto& entry : yaml.entries) {
     words.emplace_back("--setting");
-    words.push_back(entry.key + "=" + word_of(entry.value));
+    words.push_back(entry.key + "=" + setting_word(entry.value));
   }
   return words;
 }
@@ -113,7 +115,8 @@ std::string train_settings_text() {
   std::string text =
       "`eagerx-gen train GRAPH.yaml --settings FILE.yaml`, or one of them with `--setting\n"
       "NAME=VALUE`, which comes after the file. What was used stands in the checkpoint and in\n"
-      "the policy's file. For editors: `eagerx-gen schema --train-settings`.\n\n";
+      "the policy's file. For editors: `eagerx-gen schema --train-settings`.\n"
+      "`--sweep FILE.yaml` tries several values of some: see the README of the trainer.\n\n";
   for (const Row& row : kTrainSettings) {
     text +=
         fmt::format("{}: {}\n    {}\n    {}{}\n", row.name, value_of(row), row.about, range_of(row),

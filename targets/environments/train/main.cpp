@@ -5,6 +5,7 @@
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/options.hpp"
 #include "targets/environments/train/seeds.hpp"
+#include "targets/environments/train/sweep.hpp"
 #include "targets/environments/train/training.hpp"
 
 namespace eagerx::train {
@@ -17,11 +18,12 @@ int run(int argc, char** argv) {
       print(help_text());
       return kDone;
     }
-    check_files(options);
+    options.cases.empty() ? check_files(options) : check_files_of_sweep(options);
     if (options.only_checks) return kDone;
     const Library library(options.library);
     const host::Interrupt& interrupt =
         host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends);
+    if (!options.cases.empty()) return train_sweep(options, library, interrupt);
     if (options.seeds > 1) return train_seeds(options, library, interrupt);
     return Training(options, library).run(interrupt);
   } catch (const std::exception& error) {

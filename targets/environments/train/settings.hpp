@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "targets/environments/train/sac/settings.hpp"
 
 namespace eagerx::train {
+
+class HardStarts;
 
 enum class Activation : std::uint8_t { tanh, relu };
 enum class Schedule : std::uint8_t { adaptive, constant };
@@ -53,6 +56,9 @@ struct Settings {
   bool normalise{};
   double freeze_after{};  // steps; 0: never
   float averaging{};
+
+  double hard_share{};                            // of the environments
+  std::shared_ptr<const HardStarts> hard_starts;  // of `--hard-starts`; nullptr: none
 
   std::size_t evaluation_every{};  // iterations
   std::size_t evaluation_episodes{};

@@ -7,6 +7,7 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/hard_starts.hpp"
 #include "targets/environments/train/sac/model.hpp"
 
 namespace eagerx::train::sac {
@@ -42,6 +43,7 @@ class Walk {
   const Head head_;
   Environments environments_;
   std::size_t count_, width_, numbers_;
+  HardEnvironments hard_;
   Rows rows_;                             // [count] of the last step; [kLanes] of observations
   std::vector<float> before_;             // [kLanes][width]; rows beyond count are 0
   std::vector<float> squashed_, action_;  // [count][numbers] in -1…1; in their bounds
