@@ -19,6 +19,7 @@ except ImportError:
     webdriver = None
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+POINTER_MS = 20  # of a way of the pointer: Selenium's own is a quarter of a second
 PATIENCE_S = 60  # for what takes less than a second on a machine that has time
 problems = []
 checks = 0
@@ -146,8 +147,10 @@ class Editor:
     def find(self, css):
         return self.driver.find_element(By.CSS_SELECTOR, css)
 
-    def all(self, css):
-        return [each for each in self.driver.find_elements(By.CSS_SELECTOR, css) if each.is_displayed()]
+    def all(self, css, text=""):
+        """Those that are shown, with this text in them. One question to the browser: each takes milliseconds."""
+        return self.js("return [...document.querySelectorAll(arguments[0])].filter((each) => each.getClientRects().length > 0 && "
+                       "(arguments[1] === '' || each.innerText.includes(arguments[1])))", css, text)
 
     def text(self, css):
         return self.js("const found = document.querySelector(arguments[0]); return found ? found.innerText ?? found.textContent : ''", css)
@@ -198,9 +201,12 @@ class Editor:
         return self.driver.find_elements(By.CSS_SELECTOR, "svg.editor g.box text.name")[names.index(name)]
 
     def entry(self, kind):
-        return next(each for each in self.all(".entry") if each.text.split("\n")[0] == kind)
+        return next(each for each in self.all(".entry", kind) if each.text.split("\n")[0] == kind)
 
     # ---- Doing
+    def pointer_and_keys(self):
+        return ActionChains(self.driver, duration=POINTER_MS)
+
     def write(self, css, text):
         element = self.find(css)
         element.clear()
@@ -217,23 +223,22 @@ class Editor:
                 element.click()
         else:
             # To whatever has the focus: a change on the disk makes the form anew, and gives the focus back.
-            chain = ActionChains(self.driver).click(element).key_down(Keys.CONTROL).send_keys("a").key_up(Keys.CONTROL)
+            chain = self.pointer_and_keys().click(element).key_down(Keys.CONTROL).send_keys("a").key_up(Keys.CONTROL)
             chain.send_keys(Keys.BACKSPACE + text + (Keys.ENTER if enter else "")).perform()
         if settle:
             self.settle()
 
     def press(self, text):
-        found = next(each for each in self.all("button") if text in each.text)
-        found.click()
+        self.all("button", text)[0].click()
         self.settle()
 
     def can(self, text):
-        return next(each for each in self.all("button") if text in each.text).is_enabled()
+        return self.all("button", text)[0].is_enabled()
 
     def keys(self, *keys):
         """Each is a text, a key, or some that are held together."""
         for key in keys:
-            chain = ActionChains(self.driver)
+            chain = self.pointer_and_keys()
             if isinstance(key, tuple):
                 for held in key[:-1]:
                     chain.key_down(held)
@@ -246,7 +251,7 @@ class Editor:
             self.settle()
 
     def drag(self, what, to, offset=(0, 0)):
-        chain = ActionChains(self.driver).click_and_hold(what)
+        chain = self.pointer_and_keys().click_and_hold(what)
         chain.move_to_element_with_offset(to, *offset).release().perform()
         self.settle()
 
@@ -298,7 +303,7 @@ class Editor:
         self.settle()
 
     def open_part(self, title):
-        for summary in self.all(".inspect summary"):
+        for summary in self.all(".inspect summary", title):
             if summary.text.split(" ")[0] == title or summary.text.startswith(title):
                 if not self.js("return arguments[0].parentElement.open", summary):
                     self.js("arguments[0].scrollIntoView({block: 'center'})", summary)
@@ -307,7 +312,7 @@ class Editor:
         raise AssertionError(f"{self.name}: there is no part {title}")
 
     def lower(self, name):
-        next(each for each in self.all(".lower-tabs button") if each.text.startswith(name)).click()
+        self.all(".lower-tabs button", name)[0].click()
         self.settle()
 
     def view(self, name):
