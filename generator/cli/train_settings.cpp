@@ -14,21 +14,21 @@ namespace eagerx::gen {
 namespace {
 
 using eagerx::options::kTrainSettings;
-using Row = eagerx::options::Setting;
-using Kind = eagerx::options::SettingKind;
+using SettingRow = eagerx::options::Setting;
+using eagerx::options::SettingKind;
 
-std::string value_of(const Row& row) {
-  return row.kind == Kind::layers ? fmt::format("[{}]", row.otherwise) : row.otherwise;
+std::string value_of(const SettingRow& row) {
+  return row.kind == SettingKind::layers ? fmt::format("[{}]", row.otherwise) : row.otherwise;
 }
 
 /// "0 to 1", "tanh, relu"
-std::string range_of(const Row& row) {
+std::string range_of(const SettingRow& row) {
   switch (row.kind) {
-    case Kind::word:
+    case SettingKind::word:
       return fmt::format("{}", fmt::join(comma_separated(row.words), ", "));
-    case Kind::truth:
+    case SettingKind::truth:
       return "true, false";
-    case Kind::layers:
+    case SettingKind::layers:
       return fmt::format("at most {}, each {} to {}", eagerx::options::kMostLayers, row.low,
                          row.high);
     default:
@@ -36,7 +36,7 @@ std::string range_of(const Row& row) {
   }
 }
 
-FormatPtr bounded(FormatPtr number, const Row& row) {
+FormatPtr bounded(FormatPtr number, const SettingRow& row) {
   Format copy = *number;
   copy.low = row.low;
   copy.high = row.high;
@@ -45,17 +45,17 @@ FormatPtr bounded(FormatPtr number, const Row& row) {
 
 }  // namespace
 
-FormatPtr setting_format(const Row& row) {
+FormatPtr setting_format(const SettingRow& row) {
   switch (row.kind) {
-    case Kind::whole:
+    case SettingKind::whole:
       return format::integer("a whole number", row.low, row.high);
-    case Kind::layers:
+    case SettingKind::layers:
       return format::list("a list of widths", format::integer("a width", row.low, row.high), 1);
-    case Kind::word:
+    case SettingKind::word:
       return format::keyword(comma_separated(row.words));
-    case Kind::truth:
+    case SettingKind::truth:
       return format::boolean();
-    case Kind::number:
+    case SettingKind::number:
       break;
   }
   return bounded(format::number("a number"), row);
@@ -66,7 +66,7 @@ namespace {
 const Format& settings_format() {
   static const FormatPtr whole = [] {
     std::vector<Field> fields;
-    for (const Row& row : kTrainSettings)
+    for (const SettingRow& row : kTrainSettings)
       fields.push_back({.name = row.name,
                         .format = setting_format(row),
                         .about = fmt::format("{} (default: {})", row.about, value_of(row))});
@@ -117,7 +117,7 @@ std::string train_settings_text() {
       "NAME=VALUE`, which comes after the file. What was used stands in the checkpoint and in\n"
       "the policy's file. For editors: `eagerx-gen schema --train-settings`.\n"
       "`--sweep FILE.yaml` tries several values of some: see the README of the trainer.\n\n";
-  for (const Row& row : kTrainSettings) {
+  for (const SettingRow& row : kTrainSettings) {
     text +=
         fmt::format("{}: {}\n    {}\n    {}{}\n", row.name, value_of(row), row.about, range_of(row),
                     *row.algorithm == '\0' ? "" : fmt::format("; {} only", row.algorithm));

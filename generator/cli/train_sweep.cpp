@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <eagerx/random.hpp>
+#include <cstring>
+#include <random>
 
 #include "generator/cli/train_settings.hpp"
 #include "generator/library/schema.hpp"
@@ -15,8 +16,8 @@
 namespace eagerx::gen {
 namespace {
 
-using Row = eagerx::options::Setting;
-using Kind = eagerx::options::SettingKind;
+using SettingRow = eagerx::options::Setting;
+using eagerx::options::SettingKind;
 
 constexpr std::size_t kMostCases = 10'000;
 constexpr double kMostSeeds = 1000;
@@ -24,14 +25,14 @@ constexpr double kMostPoints = 1000;  // of a range
 
 /// One setting of the file.
 struct Swept {
-  const Row* row = nullptr;
+  const SettingRow* row = nullptr;
   std::vector<std::string> values;  // as the trainer reads them; of a range without `count` none
   double from = 0.0, to = 0.0;      // of a range
   bool logarithmic = false;
 };
 
-bool has_range(const Row& row) {
-  return row.kind == Kind::whole || row.kind == Kind::number;
+bool has_range(const SettingRow& row) {
+  return row.kind == SettingKind::whole || row.kind == SettingKind::number;
 }
 
 FormatPtr range_format(const FormatPtr& value) {
@@ -47,9 +48,9 @@ FormatPtr range_format(const FormatPtr& value) {
         .about = "equal quotients in place of equal distances (default: false)"}});
 }
 
-FormatPtr swept_format(const Row& row) {
+FormatPtr swept_format(const SettingRow& row) {
   const FormatPtr value = setting_format(row);
-  if (row.kind == Kind::layers) {
+  if (row.kind == SettingKind::layers) {
     return format::list("a list of widths, or a list of such lists",
                         format::one_of("a width or a list of widths", {value->item, value}), 1);
   }
@@ -65,7 +66,7 @@ FormatPtr swept_format(const Row& row) {
 const Format& sweep_format() {
   static const FormatPtr whole = [] {
     std::vector<Field> settings;
-    for (const Row& row : eagerx::options::kTrainSettings)
+    for (const SettingRow& row : eagerx::options::kTrainSettings)
       settings.push_back({.name = row.name, .format = swept_format(row), .about = row.about});
     constexpr double kMostSeed = 9007199254740992.0;  // exact as a double
     return format::record(
@@ -105,11 +106,11 @@ class Reader {
  private:
   void read(const YamlValue::Entry& entry) {
     Swept one;
-    one.row = std::ranges::find(eagerx::options::kTrainSettings, entry.key, &Row::name);
+    one.row = std::ranges::find(eagerx::options::kTrainSettings, entry.key, &SettingRow::name);
     const YamlValue& value = entry.value;
     if (value.is_map()) {
       read_range(value, one);
-    } else if (one.row->kind == Kind::layers) {
+    } else if (one.row->kind == SettingKind::layers) {
       read_layers(value, one);
     } else if (value.is_sequence()) {
       for (const YamlValue& item : value.items) one.values.push_back(setting_word(item));
@@ -168,8 +169,8 @@ class Reader {
     if (share >= 1.0) return fmt::format("{}", one.to);
     const double exact = one.logarithmic ? one.from * std::pow(one.to / one.from, share)
                                          : one.from + share * (one.to - one.from);
-    const std::string text =
-        one.row->kind == Kind::whole ? fmt::format("{:.0f}", exact) : fmt::format("{:.4g}", exact);
+    const std::string text = one.row->kind == SettingKind::whole ? fmt::format("{:.0f}", exact)
+                                                                 : fmt::format("{:.4g}", exact);
     // What was rounded may be outside.
     const double rounded = parse_number(text).value_or(exact);
     return rounded < one.from || rounded > one.to ? fmt::format("{}", exact) : text;
@@ -208,9 +209,7 @@ class Reader {
     for (std::int64_t k = 0; k < count; ++k) {
       std::string words;
       for (const Swept& one : swept_) {
-        // A setting's draws do not depend on the others.
-        Random random({start, static_cast<std::uint32_t>(k), 0}, entity_id(one.row->name));
-        const double share = random.uniform(0.0F, 1.0F);
+        const double share = share_of(one, start, k);
         const auto last = static_cast<double>(one.values.size()) - 1.0;
         const double place = std::floor(share * static_cast<double>(one.values.size()));
         add(words, one,
@@ -220,6 +219,18 @@ class Reader {
       add(all, words);
     }
     return all;
+  }
+
+  /// From 0 to 1: a setting's draws do not depend on the others, and are the same everywhere, which
+  /// the distributions of <random> are not.
+  static double share_of(const Swept& one, std::uint64_t seed, std::int64_t k) {
+    std::vector<std::uint64_t> words(one.row->name, one.row->name + std::strlen(one.row->name));
+    words.push_back(static_cast<std::uint64_t>(k));
+    words.push_back(seed);
+    words.push_back(seed >> 32U);
+    std::seed_seq mixed(words.begin(), words.end());
+    std::mt19937_64 random(mixed);
+    return std::ldexp(static_cast<double>(random() >> 11U), -53);
   }
 
   static void add(std::string& words, const Swept& one, const std::string& value) {

@@ -9,7 +9,7 @@ namespace eagerx::train {
 Beside beside(const Options& options, const Library& library, std::size_t count) {
   const unsigned threads = chosen_threads(options.threads);
   if (!library.description().has_threads) return {1, threads};
-  const auto at_once = static_cast<unsigned>(std::min<std::size_t>(threads, count));
+  const auto at_once = static_cast<unsigned>(std::clamp<std::size_t>(count, 1, threads));
   return {at_once, threads / at_once};
 }
 

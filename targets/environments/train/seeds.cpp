@@ -91,7 +91,7 @@ class Seeds {
   void train(std::size_t i, const Stop& stop) {
     Options one = options_of(options_, options_.settings.seed + i);
     one.threads = beside_.threads;
-    if (!options_.resume.empty() && one.resume.empty())
+    if (!options_.is_quiet && !options_.resume.empty() && one.resume.empty())
       fmt::print(stderr, "{} begins: it has no checkpoint\n", one.name);
     const auto table = [&](const std::vector<CurvePoint>& curve) {
       curves_[i] = curve;

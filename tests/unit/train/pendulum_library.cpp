@@ -3,6 +3,7 @@
 // EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V. In the environment of a process,
 // EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
 // EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <eagerx/math.hpp>
@@ -36,11 +37,15 @@ struct Pendulum {
   std::uint32_t number = 0, episode = 0, step = 0, upright = 0;
   float angle = 0.0F, speed = 0.0F;  // rad, rad/s; 0 is upright
   bool ended = false;
+  float next[2] = {NAN, NAN};  // angle and speed that the next episode begins with, if not NaN
 
   void begin() {
     eagerx::Random random({seed, number, episode++}, eagerx::entity_id("pendulum"));
     angle = random.uniform(-3.14F, 3.14F);
     speed = random.uniform(-9.0F, 9.0F);
+    if (!std::isnan(next[0])) angle = next[0];
+    if (!std::isnan(next[1])) speed = next[1];
+    next[0] = next[1] = NAN;
     step = upright = 0;
     ended = false;
   }
@@ -100,7 +105,8 @@ const char* eagerx_describe(void) {
       {"name": "speed", "shape": [], "dtype": "float32", "window": 1, "low": [null],
        "high": [null], "first": 2}],
     "actions": [{"name": "voltage", )" ACTION R"(, "first": 0}],
-    "states": [],
+    "states": [{"name": "pendulum.model_state", "shape": [2], "dtype": "float32",
+                "low": [-4, -10], "high": [4, 10], "first": 0}],
     "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150}})";
 }
 const char* eagerx_error(void) {
@@ -133,6 +139,13 @@ int eagerx_reset(eagerx_environments* environments, const uint8_t* mask, const u
     if (seeds != nullptr) one.episode = 0;
     one.begin();
     if (observation != nullptr) one.observe(observation + 3 * i);
+  }
+  return 0;
+}
+int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, const float* states) {
+  for (std::size_t i = 0; i < environments->all.size(); ++i) {
+    if (mask == nullptr || mask[i] != 0)
+      std::memcpy(environments->all[i].next, states + 2 * i, sizeof(float[2]));
   }
   return 0;
 }
