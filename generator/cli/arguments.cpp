@@ -44,21 +44,24 @@ Argument graph(GraphOptions& options) {
   return required(reads(text("graph", options.graph, "the graph file", "GRAPH.yaml")));
 }
 
-Arguments selection(GraphOptions& options) {
-  Argument split = checked(
+Argument split(GraphOptions& options) {
+  return checked(
       texts("--split", options.split,
             "make several programs, one for Linux and one for each part: nodes, `agent`, or "
             "`controller` (the agent and all other nodes) on a board or in another process "
             "(linux-sim). Replaces the graph's `placement`; may be repeated",
             "NAME[,NAME...]=[PART:]TARGET"),
       is_split, "is not NAME[,NAME...]=TARGET or NAME[,NAME...]=PART:TARGET");
+}
+
+Arguments selection(GraphOptions& options) {
   return {
       variant(options), engine(options),
       choice("--real", {"float", "double"}, "calculate in this type instead of the graph's `real`",
              [&options](const std::string& real) { options.real = real; }),
       texts("--target", options.targets,
             "target to make a program for, may be repeated (default: linux-sim)", "NAME"),
-      std::move(split)};
+      split(options)};
 }
 
 Argument cut_out_nodes(GraphOptions& options, std::string about) {

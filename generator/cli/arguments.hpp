@@ -20,6 +20,7 @@ Arguments joined(std::initializer_list<Arguments> parts);
 Argument graph(GraphOptions& options);
 /// Variant, engine, scalar, targets and split, as against what the graph says.
 Arguments selection(GraphOptions& options);
+Argument split(GraphOptions& options);
 Argument variant(GraphOptions& options);
 Argument engine(GraphOptions& options);
 Arguments rates(GraphOptions& options);

@@ -49,6 +49,8 @@ Command lsp_command();
 Command serve_command();
 /// Looks into weight files: `policy info`, `test`, `golden`, `compare`.
 Command policy_command();
+/// What two machines trust each other by.
+Command key_command();
 /// Opens the reference.
 Command docs_command();
 /// Writes `pages` below a folder.

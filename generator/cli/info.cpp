@@ -231,7 +231,7 @@ int graph_info(InfoOptions options) {
     say("{}\n", dump_json(info_json(report)));
   else
     say("{}{}{}{}{}{}{}", plan_text(report), packs_text(*run.plan), task_text(*run.graph),
-        timing_text(report), parts_text(*run.plan), telemetry_text(*run.plan),
+        timing_text(report), parts_text(*run.plan, run.spec->budget), telemetry_text(*run.plan),
         profile_text(*run.spec));
   return finish(run, options);
 }
@@ -285,12 +285,14 @@ Command table(InfoOptions& options) {
           .examples = {{"list what there is", "eagerx-gen info"},
                        {"ports and parameters of an entity", "eagerx-gen info ButterworthFilter"},
                        {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"},
+                       {"what goes over the links, where a part of it runs elsewhere",
+                        "eagerx-gen info robot.yaml --split controller=stm32f405"},
                        {"what becomes of its composites, arrays and variants",
                         "eagerx-gen info robot.yaml --variant real --flat"}},
           .arguments = joined(
               {{reads(text("entity", options.entity, "id of an entity or target, or a graph file",
                            "ENTITY|GRAPH.yaml")),
-                variant(options), engine(options)},
+                variant(options), engine(options), split(options)},
                rates(options),
                {library(options),
                 flag("--flat", options.flat,

@@ -16,14 +16,16 @@ CommandLine command_line() {
   return {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
-              .commands =
-                  {generate_command(), build_command(),    run_command(),    train_command(),
-                   campaign_command(), pil_command(),      check_command(),  info_command(),
-                   diff_command(),     graph_command(),    report_command(), explain_command(),
-                   import_command(),   schema_command(),   new_command(),    size_command(),
-                   replay_command(),   identify_command(), trace_command(),  plot_command(),
-                   monitor_command(),  policy_command(),   docs_command(),   fix_command(),
-                   rename_command(),   lsp_command(),      serve_command(),  pages_command(pages)}},
+              .commands = {generate_command(), build_command(),     run_command(),
+                           train_command(),    campaign_command(),  pil_command(),
+                           check_command(),    info_command(),      diff_command(),
+                           graph_command(),    report_command(),    explain_command(),
+                           import_command(),   schema_command(),    new_command(),
+                           size_command(),     replay_command(),    identify_command(),
+                           trace_command(),    plot_command(),      monitor_command(),
+                           policy_command(),   key_command(),       docs_command(),
+                           fix_command(),      rename_command(),    lsp_command(),
+                           serve_command(),    pages_command(pages)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"

@@ -4,6 +4,7 @@
 
 #include "generator/cli/built.hpp"
 #include "generator/cli/emitted.hpp"
+#include "generator/info/info.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
@@ -46,21 +47,6 @@ std::string described(const PlacedPart& part) {
                      part.host.empty() ? "" : ", on ", part.host);
 }
 
-std::string link_text(const Run& run, std::size_t part) {
-  const PartLink& link = run.plan->split->links[part];
-  if (link.exchanges == 0.0) return {};
-  // As the frames are: eagerx/link/frame.hpp.
-  constexpr double kFrame = 12.0;
-  constexpr double kBitsOfAByte = 10.0;
-  constexpr double kBaud = 115200.0;
-  const double bytes = link.part_bytes + link.hub_bytes + 2 * kFrame * link.exchanges;
-  return fmt::format(
-      "link: {:.4g} exchanges a step, {:.4g} bytes of messages there and {:.4g} back; "
-      "{:.3g} of {:.3g} ms at 115200 baud\n",
-      link.exchanges, link.part_bytes, link.hub_bytes, 1e3 * kBitsOfAByte * bytes / kBaud,
-      1e3 / run.graph->environment().rate_hz.to_double());
-}
-
 }  // namespace
 
 std::string next_steps(const Run& run, const GenerateOptions& options,
@@ -80,7 +66,8 @@ std::string next_steps(const Run& run, const GenerateOptions& options,
     for (std::size_t part = 0; part < parts.size(); ++part) {
       Target target = *parts[part].target;
       target.run.clear();  // it waits for its hub
-      text += fmt::format("{}build {}:\n{}", link_text(run, part), described(parts[part]),
+      text += fmt::format("build {}; over its link in a step: {}:\n{}", described(parts[part]),
+                          load_of_part(*run.plan, part),
                           steps.build(target, folder + "/" + parts[part].name, false));
     }
   }

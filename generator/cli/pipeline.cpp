@@ -199,6 +199,14 @@ void prepare_for_cut(Run& run) {
   std::erase_if(safety.settings, [](const Setting& setting) { return setting.name == "nodes"; });
 }
 
+/// Whether everything is for a target that runs whole graphs only: a library of environments.
+bool wants_whole_graph(const Run& run, const GraphOptions& options) {
+  return std::ranges::all_of(wanted_targets(options), [&](const std::string& id) {
+    const Target* target = run.library.find_target(id);
+    return target != nullptr && target->system == "linux" && target->partner.empty();
+  });
+}
+
 /// `--policy FILE` in place of the graph's agent; the graph names files beside itself.
 void take_policy(Run& run, const GraphOptions& options) {
   if (options.agent_policy.empty()) return;
@@ -241,7 +249,8 @@ bool make_of_tree(Run& run, const GraphOptions& options, Reading reading) {
   if (!options.of.empty() || options.purpose == Purpose::recording) prepare_for_cut(run);
   if (options.purpose == Purpose::training) prepare_for_training(run);
   if (options.purpose == Purpose::campaign) prepare_for_campaign(run);
-  if (options.purpose == Purpose::simulation) run.spec->placement.clear();
+  if (options.purpose == Purpose::simulation || wants_whole_graph(run, options))
+    run.spec->placement.clear();
   const std::size_t errors = run.diagnostics.error_count();
   run.tables = read_tables(*run.spec, run.sources, run.diagnostics);
   if (run.diagnostics.error_count() > errors) return false;  // lists that are not there

@@ -18,20 +18,35 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kLink = "--link";
 
-/// What the options say of links: `PART=LINE`, or of one part LINE alone.
-std::vector<std::string> lines_in(const std::vector<std::string>& words) {
-  std::vector<std::string> lines;
+constexpr std::string_view kKey = "--key";
+
+/// What the options say of links: `PART=LINE`, or of one part LINE alone; and so of keys.
+std::vector<std::string> values_in(const std::vector<std::string>& words, std::string_view option) {
+  std::vector<std::string> values;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == kLink && i + 1 < words.size()) lines.push_back(words[++i]);
-    if (words[i].starts_with("--link=")) lines.push_back(words[i].substr(kLink.size() + 1));
+    if (words[i] == option && i + 1 < words.size()) values.push_back(words[++i]);
+    if (words[i].starts_with(std::string(option) + "="))
+      values.push_back(words[i].substr(option.size() + 1));
   }
-  return lines;
+  return values;
+}
+
+/// The file of the key for the line to `part`; empty if there is none.
+std::string key_of(const PlacedPart& part, const std::vector<std::string>& words) {
+  std::string found;
+  for (const std::string& key : values_in(words, kKey)) {
+    const std::size_t equals = key.find('=');
+    if (key.substr(0, equals) == part.name && equals != std::string::npos)
+      return key.substr(equals + 1);
+    if (equals == std::string::npos) found = key;
+  }
+  return found;
 }
 
 /// The parts that no option has a line to.
 std::vector<const BuiltProgram*> without_line(const std::vector<BuiltProgram>& programs,
                                               const std::vector<std::string>& words) {
-  const std::vector<std::string> lines = lines_in(words);
+  const std::vector<std::string> lines = values_in(words, kLink);
   std::vector<const BuiltProgram*> result;
   for (const BuiltProgram& program : programs)
     if (program.part != nullptr) result.push_back(&program);
@@ -50,19 +65,32 @@ std::uint32_t port_of(const Run& run, const PlacedPart& part) {
   return kFirst + static_cast<std::uint32_t>(&part - run.graph->placement->parts.data());
 }
 
-void tell_elsewhere(Run& run, const BuiltProgram& program) {
+/// What is typed on the other machine, and what here.
+std::string how_elsewhere(const PlacedPart& part, const std::string& image, std::uint32_t port,
+                          const std::string& key) {
+  const std::string there = shell_word(fs::path(image).filename().string());
+  const std::string host = shell_word(part.host);
+  if (!key.empty())
+    return fmt::format(
+        "copy {} and {} there and type `./{} --listen 0.0.0.0:{} --key {}`; then add "
+        "`--link {}={}:{}`",
+        shell_word(image), shell_word(key), there, port,
+        shell_word(fs::path(key).filename().string()), part.name, host, port);
+  return fmt::format(
+      "copy {} there and type `./{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
+      "`--link {}=localhost:{}`. Without ssh it takes a key: `eagerx-gen key new {}.key`, then "
+      "this "
+      "command with `--key {}.key`",
+      shell_word(image), there, port, port, port, host, part.name, port, part.name, part.name);
+}
+
+void tell_elsewhere(Run& run, const BuiltProgram& program, const std::vector<std::string>& words) {
   const PlacedPart& part = *program.part;
-  const std::uint32_t port = port_of(run, part);
-  const std::string image = fs::path(program.image).filename().string();
   run.diagnostics
       .error(
           "E0518", part.span,
           fmt::format("part `{}` runs on {}, where nobody here can start it", part.name, part.host))
-      .help = fmt::format(
-      "copy {} there and type `./{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
-      "`--link {}=localhost:{}`",
-      shell_word(program.image), shell_word(image), port, port, port, shell_word(part.host),
-      part.name, port);
+      .help = how_elsewhere(part, program.image, port_of(run, part), key_of(part, words));
 }
 
 }  // namespace
@@ -72,7 +100,7 @@ bool check_parts(Run& run, const std::vector<BuiltProgram>& programs,
   const std::size_t before = run.diagnostics.error_count();
   for (const BuiltProgram* program : without_line(programs, words)) {
     if (!program->part->host.empty()) {
-      tell_elsewhere(run, *program);
+      tell_elsewhere(run, *program, words);
     } else if (command_to_start(run, *program).empty()) {
       run.diagnostics
           .error("E0518", program->part->span,

@@ -64,14 +64,21 @@ void check_target(Run& run, const Target& target) {
         .help = "for boards an agent is `zero`, `random` or `{policy: FILE}`";
   }
   if (!split) return;
+  // What can be a part on Linux can be what they are linked with, too.
+  if (target.system == "linux" && !target.partner.empty()) return;
   const Placement& placement = *run.graph->placement;
-  if (target.system != "linux") {
-    run.diagnostics
-        .error("E0335", placement.span(),
-               fmt::format("target `{1}` cannot run the part beside `{0}`: that part needs Linux",
-                           placement.parts.front().target->id.value, target.id.value))
-        .help = "leave out `--target`, or name a target of Linux";
-  }
+  const bool is_linux = target.system == "linux";
+  run.diagnostics
+      .error("E0335", placement.span(),
+             is_linux ? fmt::format("target `{}` runs whole graphs only", target.id.value)
+                      : fmt::format(
+                            "target `{1}` cannot run the part beside `{0}`: that part needs Linux",
+                            placement.parts.front().target->id.value, target.id.value))
+      .help = is_linux ? fmt::format(
+                             "make it by itself and without `--split`, `--target {}` alone: "
+                             "then `placement:` does not count",
+                             target.id.value)
+                       : "leave out `--target`, or name a target of Linux";
 }
 
 /// Refuses a target that `eagerx-gen new` has made and nobody has filled in yet.

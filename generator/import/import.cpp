@@ -43,6 +43,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   if (!saved) return std::nullopt;
   Counterparts counterparts(library, diagnostics);
   const Pictures pictures = remove_pictures(*saved, counterparts);
+  const Processes processes = find_processes(*saved, diagnostics);
   rename_ports(*saved, counterparts);
   require_all(*saved, counterparts);
   const bool whole = !saved->flattened() || rebuild_objects(*saved, counterparts, diagnostics);
@@ -62,6 +63,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   if (whole && diagnostics.error_count() == errors_without_connections) choose_rate(t);
   translate_environment(t);
   translate_pictures(t, pictures);
+  translate_processes(t, processes);
   check_names(t.result.spec, diagnostics);
   counterparts.report_missing();  // all of them at once
   if (failed()) return std::nullopt;

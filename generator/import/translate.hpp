@@ -36,6 +36,18 @@ struct Pictures {
   std::vector<std::string> left_out;  // what nothing stands for
 };
 
+/// What EAGERx ran in processes of their own, by names in the file.
+struct Processes {
+  Span place;                                 // of the first one; no line: there is none
+  std::vector<std::string> alone, elsewhere;  // nodes: NEW_PROCESS, EXTERNAL
+  std::vector<std::string> kept;              // the engine and engine nodes, which stay together
+};
+
+/// Of the file as it is, before objects are put back. Reports what is no process (E0802).
+Processes find_processes(const SavedGraph& saved, Diagnostics& diagnostics);
+/// `placement:` of the nodes, and one note on all of it.
+void translate_processes(Translation& t, const Processes& processes);
+
 /// Takes nodes that only show or draw pictures out of the graph, with their connections.
 Pictures remove_pictures(SavedGraph& saved, const Counterparts& counterparts);
 /// `render:` where our object draws, and one note about everything else.

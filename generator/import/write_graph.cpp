@@ -60,6 +60,7 @@ class GraphWriter {
     add_selection(0, "observations", spec_.observations);
     add_connections();
     add_render();
+    add_placement();
     add_place_of_task();
     return std::move(text_);
   }
@@ -180,6 +181,18 @@ class GraphWriter {
     if (spec_.render->rate) items.push_back("rate: " + spec_.render->rate->value.to_string());
     text_ += '\n';
     line(0, "render: " + in_braces(items));
+  }
+
+  void add_placement() {
+    if (spec_.placement.empty()) return;
+    text_ += '\n';
+    line(0, "placement:");
+    for (const PlacementSpec& item : spec_.placement) {
+      std::vector<std::string> keys = {"part: " + yaml_text(item.part.value)};
+      if (!item.host.value.empty()) keys.push_back("host: " + yaml_text(item.host.value));
+      line(2, fmt::format("{}: {}", yaml_text(item.name.value), in_braces(keys)),
+           "placement." + item.name.value);
+    }
   }
 
   const ImportedGraph& graph_;

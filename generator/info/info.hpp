@@ -50,8 +50,11 @@ std::string telemetry_text(const Plan& plan);
 Json telemetry_json(const Plan& plan);
 /// Ages from sensors to actuators, and the link.
 std::string timing_text(const PlanInfo& report);
-/// What goes over the links of a graph with parts; empty without any.
-std::string parts_text(const Plan& plan);
+/// What goes over the links of a graph with parts, beside the key `parts` of its `budget:`; empty
+/// without parts.
+std::string parts_text(const Plan& plan, const std::optional<YamlValue>& budget);
+/// "1 exchange, 34 bytes with their frames", of a step.
+std::string load_of_part(const Plan& plan, std::size_t part);
 Json parts_json(const Plan& plan);
 /// On a serial line, with frames: bytes a step both ways, and bits a second in real time.
 double bytes_on_line(const PartLink& link);

@@ -8,7 +8,7 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr double kUsualBaud = 115200.0;
+constexpr double kUsualBaud = 115200.0;  // of boards here
 
 /// "pendulum.theta", as link_of() has it.
 std::string name_of(const Graph& graph, const Channel& channel) {
@@ -29,7 +29,7 @@ std::string messages_text(const Plan& plan, const std::vector<bool>& crosses) {
                                 bytes_of(node.outputs[channel.output].space),
                                 node.rate_hz.to_string()));
   }
-  return fmt::format("{}", fmt::join(texts, ", "));
+  return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
 Json names_json(const Plan& plan, const std::vector<bool>& crosses) {
@@ -43,6 +43,40 @@ double steps_per_s(const Plan& plan) {
   return plan.graph->environment().rate_hz.to_double();
 }
 
+/// "    a step      1 exchange, …"
+std::string row(const char* what, const std::string& value) {
+  return fmt::format("    {:<11} {}\n", what, value);
+}
+
+/// What the messages of a step need in real time, as one program does not.
+std::string time_rows(const Plan& plan, const PartLink& link, const YamlValue* limit) {
+  const double baud = baud_of(plan, link);
+  const double ms = 1e3 * static_cast<double>(kBitsOfByte) * bytes_on_line(link) / kUsualBaud;
+  std::string text =
+      row("real time", fmt::format("{:.4g} bytes/s, {:.0f} % of a serial line at 115200 baud",
+                                   bytes_on_line(link) * steps_per_s(plan),
+                                   std::ceil(100.0 * baud / kUsualBaud))) +
+      row("added age", fmt::format("none in lockstep, where a step waits; in real time over such a "
+                                   "line {:.3g} of the {:.4g} ms of a step",
+                                   ms, 1e3 / steps_per_s(plan)));
+  if (limit != nullptr)
+    text += row("budget",
+                fmt::format("{} baud, of which it needs {:.0f}", limit->text, std::ceil(baud)));
+  return text;
+}
+
+std::string part_text(const Plan& plan, std::size_t part, const YamlValue* limit) {
+  const PartLink& link = plan.split->links[part];
+  const PlacedPart& placed = plan.graph->placement->parts[part];
+  const std::string machine = !placed.host.empty()            ? " on " + placed.host
+                              : placed.target->system.empty() ? ""
+                                                              : " on this machine";
+  return fmt::format("  {}, for {}{}\n", placed.name, placed.target->id.value, machine) +
+         row("takes", messages_text(plan, link.to_part)) +
+         row("gives", messages_text(plan, link.to_hub)) + row("a step", load_of_part(plan, part)) +
+         (link.exchanges == 0.0 ? std::string() : time_rows(plan, link, limit));
+}
+
 }  // namespace
 
 double bytes_on_line(const PartLink& link) {
@@ -52,27 +86,27 @@ double baud_of(const Plan& plan, const PartLink& link) {
   return static_cast<double>(kBitsOfByte) * bytes_on_line(link) * steps_per_s(plan);
 }
 
-std::string parts_text(const Plan& plan) {
+std::string load_of_part(const Plan& plan, std::size_t part) {
+  const PartLink& link = plan.split->links[part];
+  if (link.exchanges == 0.0) return "not known, as the rates are too far apart";
+  return fmt::format("{:.4g} exchange{}, {:.4g} bytes with their frames", link.exchanges,
+                     link.exchanges == 1.0 ? "" : "s", bytes_on_line(link));
+}
+
+std::string parts_text(const Plan& plan, const std::optional<YamlValue>& budget) {
   if (!plan.split) return {};
-  std::string text = "\nover the links to the parts, in lockstep\n";
-  for (std::size_t part = 0; part < plan.split->links.size(); ++part) {
-    const PartLink& link = plan.split->links[part];
-    const PlacedPart& placed = plan.graph->placement->parts[part];
-    text += fmt::format("  {} ({}{}{}): ", placed.name, placed.target->id.value,
-                        placed.host.empty() ? "" : ", on ", placed.host);
-    if (link.exchanges == 0.0) {
-      text += "how much is not known, as the rates are too far apart\n";
-    } else {
-      const double ms = 1e3 * static_cast<double>(kBitsOfByte) * bytes_on_line(link) / kUsualBaud;
-      text += fmt::format(
-          "{:.4g} exchanges and {:.4g} bytes a step with their frames; at 115200 baud {:.3g} ms of "
-          "{:.4g}, {:.0f} % of a line in real time\n",
-          link.exchanges, bytes_on_line(link), ms, 1e3 / steps_per_s(plan),
-          std::ceil(100.0 * baud_of(plan, link) / kUsualBaud));
-    }
-    text += fmt::format("    to it: {}\n", messages_text(plan, link.to_part));
-    text += fmt::format("    from it: {}\n", messages_text(plan, link.to_hub));
+  const YamlValue* limit = budget ? budget->find("parts") : nullptr;
+  std::string text = "\nparts: programs of their own, each with a link to the hub, `host`\n";
+  double exchanges = 0.0, bytes = 0.0;
+  const auto& links = plan.split->links;
+  for (std::size_t part = 0; part < links.size(); ++part) {
+    text += part_text(plan, part, limit);
+    exchanges += links[part].exchanges;
+    bytes += bytes_on_line(links[part]);
   }
+  if (links.size() > 1)
+    text +=
+        fmt::format("  all of them: {:.4g} exchanges and {:.4g} bytes a step\n", exchanges, bytes);
   return text;
 }
 

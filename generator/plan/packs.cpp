@@ -159,7 +159,6 @@ std::size_t steps_in_hyperperiod(const Plan& plan) {
 std::string why_no_packs(const Plan& plan) {
   const Graph& graph = *plan.graph;
   if (graph.asynchronous) return "`sync: false` reads inputs by the clock";
-  if (graph.placement) return "the graph is split";
   if (graph.double_precision) return "`real: double`";
   if (graph.nodes.size() > kMostNodes) return "the graph has too many nodes";
   for (const auto& node : graph.nodes) {

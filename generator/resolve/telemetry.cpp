@@ -39,6 +39,22 @@ void report_unknown(Draft& draft, const Spanned<std::string>& name,
   problem.help = suggestion(name.value, known, "the graph sends nothing");
 }
 
+/// Programs for Linux have no telemetry; a board that is a part has no port for it.
+void check_parts(Draft& draft) {
+  for (const PlacedPart& part : draft.graph.placement->parts) {
+    if (!part.target->system.empty()) continue;
+    auto& problem = draft.diagnostics.error(
+        "E0342", draft.spec.telemetry->span,
+        fmt::format("the serial port of `{}` is taken: its link needs it", part.target->id.value));
+    problem.notes.push_back({fmt::format("part `{}` is placed here", part.name), part.span, ""});
+    problem.help =
+        "leave out `telemetry:`; the program on Linux has every message of the board, and "
+        "`--publish` sends them";
+    return;
+  }
+  draft.graph.telemetry.reset();
+}
+
 }  // namespace
 
 void resolve_telemetry(Draft& draft) {
@@ -74,12 +90,7 @@ void resolve_telemetry(Draft& draft) {
     }
     telemetry.channels.push_back({found->node, found->output, name.value, name.span});
   }
-  if (!draft.graph.placement) return;
-  draft.diagnostics
-      .error("E0342", spec.span, "the board's serial port is taken: the link of its half needs it")
-      .help =
-      "leave out `telemetry:`; the half on Linux has every message of the board, and `--publish` "
-      "sends them";
+  if (draft.graph.placement) check_parts(draft);
 }
 
 }  // namespace eagerx::gen

@@ -84,3 +84,9 @@ eagerx_compiled_library(
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx_publish eagerx_trace ${CMAKE_DL_LIBS}
   OPTIONS ${eagerx_host_options})
+eagerx_compiled_library(
+  eagerx_key UNITY
+  SOURCES ${eagerx_host_folder}/key/key_file.cpp ${eagerx_host_folder}/key/session.cpp ${eagerx_host_folder}/key/sodium.cpp
+  FOLDERS ${eagerx_host_folder}/base ${eagerx_host_folder}/key
+  LINK eagerx_base ${CMAKE_DL_LIBS}
+  OPTIONS ${eagerx_host_options})

@@ -1,5 +1,5 @@
 # eagerx_add_graph(TARGET <name> GRAPH <file> [VARIANT <name>] [ENGINE <name>] [POLICY <file>] [BOARD <target>]
-#                  [PATHS <folder>...] [SPLIT <names>=<board>] [OUTPUT <folder>] [CHECK_ENTITIES])
+#                  [PATHS <folder>...] [SPLIT <names>=[<part>:]<target>...] [OUTPUT <folder>] [CHECK_ENTITIES])
 # eagerx_add_graph(TARGET <name> GRAPH <file> LIBRARY [VARIANT <name>] [ENGINE <name>] [POLICY <file>] [BOARD <target>]
 #                  [PATHS <folder>...] [OUTPUT <folder>] [CHECK_ENTITIES] [OF <name>...])
 #
@@ -11,8 +11,9 @@
 #   BOARD   a folder of targets/, linux-sim without it; with `environments` <name> is a shared library. When the board
 #           needs another compiler than this build has, <name> is built in a build tree of its own with the board's
 #           toolchain file.
-#   SPLIT   nodes, `agent` or `controller` on that board, as `eagerx-gen --split`: <name> is the program of the rest,
-#           for BOARD, and <name>.board the board's image
+#   SPLIT   nodes, `agent` or `controller` in programs of their own, each as `eagerx-gen --split` takes it: <name> is
+#           the program of the rest, for BOARD, and <name>.<part> that of each part; of one part without a name it is
+#           <name>.board
 #   CHECK_ENTITIES  also compile the entities as boards do, `eagerx-gen check --compile`: the build fails where one has
 #           a heap, <cmath> or double arithmetic
 #   PATHS   your own folders of entities and targets, searched first
@@ -27,11 +28,12 @@
 include_guard(GLOBAL)
 
 function(eagerx_add_graph)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "LIBRARY;CHECK_ENTITIES" "TARGET;GRAPH;VARIANT;ENGINE;POLICY;BOARD;SPLIT;OUTPUT" "PATHS;OF")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "LIBRARY;CHECK_ENTITIES" "TARGET;GRAPH;VARIANT;ENGINE;POLICY;BOARD;OUTPUT"
+                        "PATHS;OF;SPLIT")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "eagerx_add_graph: cannot use `${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}`; it "
-                        "takes TARGET GRAPH [LIBRARY] [VARIANT] [ENGINE] [POLICY] [BOARD] [SPLIT] [PATHS...] [OUTPUT] "
-                        "[CHECK_ENTITIES] [OF...]")
+                        "takes TARGET GRAPH [LIBRARY] [VARIANT] [ENGINE] [POLICY] [BOARD] [SPLIT...] [PATHS...] "
+                        "[OUTPUT] [CHECK_ENTITIES] [OF...]")
   endif()
   if(arg_LIBRARY AND arg_SPLIT)
     message(FATAL_ERROR "eagerx_add_graph: a split graph has no library: leave out LIBRARY or SPLIT")
@@ -78,26 +80,51 @@ function(eagerx_add_graph)
 
   _eagerx_find_board(board_folder toolchain ${arg_BOARD} "${paths}")
   set(sources ${arg_OUTPUT})
-  if(arg_SPLIT)
-    if(NOT arg_SPLIT MATCHES "^[^=]+=([^=]+)$")
-      message(FATAL_ERROR "eagerx_add_graph: SPLIT is `${arg_SPLIT}`; it is NAME[,NAME...]=BOARD")
-    endif()
-    set(part ${CMAKE_MATCH_1})
-    _eagerx_find_board(part_folder part_toolchain ${part} "${paths}")
+  _eagerx_parts(parts "${arg_SPLIT}")
+  if(parts)
     set(sources ${arg_OUTPUT}/host)
   endif()
   _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${sources} ${arg_BOARD} "${selection}"
-                   "${arg_POLICY}" "${arg_SPLIT}" "${paths}" ${arg_LIBRARY})
+                   "${arg_POLICY}" "${arg_SPLIT}" "${parts}" "${paths}" ${arg_LIBRARY})
   if(arg_LIBRARY)
     _eagerx_library(${arg_TARGET} ${stamp} ${sources} "${paths}")
     return()
   endif()
   _eagerx_build(${arg_TARGET} ${stamp} ${sources} ${arg_BOARD} ${board_folder} "${toolchain}" ${arg_GRAPH}
                 "${selection}" "${paths}")
-  if(arg_SPLIT)
-    _eagerx_build(${arg_TARGET}.board ${stamp} ${arg_OUTPUT}/board ${part} ${part_folder} "${part_toolchain}" ${arg_GRAPH}
+  foreach(item IN LISTS parts)
+    string(REGEX MATCH "^([^:]*):(.*)$" matched ${item})
+    set(part ${CMAKE_MATCH_1})
+    set(board ${CMAKE_MATCH_2})
+    _eagerx_find_board(board_folder toolchain ${board} "${paths}")
+    _eagerx_build(${arg_TARGET}.${part} ${stamp} ${arg_OUTPUT}/${part} ${board} ${board_folder} "${toolchain}" ${arg_GRAPH}
                   "${selection}" "${paths}")
+  endforeach()
+endfunction()
+
+# The parts of SPLIT as `<part>:<target>`, each once, with the names that eagerx-gen gives them.
+function(_eagerx_parts parts_variable splits)
+  set(parts)
+  set(is_named FALSE)
+  foreach(split IN LISTS splits)
+    if(NOT split MATCHES "^.+=(([^=:]+):)?([^=:]+)$")
+      message(FATAL_ERROR "eagerx_add_graph: SPLIT has `${split}`; it takes NAME[,NAME...]=TARGET or "
+                          "NAME[,NAME...]=PART:TARGET")
+    endif()
+    set(target ${CMAKE_MATCH_3})
+    if(CMAKE_MATCH_2)
+      set(is_named TRUE)
+      list(APPEND parts ${CMAKE_MATCH_2}:${target})
+    else()
+      list(APPEND parts ${target}:${target})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES parts)
+  list(LENGTH parts count)
+  if(count EQUAL 1 AND NOT is_named)
+    set(parts board:${target})
   endif()
+  set(${parts_variable} ${parts} PARENT_SCOPE)
 endfunction()
 
 # A program from generated sources, with the compiler that the board needs.
@@ -164,10 +191,15 @@ function(_eagerx_find_board folder_variable toolchain_variable board paths)
   endif()
 endfunction()
 
+# What the rule of a program writes, besides its sources; beside it are flags of the libraries that its entities need.
+function(_eagerx_stamp variable target)
+  set(${variable} ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.stamp PARENT_SCOPE)
+endfunction()
+
 # The rule that runs the generator. Sources are written only when they change; the stamp always is. So the
 # stamp is the output, and whatever is compiled depends on it.
-function(_eagerx_generate stamp_variable target graph output sources board selection policy split paths library)
-  set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.stamp)
+function(_eagerx_generate stamp_variable target graph output sources board selection policy splits parts paths library)
+  _eagerx_stamp(stamp ${target})
   set(options --target ${board})
   set(products ${sources}/CMakeLists.txt)
   set(form)
@@ -180,11 +212,21 @@ function(_eagerx_generate stamp_variable target graph output sources board selec
     list(APPEND form --policy ${policy})
   endif()
   list(APPEND options ${selection})
-  if(split)
+  foreach(split IN LISTS splits)
     list(APPEND options --split ${split})
-  endif()
+  endforeach()
   foreach(path IN LISTS paths)
     list(APPEND options --path ${path})
+  endforeach()
+  set(libraries COMMAND ${CMAKE_COMMAND} -DFOLDER=${sources} -DSTAMP=${stamp} -P
+      ${EAGERX_TARGETS_DIR}/cmake/EagerxLibraries.cmake)
+  foreach(item IN LISTS parts)
+    string(REGEX MATCH "^([^:]*):(.*)$" matched ${item})
+    set(part ${CMAKE_MATCH_1})
+    list(APPEND products ${output}/${part}/${CMAKE_MATCH_2}/main.cpp)
+    _eagerx_stamp(stamp_of_part ${target}.${part})
+    list(APPEND libraries COMMAND ${CMAKE_COMMAND} -DFOLDER=${output}/${part} -DSTAMP=${stamp_of_part} -P
+         ${EAGERX_TARGETS_DIR}/cmake/EagerxLibraries.cmake)
   endforeach()
   set(check)
   if(arg_CHECK_ENTITIES) # of the caller
@@ -199,7 +241,7 @@ function(_eagerx_generate stamp_variable target graph output sources board selec
     BYPRODUCTS ${products}
     COMMAND eagerx::eagerx-gen generate ${graph} -o ${output} --quiet ${options} ${form} --depfile ${stamp}.d
     ${check}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${sources} -DSTAMP=${stamp} -P ${EAGERX_TARGETS_DIR}/cmake/EagerxLibraries.cmake
+    ${libraries}
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${graph} eagerx::eagerx-gen $<TARGET_FILE:eagerx::eagerx-gen>
     DEPFILE ${stamp}.d
@@ -221,8 +263,9 @@ function(_eagerx_build_here target stamp output board board_folder)
   endif()
   target_include_directories(${target} PRIVATE ${output})
   # Which libraries the entities need is known when the graph has been read: EagerxLibraries.cmake writes these.
-  target_compile_options(${target} PRIVATE @${stamp}.cflags)
-  target_link_libraries(${target} PRIVATE eagerx::runtime "-Wl,@\"${stamp}.libs\"") # CMake quotes no flags of linkers
+  _eagerx_stamp(flags ${target})
+  target_compile_options(${target} PRIVATE @${flags}.cflags)
+  target_link_libraries(${target} PRIVATE eagerx::runtime "-Wl,@\"${flags}.libs\"") # CMake quotes no flags of linkers
   eagerx_configure_target(${target})
   set_target_properties(${target} PROPERTIES EAGERX_IMAGE $<TARGET_FILE:${target}>)
 endfunction()

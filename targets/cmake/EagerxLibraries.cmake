@@ -2,6 +2,10 @@
 #
 # Writes <file>.cflags and <file>.libs, which compiler and linker read: how to use the libraries that the generated
 # CMakeLists.txt lists. eagerx_add_graph() runs it after the generator, when a graph and its engine are known.
+if(NOT EXISTS ${FOLDER}/CMakeLists.txt)
+  message(FATAL_ERROR "there is no program in ${FOLDER}: of a graph with `placement:` name all parts again, as SPLIT of "
+                      "eagerx_add_graph()")
+endif()
 file(STRINGS ${FOLDER}/CMakeLists.txt line REGEX "^set\\(EAGERX_PACKAGES ")
 string(REGEX REPLACE "^set\\(EAGERX_PACKAGES (.*)\\)$" "\\1" packages "${line}")
 separate_arguments(packages UNIX_COMMAND "${packages}")

@@ -51,10 +51,14 @@ void open_standard_files() {
 
 std::string problem_with_files(const Options& options) {
   const bool reads_actions = options.agent == target::Agent::csv;
-  const Named inputs[] = {{"--agent", reads_actions ? options.action_file : ""},
-                          {"--replay", options.replay},
-                          {"--identify", options.identify},
-                          {"--publish-key", options.publish_key}};
+  std::vector<Named> inputs = {{"--agent", reads_actions ? options.action_file : ""},
+                               {"--replay", options.replay},
+                               {"--identify", options.identify},
+                               {"--publish-key", options.publish_key}};
+  for (const std::string& key : options.keys) {
+    inputs.push_back({"--key", key});
+    inputs.push_back({"--key", key.substr(key.find('=') + 1)});
+  }
   std::vector<Named> outputs = {
       {"--csv", options.csv}, {"--trace", options.trace}, {"--identify-out", options.identify_out}};
   for (const Destination& to : options.publish) {

@@ -8,7 +8,7 @@ function(eagerx_linux_sim_libraries)
   set(options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
   if(NOT TARGET eagerx_linux_sim)
     set(names
-        action_file app describe faults files float_environment identify link_port measures option_table options
+        action_file app describe faults files float_environment identify keys link_port link_tcp measures option_table options
         pacer progress recorder replay_log run_watch session spaces split state_record state_settings summary table_writer
         task_record)
     list(APPEND names outside/outside_agent outside/outside_rows)
@@ -21,7 +21,7 @@ function(eagerx_linux_sim_libraries)
       eagerx_linux_sim UNITY
       SOURCES ${names} ${here}/../common/fault.cpp
       FOLDERS ${folders}
-      LINK eagerx_base eagerx_expression eagerx_trace eagerx_identify eagerx_publish eagerx_foxglove eagerx_dds ${CMAKE_DL_LIBS}
+      LINK eagerx_base eagerx_expression eagerx_trace eagerx_identify eagerx_publish eagerx_foxglove eagerx_dds eagerx_key ${CMAKE_DL_LIBS}
       OPTIONS ${options})
   endif()
   # A library of its own: nothing of it is in the program of a graph that shows nothing.

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <netdb.h>
-#include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/file.h>
@@ -87,21 +86,6 @@ int listen_at(int file, const sockaddr_un& address) {
   return listens ? 0 : errno;
 }
 
-/// "127.0.0.1:5000", of this end.
-std::string address_of(int file) {
-  sockaddr_storage address{};
-  socklen_t size = sizeof address;
-  char host[NI_MAXHOST] = "";
-  char port[NI_MAXSERV] = "";
-  auto* const generic = reinterpret_cast<sockaddr*>(&address);
-  if (getsockname(file, generic, &size) != 0 ||
-      getnameinfo(generic, size, host, sizeof host, port, sizeof port,
-                  NI_NUMERICHOST | NI_NUMERICSERV) != 0)
-    return "a port";
-  const std::string name = host;
-  return (name.find(':') == std::string::npos ? name : "[" + name + "]") + ":" + port;
-}
-
 }  // namespace
 
 bool LinkPort::fail(const std::string& what) {
@@ -112,6 +96,13 @@ bool LinkPort::fail(const std::string& what) {
 
 void LinkPort::close() {
   if (file_ < 0) return;
+  if (records_.is_open()) {
+    // The other end is told that this is the end, and that nobody has cut the line.
+    if (sealed_begin_ == sealed_end_)
+      static_cast<void>(send(file_, sealed_.data(), records_.seal(nullptr, 0, sealed_.data()),
+                             MSG_NOSIGNAL | MSG_DONTWAIT));
+    records_.forget();
+  }
   if (std::exchange(is_serial_, false)) ioctl(file_, TIOCNXCL);
   ::close(std::exchange(file_, -1));
 }
@@ -134,8 +125,7 @@ bool LinkPort::open(const std::string& address, std::uint32_t baud) {
   if (stat(address.c_str(), &status) == 0) {
     return S_ISSOCK(status.st_mode) ? open_unix(address, nullptr) : open_serial(address, baud);
   }
-  if (address.find('/') == std::string::npos && address.find(':') != std::string::npos)
-    return open_tcp(address, nullptr);
+  if (is_tcp_address(address)) return open_tcp(address, nullptr);
   return fail(std::strerror(errno));
 }
 
@@ -196,7 +186,8 @@ bool LinkPort::open_tcp(const std::string& address, Say say) {
   const std::size_t colon = address.rfind(':');
   if (colon == std::string::npos) return fail("it is neither unix:PATH nor HOST:PORT");
   const bool is_local = colon == 0;
-  const std::string host = is_local ? "localhost" : address.substr(0, colon);
+  std::string host = is_local ? "localhost" : address.substr(0, colon);
+  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
@@ -205,25 +196,52 @@ bool LinkPort::open_tcp(const std::string& address, Say say) {
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owner(found, freeaddrinfo);
   int number = 0;
   for (const addrinfo* item = found; item != nullptr; item = item->ai_next) {
-    const int file = socket(item->ai_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (key_.sodium == nullptr && !is_of_this_machine(item->ai_addr)) return fail(kNeedsKey);
+    const int waits = say != nullptr ? 0 : SOCK_NONBLOCK;
+    const int file = socket(item->ai_family, SOCK_STREAM | SOCK_CLOEXEC | waits, 0);
     if (file < 0) continue;
     const int yes = 1;
     if (say != nullptr) {
+      constexpr int kWaiting = 128;  // strangers who wait to be dropped
       setsockopt(file, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-      if (bind(file, item->ai_addr, item->ai_addrlen) == 0 && ::listen(file, 1) == 0) {
-        say("listens on " + address_of(file) + (is_local ? ", for this machine only" : ""));
-        return accept_on(file, say);
+      if (bind(file, item->ai_addr, item->ai_addrlen) == 0 &&
+          ::listen(file, key_.sodium == nullptr ? 1 : kWaiting) == 0) {
+        say("listens on " + address_of_end(file) +
+            (key_.sodium != nullptr ? ", for who has the key"
+             : is_local             ? ", for this machine only"
+                                    : ""));
+        return key_.sodium != nullptr ? accept_sealed(file, say) : accept_on(file, say);
       }
-    } else if (connect(file, item->ai_addr, item->ai_addrlen) == 0) {
-      setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-      fcntl(file, F_SETFL, O_NONBLOCK);
-      file_ = file;
-      return true;
+      number = errno;
+    } else {
+      number =
+          connect_until(file, item->ai_addr, item->ai_addrlen, now_ns() + kGreetingS * kSecondNs);
+      if (number == 0) {
+        setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+        file_ = file;
+        return begin_session();
+      }
     }
-    number = errno;
     ::close(file);
   }
   return fail(std::strerror(number));
+}
+
+bool LinkPort::accept_sealed(int listener, Say say) {
+  file_ = accept_known(listener, key_, kGreetingS, say, records_);
+  const int number = errno;
+  ::close(listener);
+  if (file_ < 0) return fail(std::strerror(number));
+  const int yes = 1;
+  setsockopt(file_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+  return true;
+}
+
+/// Of who connects.
+bool LinkPort::begin_session() {
+  if (key_.sodium == nullptr) return true;
+  const std::string problem = greet(file_, key_, now_ns() + kGreetingS * kSecondNs, records_);
+  return problem.empty() || fail(problem);
 }
 
 bool LinkPort::open_serial(const std::string& path, std::uint32_t baud) {
@@ -267,27 +285,73 @@ void LinkPort::flush() {
   constexpr std::uint64_t kPatienceNs = kSecondNs;
   const std::size_t size = std::exchange(out_size_, 0);
   const std::uint64_t until = std::min(now_ns() + kPatienceNs, write_until_ns_);
-  for (std::size_t sent = 0; sent < size && file_ >= 0;) {
-    const ssize_t count = write(file_, out_.data() + sent, size - sent);
+  if (!records_.is_open()) {
+    // Nobody reads: the frame is sent again, or the run ends for want of an answer.
+    write_bytes(out_.data(), size, until);
+  } else if (send_sealed(until) && size > 0) {
+    sealed_begin_ = 0;
+    sealed_end_ = records_.seal(out_.data(), size, sealed_.data());
+    send_sealed(until);
+  }
+}
+
+/// How many of the bytes are written by then.
+std::size_t LinkPort::write_bytes(const std::uint8_t* bytes, std::size_t size,
+                                  std::uint64_t until_ns) {
+  std::size_t sent = 0;
+  while (sent < size && file_ >= 0) {
+    const ssize_t count = write(file_, bytes + sent, size - sent);
     if (count > 0) {
       sent += static_cast<std::size_t>(count);
     } else if (errno != EAGAIN && errno != EINTR) {
       fail(std::strerror(errno));
-    } else if (now_ns() >= until) {
-      return;  // nobody reads: the frame is sent again, or the run ends for want of an answer
+    } else if (now_ns() >= until_ns) {
+      break;
     } else {
-      wait(POLLOUT, until);
+      wait(POLLOUT, until_ns);
     }
   }
+  return sent;
+}
+
+/// What is sealed has its place in the order, so it has to go before anything else: what there is
+/// no time for is never sealed. Whether all of it went.
+bool LinkPort::send_sealed(std::uint64_t until_ns) {
+  sealed_begin_ +=
+      write_bytes(sealed_.data() + sealed_begin_, sealed_end_ - sealed_begin_, until_ns);
+  return sealed_begin_ == sealed_end_;
+}
+
+/// False: more bytes are needed.
+bool LinkPort::open_record() {
+  using Found = key::Records::Found;
+  in_begin_ = in_end_ = 0;
+  switch (records_.open(in_.data(), in_end_)) {
+    case Found::record:
+      return true;
+    case Found::end:
+      return fail("the other end hung up");
+    case Found::forged:
+      is_forged_ = true;
+      return fail("what came is not what the other end sent: it was changed, repeated or left out");
+    case Found::nothing:
+      break;
+  }
+  return false;
 }
 
 void LinkPort::fill() {
-  const ssize_t count = read(file_, in_.data(), in_.size());
-  if (count > 0) {
+  const bool is_sealed = records_.is_open();
+  std::uint8_t* const to = is_sealed ? records_.room().data() : in_.data();
+  const ssize_t count = read(file_, to, is_sealed ? records_.room().size() : in_.size());
+  if (count > 0 && is_sealed) {
+    records_.take(static_cast<std::size_t>(count));
+  } else if (count > 0) {
     in_begin_ = 0;
     in_end_ = static_cast<std::size_t>(count);
   } else if (count == 0) {
-    fail("the other end hung up");
+    fail(is_sealed ? "it was cut: the other end died, or somebody between cut it"
+                   : "the other end hung up");
   } else if (errno != EAGAIN && errno != EINTR) {
     fail(std::strerror(errno));
   }
@@ -295,6 +359,7 @@ void LinkPort::fill() {
 
 int LinkPort::get(std::uint64_t until_ns) {
   while (in_begin_ == in_end_) {
+    if (file_ >= 0 && records_.is_open() && open_record()) continue;
     if (file_ < 0) return link::kClosed;
     if (now_ns() >= until_ns) return link::kNothing;
     if (wait(POLLIN, until_ns)) fill();

@@ -5,11 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/link/board.hpp>
+#include <runtime/host/key/session.hpp>
 #include <string>
+#include <targets/linux-sim/link_tcp.hpp>
 
 namespace eagerx::linux_sim {
 
-/// Reads and writes without allocating. A closed line stays closed.
+/// Reads and writes without allocating. A closed line stays closed. TCP beyond this machine needs a
+/// key; with one, what goes over TCP is sealed, and who has not the key is nobody.
 class LinkPort {
  public:
   LinkPort() = default;
@@ -17,17 +20,23 @@ class LinkPort {
   LinkPort& operator=(const LinkPort&) = delete;
   ~LinkPort() { close(); }
 
+  /// Before open() or listen(). Serial lines and unix sockets do without.
+  void use_key(const KeyInUse& key) { key_ = key; }
   /// `unix:PATH`, `HOST:PORT`, or the path of a serial line or a socket. A serial line is ours
   /// alone as long as it is open. False: error() says why.
   bool open(const std::string& address, std::uint32_t baud);
   /// The other side of a socket: waits for one peer, who has kGreetingS to say something. While it
-  /// is connected others are refused. `:PORT` listens on this machine only. A socket that another
+  /// is connected others are refused. With a key strangers are dropped until one comes who has it.
+  /// `:PORT` listens on this machine only. A socket that another
   /// program listens on is left alone. `say(text)` is told where it listens, and of peers that say
   /// nothing.
   bool listen(const std::string& address, void (*say)(const std::string& text));
   void close();
   /// Empty as long as the line is whole.
   const std::string& error() const { return error_; }
+
+  /// Whether it was closed because what came over a sealed line was not what the other end sent.
+  bool is_forged() const { return is_forged_; }
 
   void put(std::uint8_t byte);
   void flush();
@@ -50,17 +59,26 @@ class LinkPort {
   bool open_unix(const std::string& path, Say say);
   bool open_serial(const std::string& path, std::uint32_t baud);
   bool accept_on(int listener, Say say);
+  bool accept_sealed(int listener, Say say);
+  bool begin_session();
   bool wait(short events, std::uint64_t until_ns);
+  std::size_t write_bytes(const std::uint8_t* bytes, std::size_t size, std::uint64_t until_ns);
+  bool send_sealed(std::uint64_t until_ns);
+  bool open_record();
   void fill();
   bool fail(const std::string& what);
 
-  static constexpr std::size_t kBufferBytes = 4096;
+  static constexpr std::size_t kBufferBytes = key::Records::kMostBytes;
   int file_ = -1;
-  bool is_serial_ = false;
+  bool is_serial_ = false, is_forged_ = false;
   std::uint64_t write_until_ns_ = UINT64_MAX;
   std::string error_;
   std::array<std::uint8_t, kBufferBytes> in_{}, out_{};
   std::size_t in_begin_ = 0, in_end_ = 0, out_size_ = 0;
+  KeyInUse key_;
+  key::Records records_;  // open: the line is sealed
+  std::array<std::uint8_t, key::Records::kMostSealed> sealed_{};
+  std::size_t sealed_begin_ = 0, sealed_end_ = 0;  // what has yet to go
 };
 
 }  // namespace eagerx::linux_sim

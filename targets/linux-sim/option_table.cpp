@@ -132,6 +132,10 @@ bool set_link(Options& options, std::string_view value) {
   options.links.emplace_back(value);
   return !value.empty();
 }
+bool set_key(Options& options, std::string_view value) {
+  options.keys.emplace_back(value);
+  return !value.empty();
+}
 bool set_baud(Options& options, std::string_view value) {
   return at_least(value, std::uint32_t{1}, options.baud);
 }
@@ -253,6 +257,10 @@ constexpr std::array kOptions{
         "where the board, or a part, is: a serial line (ours alone), HOST:PORT or unix:PATH; may "
         "be repeated",
         set_link, true},
+    Option{"--key", "[PART=]FILE", "a file that `eagerx-gen key new` wrote",
+           "the key of TCP lines, or of the line to PART; beyond this machine TCP needs one; may "
+           "be repeated",
+           set_key, true},
     Option{"--baud", "N", "a whole number from 1 to 4294967295", "speed of a serial line", set_baud,
            true},
     Option{"--link-timeout", "S", "a number from 0 to 1000000",

@@ -54,8 +54,9 @@ struct Options {
   std::vector<std::string> publish_only;  // channels; empty: all
   double publish_rate_hz = 0.0;           // at most; 0: as they are
   std::string publish_key;                // a file; empty: none
-  bool split = false;  // whether a part of the graph runs elsewhere: the next three exist
+  bool split = false;  // whether a part of the graph runs elsewhere: the next four exist
   std::vector<std::string> links;  // `PART=LINE`; of one part LINE alone
+  std::vector<std::string> keys;   // `PART=FILE`, or FILE for all TCP lines
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
   bool strict_spaces = false;

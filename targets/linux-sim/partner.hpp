@@ -3,39 +3,68 @@
 
 #include <csignal>
 #include <cstdio>
+#include <string>
 #include <string_view>
 #include <targets/common/partner.hpp>
+#include <targets/linux-sim/keys.hpp>
 #include <targets/linux-sim/link_port.hpp>
 #include <targets/linux-sim/options.hpp>
 
 namespace eagerx::linux_sim {
 
+/// What the command line of a part says.
+struct PartArguments {
+  std::string_view option, line, key_file;
+  bool is_good = false;
+};
+
+inline PartArguments read_part_arguments(int argc, char** argv) {
+  PartArguments found;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string_view name = argv[i];
+    std::string_view& value = name == "--key" ? found.key_file : found.line;
+    if (!value.empty() || (name != "--key" && name != "--link" && name != "--listen")) return {};
+    if (name != "--key") found.option = name;
+    value = argv[i + 1];
+  }
+  found.is_good = argc % 2 == 1 && !found.line.empty();
+  return found;
+}
+
 template <class Graph>
 int serve(int argc, char** argv) {
   using Link = target::BoardLinkOf<Graph, LinkPort>;
-  constexpr int kArguments = 3;
-  const std::string_view option = argc == kArguments ? argv[1] : "";
-  if (option != "--link" && option != "--listen") {
+  const PartArguments arguments = read_part_arguments(argc, argv);
+  if (!arguments.is_good) {
     std::fprintf(stderr,
                  "error: wrong usage\nhelp: %s --link TTY, or --listen unix:PATH, :PORT (for this "
-                 "machine only) or HOST:PORT; serves the part of `%s` that the host's program was "
-                 "split from\n",
+                 "machine only) or HOST:PORT, which beyond this machine needs --key FILE; serves "
+                 "the part of `%s` that the host's program was split from\n",
                  argv[0], Graph::kName);
     return kBadUsage;
   }
   std::signal(SIGPIPE, SIG_IGN);  // a host that goes is no reason to be killed
   static Link link{};
-  const bool open = option == "--link" ? link.port.open(argv[2], kDefaultBaud)
-                                       : link.port.listen(argv[2], [](const std::string& text) {
-                                           std::fputs((text + "\n").c_str(), stderr);
-                                         });
+  const std::string line(arguments.line);
+  if (!arguments.key_file.empty()) {
+    const std::string problem = use_key_of(std::string(arguments.key_file), line, link.port);
+    if (!problem.empty()) return std::fprintf(stderr, "%s\n", problem.c_str()), kBadFile;
+  }
+  const bool open = arguments.option == "--link"
+                        ? link.port.open(line, kDefaultBaud)
+                        : link.port.listen(line, [](const std::string& text) {
+                            std::fputs((text + "\n").c_str(), stderr);
+                          });
   if (!open) {
-    std::fprintf(stderr, "error: cannot open `%s`: %s\n", argv[2], link.port.error().c_str());
+    std::fprintf(stderr, "error: cannot open `%s`: %s\n", line.c_str(), link.port.error().c_str());
     return kBadFile;
   }
   target::serve<Graph, LinkPort>(target::program_of_run<target::BoardProgramOf<Graph, LinkPort>>,
                                  link, [] { return 0U; });
-  return kDone;
+  if (!link.port.is_forged()) return kDone;
+  std::fprintf(stderr, "error: the line `%s` is closed: %s\n", line.c_str(),
+               link.port.error().c_str());
+  return kBadFile;
 }
 
 }  // namespace eagerx::linux_sim

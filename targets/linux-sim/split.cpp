@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <targets/common/partner.hpp>
+#include <targets/linux-sim/keys.hpp>
 #include <targets/linux-sim/split.hpp>
 #include <vector>
 
@@ -187,9 +188,12 @@ std::uint32_t new_session() {
   return static_cast<std::uint32_t>(mixed >> kHigh);
 }
 
-std::string connect(SplitLink& link, const std::string& line, const GraphFacts& facts,
-                    const Options& options) {
+std::string connect(SplitLink& link, const std::string& line, const std::string& key_file,
+                    const GraphFacts& facts, const Options& options) {
   constexpr double kNanosecondsPerSecond = 1e9;
+  const std::string problem =
+      key_file.empty() ? std::string() : use_key_of(key_file, line, link.port());
+  if (!problem.empty()) return problem;
   if (!link.port().open(line, options.baud))
     return "error: cannot open `" + line + "`: " + link.port().error() +
            (facts.part_count == 1 ? "" : "\nnote: of " + name_of_part(link.part()));
@@ -215,16 +219,18 @@ bool part_knows(const GraphFacts& facts, target::Agent agent) {
 }
 
 std::string find_parts(const GraphFacts& facts, const Options& options) {
-  std::vector<std::string> lines;
-  return find_lines(options.links, facts, lines);
+  std::vector<std::string> lines, keys;
+  const std::string problem = find_lines(options.links, facts, lines);
+  return problem.empty() ? find_keys(options.keys, facts, lines, keys) : problem;
 }
 
 std::string connect_parts(const GraphProgram& program, const Options& options) {
   const GraphFacts& facts = program.facts();
-  std::vector<std::string> lines;
+  std::vector<std::string> lines, keys;
   std::string problem = find_lines(options.links, facts, lines);
+  if (problem.empty()) problem = find_keys(options.keys, facts, lines, keys);
   for (std::size_t part = 0; problem.empty() && part < facts.part_count; ++part)
-    problem = connect(*program.link(part), lines[part], facts, options);
+    problem = connect(*program.link(part), lines[part], keys[part], facts, options);
   return problem;
 }
 

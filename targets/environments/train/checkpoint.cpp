@@ -134,6 +134,9 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   }
   visitor(progressed.actions);
   visit_model(visitor, model);
+  if constexpr (requires { model.remembered; }) {
+    if (model.actor.memory() != nullptr) visitor(model.remembered);
+  }
   if constexpr (requires { model.memory; }) {
     visitor(model.was_taught);
     visitor(model.replayed);
@@ -254,10 +257,14 @@ std::string conditions(const Settings& settings, const std::string& contract_has
 }
 
 std::string interface_of(const Settings& settings, const Description& description) {
-  return fmt::format("algorithm {}; observations {}; actions {}; layers {}; activation {}",
+  std::string memory;
+  if (settings.memory != Memory::none)
+    memory = fmt::format("; memory {} {}", settings.memory == Memory::gru ? "gru" : "lstm",
+                         settings.memory_units);
+  return fmt::format("algorithm {}; observations {}; actions {}; layers {}; activation {}{}",
                      settings.algorithm, names_and_sizes(description.observations),
                      names_and_sizes(description.actions), fmt::join(settings.layers, ","),
-                     settings.activation == Activation::relu ? "relu" : "tanh");
+                     settings.activation == Activation::relu ? "relu" : "tanh", memory);
 }
 
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
@@ -272,7 +279,10 @@ std::string checkpoint_of(const std::string& conditions, const std::string& inte
 
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
              Model& model, Progressed& progressed) {
+  const std::size_t remembered = model.remembered.size();
   read_own(bytes, name, conditions, model, progressed);
+  if (model.remembered.size() != remembered)
+    throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);
 }
 
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,

@@ -44,7 +44,7 @@ class Evaluator::Part {
            const Statistics& observations) {
     saturated = numbers = 0;
     far.assign(policy.network.inputs(), 0);
-    row_.resize(policy.network.row());
+    row_.assign(policy.network.row(), Pack{});  // nothing is remembered
     episodes.assign(count_, Episode{0.0, std::vector<double>(terms_), 0, false});
     std::vector<bool> ended(count_);
     environments_.reset(seed, rows_.observation.data());

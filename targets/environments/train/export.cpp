@@ -14,6 +14,8 @@ static_assert(std::endian::native == std::endian::little, "safetensors are littl
 
 using nlohmann::ordered_json;
 
+constexpr std::size_t kEpisode = 16;  // golden rows, of a policy that remembers
+
 /// "angle (2), theta_dot"
 std::string listed(const std::vector<Space>& spaces) {
   std::string text;
@@ -57,6 +59,41 @@ void append(std::string& data, ordered_json& header, const std::string& name,
       {"dtype", "F32"}, {"shape", std::move(shape)}, {"data_offsets", {begin, data.size()}}};
 }
 
+/// As torch names a GRU's or LSTM's.
+void append_memory(std::string& data, ordered_json& header, const Policy& policy,
+                   const Cell& cell) {
+  for (const auto& [end, product] :
+       {std::pair("ih_l0", cell.from_input()), {"hh_l0", cell.from_state()}}) {
+    const auto [inputs, outputs] = product.sizes;
+    const float* parameters = policy.parameters.data();
+    append(data, header, fmt::format("policy.memory.weight_{}", end), {outputs, inputs},
+           parameters + product.weights, outputs * inputs);
+    append(data, header, fmt::format("policy.memory.bias_{}", end), {outputs},
+           parameters + product.bias, outputs);
+  }
+}
+
+std::string golden_header(const Policy& policy) {
+  std::string text = policy.network.memory() != nullptr ? "episode_start," : "";
+  for (std::size_t i = 0; i < policy.network.inputs(); ++i) text += fmt::format("obs{},", i);
+  for (std::size_t j = 0; j < policy.network.outputs(); ++j)
+    text += fmt::format("network_out{},", j);
+  const std::size_t numbers = policy.head.numbers;
+  for (std::size_t j = 0; j < numbers; ++j)
+    text += fmt::format("action{}{}", j, j + 1 == numbers ? "\n" : ",");
+  return text;
+}
+
+/// What follows the answers in a lane: those, and the action.
+std::string answered(const Policy& policy, const Pack* answers, std::size_t lane) {
+  std::string text;
+  std::vector<float> action(policy.head.numbers);
+  for (std::size_t j = 0; j < policy.network.outputs(); ++j)
+    text += fmt::format(",{}", answers[j].lane[lane]);
+  policy.head.act(answers, lane, action.data());
+  return text + fmt::format(",{}\n", fmt::join(action, ","));
+}
+
 }  // namespace
 
 std::string safetensors_of(const Policy& policy, const Description& description,
@@ -64,6 +101,7 @@ std::string safetensors_of(const Policy& policy, const Description& description,
   ordered_json header;
   header["__metadata__"] = notes_of(policy, description, settings);
   std::string data;
+  if (const Cell* cell = policy.network.memory()) append_memory(data, header, policy, *cell);
   const auto& layers = policy.network.layers();
   for (std::size_t k = 0; k < layers.size(); ++k) {
     const auto& [sizes, weights, bias, from, to] = layers[k];
@@ -86,29 +124,27 @@ std::string safetensors_of(const Policy& policy, const Description& description,
 std::string golden_rows(const Policy& policy, const Kernels& kernels,
                         const std::vector<float>& rows) {
   const std::size_t inputs = policy.network.inputs();
-  const std::size_t outputs = policy.network.outputs();
-  std::string text;
-  for (std::size_t i = 0; i < inputs; ++i) text += fmt::format("obs{},", i);
-  for (std::size_t j = 0; j < outputs; ++j) text += fmt::format("network_out{},", j);
-  const std::size_t numbers = policy.head.numbers;
-  for (std::size_t j = 0; j < numbers; ++j) {
-    text += fmt::format("action{}{}", j, j + 1 == numbers ? "\n" : ",");
-  }
-  std::vector<float> action(numbers);
-  Packs row(policy.network.row());
-  std::vector<float> tile(kLanes * inputs);
+  const bool remembers = policy.network.memory() != nullptr;
+  const std::size_t steps = remembers ? kEpisode : 1;  // rows of a lane
   const std::size_t count = rows.size() / inputs;
-  for (std::size_t first = 0; first < count; first += kLanes) {
-    const std::size_t here = std::min(kLanes, count - first);
-    std::copy_n(&rows[first * inputs], here * inputs, tile.data());
-    policy.answer(kernels, tile.data(), row.data());
-    const Pack* answers = &row[policy.network.output()];
-    for (std::size_t l = 0; l < here; ++l) {
-      text += fmt::format("{}", fmt::join(&tile[l * inputs], &tile[l * inputs] + inputs, ","));
-      for (std::size_t j = 0; j < outputs; ++j) text += fmt::format(",{}", answers[j].lane[l]);
-      policy.head.act(answers, l, action.data());
-      text += fmt::format(",{}\n", fmt::join(action, ","));
+  std::string text = golden_header(policy);
+  std::vector<float> tile(kLanes * inputs);
+  for (std::size_t first = 0; first < count; first += kLanes * steps) {
+    Packs row(policy.network.row());
+    std::vector<std::string> lines(std::min(kLanes * steps, count - first));
+    for (std::size_t t = 0; t < steps; ++t) {
+      for (std::size_t i = t; i < lines.size(); i += steps)
+        std::copy_n(&rows[(first + i) * inputs], inputs, &tile[i / steps * inputs]);
+      policy.answer(kernels, tile.data(), row.data());
+      for (std::size_t i = t; i < lines.size(); i += steps) {
+        const std::size_t l = i / steps;
+        lines[i] = remembers ? (t == 0 ? "1," : "0,") : "";
+        lines[i] +=
+            fmt::format("{}", fmt::join(&tile[l * inputs], &tile[l * inputs] + inputs, ","));
+        lines[i] += answered(policy, &row[policy.network.output()], l);
+      }
     }
+    for (const std::string& line : lines) text += line;
   }
   return text;
 }

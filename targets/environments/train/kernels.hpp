@@ -51,6 +51,22 @@ struct Kernels {
   /// dx = 0 where y = relu(x) is not above 0.
   void (*relu_slope)(const Pack* y, Pack* dx, std::size_t count);
 
+  /// One step of a memory of so many `units`. `gates` and `products` have what comes of the inputs
+  /// and of h, with their biases; `before` and `after` are h, and c of an LSTM. What
+  /// slopes need takes the place of `gates` and `products`.
+  void (*gru)(std::size_t units, Pack* gates, Pack* products, const Pack* before, Pack* after);
+  void (*lstm)(std::size_t units, Pack* gates, Pack* products, const Pack* before, Pack* after);
+
+  /// `dafter` to the derivatives by gates and products; what of it goes to the state before without
+  /// them takes its place.
+  void (*gru_slopes)(std::size_t units, const Pack* gates, const Pack* products, const Pack* before,
+                     Pack* dafter, Pack* dgates, Pack* dproducts);
+  void (*lstm_slopes)(std::size_t units, const Pack* gates, const Pack* products,
+                      const Pack* before, Pack* dafter, Pack* dgates, Pack* dproducts);
+
+  /// to += goes_on * (x + y).
+  void (*carry)(const Pack& goes_on, const Pack* x, const Pack* y, Pack* to, std::size_t count);
+
   /// One step of Adam (Kingma and Ba 2015, β 0.9 and 0.999) for `count` weights.
   void (*adam)(float* weights, const float* gradient, float* mean, float* square, std::size_t count,
                AdamStep step);

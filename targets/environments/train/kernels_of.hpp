@@ -8,6 +8,7 @@
 #include <eagerx/policy/float_lanes.hpp>
 
 #include "targets/environments/train/kernels.hpp"
+#include "targets/environments/train/recurrent/kernels_of.hpp"
 
 namespace eagerx::train {
 
@@ -167,8 +168,21 @@ struct KernelsOf {
   }
 
   static constexpr Kernels table(const char* name) {
-    return {name,       dense, dense_transposed, dense_gradient, tanh, tanh_slope, relu,
-            relu_slope, adam};
+    using OfMemory = MemoryKernelsOf<Width>;
+    return {name,
+            dense,
+            dense_transposed,
+            dense_gradient,
+            tanh,
+            tanh_slope,
+            relu,
+            relu_slope,
+            OfMemory::gru,
+            OfMemory::lstm,
+            OfMemory::gru_slopes,
+            OfMemory::lstm_slopes,
+            OfMemory::carry,
+            adam};
   }
 };
 

@@ -17,8 +17,10 @@ inline constexpr float kHalfLogTwoPi = 0.9189385F;
 /// Actor and critic with all that the next update depends on.
 struct Model {
   Model(const Settings& settings, std::size_t inputs, const Head& head)
-      : actor(inputs, settings.layers, head.outputs, settings.activation),
-        critic(inputs, settings.layers, 1, settings.activation),
+      : actor(inputs, settings.layers, head.outputs, settings.activation,
+              {settings.memory, settings.memory_units}),
+        critic(inputs, settings.layers, 1, settings.activation,
+               {settings.memory, settings.memory_units}),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
         critic_parameters(critic.drawn(random(settings, "train/critic"), 1.0F)),
         log_deviation(head.chooses ? 0 : head.outputs, log(settings.first_deviation)),
@@ -28,7 +30,9 @@ struct Model {
         deviation_adam(log_deviation.size()),
         observations(inputs),
         returns(1),
-        step_size(settings.learning_rate) {}
+        step_size(settings.learning_rate),
+        remembered(settings.environments * 2 *
+                   CellShape{settings.memory, settings.memory_units}.state()) {}
 
   Network actor;   // tanh of its outputs is the mean of the actions, or they are scores of choices
   Network critic;  // the discounted return, divided by the deviation of returns
@@ -39,6 +43,8 @@ struct Model {
   Statistics observations;  // [inputs]
   Statistics returns;       // [1] discounted, while they run
   float step_size;
+  /// [environments][states of actor and critic] after the last iteration.
+  std::vector<float> remembered;
 
  private:
   static Random random(const Settings& settings, const char* name) {

@@ -1,16 +1,19 @@
-// A network of dense layers with tanh or relu between them, forward and backward.
+// A network of dense layers with tanh or relu between them, and a memory before them if there is
+// one, forward and backward.
 #pragma once
 
 #include <eagerx/random.hpp>
+#include <optional>
 #include <vector>
 
 #include "targets/environments/train/kernels.hpp"
+#include "targets/environments/train/recurrent/cell.hpp"
 #include "targets/environments/train/settings.hpp"
 
 namespace eagerx::train {
 
 /// The shape of a network; its parameters are floats of the caller. Work on a tile (sixteen
-/// samples) is a row of packs: [inputs | hidden 1 | … | outputs].
+/// samples) is a row of packs: [inputs | what is the memory's | hidden 1 | … | outputs].
 class Network {
  public:
   struct Layer {
@@ -20,11 +23,14 @@ class Network {
   };
 
   Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs,
-          Activation activation);
+          Activation activation, CellShape memory = {});
 
   const std::vector<Layer>& layers() const { return layers_; }
   Activation activation() const { return activation_; }
-  std::size_t inputs() const { return layers_.front().sizes.inputs; }
+  const Cell* memory() const { return cell_ ? &*cell_ : nullptr; }
+  /// What the inputs are multiplied by.
+  Cell::Product first() const;
+  std::size_t inputs() const { return first().sizes.inputs; }
   std::size_t outputs() const { return layers_.back().sizes.outputs; }
   std::size_t parameters() const { return parameters_; }
   /// Packs in the row of one tile.
@@ -35,22 +41,28 @@ class Network {
   /// [parameters], normal with a deviation of 1/√inputs, in the last layer `gain` times that.
   std::vector<float> drawn(Random random, float gain) const;
 
-  /// Fills the rest of `row`, whose inputs are there. The outputs have no activation.
+  /// Fills the rest of `row`, whose inputs and state before are there. The outputs have no
+  /// activation.
   void forward(const Kernels& kernels, const float* parameters, Pack* row) const;
+
+  /// The state after the step of `row` is that before the next one.
+  void remember(Pack* row) const;
 
   /// Adds the gradient of `tiles` rows to `gradient` [parameters]. `deltas` [tiles][row()]: the
   /// caller has filled the outputs' places with the derivatives of the loss; the others are
-  /// written.
+  /// written. With a memory the rows follow one another in time, see Cell::backward().
   void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
-                std::size_t tiles, Pack* scratch, float* gradient) const;
+                std::size_t tiles, Pack* scratch, float* gradient,
+                const Pack* goes_on = nullptr) const;
 
-  /// Fills the rest of `deltas` [row()], whose outputs' places have the derivatives of something:
-  /// its derivatives by the inputs are in the first places.
+  /// Without a memory: fills the rest of `deltas` [row()], whose outputs' places have the
+  /// derivatives of something: its derivatives by the inputs are in the first places.
   void input_slopes(const Kernels& kernels, const float* parameters, const Pack* row,
                     Pack* deltas) const;
 
  private:
   Activation activation_;
+  std::optional<Cell> cell_;
   std::vector<Layer> layers_;
   std::size_t parameters_ = 0, row_ = 0;
 };

@@ -50,7 +50,7 @@ void Normaliser::load(const float* rows, Pack* x) const {
 
 std::vector<float> folded(const Network& actor, std::vector<float> parameters,
                           const Statistics& statistics) {
-  const Network::Layer& first = actor.layers().front();
+  const Cell::Product first = actor.first();
   const std::size_t inputs = first.sizes.inputs;
   for (std::size_t j = 0; j < first.sizes.outputs; ++j) {
     float* weights = &parameters[first.weights + j * inputs];
@@ -67,7 +67,7 @@ std::vector<float> folded(const Network& actor, std::vector<float> parameters,
 
 void keep_answers(const Network& network, std::vector<float>& parameters, const Statistics& before,
                   const Statistics& after) {
-  const Network::Layer& first = network.layers().front();
+  const Cell::Product first = network.first();
   const std::size_t inputs = first.sizes.inputs;
   for (std::size_t j = 0; j < first.sizes.outputs; ++j) {
     float* weights = &parameters[first.weights + j * inputs];
@@ -87,6 +87,7 @@ void Policy::answer(const Kernels& kernels, const float* rows, Pack* row) const 
     for (std::size_t l = 0; l < kLanes; ++l) row[i].lane[l] = rows[l * inputs + i];
   }
   network.forward(kernels, parameters.data(), row);
+  network.remember(row);
   if (!head.chooses) kernels.tanh(row + network.output(), network.outputs());
 }
 

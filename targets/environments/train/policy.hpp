@@ -54,7 +54,8 @@ struct Policy {
   Head head;
 
   /// Outputs, in -1…1 unless they choose, for sixteen observations: rows [16][inputs]. `row`
-  /// [network.row()] is scratch, and has the answers at network.output().
+  /// [network.row()] is scratch, and has the answers at network.output(). What the network
+  /// remembers is in it, too: it is 0 when episodes begin, and left as it is between their steps.
   void answer(const Kernels& kernels, const float* rows, Pack* row) const;
 };
 

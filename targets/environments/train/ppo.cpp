@@ -39,33 +39,55 @@ void Gradient::add(const Gradient& more) {
   count += more.count;
 }
 
-/// The gradient of every Mth tile of one rollout.
+/// The gradient of every Mth tile of one rollout; with a memory, of every Mth sequence of them.
 class Ppo::Learner {
  public:
-  explicit Learner(const Model& model)
+  Learner(const Settings& settings, const Model& model)
       : gradient(model),
-        actor_rows_(kBlock * model.actor.row()),
-        actor_deltas_(kBlock * model.actor.row()),
-        critic_rows_(kBlock * model.critic.row()),
-        critic_deltas_(kBlock * model.critic.row()),
-        scratch_(kBlock * kLanes) {}
+        block_(model.actor.memory() == nullptr ? kBlock : settings.memory_steps),
+        actor_rows_(block_ * model.actor.row()),
+        actor_deltas_(block_ * model.actor.row()),
+        critic_rows_(block_ * model.critic.row()),
+        critic_deltas_(block_ * model.critic.row()),
+        scratch_(block_ * kLanes),
+        goes_on_(block_) {}
 
   Gradient gradient;
 
   void learn(const Ppo& ppo, const Rollout& rollout, std::size_t first) {
     gradient.clear();
     const Model& model = ppo.model_;
+    const std::size_t steps = model.actor.memory() == nullptr ? 1 : block_;
+    const std::size_t sequences = rollout.advantage.size() / steps;
     std::size_t tiles = 0;
-    for (std::size_t tile = first; tile < rollout.advantage.size();
-         tile += ppo.settings_.minibatches) {
-      evaluate(ppo, rollout, tile, tiles);
-      if (++tiles == kBlock) backward(ppo.kernels_, model, std::exchange(tiles, 0));
+    for (std::size_t s = first; s < sequences; s += ppo.settings_.minibatches) {
+      for (std::size_t t = 0; t < steps; ++t) {
+        const std::size_t step = s / rollout.tiles() * steps + t, k = s % rollout.tiles();
+        if (model.actor.memory() != nullptr) recall(model, rollout, s, step, t);
+        evaluate(ppo, rollout, step * rollout.tiles() + k, tiles);
+        if (++tiles == block_) backward(ppo.kernels_, model, std::exchange(tiles, 0));
+      }
     }
     backward(ppo.kernels_, model, tiles);
   }
 
  private:
   static constexpr std::size_t kBlock = 8;  // tiles whose rows fit into the cache
+
+  /// What is remembered before step `t` of a sequence, the rollout's `step`.
+  void recall(const Model& model, const Rollout& rollout, std::size_t sequence, std::size_t step,
+              std::size_t t) {
+    std::fill_n(goes_on_[t].lane, kLanes, 1.0F);
+    if (t > 0) goes_on_[t] = rollout.goes_on(step - 1, sequence % rollout.tiles());
+    const auto from = [&](const Network& network, const Packs& starts, Packs& rows) {
+      Pack* row = &rows[t * network.row()];
+      const Pack* state = t > 0 ? row - network.row() + network.memory()->after()
+                                : &starts[sequence * network.memory()->shape().state()];
+      train::recall(network, goes_on_[t], state, row);
+    };
+    from(model.actor, rollout.actor_starts, actor_rows_);
+    from(model.critic, rollout.critic_starts, critic_rows_);
+  }
 
   void evaluate(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t place) {
     const Model& model = ppo.model_;
@@ -148,13 +170,17 @@ class Ppo::Learner {
   void backward(const Kernels& kernels, const Model& model, std::size_t tiles) {
     if (tiles == 0) return;
     model.actor.backward(kernels, model.actor_parameters.data(), actor_rows_.data(),
-                         actor_deltas_.data(), tiles, scratch_.data(), gradient.actor.data());
+                         actor_deltas_.data(), tiles, scratch_.data(), gradient.actor.data(),
+                         goes_on_.data());
     model.critic.backward(kernels, model.critic_parameters.data(), critic_rows_.data(),
-                          critic_deltas_.data(), tiles, scratch_.data(), gradient.critic.data());
+                          critic_deltas_.data(), tiles, scratch_.data(), gradient.critic.data(),
+                          goes_on_.data());
   }
 
-  Packs actor_rows_, actor_deltas_, critic_rows_, critic_deltas_;  // [kBlock][row]
+  const std::size_t block_;                                        // tiles that are learnt at once
+  Packs actor_rows_, actor_deltas_, critic_rows_, critic_deltas_;  // [block_][row]
   Packs scratch_;
+  Packs goes_on_;  // [block_] of a sequence
 };
 
 Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
@@ -167,7 +193,7 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
       has_threads_(library.description().has_threads) {
   for (std::size_t part = 0; part < kParts; ++part) {
     rollouts_.push_back(std::make_unique<Rollout>(settings_, library, head_, longest, part));
-    learners_.push_back(std::make_unique<Learner>(model_));
+    learners_.push_back(std::make_unique<Learner>(settings_, model_));
   }
 }
 
@@ -213,12 +239,15 @@ void Ppo::take_up(const std::vector<float>& actions, std::uint32_t iterations) {
 void Ppo::go_on(std::uint32_t era) {
   std::vector<std::vector<float>> taken;
   for (auto& rollout : rollouts_) taken.push_back(std::exchange(rollout->taken, {}));
+  const bool has_actions = !taken.front().empty();
   begin_era(era);
   in_parts([&](std::size_t part) {
     Rollout& rollout = *rollouts_[part];
     rollout.taken = std::move(taken[part]);
     rollout.replay(settings_.discount);
     if (!remembers_) rollout.taken = {};
+    const std::size_t states = model_.remembered.size() / kParts;
+    if (has_actions) rollout.recall(&model_.remembered[part * states]);
   });
 }
 
@@ -334,6 +363,10 @@ Algorithm::Result Ppo::iterate() {
   }
   average();
   see();
+  model_.remembered.clear();
+  for (const auto& rollout : rollouts_)
+    model_.remembered.insert(model_.remembered.end(), rollout->remembered.begin(),
+                             rollout->remembered.end());
   ++iteration;
   result.divergence = divergence_;
   return result;

@@ -41,7 +41,9 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
       action_(count_ * numbers_),
       return_(count_),
       discounted_(count_),
-      ended_(horizon_ * count_) {
+      ended_(horizon_ * count_),
+      actor_states_(tiles(), {settings.memory, settings.memory_units}),
+      critic_states_(actor_states_) {
   rows_.final_observation = rows_.observation;
   const std::size_t steps = horizon_ * tiles();
   inputs.resize((steps + tiles()) * width_);
@@ -55,6 +57,8 @@ void Rollout::reset(std::uint64_t seed) {
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
   taken.clear();
+  actor_states_.clear();
+  critic_states_.clear();
   draw_cuts(seed);
   observation_sums.clear();
   sum_observations();
@@ -107,17 +111,24 @@ void Rollout::collect(const Frozen& frozen) {
   observation_sums.clear();
   return_sums.clear();
   episodes.clear();
+  actor_starts.clear();
+  critic_starts.clear();
   for (std::size_t t = 0; t < horizon_; ++t) {
+    note_states(frozen, t);
     act(frozen, t);
     step(frozen, t);
   }
   for (std::size_t k = 0; k < tiles(); ++k) {
     frozen.normaliser.load(&rows_.observation[k * kLanes * width_], critic_row_.data());
+    critic_states_.load(frozen.model.critic, k, critic_row_.data());
     frozen.model.critic.forward(frozen.kernels, frozen.model.critic_parameters.data(),
                                 critic_row_.data());
     value_[horizon_ * tiles() + k] = critic_row_[frozen.model.critic.output()];
   }
   estimate_advantages(frozen.settings);
+  remembered.clear();
+  actor_states_.save(remembered);
+  critic_states_.save(remembered);
 }
 
 /// Draws the actions of all environments and notes what the critic thinks.
@@ -128,8 +139,12 @@ void Rollout::act(const Frozen& frozen, std::size_t step) {
     frozen.normaliser.load(&rows_.observation[k * kLanes * width_], x);
     std::copy_n(x, width_, actor_row_.data());
     std::copy_n(x, width_, critic_row_.data());
+    actor_states_.load(model.actor, k, actor_row_.data());
+    critic_states_.load(model.critic, k, critic_row_.data());
     model.actor.forward(frozen.kernels, model.actor_parameters.data(), actor_row_.data());
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
+    actor_states_.keep(model.actor, k, actor_row_.data());
+    critic_states_.keep(model.critic, k, critic_row_.data());
     Pack* answers = &actor_row_[model.actor.output()];
     if (head_.chooses) {
       draw_choices(frozen, step, k, answers);
@@ -190,7 +205,37 @@ void Rollout::step(const Frozen& frozen, std::size_t step) {
   for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
   hard_.set(environments_);
   bootstrap(frozen, step);
+  forget(step);
   sum_observations();
+}
+
+/// Gradients go back to here.
+void Rollout::note_states(const Frozen& frozen, std::size_t step) {
+  if (step % frozen.settings.memory_steps != 0) return;
+  const Packs& actor = actor_states_.all();
+  const Packs& critic = critic_states_.all();
+  actor_starts.insert(actor_starts.end(), actor.begin(), actor.end());
+  critic_starts.insert(critic_starts.end(), critic.begin(), critic.end());
+}
+
+/// Nothing of an episode is remembered in the next one.
+void Rollout::forget(std::size_t step) {
+  for (std::size_t e = 0; e < count_; ++e) {
+    if (ended_[step * count_ + e] == 0) continue;
+    actor_states_.forget(e);
+    critic_states_.forget(e);
+  }
+}
+
+Pack Rollout::goes_on(std::size_t step, std::size_t tile) const {
+  Pack result;
+  for (std::size_t l = 0; l < kLanes; ++l)
+    result.lane[l] = ended_[step * count_ + tile * kLanes + l] != 0 ? 0.0F : 1.0F;
+  return result;
+}
+
+void Rollout::recall(const float* states) {
+  critic_states_.restore(actor_states_.restore(states));
 }
 
 /// Whether it was the last of the episode.
@@ -231,6 +276,7 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
     }
     if (!any) continue;
     frozen.normaliser.load(&rows_.final_observation[k * kLanes * width_], critic_row_.data());
+    critic_states_.load(model.critic, k, critic_row_.data());
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
     const Pack& value = critic_row_[model.critic.output()];
     for (std::size_t l = 0; l < kLanes; ++l) {

@@ -11,6 +11,7 @@
 #include "targets/environments/train/hard_starts.hpp"
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/policy.hpp"
+#include "targets/environments/train/recurrent/states.hpp"
 
 namespace eagerx::train {
 
@@ -39,15 +40,22 @@ class Rollout {
   /// Steps all environments, which have just been reset, with `taken` again. They are then where
   /// they were when the last of these actions had been taken.
   void replay(float discount);
+  /// The networks remember of all environments what was in `remembered` once.
+  void recall(const float* states);
 
   /// How environments are stepped, and what made that slower.
   std::string stepping() const { return environments_.stepping(); }
   std::size_t tiles() const { return count_ / kLanes; }
+  /// 1 where the episode went on behind a step of the rollout, 0 where it ended; [16] of a tile.
+  Pack goes_on(std::size_t step, std::size_t tile) const;
 
   Packs inputs;           // [horizon + 1][tiles][inputs] normalised observations
   Packs actions;          // [horizon][tiles][numbers] as drawn, in -1…1 or beyond; or the choice
   Packs log_probability;  // of the actions
   Packs advantage, target;  // target of the critic
+  /// [horizon / memory_steps][tiles][state] what was remembered at the beginning of each sequence.
+  Packs actor_starts, critic_starts;
+  std::vector<float> remembered;  // [states of actor and critic] behind the rollout
   Sums observation_sums, return_sums;
   Sums advantage_sums;
   std::vector<Episode> episodes;  // in order of time
@@ -56,6 +64,8 @@ class Rollout {
 
  private:
   void act(const Frozen& frozen, std::size_t step);
+  void note_states(const Frozen& frozen, std::size_t step);
+  void forget(std::size_t step);
   void draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* means);
   void draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* scores);
   Random noise(const Frozen& frozen, std::size_t step, std::size_t environment) const;
@@ -81,14 +91,15 @@ class Rollout {
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
   HardEnvironments hard_;
-  Rows rows_;                        // [count] of the last step
-  std::vector<float> action_;        // [count][numbers]
-  std::vector<double> return_;       // [count] of the episode so far
-  std::vector<float> discounted_;    // [count] of the episode so far
-  Packs value_;                      // [horizon + 1][tiles]
-  Packs rewards_;                    // [horizon][tiles] scaled
-  std::vector<std::uint8_t> ended_;  // [horizon][count]
-  Packs actor_row_, critic_row_;     // scratch
+  Rows rows_;                          // [count] of the last step
+  std::vector<float> action_;          // [count][numbers]
+  std::vector<double> return_;         // [count] of the episode so far
+  std::vector<float> discounted_;      // [count] of the episode so far
+  Packs value_;                        // [horizon + 1][tiles]
+  Packs rewards_;                      // [horizon][tiles] scaled
+  std::vector<std::uint8_t> ended_;    // [horizon][count]
+  Packs actor_row_, critic_row_;       // scratch
+  States actor_states_, critic_states_;
 };
 
 }  // namespace eagerx::train

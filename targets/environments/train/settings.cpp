@@ -97,6 +97,9 @@ const std::vector<Place>& places() {
   static const std::vector<Place> all = {
       layers_at("layers", &S::layers),
       word_at("activation", &S::activation),
+      word_at("memory", &S::memory),
+      number_at("memory_units", &S::memory_units),
+      number_at("memory_steps", &S::memory_steps),
       number_at("discount", &S::discount),
       number_at("trace_decay", &S::trace_decay),
       number_at("environments", &S::environments),
@@ -163,10 +166,15 @@ void check(const Settings& settings) {
                        kParts * kLanes));
   if (settings.sac.batch % (kParts * kLanes) != 0)
     refuse(fmt::format("sac_batch: {} is no multiple of {}", settings.sac.batch, kParts * kLanes));
-  const std::size_t most = settings.environments / (kParts * kLanes) * settings.horizon;
+  const bool remembers = settings.memory != Memory::none;
+  const std::size_t steps = remembers ? settings.memory_steps : 1;
+  if (settings.horizon % steps != 0)
+    refuse(fmt::format("horizon: {} is no multiple of memory_steps, {}", settings.horizon, steps));
+  const std::size_t most = settings.environments / (kParts * kLanes) * settings.horizon / steps;
   if (settings.minibatches > most)
-    refuse(fmt::format("minibatches: {} are more than {}, environments / {} * horizon",
-                       settings.minibatches, most, kParts * kLanes));
+    refuse(fmt::format("minibatches: {} are more than {}, environments / {} * horizon{}",
+                       settings.minibatches, most, kParts * kLanes,
+                       remembers ? " / memory_steps" : ""));
   if (settings.least_deviation > settings.most_deviation)
     refuse("least_deviation is more than most_deviation");
   if (settings.least_learning_rate > settings.most_learning_rate)

@@ -16,6 +16,7 @@ namespace eagerx::train {
 class HardStarts;
 
 enum class Activation : std::uint8_t { tanh, relu };
+enum class Memory : std::uint8_t { none, gru, lstm };
 enum class Schedule : std::uint8_t { adaptive, constant };
 
 /// Of proximal policy optimisation (Schulman et al. 2017), unless SAC has its own. Names, ranges
@@ -31,8 +32,11 @@ struct Settings {
 
   std::vector<std::size_t> layers;  // widths, of actor and critic
   Activation activation{};
-  float discount{};     // γ
-  float trace_decay{};  // λ of generalised advantage estimation
+  Memory memory{};  // in front of the layers, of actor and critic each
+  std::size_t memory_units{};
+  std::size_t memory_steps{};  // that gradients go back; the horizon is a multiple
+  float discount{};            // γ
+  float trace_decay{};         // λ of generalised advantage estimation
 
   std::size_t environments{};  // a multiple of kParts * kLanes
   bool stagger{};

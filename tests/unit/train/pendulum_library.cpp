@@ -1,6 +1,7 @@
 // A library of environments, written by hand: the disc pendulum without friction, with the
 // interface that generated libraries have. Test double of the trainer's tests. With
-// EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V. In the environment of a process,
+// EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V; with EAGERX_TEST_HIDDEN the speed
+// is not observed. In the environment of a process,
 // EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
 // EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
 #include <cmath>
@@ -26,6 +27,16 @@ constexpr bool kChooses = true;
 #else
 constexpr bool kChooses = false;
 #define ACTION R"("shape": [], "dtype": "float32", "low": [-2], "high": [2])"
+#endif
+
+#ifdef EAGERX_TEST_HIDDEN
+constexpr std::size_t kWidth = 2;  // of an observation
+#define SPEED
+#else
+constexpr std::size_t kWidth = 3;
+#define SPEED                                                                           \
+  R"(, {"name": "speed", "shape": [], "dtype": "float32", "window": 1, "low": [null],)" \
+  R"( "high": [null], "first": 2})"
 #endif
 
 float voltage_of(float action) {
@@ -62,7 +73,7 @@ struct Pendulum {
   void observe(float* row) const {
     row[0] = eagerx::cos(angle);
     row[1] = eagerx::sin(angle);
-    row[2] = speed;
+    if (kWidth > 2) row[2] = speed;
   }
 };
 
@@ -101,9 +112,7 @@ const char* eagerx_describe(void) {
     "hash": "0x0123456789abcdef", "rate_hz": 30, "isa": "any", "lanes": 1, "threads": true,
     "observations": [
       {"name": "angle", "shape": [2], "dtype": "float32", "window": 1, "low": [-1, -1],
-       "high": [1, 1], "first": 0},
-      {"name": "speed", "shape": [], "dtype": "float32", "window": 1, "low": [null],
-       "high": [null], "first": 2}],
+       "high": [1, 1], "first": 0})" SPEED R"(],
     "actions": [{"name": "voltage", )" ACTION R"(, "first": 0}],
     "states": [{"name": "pendulum.model_state", "shape": [2], "dtype": "float32",
                 "low": [-4, -10], "high": [4, 10], "first": 0}],
@@ -138,7 +147,7 @@ int eagerx_reset(eagerx_environments* environments, const uint8_t* mask, const u
     if (seeds != nullptr) one.seed = seeds[i];
     if (seeds != nullptr) one.episode = 0;
     one.begin();
-    if (observation != nullptr) one.observe(observation + 3 * i);
+    if (observation != nullptr) one.observe(observation + kWidth * i);
   }
   return 0;
 }
@@ -177,10 +186,10 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
     put<std::uint8_t>(rows->success, i, one.upright >= kStillSteps ? 1 : 0);
     if (rows->terms != nullptr) std::memcpy(rows->terms + 3 * i, terms, sizeof terms);
     if (one.ended && environments->autoreset == EAGERX_SAME_STEP) {
-      if (rows->final_observation != nullptr) one.observe(rows->final_observation + 3 * i);
+      if (rows->final_observation != nullptr) one.observe(rows->final_observation + kWidth * i);
       one.begin();
     }
-    if (rows->observation != nullptr) one.observe(rows->observation + 3 * i);
+    if (rows->observation != nullptr) one.observe(rows->observation + kWidth * i);
   }
   if (!is_finite) failure = "a reward is not finite";
   return is_finite ? 0 : 1;

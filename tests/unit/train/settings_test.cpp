@@ -35,7 +35,7 @@ std::string other_value(const Setting& row) {
     case SettingKind::layers:
       return "3,5";
     case SettingKind::word:
-      return std::string(row.words).substr(std::string(row.words).find(',') + 1);
+      return std::string(row.words).substr(std::string(row.words).rfind(',') + 1);
     case SettingKind::truth:
       return std::string(row.otherwise) == "true" ? "false" : "true";
     case SettingKind::whole:
@@ -86,9 +86,32 @@ TEST(TrainSettings, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_EQ(checked("environments", "200"), "environments: 200 is no multiple of 128");
   EXPECT_EQ(checked("minibatches", "65"),
             "minibatches: 65 are more than 64, environments / 128 * horizon");
+  EXPECT_EQ(checked("memory", "gru"), "");
+  EXPECT_EQ(checked("memory_steps", "5"), "") << "without a memory";
   EXPECT_EQ(checked("least_deviation", "5"), "least_deviation is more than most_deviation");
   EXPECT_EQ(checked("least_learning_rate", "0.1"),
             "least_learning_rate is more than most_learning_rate");
+}
+
+TEST(TrainSettings, SequencesOfAMemoryFitIntoTheHorizon) {
+  const auto checked = [](const char* steps, std::size_t minibatches) -> std::string {
+    Settings settings;
+    set(settings, "memory", "lstm");
+    set(settings, "memory_steps", steps);
+    settings.minibatches = minibatches;
+    try {
+      check(settings);
+    } catch (const Problem& problem) {
+      return problem.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(checked("8", 8), "");
+  EXPECT_EQ(checked("16", 4), "");
+  EXPECT_EQ(checked("32", 2), "");
+  EXPECT_EQ(checked("16", 8),
+            "minibatches: 8 are more than 4, environments / 128 * horizon / memory_steps");
+  EXPECT_EQ(checked("5", 1), "horizon: 32 is no multiple of memory_steps, 5");
 }
 
 TEST(TrainSettings, OnTheCommandLine) {

@@ -1,0 +1,64 @@
+// What a network remembers of each environment.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "targets/environments/train/network.hpp"
+
+namespace eagerx::train {
+
+/// States of some tiles of environments; of a network without a memory there are none.
+class States {
+ public:
+  States(std::size_t tiles, CellShape shape) : width_(shape.state()), packs_(tiles * width_) {}
+
+  const Packs& all() const { return packs_; }  // [tiles][state]
+
+  void clear() { std::fill(packs_.begin(), packs_.end(), Pack{}); }
+  /// An episode begins.
+  void forget(std::size_t environment) {
+    Pack* state = of(environment / kLanes);
+    for (std::size_t i = 0; i < width_; ++i) state[i].lane[environment % kLanes] = 0.0F;
+  }
+
+  /// Puts that of a tile into a row, before the step.
+  void load(const Network& network, std::size_t tile, Pack* row) const {
+    if (width_ > 0) std::copy_n(of(tile), width_, row + network.memory()->before());
+  }
+  /// Takes it from a row, after the step.
+  void keep(const Network& network, std::size_t tile, const Pack* row) {
+    if (width_ > 0) std::copy_n(row + network.memory()->after(), width_, of(tile));
+  }
+
+  /// Appends all numbers.
+  void save(std::vector<float>& to) const {
+    for (const Pack& pack : packs_) to.insert(to.end(), pack.lane, pack.lane + kLanes);
+  }
+  /// Takes them again. Returns what is behind them.
+  const float* restore(const float* from) {
+    for (Pack& pack : packs_) {
+      std::copy_n(from, kLanes, pack.lane);
+      from += kLanes;
+    }
+    return from;
+  }
+
+ private:
+  Pack* of(std::size_t tile) { return packs_.data() + tile * width_; }
+  const Pack* of(std::size_t tile) const { return packs_.data() + tile * width_; }
+
+  std::size_t width_;  // numbers of a state
+  Packs packs_;
+};
+
+/// Begins a row with the state of before, where `goes_on` is 1, or with none, where it is 0.
+inline void recall(const Network& network, const Pack& goes_on, const Pack* state, Pack* row) {
+  const Cell& cell = *network.memory();
+  for (std::size_t i = 0; i < cell.shape().state(); ++i) {
+    for (std::size_t l = 0; l < kLanes; ++l)
+      row[cell.before() + i].lane[l] = state[i].lane[l] * goes_on.lane[l];
+  }
+}
+
+}  // namespace eagerx::train

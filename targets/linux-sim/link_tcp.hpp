@@ -1,0 +1,41 @@
+// TCP lines between the programs of a split graph: who may speak, and how long nobody is waited
+// for.
+#pragma once
+
+#include <sys/socket.h>
+
+#include <cstdint>
+#include <runtime/host/key/session.hpp>
+#include <string>
+
+namespace eagerx::linux_sim {
+
+/// What a program needs to use a key.
+struct KeyInUse {
+  const key::Functions* sodium = nullptr;  // null: there is no key
+  key::Key key{};
+};
+
+/// Whether nobody but this machine can be at the other end.
+bool is_of_this_machine(const sockaddr* address);
+/// "127.0.0.1:5000", of this end.
+std::string address_of_end(int file);
+/// Whether `address` has the form of HOST:PORT.
+bool is_tcp_address(const std::string& address);
+
+inline constexpr const char* kNeedsKey =
+    "beyond this machine TCP needs a key\n"
+    "help: `eagerx-gen key new FILE` writes one; both sides take it with `--key FILE`";
+
+/// Connects the non-blocking socket `file` until `until_ns` of CLOCK_MONOTONIC. Returns errno.
+int connect_until(int file, const sockaddr* address, socklen_t size, std::uint64_t until_ns);
+
+/// The greeting of who connects. Empty, and `records` is open; or what is wrong.
+std::string greet(int file, const KeyInUse& key, std::uint64_t until_ns, key::Records& records);
+
+/// Waits for one who has the key; everybody else is dropped meanwhile, and nobody has longer than
+/// `greeting_s`. Returns its socket, or -1: errno says why. `say` is told of strangers.
+int accept_known(int listener, const KeyInUse& key, int greeting_s,
+                 void (*say)(const std::string& text), key::Records& records);
+
+}  // namespace eagerx::linux_sim

@@ -1,0 +1,143 @@
+// What strangers send to a line with a key: greetings, records, and files that are no keys.
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <runtime/host/key/key_file.hpp>
+#include <runtime/host/key/session.hpp>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace eagerx;
+using Line = std::vector<std::uint8_t>;
+
+const key::Functions& functions() {
+  static std::string problem;
+  static const key::Functions* const found = key::sodium(problem);
+  if (found == nullptr) std::abort();
+  return *found;
+}
+
+key::Key key_of(std::uint8_t byte) {
+  key::Key key;
+  key.fill(byte);
+  return key;
+}
+
+Line said_by(key::Greeting& who) {
+  const key::Bytes bytes = who.to_send();
+  const Line copy(bytes.begin(), bytes.end());
+  who.sent();
+  return copy;
+}
+
+/// Nobody without the key is let in, whatever is said and in whatever pieces.
+void greet_stranger(key::Role role, const std::uint8_t* data, std::size_t size) {
+  key::Greeting greeting;
+  greeting.begin(functions(), key_of(1), role);
+  for (std::size_t at = 0; at < size;) {
+    const std::size_t piece = std::min<std::size_t>(data[at] % 64U + 1U, size - at);
+    const std::size_t taken = std::min(piece, greeting.wanted());
+    if (taken == 0 || !greeting.take({data + at, taken})) break;
+    if (greeting.to_send().size() > key::Greeting::kMostBytes) std::abort();
+    greeting.sent();
+    at += taken;
+  }
+  if (greeting.is_done()) std::abort();
+}
+
+struct Session {
+  key::Records hub, part;
+  Session() {
+    key::Greeting connector, listener;
+    connector.begin(functions(), key_of(1), key::Role::connects);
+    listener.begin(functions(), key_of(1), key::Role::listens);
+    if (!listener.take(said_by(connector)) || !connector.take(said_by(listener)) ||
+        !listener.take(said_by(connector)))
+      std::abort();
+    connector.go_on(hub);
+    listener.go_on(part);
+  }
+};
+
+/// Opens all that comes; how many records of `text` it was. Anything else is a forgery that passed.
+int open_all(key::Records& by, const Line& line, const Line& text) {
+  std::vector<std::uint8_t> bytes(key::Records::kMostBytes);
+  int opened = 0;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t count = std::min(by.room().size(), line.size() - at);
+    std::copy_n(line.begin() + static_cast<std::ptrdiff_t>(at), count, by.room().begin());
+    by.take(count);
+    at += count;
+    for (bool more = true; more;) {
+      std::size_t size = 0;
+      switch (by.open(bytes.data(), size)) {
+        case key::Records::Found::record:
+          if (size != text.size() || !std::equal(text.begin(), text.end(), bytes.begin()))
+            std::abort();
+          ++opened;
+          break;
+        case key::Records::Found::forged:
+          if (size != 0) std::abort();
+          return opened;
+        case key::Records::Found::end:
+          std::abort();  // nobody has said so
+        case key::Records::Found::nothing:
+          more = false;
+      }
+    }
+  }
+  return opened;
+}
+
+/// One right record, then what the data are, as they are or as a change of the next record.
+void send_records(const std::uint8_t* data, std::size_t size) {
+  Session session;
+  const Line text(data, data + std::min(size, key::Records::kMostBytes));
+  if (text.empty()) return;
+  const auto sealed = [&] {
+    Line line(key::Records::kMostSealed);
+    line.resize(session.hub.seal(text.data(), text.size(), line.data()));
+    return line;
+  };
+  Line line = sealed(), next = sealed();
+  const std::uint8_t changes = data[size - 1] | 1U;  // never 0
+  next[(data[0] | std::size_t{data[size / 2]} << 8U) % next.size()] ^= changes;
+  line.insert(line.end(), next.begin(), next.end());
+  line.insert(line.end(), data, data + size);
+  if (open_all(session.part, line, text) != 1) std::abort();
+  Session other;
+  open_all(other.part, Line(data, data + size), {});
+}
+
+void read_file(const std::uint8_t* data, std::size_t size) {
+  static const int file = memfd_create("key", MFD_CLOEXEC);
+  static const std::string path = "/proc/self/fd/" + std::to_string(file);
+  if (ftruncate(file, 0) != 0 || fchmod(file, 0600) != 0 ||
+      pwrite(file, data, size, 0) != static_cast<ssize_t>(size))
+    std::abort();
+  key::Key key{};
+  const std::string problem = key::read_key(path, key);
+  if (problem.empty() && size != 82) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  greet_stranger(key::Role::listens, data, size);
+  greet_stranger(key::Role::connects, data, size);
+  Line titled(key::Greeting::kTitle.begin(), key::Greeting::kTitle.end());
+  titled.insert(titled.end(), data, data + size);
+  greet_stranger(key::Role::listens, titled.data(), titled.size());
+  send_records(data, size);
+  read_file(data, size);
+  return 0;
+}

@@ -1,0 +1,3 @@
+# A line with a key, and everybody who has it not.
+add_test(NAME trust COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/trust)
+set_tests_properties(trust PROPERTIES COST 600 LABELS long) # compiles five programs, and waits for greetings of five seconds
