@@ -35,6 +35,11 @@ std::string image_of(const Run& run, const Target& target, const std::string& bu
 std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program) {
   const Target& target = *program.target;
   if (target.run.empty()) return {};
+  if (!target.language.empty()) {
+    std::vector<std::string> command = target.run;
+    std::ranges::replace(command, std::string("{image}"), program.image);
+    return command;
+  }
   if (target.toolchain.empty()) return {program.image};
   return {(fs::path(run.root) / "targets" / "run").string(),
           is_own(run, target) ? folder_of(run, target) : target.id.value, program.image};
@@ -55,7 +60,16 @@ namespace {
 struct Planned {
   BuiltProgram program;
   Tree tree;
+  bool is_compiled = true;
 };
+
+/// Whether a target has something to compile: each that makes a project of CMake.
+bool is_compiled(const Target& target) {
+  return target.language.empty() || std::ranges::any_of(target.partner, [](const auto& item) {
+           return item.second == "CMakeLists.txt";
+         });
+}
+
 std::vector<Planned> planned(const Run& run, const GenerateOptions& options,
                              const Generated& generated) {
   const std::string& folder = generated.folder;
@@ -63,8 +77,10 @@ std::vector<Planned> planned(const Run& run, const GenerateOptions& options,
   std::vector<Planned> result;
   const auto add = [&](const Target& target, const std::string& source, bool several) {
     Tree tree = tree_of(run, options, target, source, several);
+    const bool compiled = is_compiled(target);
+    if (!compiled) tree.build = tree.source;
     BuiltProgram program{&target, tree.build, image_of(run, target, tree.build)};
-    result.push_back({std::move(program), std::move(tree)});
+    result.push_back({std::move(program), std::move(tree), compiled});
   };
   if (split) {
     for (const PlacedPart& part : run.graph->placement->parts) {
@@ -151,7 +167,8 @@ std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions o
   }
   std::vector<BuiltProgram> programs;
   for (const Planned& item : items) {
-    if (!build_program(run, item.tree, *item.program.target, title(run, item), options.quiet))
+    if (item.is_compiled &&
+        !build_program(run, item.tree, *item.program.target, title(run, item), options.quiet))
       return std::nullopt;
     programs.push_back(item.program);
   }

@@ -1,17 +1,12 @@
 // eagerx-gen campaign: many runs are the work of eagerx-campaign (targets/environments/campaign).
 #include "targets/environments/options/campaign.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <filesystem>
 #include <string_view>
 
 #include "generator/cli/arguments.hpp"
-#include "generator/cli/become.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
-#include "generator/cli/paths.hpp"
+#include "generator/cli/ranks.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -41,53 +36,16 @@ std::string command_of_one_run(const GenerateOptions& options) {
   return text;
 }
 
-constexpr const char* kAlone = "eagerx-campaign";
-
-/// What mpirun tells its processes; 0 of 1 for one that it has not started.
-struct Rank {
-  long number = 0, size = 1;
-};
-Rank rank_of_this() {
-  using Names = std::array<const char*, 2>;
-  constexpr std::array kNames = {Names{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},  // Open MPI
-                                 Names{"PMI_RANK", "PMI_SIZE"}};                         // MPICH
-  for (const Names& names : kNames) {
-    const char* const number = std::getenv(names[0]);
-    const char* const size = std::getenv(names[1]);
-    if (number != nullptr && size != nullptr)
-      return {std::strtol(number, nullptr, 10), std::strtol(size, nullptr, 10)};
-  }
-  return {};
-}
-
-/// Rank 0 builds the library, and the others get it from there.
-int become_rank(const Rank& rank, const GenerateOptions& options, std::vector<std::string> words) {
-  constexpr const char* kProgram = "eagerx-campaign-mpi";
-  const std::string program = helper_program(kProgram);
-  std::error_code error;
-  if (!std::filesystem::exists(program, error)) {
-    if (rank.number == 0)
-      complain(
-          "error: this eagerx-gen was built without MPI\n"
-          "help: `toolchains/install-packages mpi`, and build it with `cmake -DEAGERX_MPI=ON`\n");
-    return kInputOutput;
-  }
-  if (rank.number == 0)
-    return become_with_environments({kProgram, kAlone}, options, std::move(words));
-  words.insert(words.begin(), "the library of rank 0");
-  return become(program, words);
-}
-
 struct CampaignOptions : EnvironmentsOptions {};
 
 int perform(const CampaignOptions& options) {
   GenerateOptions campaign = options;
   campaign.purpose = Purpose::campaign;
-  std::vector<std::string> words = options.of_program;
-  words.insert(words.end(), {"--replay", command_of_one_run(options)});
-  if (const Rank rank = rank_of_this(); rank.size > 1)
-    return become_rank(rank, campaign, std::move(words));
-  return become_with_environments({kAlone, kAlone}, campaign, std::move(words));
+  return become_in_ranks("eagerx-campaign", campaign, [&](std::vector<std::string>& words) {
+    words = options.of_program;
+    words.insert(words.end(), {"--replay", command_of_one_run(options)});
+    return int{kDone};
+  });
 }
 
 Command table(CampaignOptions& options) {

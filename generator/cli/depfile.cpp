@@ -38,6 +38,7 @@ std::string depfile_text(const Run& run, const GenerateOptions& options) {
   for (const auto& [id, item] : run.library.targets) {
     for (const auto& [file, output] : item.templates) inputs.push_back(file);
     for (const auto& [file, output] : item.partner) inputs.push_back(file);
+    for (const auto& [file, output] : item.yours) inputs.push_back(file);
   }
   std::sort(inputs.begin() + 1, inputs.end());
   std::string text = escaped(target) + ":";

@@ -4,11 +4,26 @@
 
 #include "generator/cli/built.hpp"
 #include "generator/cli/targets.hpp"
+#include "generator/languages/package.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The program of a part, in whatever language, and what it says with its hub. `hash`: of the
+/// graph, 0 as long as nobody knows it: what it is made of is the same in every language.
+std::optional<std::vector<GeneratedFile>> emit_part(Run& run, const EmitOptions& options,
+                                                    std::size_t part, std::uint64_t hash) {
+  const PlacedPart& placed = run.graph->placement->parts[part];
+  if (hash != 0 && !placed.target->language.empty())
+    return emit_language(*run.plan, part, hash, options.version, run.diagnostics);
+  auto files = emit_whole(run, options);
+  if (files && hash != 0)
+    files->push_back({kLayoutFile, layout_json(*run.plan, layout_of_part(*run.plan, part),
+                                               hash_of_part(hash, placed.name), options.version)});
+  return files;
+}
 
 /// All programs of a placed graph: the hub in the folder `host`, each part in one of its name.
 std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions& options) {
@@ -18,10 +33,12 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
     of_part.part = part;
     of_part.graph_hash = hash;
     of_part.output = options.output + "/" + folder;
-    if (part.is_placed()) of_part.targets = {run.graph->placement->parts[part.index()].target};
-    auto made = emit_whole(run, of_part);
+    if (part.is_placed() && hash != 0)
+      of_part.targets = {run.graph->placement->parts[part.index()].target};
+    auto made =
+        part.is_placed() ? emit_part(run, of_part, part.index(), hash) : emit_whole(run, of_part);
     for (auto& file : made.value_or(std::vector<GeneratedFile>()))
-      files.push_back({folder + "/" + file.path, std::move(file.text)});
+      files.push_back({folder + "/" + file.path, std::move(file.text), file.yours});
     return made.has_value();
   };
   const auto add_all = [&](std::uint64_t hash) {
@@ -31,11 +48,18 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
       if (!add(Part::placed(part), parts[part].name, hash)) return false;
     return true;
   };
-  // What the hash is made of comes first, with 0 in its place.
-  if (!add_all(0)) return std::nullopt;
+  // What the hash is made of comes first, with 0 in its place. Where a part runs, and in which
+  // language it is written, changes nothing of what it says.
+  auto& parts = run.graph->placement->parts;
+  const std::vector<PlacedPart> placed = parts;
+  static const Target kAnywhere{};
+  for (PlacedPart& part : parts) part = {part.name, &kAnywhere, {}, part.span};
+  const bool made = add_all(0);
+  parts = placed;
+  if (!made) return std::nullopt;
   const std::uint64_t hash = hash_of(files);
   files.clear();
-  add_all(hash);
+  if (!add_all(hash)) return std::nullopt;
   return files;
 }
 

@@ -13,6 +13,7 @@
 #include "generator/cli/judge.hpp"
 #include "generator/cli/next_steps.hpp"
 #include "generator/cli/packages.hpp"
+#include "generator/cli/part_package.hpp"
 #include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
 
@@ -37,11 +38,14 @@ void check_output_path(Run& run, const std::string& path) {
 
 std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options, int& code) {
   Generated generated;
+  const bool is_part = !options.part.empty();
+  if (is_part && !choose_language(run, options)) return std::nullopt;
   auto targets = judged_targets(run, options);
   if (!targets) return std::nullopt;
   generated.targets = std::move(*targets);
   const std::string folder =
-      options.output.empty() ? "generated/" + run.graph->name : options.output;
+      options.output.empty() ? "generated/" + run.graph->name + (is_part ? "-" + options.part : "")
+                             : options.output;
   generated.folder = folder;
   check_output_path(run, fs::absolute(folder).lexically_normal().string());
   check_headers(*run.plan, fs::absolute(folder).lexically_normal().string(), run.diagnostics);
@@ -52,7 +56,8 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
   const bool standalone = is_standalone(options);
   const bool bare = is_bare(options);
   if (standalone) emit_options.header_folder = kHeaderFolder;
-  const std::vector<Package> packages = read_packages(run, options);
+  const std::vector<Package> packages =
+      is_part ? std::vector<Package>() : read_packages(run, options);
   check_for_packages(run, options);
   emit_options.extra = templates_of(run, options, packages);
   emit_options.cmake = !bare;
@@ -68,6 +73,7 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
   }
   if (run.diagnostics.has_errors()) return std::nullopt;
   auto files = emit_program(run, emit_options);
+  if (files && is_part) keep_part(options.part, *files);
   if (files && standalone &&
       !carry_along(run, emit_options.targets, emit_options.output, bare, *files))
     files.reset();
@@ -98,8 +104,11 @@ int perform(const GenerateOptions& options) {
     say("{}: {} files written, {} unchanged{}\n", generated->folder, generated->written,
         generated->unchanged,
         generated->kept == 0 ? "" : fmt::format(", {} of yours left as they are", generated->kept));
-    if (!is_bare(options))
+    if (!options.part.empty()) {
+      say("{}", next_steps_of_part(run, options.part, generated->folder));
+    } else if (!is_bare(options)) {
       say("{}", next_steps(run, options, generated->targets, generated->folder));
+    }
     say("{}", next_steps(run, options, generated->packages, generated->folder));
   }
   return std::max(finish(run, options), code);
@@ -117,10 +126,13 @@ Arguments outputs(GenerateOptions& options) {
           "others becomes its actions and observations. May be repeated"),
       flag("--standalone", options.standalone,
            "also write everything that is needed to compile the output"),
+      text("--part", options.part,
+           "write only this part of a placed graph, in the language that `--package` names",
+           "PART"),
       texts("--package", options.packages,
             "make the output standalone and a package: arduino, esp-idf, platformio or zephyr; "
             "with --library a controller for hardware, without it an episode of the simulation; "
-            "may be repeated",
+            "may be repeated. With `--part` a language: python",
             "NAME"),
       writes(text("--depfile", options.depfile,
                   "also write the files that the output depends on; the make target is FILE "
@@ -139,6 +151,8 @@ Command table(GenerateOptions& options) {
                         "eagerx-gen generate pendulum.yaml --standalone"},
                        {"a controller to flash with Arduino's tools",
                         "eagerx-gen generate controller.yaml --library --package arduino"},
+                       {"part `vision` of a placed graph in Python, to fill in",
+                        "eagerx-gen generate robot.yaml --part vision --package python -o vision"},
                        {"the controller of a graph with its plant, for a main loop of your own",
                         "eagerx-gen generate robot.yaml --library --of controller"}},
           .arguments = joined({{graph(options)},

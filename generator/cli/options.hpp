@@ -49,6 +49,7 @@ struct GraphOptions : LibraryOptions {
 struct GenerateOptions : GraphOptions {
   std::string output;  // a folder; empty: generated/<name of the graph>
   std::string depfile;
+  std::string part;  // of a placed graph: only this one, in the language that `packages` names
   std::vector<std::string> packages;  // kinds of packages that the output is to be as well
   bool library = false;               // headers for a main loop of one's own, no program
   bool standalone = false;            // the output has all headers it needs

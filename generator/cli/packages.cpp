@@ -92,7 +92,7 @@ std::vector<Package> read_packages(Run& run, const GenerateOptions& options) {
 }
 
 bool is_standalone(const GenerateOptions& options) {
-  return options.standalone || !options.packages.empty();
+  return options.standalone || (options.part.empty() && !options.packages.empty());
 }
 
 bool is_bare(const GenerateOptions& options) {

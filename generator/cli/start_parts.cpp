@@ -65,23 +65,39 @@ std::uint32_t port_of(const Run& run, const PlacedPart& part) {
   return kFirst + static_cast<std::uint32_t>(&part - run.graph->placement->parts.data());
 }
 
-/// What is typed on the other machine, and what here.
-std::string how_elsewhere(const PlacedPart& part, const std::string& image, std::uint32_t port,
-                          const std::string& key) {
-  const std::string there = shell_word(fs::path(image).filename().string());
+/// What is brought to another machine, and what is typed there beside it: a program, or the folder
+/// of one that is interpreted.
+std::pair<std::string, std::string> to_copy(const Run& run, const BuiltProgram& program) {
+  const fs::path image = program.image;
+  const auto command = command_to_start(run, program);
+  if (program.target->language.empty() || command.empty() || command.front() == program.image)
+    return {program.image, "./" + shell_word(image.filename().string())};
+  const fs::path folder = image.parent_path();
+  return {folder.string(), command.front() + " " + shell_word(folder.filename().string())};
+}
+
+/// What is typed on the other machine, and what here. Parts in other languages take no keys.
+std::string how_elsewhere(const Run& run, const BuiltProgram& program, const std::string& key) {
+  const PlacedPart& part = *program.part;
+  const std::uint32_t port = port_of(run, part);
+  const auto [what, there] = to_copy(run, program);
   const std::string host = shell_word(part.host);
-  if (!key.empty())
+  const bool takes_keys = program.target->language.empty();
+  if (!key.empty() && takes_keys)
     return fmt::format(
-        "copy {} and {} there and type `./{} --listen 0.0.0.0:{} --key {}`; then add "
+        "copy {} and {} there and type `{} --listen 0.0.0.0:{} --key {}`; then add "
         "`--link {}={}:{}`",
-        shell_word(image), shell_word(key), there, port,
+        shell_word(what), shell_word(key), there, port,
         shell_word(fs::path(key).filename().string()), part.name, host, port);
-  return fmt::format(
-      "copy {} there and type `./{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
-      "`--link {}=localhost:{}`. Without ssh it takes a key: `eagerx-gen key new {}.key`, then "
-      "this "
-      "command with `--key {}.key`",
-      shell_word(image), there, port, port, port, host, part.name, port, part.name, part.name);
+  const std::string text = fmt::format(
+      "copy {} there and type `{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
+      "`--link {}=localhost:{}`",
+      shell_word(what), there, port, port, port, host, part.name, port);
+  if (!takes_keys) return text;
+  return text + fmt::format(
+                    ". Without ssh it takes a key: `eagerx-gen key new {}.key`, then this command "
+                    "with `--key {}.key`",
+                    part.name, part.name);
 }
 
 void tell_elsewhere(Run& run, const BuiltProgram& program, const std::vector<std::string>& words) {
@@ -90,7 +106,7 @@ void tell_elsewhere(Run& run, const BuiltProgram& program, const std::vector<std
       .error(
           "E0518", part.span,
           fmt::format("part `{}` runs on {}, where nobody here can start it", part.name, part.host))
-      .help = how_elsewhere(part, program.image, port_of(run, part), key_of(part, words));
+      .help = how_elsewhere(run, program, key_of(part, words));
 }
 
 }  // namespace
@@ -134,7 +150,7 @@ bool start_parts(Run& run, const std::vector<BuiltProgram>& programs,
     } else {
       command.insert(command.end(), {"--listen", "unix:" + socket});
     }
-    if (command.front() != program->image) {
+    if (command.front() != program->image && program->target->language.empty()) {
       of_board.insert(of_board.begin(), {"--time-limit", "0"});  // as long as the hub runs
       command.insert(command.begin() + 2, of_board.begin(), of_board.end());
     }

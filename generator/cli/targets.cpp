@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "generator/cli/build_tree.hpp"
+#include "generator/languages/layout.hpp"
 #include "generator/read/text.hpp"
 #include "generator/resolve/needs.hpp"
 
@@ -53,6 +54,13 @@ void check_serial_port(Run& run, const Target& target) {
 
 /// Whether the graph, or the part of it that stays on Linux, can run there.
 void check_target(Run& run, const Target& target) {
+  if (!target.language.empty()) {
+    run.diagnostics
+        .error("E0334", {},
+               fmt::format("target `{}` runs a part of a graph, not all of it", target.id.value))
+        .help = fmt::format("place nodes there: `--split NODE=PART:{}`", target.id.value);
+    return;
+  }
   check_serial_port(run, target);
   const bool split = run.graph->placement.has_value();
   check_system(*run.graph, split ? Part::hub : Part::whole, target, run.library, run.diagnostics);
@@ -133,7 +141,8 @@ std::vector<const Target*> find_targets(Run& run, const GraphOptions& options) {
       continue;
     }
     std::vector<std::string> known;
-    for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
+    for (const auto& [id, target] : run.library.all_targets())
+      if (target.language.empty()) known.push_back(id);
     run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", wanted)).help =
         suggestion(wanted, known);
   }
@@ -141,6 +150,7 @@ std::vector<const Target*> find_targets(Run& run, const GraphOptions& options) {
        ++part) {
     const Target& target = *run.graph->placement->parts[part].target;
     check_filled(run, target);
+    if (!target.language.empty()) check_languages(*run.plan, part, run.diagnostics);
     check_system(*run.graph, Part::placed(part), target, run.library, run.diagnostics);
   }
   return result;

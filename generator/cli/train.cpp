@@ -6,6 +6,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/ranks.hpp"
 #include "generator/cli/train_settings.hpp"
 #include "generator/cli/train_sweep.hpp"
 
@@ -20,21 +21,22 @@ struct TrainOptions : EnvironmentsOptions {
 int perform(const TrainOptions& options) {
   GenerateOptions training = options;
   training.purpose = Purpose::training;
-  std::vector<std::string> words;
-  if (!options.settings.empty()) {
-    Run run;
-    const auto read = read_train_settings(options.settings, run.sources, run.diagnostics);
-    if (!read) return finish(run, options);
-    words = *read;
-  }
-  if (!options.sweep.empty()) {
-    Run run;
-    const auto read = read_train_sweep(options.sweep, run.sources, run.diagnostics);
-    if (!read) return finish(run, options);
-    words.insert(words.end(), read->begin(), read->end());
-  }
-  words.insert(words.end(), options.of_program.begin(), options.of_program.end());
-  return become_with_environments({"eagerx-train", "eagerx-train"}, training, words);
+  return become_in_ranks("eagerx-train", training, [&](std::vector<std::string>& words) {
+    if (!options.settings.empty()) {
+      Run run;
+      const auto read = read_train_settings(options.settings, run.sources, run.diagnostics);
+      if (!read) return finish(run, options);
+      words = *read;
+    }
+    if (!options.sweep.empty()) {
+      Run run;
+      const auto read = read_train_sweep(options.sweep, run.sources, run.diagnostics);
+      if (!read) return finish(run, options);
+      words.insert(words.end(), read->begin(), read->end());
+    }
+    words.insert(words.end(), options.of_program.begin(), options.of_program.end());
+    return int{kDone};
+  });
 }
 
 Command table(TrainOptions& options) {
@@ -52,7 +54,9 @@ Command table(TrainOptions& options) {
            {"over settings: a table of how good each is, and the best policy",
             "eagerx-gen train robot.yaml --sweep sweep.yaml --csv settings.csv"},
            {"fine-tune for another graph what was learnt on this one",
-            "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"}},
+            "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"},
+           {"on four processes, for an eagerx-gen with MPI: the same policy, sooner",
+            "mpirun -n 4 eagerx-gen train robot.yaml"}},
       .arguments = joined(
           {{graph(options),
             reads(text("--settings", options.settings,

@@ -150,6 +150,9 @@ class FactCollector {
     add("terminated", task.terminated);
     add("truncated", task.truncated);
     add("success", task.success);
+    for (const ObservationNoise& each : task.noise)
+      facts_["task.noise." + each.observation] = each.text;
+    for (const CriticInput& each : task.critic) facts_["task.critic." + each.name] = "seen";
     if (task.after > 0) facts_["task.truncated.after"] = fmt::format("{} steps", task.after);
   }
 

@@ -77,7 +77,9 @@ class Emitter {
     } else {
       add("CMakeLists.txt", "cpp/CMakeLists.txt.mustache", cmake_view());
     }
-    for (const Target* target : options_.targets) add_target(*target);
+    for (const Target* target : options_.targets) {
+      if (target->language.empty()) add_target(*target);
+    }
     for (const auto& item : options_.extra) add_extra(item);
     if (failed_) return std::nullopt;
     return std::move(files_);
@@ -294,7 +296,7 @@ class Emitter {
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
   std::uint64_t hash = host::fnv1a({});
   for (const auto& file : files) {
-    if (file.path.ends_with("/program.map")) continue;
+    if (!file.path.ends_with(".hpp")) continue;
     hash = host::fnv1a(file.path, hash);
     for (std::string_view rest = file.text; !rest.empty();) {
       const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);

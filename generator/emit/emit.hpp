@@ -41,8 +41,9 @@ struct EmitOptions {
                                        // otherwise 0, and it is made of this program's headers
 };
 
-/// A hash of all texts, for EmitOptions::graph_hash: without program.map, which says where the
-/// graph says something, and without the paths of headers of its own, which depend on the output's.
+/// A hash of all headers, for EmitOptions::graph_hash: without what targets add, as a part says the
+/// same in every language and on every machine, and without the paths of headers of its own, which
+/// depend on the output's.
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
 
 /// What a program that was emitted says of its graph: kGraphHash. Nothing if it says none.

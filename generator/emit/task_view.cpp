@@ -24,12 +24,15 @@ View lines_view(const std::vector<std::string>& lines) {
 
 /// What a task's expressions read.
 struct Used {
-  std::vector<bool> variable, before;  // by input
+  std::vector<bool> variable, before, by_critic;  // by input
   bool time = false;
 };
 
 Used used_by(const Task& task, std::size_t inputs) {
-  Used used{std::vector<bool>(inputs), std::vector<bool>(inputs)};
+  Used used{std::vector<bool>(inputs), std::vector<bool>(inputs), std::vector<bool>(inputs)};
+  for (const CriticInput& seen : task.critic) {
+    if (seen.input) used.by_critic[*seen.input] = true;
+  }
   for (const auto* expressions : {&task.terms, &task.terminated, &task.truncated, &task.success}) {
     for (const TaskExpression& expression : *expressions) {
       for_each_part(expression.value, [&](const TypedExpression& part) {
@@ -105,12 +108,23 @@ class TaskView {
     // By the clock, the first action may come after tick 0.
     std::string first_tick = "tick.n == 0";
     for (std::size_t i = 0; graph_.asynchronous && i < node_.inputs.size(); ++i) {
-      if (node_.inputs[i].skip && (used_.variable[i] || used_.before[i]))
+      if (node_.inputs[i].skip && (used_.variable[i] || used_.before[i] || used_.by_critic[i]))
         first_tick += fmt::format(" || in.{}.empty()", node_.inputs[i].name);
     }
+    View critic = list();
+    for (const CriticInput& seen : task_.critic) {
+      if (!seen.input) continue;
+      const Input& input = node_.inputs[*seen.input];
+      View item = object();
+      item.set("input", input.name);
+      item.set("has_first", !input.skip);
+      critic.push_back(item);
+      first = first || !input.skip;
+    }
     view_.set("is_first", first_tick);
-    view_.set("uses_inputs", locals.is_non_empty_list());
+    view_.set("uses_inputs", locals.is_non_empty_list() || critic.is_non_empty_list());
     view_.set("begins_with_inputs", first);
+    view_["critic"] = std::move(critic);
     view_["locals"] = std::move(locals);
     view_["members"] = std::move(members);
   }
@@ -198,6 +212,34 @@ View names_view(const std::vector<TaskExpression>& expressions) {
   return view;
 }
 
+/// What the critic of a training sees: messages of the outcome, and names of states.
+struct Seen {
+  std::uint64_t numbers = 0;  // of the messages
+  View messages = list();
+  View states = View(false);
+};
+
+Seen seen_by_critic(const Plan& plan, const ProgramNames& names) {
+  Seen seen;
+  std::vector<std::string> states;
+  for (const CriticInput& each : plan.graph->task->critic) {
+    if (!each.input) {
+      states.push_back(cpp_string(each.name));
+      continue;
+    }
+    View item = object();
+    item.set("name", each.name);
+    item.set("type", names.message(each.space));
+    item.set("space", each.space.describe());
+    seen.messages.push_back(item);
+    seen.numbers += each.space.size();
+  }
+  if (states.empty()) return seen;
+  seen.states = object();
+  seen.states.set("names", joined(states));
+  return seen;
+}
+
 }  // namespace
 
 View task_view(const Plan& plan) {
@@ -221,13 +263,22 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   for (const std::size_t ring : plan.nodes[task->node].rings)
     places.push_back(ring_place(plan, names, ring, seq));
   const auto first_term = places.begin() + Task::term;
-  terms.assign(first_term, places.end());
-  places.erase(first_term, places.end());
+  const auto first_seen = first_term + static_cast<std::ptrdiff_t>(task->terms.size());
+  terms.assign(first_term, first_seen);
   const std::array<const char*, Task::term> names_of_outputs = {"reward", "terminated", "truncated",
                                                                 "success"};
   std::vector<FieldValue> values;
   for (std::size_t i = 0; i < Task::term; ++i) values.push_back({names_of_outputs[i], places[i]});
   values.push_back({"terms", braced({braced(terms)})});
+  auto place = first_seen;
+  for (const CriticInput& each : task->critic) {
+    if (each.input) values.push_back({"critic_" + each.name, *place++});
+  }
+  Seen seen = seen_by_critic(plan, names);
+  view.set("seen", fmt::format("{}", seen.numbers));
+  view.set("has_critic", seen.messages.is_non_empty_list());
+  view["critic"] = std::move(seen.messages);
+  view["critic_states"] = std::move(seen.states);
   view.set("values", designated(values));
   View fields = list();
   for (std::size_t i = 0; i < task->terms.size(); ++i) {

@@ -109,7 +109,8 @@ struct Entity {
   Spanned<std::string> id;
   std::vector<EagerxId> eagerx_ids;
   std::string summary, description;
-  CppClass cpp;
+  CppClass cpp;        // of a node in Python alone without a name
+  std::string python;  // nodes: the file with its class in Python, which is called as the id
   std::optional<CppClass> cpp_of_packs;  // where it is another class
   CppClass simulator;                    // engines
   std::vector<std::string> engines;  // engine nodes and states: where they work; empty: everywhere
@@ -156,7 +157,9 @@ struct Target {
   std::vector<std::pair<std::string, std::string>>
       templates;  // template file (full path) → output name
   std::vector<std::pair<std::string, std::string>>
-      partner;  // the same of the board's half of a split graph; empty: it cannot be one
+      partner;           // the same of the board's half of a split graph; empty: it cannot be one
+  std::string language;  // of a part's program that is not of C++; empty: C++
+  std::vector<std::pair<std::string, std::string>> yours;  // as `partner`, written once
   std::string cmake, toolchain;
   bool packs = false;                 // whether it also takes the program over packs of numbers
   std::string system;                 // its operating system; empty: none

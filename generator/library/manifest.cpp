@@ -132,6 +132,19 @@ CppClass read_cpp(const YamlValue& yaml, const fs::path& folder, Diagnostics& di
   return result;
 }
 
+/// A node has a class in C++, or is written in Python, or both.
+void read_python(const YamlValue& root, const fs::path& folder, Entity& entity,
+                 Diagnostics& diagnostics) {
+  if (entity.kind != EntityKind::node || entity.composite) return;
+  const std::string file = text_at(root, "python");
+  if (!file.empty()) entity.python = (folder / file).lexically_normal().string();
+  const bool has_header = root.find("header") != nullptr, has_class = root.find("class") != nullptr;
+  if (has_header && has_class) return;
+  if (has_header != has_class || file.empty())
+    diagnostics.error("E0202", root.span,
+                      fmt::format("missing key `{}` in a node", has_header ? "class" : "header"));
+}
+
 EntityKind entity_kind(const std::string& word) {
   if (word == "engine") return EntityKind::engine;
   if (word == "engine_node") return EntityKind::engine_node;
@@ -254,6 +267,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::
   entity.path = path;
   if (root.find("graph") != nullptr) entity.composite = std::make_shared<const YamlValue>(root);
   entity.cpp = read_cpp(root, folder, diagnostics);
+  read_python(root, folder, entity, diagnostics);
   entity.counts = texts_at(root, "counts");
   entity.packages = texts_at(root, "pkg_config");
   if (const YamlValue* system = root.find("system")) entity.system = {system->text, system->span};
@@ -333,6 +347,10 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   };
   read_templates("templates", target.templates);
   read_templates("partner", target.partner);
+  read_templates("yours", target.yours);
+  target.language = text_at(root, "language");
+  if (target.language.empty() && root.find("cmake") == nullptr)
+    diagnostics.error("E0202", target.id.span, "missing key `cmake` in a target");
   target.packs = text_at(root, "packs") == "true";
   target.cmake = text_at(root, "cmake");
   target.toolchain = text_at(root, "toolchain");

@@ -117,15 +117,22 @@ FormatPtr system_format() {
   return format::keyword({"linux"});
 }
 
-Fields cpp() {
-  return {{"header", header_format(), true, "header beside the manifest"},
-          {"class", format::text("a C++ class template"), true, "C++ class template over its Io"},
-          {"pkg_config",
-           format::list("a list of names of libraries", format::file_name("the name of a library")),
-           false, "pkg-config's names of the libraries that it needs"},
-          {"system", system_format(), false, "the operating system it needs (default: none)"},
-          {"family", format::name("a family of boards"), false,
-           "the family of boards it needs (default: none)"}};
+Fields cpp(bool is_needed = true) {
+  return {
+      {"header", header_format(), is_needed, "header beside the manifest"},
+      {"class", format::text("a C++ class template"), is_needed, "C++ class template over its Io"},
+      {"pkg_config",
+       format::list("a list of names of libraries", format::file_name("the name of a library")),
+       false, "pkg-config's names of the libraries that it needs"},
+      {"system", system_format(), false, "the operating system it needs (default: none)"},
+      {"family", format::name("a family of boards"), false,
+       "the family of boards it needs (default: none)"}};
+}
+
+Fields python() {
+  return {{"python", format::path("a file in Python", true), false,
+           "file beside the manifest with a class of the name `id`, for parts in Python; without "
+           "`header` and `class` it is one of these alone"}};
 }
 
 /// Of what ticks or converts; a reset runs alone.
@@ -229,28 +236,34 @@ FormatPtr target_format() {
       "a target",
       // Boards have names such as mps2-an386.
       about("target", format::file_name("the id of a target")) +
-          Fields{{"templates", templates_format(), false, "files made for each graph"},
-                 {"partner", templates_format(), false,
-                  "files made for the board's half of a split graph"},
-                 {"packs", format::boolean(), false,
-                  "whether the program over packs of numbers is made, too (default: false)"},
-                 {"cmake", format::path("a CMake file", true), true,
-                  "the CMake file that defines eagerx_configure_target"},
-                 {"toolchain", format::file_name("a toolchain file"), false, "in toolchains/"},
-                 // For people and for CMake; a board in the making has blanks here.
-                 {"cpu", format::text("a processor core"), false, "the processor core"},
-                 {"clock_hz", format::text("a frequency in Hz"), false, "the core's clock"},
-                 {"baud", format::integer("a baud rate", 1, kMostBaud), false,
-                  "speed of the serial port, which then takes telemetry"},
-                 {"flash", texts(), false, "origin and size of the memory for code"},
-                 {"ram", texts(), false, "origin and size of the memory for data"},
-                 {"system", system_format(), false, "its operating system (default: none)"},
-                 {"family", format::name("a family of boards"), false,
-                  "the family of boards that it belongs to (default: none)"},
-                 {"run", texts(), false, "command that runs an image"},
-                 {"image", format::text("a file name"), false,
-                  "the file that is built; `{name}` is the graph's name (default: {name}, and "
-                  "{name}.elf without an operating system)"}});
+          Fields{
+              {"templates", templates_format(), false, "files made for each graph"},
+              {"partner", templates_format(), false,
+               "files made for the board's half of a split graph"},
+              {"language", format::text("a language"), false,
+               "the language of `partner`, if it is not C++: templates get messages and nodes of "
+               "the part"},
+              {"yours", templates_format(), false,
+               "with `language`: files that are written once, and then the user's"},
+              {"packs", format::boolean(), false,
+               "whether the program over packs of numbers is made, too (default: false)"},
+              {"cmake", format::path("a CMake file", true), false,
+               "the CMake file that defines eagerx_configure_target"},
+              {"toolchain", format::file_name("a toolchain file"), false, "in toolchains/"},
+              // For people and for CMake; a board in the making has blanks here.
+              {"cpu", format::text("a processor core"), false, "the processor core"},
+              {"clock_hz", format::text("a frequency in Hz"), false, "the core's clock"},
+              {"baud", format::integer("a baud rate", 1, kMostBaud), false,
+               "speed of the serial port, which then takes telemetry"},
+              {"flash", texts(), false, "origin and size of the memory for code"},
+              {"ram", texts(), false, "origin and size of the memory for data"},
+              {"system", system_format(), false, "its operating system (default: none)"},
+              {"family", format::name("a family of boards"), false,
+               "the family of boards that it belongs to (default: none)"},
+              {"run", texts(), false, "command that runs an image"},
+              {"image", format::text("a file name"), false,
+               "the file that is built; `{name}` is the graph's name (default: {name}, and "
+               "{name}.elf without an operating system)"}});
 }
 
 /// Ports of a composite: what they are bound to. Spaces are those of the ports inside.
@@ -299,8 +312,8 @@ std::vector<std::string> manifest_kinds() {
 
 const Format* manifest_format(std::string_view kind) {
   static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
-      {"node",
-       format::record("a node", common("node") + cpp() + packs() + config() + node_ports(true))},
+      {"node", format::record("a node", common("node") + cpp(false) + python() + packs() +
+                                            config() + node_ports(true))},
       {"reset_node",
        format::record("a reset node", common("reset_node") + cpp() + config() + node_ports(true) +
                                           Fields{{"targets", ports("targets", port_fields()), true,

@@ -45,12 +45,25 @@ void check_inputs(const Graph& graph, Diagnostics& diagnostics) {
       });
     }
   }
+  for (const CriticInput& seen : task.critic) {
+    if (seen.input) used[*seen.input] = true;
+  }
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i]) continue;
     diagnostics
         .warning(kCode, node.inputs[i].span,
                  fmt::format("no expression of the task reads `{}`", node.inputs[i].name))
         .help = "leave it out";
+  }
+}
+
+void check_critic(const std::vector<CriticInput>& critic, Diagnostics& diagnostics) {
+  for (const CriticInput& seen : critic) {
+    if (seen.drawn) continue;
+    auto& problem = diagnostics.warning(
+        kCode, seen.span, fmt::format("`{}` is not drawn: the critic always sees 0", seen.name));
+    problem.label = "unless the program that trains sets it";
+    problem.help = "draw it, as with `states: {mass: uniform}` of its object, or leave it out";
   }
 }
 
@@ -63,6 +76,7 @@ void check_task(const Graph& graph, Diagnostics& diagnostics) {
   check_conditions(graph.task->truncated, diagnostics);
   check_conditions(graph.task->success, diagnostics);
   check_inputs(graph, diagnostics);
+  check_critic(graph.task->critic, diagnostics);
 }
 
 }  // namespace eagerx::gen

@@ -1,10 +1,12 @@
 // The graph while it is being resolved: ports are known, spaces and connections not yet all.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -106,6 +108,7 @@ struct Draft {
   References safety = {};          // `$(safety KEY)`, in defaults of parameters
   std::optional<std::size_t> task = {};  // its node
   std::optional<std::size_t> render = {};
+  std::deque<EntitySpec> added = {};  // nodes that the graph file has not, as it would say them
   std::map<std::string, std::size_t, std::less<>> node_of_name = {};  // once all are there
 
   /// A node that no entity of the graph is: what the generator itself adds.
@@ -186,6 +189,9 @@ std::string describe(const PartialSpace& space);
 void add_environment(Draft& draft);
 void add_engine(Draft& draft, const ResolveOptions& options);
 void add_nodes(Draft& draft);
+/// One of them, whose optional inputs are there if `connected` has their names.
+DraftNode node_of(Draft& draft, const EntitySpec& spec,
+                  const std::set<std::string_view>& connected);
 void add_objects(Draft& draft);
 void add_task(Draft& draft);       // its node
 void add_render(Draft& draft);     // its node
@@ -197,6 +203,13 @@ void resolve_safety(Draft& draft);  // safe actions, in the spaces of the action
 /// Expressions of the task, once its inputs' spaces are known. Problems: E0323 a time of too many
 /// steps, E0339 an expression.
 void resolve_task(Draft& draft);
+/// What the critic of a training sees (E0307). Its inputs of the task get an output each, of the
+/// task's node, behind the terms (E0315).
+/// A node that adds noise to each observation that `task.noise` names, once it is connected (E0307,
+/// E0315).
+void add_noise(Draft& draft);
+void add_critic_outputs(Draft& draft, DraftNode& task);
+void resolve_critic(Draft& draft);
 /// Whether the source of `render:` can be shown (E0360), and which nodes only pictures need.
 void resolve_render(Draft& draft);
 void resolve_states(Draft& draft);         // how states are drawn

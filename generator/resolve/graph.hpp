@@ -225,16 +225,35 @@ struct TaskExpression {
   Span span;            // of the name
 };
 
+/// What the critic of a training sees besides the observations: an input of the task, which then
+/// has an output `critic_NAME`, or a state as the episode began with it.
+struct CriticInput {
+  std::string name;                  // "speed", "pendulum.mass"
+  std::optional<std::size_t> input;  // of the task's node; without: a state
+  Space space;
+  bool drawn = true;  // a state: at each reset
+  Span span;
+};
+
+/// Noise on an observation, which a SensorModel adds.
+struct ObservationNoise {
+  std::string observation, text;    // "angle", "0.01", "at most 0.1"
+  std::optional<std::size_t> node;  // that adds it; without: real sensors have noise of their own
+};
+
 /// Reward and end of a step: a node at the rate of the environment, whose class is generated.
 struct Task {
   std::size_t node = 0;
   std::vector<TaskExpression> terms;  // of the reward, in their order
   std::vector<TaskExpression> terminated, truncated, success;
-  std::uint64_t after = 0;      // steps of an episode that is cut off; 0: none is
-  std::uint64_t over_last = 1;  // steps in a row in which success must hold
+  std::vector<ObservationNoise> noise;
+  std::vector<CriticInput> critic;  // inputs in the order of their outputs, behind the terms
+  std::uint64_t after = 0;          // steps of an episode that is cut off; 0: none is
+  std::uint64_t over_last = 1;      // steps in a row in which success must hold
   std::shared_ptr<const Entity> entity;
   Span span;
-  /// The first outputs of its node; those after them are the terms.
+  /// The first outputs of its node; those after them are the terms, then what the critic
+  /// sees.
   enum Output : std::uint8_t { reward, terminated_output, truncated_output, success_output, term };
 };
 

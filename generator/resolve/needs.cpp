@@ -41,7 +41,7 @@ std::string targets_help(const Library& library, std::string Target::*member,
                          const std::string& wanted) {
   std::vector<std::string> ids;
   for (const auto& [id, target] : library.all_targets()) {
-    if (target.*member == wanted) ids.push_back("`--target " + id + "`");
+    if (target.*member == wanted && target.language.empty()) ids.push_back("`--target " + id + "`");
   }
   return fmt::format("{}{}another engine: `--engine NAME`", fmt::join(ids, ", "),
                      ids.empty() ? "" : ", or ");
@@ -60,6 +60,16 @@ std::string missing(const Entity& entity, const Target& target) {
     return fmt::format("`{}` needs a board of the family {}, but target `{}` is none",
                        entity.id.value, entity.family->value, target.id.value);
   return {};
+}
+
+void report_no_class(const Graph& graph, const Entity& entity, Span span,
+                     Diagnostics& diagnostics) {
+  const auto node = std::ranges::find(graph.nodes, &entity, &GraphNode::entity);
+  diagnostics.error("E0351", span, fmt::format("`{}` is written in Python alone", entity.id.value))
+      .help = fmt::format(
+      "place it in a part: `placement: {{{}: {{part: PART, target: python}}}}`; or write its class "
+      "in C++, too",
+      node == graph.nodes.end() ? "NODE" : node->name);
 }
 
 }  // namespace
@@ -87,6 +97,9 @@ void check_system(const Graph& graph, Part part, const Target& target, const Lib
   bool is_engine = !part.is_placed() && graph.has_engine();
   const bool engine_runs = !is_engine || missing(*graph.engine().entity, target).empty();
   for_each_entity(graph, part, [&](const Entity& entity, Span span) {
+    if (entity.kind == EntityKind::node && entity.cpp.name.empty() && target.language.empty() &&
+        reported.insert(entity.id.value).second)
+      report_no_class(graph, entity, span, diagnostics);
     const bool follows = !is_engine && !engine_runs && !entity.engines.empty();
     is_engine = false;
     const std::string what = missing(entity, target);

@@ -54,6 +54,41 @@ void report_left_out(const Selection& components, const std::vector<PortManifest
   }
 }
 
+void add_ports(Draft& draft, const EntitySpec& spec, DraftNode& node,
+               const std::set<std::string_view>& connected) {
+  const Entity* const entity = node.node.entity;
+  const References references = references_of(*entity, spec.config);
+  if (!report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics))
+    report_left_out(spec.inputs, entity->inputs, spec, "inputs", draft.diagnostics);
+  if (!report_unknown(spec.outputs, entity->outputs, *entity, "output", draft.diagnostics))
+    report_left_out(spec.outputs, entity->outputs, spec, "outputs", draft.diagnostics);
+  for (const auto& port : entity->inputs) {
+    if (!is_selected(spec.inputs, port.name.value)) continue;
+    const std::string written = spec.name.value + "." + port.name.value;
+    if (!spec.inputs && !is_wanted(port, written, connected)) continue;
+    DraftInput input = draft_input(port, written, spec.name.span, references, draft.diagnostics);
+    if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
+      input.span = component->name.span;
+      input.said = component->settings;
+      if (component->space)
+        input.declared =
+            narrow(input.declared, partial_space(*component->space, {}, draft.diagnostics), written,
+                   draft.diagnostics);
+    }
+    node.inputs.push_back(std::move(input));
+  }
+  for (const auto& port : entity->outputs) {
+    if (!is_selected(spec.outputs, port.name.value)) continue;
+    DraftOutput output = draft_output(port, spec.name.span, references, draft.diagnostics);
+    if (const ComponentSpec* component = find_component(spec.outputs, port.name.value)) {
+      output.span = component->name.span;
+      settle(output, *component, spec.name.value + "." + port.name.value, draft.diagnostics);
+    }
+    if (entity->is_reset_node()) node.inputs.push_back(feedthrough_of(output, spec.name.value));
+    node.outputs.push_back(std::move(output));
+  }
+}
+
 }  // namespace
 
 void add_environment(Draft& draft) {
@@ -135,57 +170,28 @@ void add_engine(Draft& draft, const ResolveOptions& options) {
   draft.nodes.push_back(std::move(engine));
 }
 
+DraftNode node_of(Draft& draft, const EntitySpec& spec,
+                  const std::set<std::string_view>& connected) {
+  DraftNode node;
+  node.node.name = spec.name.value;
+  node.node.role = NodeRole::node;
+  node.node.span = spec.name.span;
+  node.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
+  node.node.entity = find_entity(draft.library, spec.type, EntityKind::node, draft.diagnostics);
+  if (node.node.entity == nullptr) {
+    draft.doubtful.insert(spec.name.value);
+    return node;
+  }
+  node.node.config = resolve_config(draft.library, *node.node.entity, spec.config, spec.type.span,
+                                    draft.diagnostics, draft.safety);
+  const MakingPorts making(draft, spec.name.value);
+  add_ports(draft, spec, node, connected);
+  return node;
+}
+
 void add_nodes(Draft& draft) {
   const std::set<std::string_view> connected = connected_ports(draft.spec);
-  for (const auto& spec : draft.spec.nodes) {
-    DraftNode node;
-    node.node.name = spec.name.value;
-    node.node.role = NodeRole::node;
-    node.node.span = spec.name.span;
-    node.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
-    const Entity* entity =
-        find_entity(draft.library, spec.type, EntityKind::node, draft.diagnostics);
-    node.node.entity = entity;
-    if (entity == nullptr) {
-      draft.doubtful.insert(spec.name.value);
-    } else {
-      node.node.config = resolve_config(draft.library, *entity, spec.config, spec.type.span,
-                                        draft.diagnostics, draft.safety);
-      const MakingPorts making(draft, spec.name.value);
-      const References references = references_of(*entity, spec.config);
-      if (!report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics))
-        report_left_out(spec.inputs, entity->inputs, spec, "inputs", draft.diagnostics);
-      if (!report_unknown(spec.outputs, entity->outputs, *entity, "output", draft.diagnostics))
-        report_left_out(spec.outputs, entity->outputs, spec, "outputs", draft.diagnostics);
-      for (const auto& port : entity->inputs) {
-        if (!is_selected(spec.inputs, port.name.value)) continue;
-        const std::string written = spec.name.value + "." + port.name.value;
-        if (!spec.inputs && !is_wanted(port, written, connected)) continue;
-        DraftInput input =
-            draft_input(port, written, spec.name.span, references, draft.diagnostics);
-        if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
-          input.span = component->name.span;
-          input.said = component->settings;
-          if (component->space)
-            input.declared =
-                narrow(input.declared, partial_space(*component->space, {}, draft.diagnostics),
-                       written, draft.diagnostics);
-        }
-        node.inputs.push_back(std::move(input));
-      }
-      for (const auto& port : entity->outputs) {
-        if (!is_selected(spec.outputs, port.name.value)) continue;
-        DraftOutput output = draft_output(port, spec.name.span, references, draft.diagnostics);
-        if (const ComponentSpec* component = find_component(spec.outputs, port.name.value)) {
-          output.span = component->name.span;
-          settle(output, *component, spec.name.value + "." + port.name.value, draft.diagnostics);
-        }
-        if (entity->is_reset_node()) node.inputs.push_back(feedthrough_of(output, spec.name.value));
-        node.outputs.push_back(std::move(output));
-      }
-    }
-    draft.nodes.push_back(std::move(node));
-  }
+  for (const auto& spec : draft.spec.nodes) draft.nodes.push_back(node_of(draft, spec, connected));
 }
 
 }  // namespace eagerx::gen

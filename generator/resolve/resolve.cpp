@@ -197,6 +197,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   add_task(draft);
   add_render(draft);
   connect(draft);
+  add_noise(draft);
   let_task_skip(draft);
   resolve_states(draft);
   resolve_reset_targets(draft);
@@ -205,6 +206,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   place_parts(draft, options.placement.empty() ? spec.placement : options.placement);
   resolve_spaces(draft);
   resolve_task(draft);
+  resolve_critic(draft);
   resolve_render(draft);
   resolve_telemetry(draft);
   resolve_safety(draft);

@@ -314,6 +314,7 @@ void find_kept_states(Draft& draft, const EntitySpec& spec, Object& object) {
 void resolve_states(Draft& draft) {
   std::unordered_map<std::string_view, const EntitySpec*> specs;
   for (const EntitySpec& each : draft.spec.nodes) specs.try_emplace(each.name.value, &each);
+  for (const EntitySpec& each : draft.added) specs.try_emplace(each.name.value, &each);
   for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
     DraftNode& node = draft.nodes[n];
     if (node.node.entity == nullptr || draft.is_added(n)) continue;

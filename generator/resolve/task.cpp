@@ -162,6 +162,7 @@ void add_task(Draft& draft) {
     check_term_name(term.name, node, draft.diagnostics);
     node.outputs.push_back(output_of(term.name.value, real, term.name.span));
   }
+  add_critic_outputs(draft, node);
   draft.nodes.push_back(std::move(node));
 }
 

@@ -1,5 +1,9 @@
 #include "generator/spec/task_spec.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "generator/read/scalar.hpp"
 #include "generator/spec/graph_spec.hpp"
 
@@ -38,6 +42,40 @@ std::vector<TaskConditionSpec> read_conditions(const YamlValue* yaml, std::strin
     }
   }
   return specs;
+}
+
+/// Names that are given once.
+std::vector<Spanned<std::string>> read_critic(const YamlValue* yaml, Diagnostics& diagnostics) {
+  std::vector<Spanned<std::string>> names;
+  if (yaml == nullptr) return names;
+  for (const YamlValue& item : yaml->items) {
+    const auto earlier = std::ranges::find(names, item.text, &Spanned<std::string>::value);
+    if (earlier == names.end()) {
+      names.push_back({item.text, item.span});
+    } else {
+      diagnostics.error("E0206", item.span, fmt::format("`{}` is listed twice", item.text))
+          .notes.push_back({"first here", earlier->span, ""});
+    }
+  }
+  return names;
+}
+
+NoiseSpec read_noise(const YamlValue::Entry& entry) {
+  const YamlValue* range = entry.value.find("range");
+  return {{entry.key, entry.key_span}, range != nullptr ? *range : entry.value, range != nullptr};
+}
+
+FormatPtr noise_format() {
+  const auto numbers = [](const char* what) {
+    return format::one_of(what, {format::list(what, format::number("a number, at least 0"), 1),
+                                 format::number("a number, at least 0")});
+  };
+  return format::one_of(
+      "a standard deviation, a list of one for each element, or `{range: …}`",
+      {format::record("a range", {{"range", numbers("a number, or one for each element"), true,
+                                   "as much, less or more, evenly"}}),
+       format::list("standard deviations", format::number("a number, at least 0"), 1),
+       format::number("a standard deviation, at least 0")});
 }
 
 FormatPtr condition_format() {
@@ -83,7 +121,13 @@ FormatPtr task_format() {
             {{"over_last", format::time("a time in seconds", true), false,
               "seconds for which all of these have held without a gap (default: one step)"}},
             condition),
-        false, "what counts as success, if all of these hold; it ends nothing"}});
+        false, "what counts as success, if all of these hold; it ends nothing"},
+       {"noise", format::map("observations", noise_format()), false,
+        "what is added to observations in simulation: the standard deviation, or `{range: …}`"},
+       {"critic",
+        format::list("a list of inputs of the task and states",
+                     format::text("an input of the task, or a state such as `pendulum.mass`")),
+        false, "what the critic of a training sees besides the observations"}});
 }
 
 TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics) {
@@ -100,6 +144,10 @@ TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics) {
   spec.terminated = read_conditions(yaml.find("terminated"), {}, none);
   spec.truncated = read_conditions(yaml.find("truncated"), "after", spec.after_s);
   spec.success = read_conditions(yaml.find("success"), "over_last", spec.over_last_s);
+  if (const YamlValue* noise = yaml.find("noise")) {
+    for (const auto& entry : noise->entries) spec.noise.push_back(read_noise(entry));
+  }
+  spec.critic = read_critic(yaml.find("critic"), diagnostics);
   if (spec.over_last_s && spec.success.empty())
     diagnostics.error("E0206", spec.over_last_s->span, "`over_last` goes with a condition").help =
         "write what must hold for so long, such as `upright: abs(theta) < 0.1`";

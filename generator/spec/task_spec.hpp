@@ -31,17 +31,26 @@ struct TaskConditionSpec {
   YamlValue that;
 };
 
+/// Noise on an observation: numbers for each element, or one for all.
+struct NoiseSpec {
+  Spanned<std::string> observation;
+  YamlValue numbers;
+  bool is_range = false;  // half the width of even noise; else standard deviations
+};
+
 struct TaskSpec {
   Span span;
   std::vector<TaskInputSpec> inputs;
   std::vector<TermSpec> reward;
   std::vector<TaskConditionSpec> terminated, truncated, success;
+  std::vector<NoiseSpec> noise;
+  std::vector<Spanned<std::string>> critic;      // `critic: […]`, inputs of the task and states
   std::optional<Spanned<Rational>> after_s;      // `truncated: {after: …}`
   std::optional<Spanned<Rational>> over_last_s;  // `success: {over_last: …}`
 };
 
 /// Of a tree that `check` has accepted, without its span. Problems: E0204 a task without a term,
-/// E0206 `over_last` without a condition.
+/// E0206 `over_last` without a condition, a name that `critic` has twice.
 TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

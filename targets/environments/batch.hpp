@@ -15,6 +15,7 @@
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/environments/agent.hpp>
+#include <targets/environments/critic.hpp>
 #include <targets/environments/episode.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/not_finite.hpp>
@@ -49,6 +50,7 @@ class Batch {
         programs_(std::make_unique<Program[]>(plain_programs())),
         packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
         agents_(kernel),
+        critic_(size_),
         team_(std::min(options.threads != 0 ? options.threads : host::usable_cores(), blocks())) {
     packs_.make_room(team_.size());
     agents_.make_room(team_.size());
@@ -148,6 +150,12 @@ class Batch {
     require_begun();
     for (std::uint32_t k = 0; k < size_; ++k)
       layout_.write(states_of(k), states + k * layout_.states.numbers());
+  }
+
+  /// What the critic of a training sees; null is not written.
+  void critic(float* rows, float* final_rows) const {
+    require_begun();
+    critic_.read(rows, final_rows);
   }
 
   /// Null: ends the file. Empty: only the hash. What cannot be written leaves the old trace.
@@ -259,6 +267,7 @@ class Batch {
       const PackColumn column = packs_.column(member, k, k - first);
       packs_.show_guard(column, programs_[k]);
       write_outcome<Graph>(column, k, rows);
+      critic_.step(k, column);
       end_pack_step(k, column, rows);
     }
   }
@@ -284,6 +293,9 @@ class Batch {
         if ((alone >> lane & 1U) == 0)
           packs_.show_guard(packs_.column(member, first, lane), programs_[first + lane]);
       }
+    }
+    for (std::uint32_t lane = 0; seen_of < Graph >> 0 && lane < packs_.lanes(); ++lane) {
+      if ((alone >> lane & 1U) == 0) critic_.step(first + lane, packs_.column(member, first, lane));
     }
     for (; notable != 0; notable &= notable - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(notable));
@@ -321,6 +333,7 @@ class Batch {
     const std::size_t acted = layout_.actions.numbers();
     const auto observation = program.step(layout_.action(actions + k * acted));
     const Ends ends = write_outcome<Graph>(program, k, rows);
+    critic_.step(k, program);
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
         not_finite_.note(episodes_[k].place(k, steps_[k]), program.outcome());
@@ -343,6 +356,7 @@ class Batch {
     }
     if (autoreset_ == EAGERX_SAME_STEP) {
       if (rows.final_observation != nullptr) write(rows.final_observation + k * observed);
+      critic_.end(k);
       ++episode.index;
       begin(k, rows.observation);
     } else {
@@ -367,6 +381,7 @@ class Batch {
     const EpisodeKey key = episode.key();
     const auto states = states_of(k);
     const auto observation = reset_program(k, key, states);
+    with(k, [&](const auto& program) { critic_.begin(k, program, states); });
     if (observations != nullptr)
       layout_.write(observation, observations + k * layout_.observations.numbers());
     steps_[k] = 0;
@@ -439,6 +454,7 @@ class Batch {
   PackMemory<Graph> packs_;
   Agents<Graph> agents_;
   SetStates<Graph> set_states_;
+  CriticRows<Graph> critic_;
   std::map<std::uint32_t, Traces<Graph>> traces_;
   NotFinite<Graph> not_finite_;
   Workload resets_, stepping_, acts_;

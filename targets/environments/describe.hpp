@@ -9,6 +9,7 @@
 #include <runtime/host/base/hash.hpp>
 #include <runtime/host/base/json.hpp>
 #include <string>
+#include <targets/environments/critic.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_kernel.hpp>
 #include <targets/environments/task.hpp>
@@ -61,15 +62,22 @@ class Fields {
   template <class Message, class Space>
   void add(const char* name, const Space& space, std::uint32_t windows) {
     host::Json json;
-    json.begin_object().key("name").text(name).key("shape").begin_list();
-    if (windows > 1) json.whole(windows);
-    ShapeOf<Message>::add(json);
-    json.end_list().key("dtype").text(dtype_of<ScalarOf<Message>>());
-    json.key("window").whole(windows);
+    begin<Message>(json, name, windows);
     bounds(json.key("low"), space.low, windows);
     bounds(json.key("high"), space.high, windows);
-    json.key("first").whole(columns_.first(texts_.size())).end_object();
-    texts_.push_back(json.str());
+    end(json);
+  }
+  /// Without bounds.
+  template <class Message>
+  void add(const char* name) {
+    host::Json json;
+    begin<Message>(json, name, 1);
+    for (const char* key : {"low", "high"}) {
+      json.key(key).begin_list();
+      for (std::size_t i = 0; i < size_of<Message>; ++i) json.null();
+      json.end_list();
+    }
+    end(json);
   }
 
   std::string list() const {
@@ -80,6 +88,19 @@ class Fields {
   }
 
  private:
+  template <class Message>
+  void begin(host::Json& json, const char* name, std::uint32_t windows) const {
+    json.begin_object().key("name").text(name).key("shape").begin_list();
+    if (windows > 1) json.whole(windows);
+    ShapeOf<Message>::add(json);
+    json.end_list().key("dtype").text(dtype_of<ScalarOf<Message>>());
+    json.key("window").whole(windows);
+  }
+  void end(host::Json& json) {
+    json.key("first").whole(columns_.first(texts_.size())).end_object();
+    texts_.push_back(json.str());
+  }
+
   template <class Message>
   static void bounds(host::Json& json, const Message& bound, std::uint32_t windows) {
     json.begin_list();
@@ -129,14 +150,26 @@ std::string describe_states() {
 }
 
 template <class Graph>
+std::string describe_critic() {
+  if constexpr (has_critic<Graph>) {
+    Fields fields(CriticLayout<Graph>::get().columns);
+    CriticLayout<Graph>::for_each_field(
+        [&](const char* name, auto type) { fields.add<typename decltype(type)::type>(name); });
+    return fields.list();
+  } else {
+    return "[]";
+  }
+}
+
+template <class Graph>
 std::string describe_task() {
   if constexpr (has_task<Graph>) {
     host::Json json;
     json.begin_object().key("terms").begin_list();
     for (const char* name : Graph::kTermNames) json.text(name);
     json.end_list().key("success").boolean(requires { Graph::kSuccessNames; });
-    json.key("episode_steps").whole(Graph::kEpisodeSteps).end_object();
-    return json.str();
+    json.key("episode_steps").whole(Graph::kEpisodeSteps);
+    return json.str() + ", \"critic\": " + describe_critic<Graph>() + "}";
   } else {
     return "null";
   }

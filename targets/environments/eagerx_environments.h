@@ -76,7 +76,8 @@ uint32_t eagerx_version(void);
     "actions": [same without window], "states": [same without window],
     "tunable": ["controller.kp", …],   states that eagerx_tune() sets
     "agent": "policy", "zero", "random" or "csv", which is what eagerx_act() does,
-    "task": null or {"terms": ["angle", …], "success": true, "episode_steps": 150},
+    "task": null or {"terms": ["angle", …], "success": true, "episode_steps": 150,
+                     "critic": [as observations, without bounds]},
     "render": null or {"rate_hz": 30}}
    `hash`: of what a policy must agree with; `episode_steps`: 0 where the task says none. */
 const char* eagerx_describe(void);
@@ -126,6 +127,12 @@ int eagerx_tune(eagerx_environments* environments, const uint8_t* mask, const fl
 
 /* states  [environments][numbers of the states] what the episodes began with; NaN where nothing was set or drawn */
 int eagerx_get_states(eagerx_environments* environments, float* states);
+
+/* What the critic of a training sees besides the observations, as of the last step or reset: `critic:` of the graph's task.
+   critic        [environments][numbers of the critic], or null
+   final_critic  [environments][numbers of the critic], or null: rows whose episode the last step ended, SAME_STEP only;
+                 the others are as they were */
+int eagerx_critic(eagerx_environments* environments, float* critic, float* final_critic);
 
 /* From its next reset on, writes every message of an environment (0 to environments - 1) to a file, which `eagerx-gen
    replay` reads. Path null: ends the file; "": no file, only the hash. A file has one trace: another one's is refused, of

@@ -140,6 +140,10 @@ class Library {
     });
   }
 
+  static int critic(Environments* environments, float* rows, float* final_rows) {
+    return call(environments, [&](Batch<Graph>& batch) { batch.critic(rows, final_rows); });
+  }
+
   static int trace(Environments* environments, std::uint32_t environment, const char* path) {
     return call(environments, [&](Batch<Graph>& batch) {
       check_number(batch, environment);

@@ -78,7 +78,8 @@ enum PackColumns : std::size_t {
   kTerminated,
   kTruncated,
   kSuccess,
-  kTerms  // and the weighted terms of the reward; then whether each observation is finite
+  kTerms  // and the weighted terms of the reward; then what the critic of a training sees; then
+          // whether each observation is finite
 };
 
 /// What a step of a pack wrote of one environment.

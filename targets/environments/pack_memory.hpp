@@ -143,7 +143,7 @@ class PackMemory {
   /// What the last step wrote of an environment, also after load() and leave() of others.
   PackColumn column(unsigned member, std::uint32_t k, std::uint32_t lane) {
     return {columns(member, phase_of(k)) + lane, lanes(),
-            kernel_.columns - kTerms - terms_of<Graph> - kernel_.told};
+            kernel_.columns - told_at<Graph> - kernel_.told};
   }
 
   /// Whether the guard looks at observations.
@@ -190,7 +190,7 @@ class PackMemory {
   /// Which of the observations are not finite.
   void show_channels(const PackColumn& column, Program& program) const {
     for (std::size_t i = 0; i < kernel_.told; ++i)
-      program.guard.saw(i, column.end(kTerms + terms_of<Graph> + i) != 0.0F);
+      program.guard.saw(i, column.end(told_at<Graph> + i) != 0.0F);
     if (kernel_.told != 0) return;
     std::size_t from = 0, channel = 0;
     Layout<Graph>::for_each_observed([&](const char*, auto observed, const auto&) {

@@ -33,7 +33,7 @@ class Packs {
     kernel.bytes = sizeof(Program);
     kernel.alignment = alignof(Program);
     kernel.told = kTells ? Graph::kObservationNames.size() : 0;
-    kernel.columns = Observation::kNumbers + kTerms + terms_of<Graph> + kernel.told;
+    kernel.columns = Observation::kNumbers + told_at<Graph> + kernel.told;
     kernel.most_steps = kMostTicks / Program::kTicks;
     kernel.answers = Program::kAnswers;
     kernel.phases = Program::kPhases;
@@ -151,6 +151,7 @@ class Packs {
       put(outcome.success, ends + kSuccess * Lanes);
       for (std::size_t i = 0; i < terms_of<Graph>; ++i)
         outcome.terms[i].store(ends + (kTerms + i) * Lanes);
+      put_seen(outcome, ends + (kTerms + terms_of<Graph>)*Lanes);
       if (rows != nullptr && rows->terms != nullptr) {
         for (std::size_t i = 0; i < terms_of<Graph>; ++i)
           spread(ends + (kTerms + i) * Lanes, rows->terms + i, terms_of<Graph>);
@@ -162,6 +163,16 @@ class Packs {
     } else {
       if (rows != nullptr) put_rows(Real(0), false, false, false, *rows);
       return last;
+    }
+  }
+  template <class Outcome>
+  static void put_seen([[maybe_unused]] const Outcome& outcome, [[maybe_unused]] float* column) {
+    if constexpr (seen_of < Graph >> 0) {
+      outcome.for_each_seen([&](const char*, const auto& message) {
+        for (std::size_t i = 0; i < size_of<std::remove_cvref_t<decltype(message)>>;
+             ++i, column += Lanes)
+          put(element(message, i), column);
+      });
     }
   }
   /// The lanes that have made the most.
@@ -239,7 +250,7 @@ class Packs {
     [[maybe_unused]] std::size_t channel = 0;
     observation.for_each([&](const char* /*name*/, const auto& window) {
       const Truth own = write(window, columns);
-      if constexpr (kTells) put(own, ends + (kTerms + terms_of<Graph> + channel++) * Lanes);
+      if constexpr (kTells) put(own, ends + (told_at<Graph> + channel++) * Lanes);
       finite = finite && own;
     });
     put(finite, ends + kFinite * Lanes);

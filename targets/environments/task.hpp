@@ -37,6 +37,21 @@ constexpr std::size_t count_terms() {
 template <class Graph>
 inline constexpr std::size_t terms_of = count_terms<Graph>();
 
+template <class Graph>
+constexpr std::size_t count_seen() {
+  if constexpr (requires { Graph::Outcome::kSeen; }) {
+    return Graph::Outcome::kSeen;
+  } else {
+    return 0;
+  }
+}
+/// Numbers of the messages that the critic of a training sees.
+template <class Graph>
+inline constexpr std::size_t seen_of = count_seen<Graph>();
+/// The column of a pack, behind the observations, that says whether the first of them is finite.
+template <class Graph>
+inline constexpr std::size_t told_at = kTerms + terms_of<Graph> + seen_of<Graph>;
+
 /// How a step ended.
 struct Ends {
   bool terminated = false;

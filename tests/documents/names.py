@@ -10,7 +10,8 @@ KINDS = ("md", "hpp", "cpp", "yaml", "csv", "py", "cmake", "h", "sh", "js", "jso
 PLACEHOLDER = re.compile(r"\b[A-Z][A-Z]+(?:\b|_)|my_|NNN")  # the reader's own names
 FILE_COLUMNS = ("file", "header")  # of tables: every name in that column is a file
 # What documents let the reader write, or say of programs that are made.
-MADE = ("models/nodes/limited_gain/*", "build/*", "build-*", "generated/*", "frames/*", "docs/*", "lib/*", "src/*", "libraries/*")
+MADE = ("models/nodes/limited_gain/*", "build/*", "build-*", "generated/*", "frames/*", "docs/*", "lib/*", "src/*", "libraries/*",
+        "vision/*", "part.json")
 
 
 class Names:

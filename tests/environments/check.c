@@ -286,6 +286,8 @@ static void check_calls(void) {
                "states before a reset");
   expect_error(eagerx_act(batch, b.rows.observation, b.action) != 0, "environment 2 has not begun",
                "agent before a reset");
+  expect_error(eagerx_critic(batch, NULL, NULL) != 0, "environment 2 has not begun",
+               "what the critic sees before a reset");
   eagerx_reset(batch, NULL, NULL, NULL);
   expect_error(eagerx_step(batch, NULL, &b.rows) != 0, "action is null", "no action");
   expect_error(eagerx_act(batch, b.rows.observation, NULL) != 0, "action is null",

@@ -47,6 +47,7 @@ class Library:
         self.states = numbers(self.description["states"])
         task = self.description["task"]
         self.terms = len(task["terms"]) if task else 0
+        self.seen = numbers(task["critic"]) if task else 0
 
 
 class Batch:
@@ -72,6 +73,12 @@ class Batch:
         if isinstance(actions, list):
             actions = floats(actions * self.environments)
         self.check(self.library.c.eagerx_step(self.handle, actions, ctypes.byref(self.rows)))
+
+    def critic(self):
+        """What only the critic of a training sees: rows of now, and of the ends of episodes."""
+        now, ends = ((c_float * (self.environments * self.library.seen))() for _ in range(2))
+        self.check(self.library.c.eagerx_critic(self.handle, now, ends))
+        return bytes(now), bytes(ends)
 
     def trace(self, environment, path):
         self.check(self.library.c.eagerx_trace(self.handle, c_uint32(environment), None if path is None else str(path).encode()))

@@ -27,8 +27,8 @@ def compare(ours, theirs, mode, steps, seed=5):
         done = wanted[2] | wanted[3]
         ended += int(done.sum())
         if mode == "Disabled" and done.any():
-            (first, _), (wanted, _) = (each.reset(options={"reset_mask": done}) for each in (ours, theirs))
-            equal = equal and same(first, wanted)
+            (first, info), (wanted, wanted_info) = (each.reset(options={"reset_mask": done}) for each in (ours, theirs))
+            equal = equal and same(first, wanted) and same(info, wanted_info)
     return equal, ended
 
 

@@ -2,121 +2,43 @@
 // eagerx/policy.hpp. A lane's sums go in that order; lanes do not mix.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <eagerx/pack.hpp>
 #include <eagerx/policy.hpp>
-#include <eagerx/policy/float_lanes.hpp>
-#include <utility>
+#include <eagerx/policy/lane_sums.hpp>
+#include <type_traits>
 
 namespace eagerx {
 namespace policy {
 
-#if defined(__AVX512F__) || defined(__aarch64__)
-inline constexpr bool kManyRegisters = true;  // 32
-#else
-inline constexpr bool kManyRegisters = false;  // 16
-#endif
+template <std::size_t In, std::size_t Width>
+using PanelWeights =
+    LaneWeights<std::integral_constant<std::size_t, In>, std::integral_constant<std::size_t, Width>,
+                std::integral_constant<std::size_t, 1>>;
 
-/// Outputs and registers of lanes at a time: what is summed of a group stays in registers, with the
-/// input. Of 16 registers none is left for the sums, which stay in memory. Measured with g++ 12.
-inline constexpr std::size_t kOutputsAtATime = kManyRegisters ? 8 : 4;
-inline constexpr std::size_t kLaneRegisters = kManyRegisters ? 1 : 2;
+/// Numbers of all lanes of a pack, in memory.
+template <class Real>
+const float* numbers_of(const Real* x) {
+  return reinterpret_cast<const float*>(x);  // NOLINT: read by memcpy only
+}
 
 /// Some outputs of one panel. w: the first one's weights, [In][Width].
 template <std::size_t In, std::size_t Width, std::size_t Outputs, class Real>
-class LaneOutputs {
-  using Vector = typename Real::Vector;
-  static constexpr std::size_t kAtATime = std::min(kLaneRegisters, Real::kCount);
-
- public:
-  static void run(const float* w, const float* b, const Real* x, Real* y) {
-    for (std::size_t k = 0; k < Outputs; ++k) y[k] = Real(b[k]);
-    constexpr std::size_t kRest = In % kGroup;
-    constexpr std::size_t kWhole = In - kRest;
-    for (std::size_t first = 0; first < Real::kCount; first += kAtATime) {
-      const auto in_memory = [&](auto k, auto i) -> Vector& { return y[k].v[first + i]; };
-      Vector sums[Outputs][kAtATime];
-      const auto sum = [&](auto k, auto i) -> Vector& {
-        if constexpr (kManyRegisters) return sums[k][i];
-        if constexpr (!kManyRegisters) return in_memory(k, i);
-      };
-      if constexpr (kManyRegisters) each([&](auto k, auto i) { sum(k, i) = in_memory(k, i); });
-      for (std::size_t j = 0; j < kWhole; j += kGroup)
-        add<kGroup>(w + j * Width, x + j, first, sum);
-      if constexpr (kRest > 0) add<kRest>(w + kWhole * Width, x + kWhole, first, sum);
-      if constexpr (kManyRegisters) each([&](auto k, auto i) { in_memory(k, i) = sum(k, i); });
-    }
-  }
-
- private:
-  template <class F>
-  [[gnu::always_inline]] static void each(F&& f) {
-    detail::unrolled<Outputs>([&](auto k) __attribute__((always_inline)) {
-      detail::unrolled<kAtATime>([&](auto i) __attribute__((always_inline)) { f(k, i); });
-    });
-  }
-  /// Adds the products of `Rows` inputs to `sum`, in the registers from `first` on.
-  template <std::size_t Rows, class Sum>
-  [[gnu::always_inline]] static void add(const float* w, const Real* x, std::size_t first,
-                                         const Sum& sum) {
-    Vector part[Outputs][kAtATime];
-    detail::unrolled<Rows>([&](auto row) {
-      Vector input[kAtATime];
-      detail::unrolled<kAtATime>([&](auto i) {
-        input[i] = x[row].v[first + i];
-        in_order(input[i]);
-      });
-      detail::unrolled<Outputs>([&](auto k) {
-        const Vector weight = w[row * Width + k] - Vector{};
-        detail::unrolled<kAtATime>([&](auto i) {
-          const Vector product = weight * input[i];
-          part[k][i] = row == 0 ? product : part[k][i] + product;
-          in_order(part[k][i]);
-        });
-      });
-    });
-    each([&](auto k, auto i) { sum(k, i) = sum(k, i) + part[k][i]; });
-  }
-};
-
-/// The output that is alone in its panel: what is left of its kChains sums once they are added in
-/// halves until `Left` of them are there. Depth first, so that few are there at a time.
-template <std::size_t In, class Real>
-class LaneOutputAlone {
- public:
-  static Real run(const float* w, float b, const Real* x) { return Real(b) + left<1>(w, x, 0); }
-
- private:
-  template <std::size_t Left>
-  static Real left(const float* w, const Real* x, std::size_t k) {
-    if constexpr (Left == kChains) {
-      return chain(w, x, k);
-    } else {
-      return left<2 * Left>(w, x, k) + left<2 * Left>(w, x, k + Left);
-    }
-  }
-  static Real chain(const float* w, const Real* x, std::size_t k) {
-    Real sum = k < In ? Real(w[k]) * x[k] : Real(0.0F);
-    for (std::size_t j = k + kChains; j < In; j += kChains) sum = sum + Real(w[j]) * x[j];
-    // A last group of fewer numbers is full of zeros.
-    constexpr std::size_t kRest = In % kChains;
-    if (In > kChains && kRest > 0 && k >= kRest) sum = sum + Real(0.0F);
-    return sum;
-  }
-};
+void lane_outputs(const float* w, const float* b, const Real* x, Real* y) {
+  LaneOutputs<Outputs, Real>::run(PanelWeights<In, Width>{w, {}, {}, {}}, b, numbers_of(x), y);
+}
 
 template <std::size_t In, std::size_t Width, std::size_t Outputs, class Real>
 void lane_panel(const float* w, const float* b, const Real* x, Real* y) {
   if constexpr (Width == 1) {
-    y[0] = LaneOutputAlone<In, Real>::run(w, b[0], x);
+    y[0] = LaneOutputAlone<Real>::run(std::integral_constant<std::size_t, In>(), w, b[0],
+                                      numbers_of(x));
   } else {
     constexpr std::size_t kRest = Outputs % kOutputsAtATime;
     constexpr std::size_t kDone = Outputs - kRest;
     for (std::size_t k = 0; k < kDone; k += kOutputsAtATime)
-      LaneOutputs<In, Width, kOutputsAtATime, Real>::run(w + k, b + k, x, y + k);
-    if constexpr (kRest > 0)
-      LaneOutputs<In, Width, kRest, Real>::run(w + kDone, b + kDone, x, y + kDone);
+      lane_outputs<In, Width, kOutputsAtATime>(w + k, b + k, x, y + k);
+    if constexpr (kRest > 0) lane_outputs<In, Width, kRest>(w + kDone, b + kDone, x, y + kDone);
   }
 }
 

@@ -127,7 +127,7 @@ class Campaign {
     fmt::print(stderr, "interrupted after {} of {} runs\n", runs_, plan_.runs);
     if (journal_)
       fmt::print(stderr, "help: the same command with `--resume {}` goes on\n", journal_path());
-    return kInterrupted;
+    return client::kInterrupted;
   }
 
   /// Until all other ranks have sent their last. Asks now and then: MPI waits with a whole core.

@@ -4,12 +4,12 @@
 #include <runtime/host/base/interrupt.hpp>
 
 #include "targets/environments/campaign/options.hpp"
-#include "targets/environments/campaign/ranks.hpp"
 #include "targets/environments/client/library.hpp"
+#include "targets/environments/ranks/ranks.hpp"
 
 namespace eagerx::campaign {
 
-inline constexpr int kInterrupted = 130;  // exit code
+using environments::Ranks;
 
 /// Runs what is not done yet, each rank its share; rank 0 prints the report. The exit code.
 /// `interrupted` is asked between chunks. Throws Problem.

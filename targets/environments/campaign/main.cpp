@@ -1,10 +1,6 @@
 // eagerx-campaign LIBRARY: many episodes of a graph with its agent in the loop.
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <csignal>
 #include <runtime/host/base/interrupt.hpp>
-#include <string_view>
 
 #include "targets/environments/campaign/campaign.hpp"
 #include "targets/environments/client/files.hpp"
@@ -13,41 +9,37 @@
 namespace eagerx::campaign {
 namespace {
 
-/// A file of this process alone with these bytes, for dlopen().
-std::string file_of(const std::string& bytes) {
-  const int file = memfd_create("library", MFD_CLOEXEC);
-  std::string_view left = bytes;
-  while (file >= 0 && !left.empty()) {
-    const ssize_t written = write(file, left.data(), left.size());
-    if (written < 0) throw client::Problem(client::kInputOutput, "no memory for the library");
-    left.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return "/proc/self/fd/" + std::to_string(file);
+const host::Interrupt& interrupts() {
+  return host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends);
 }
 
-/// Rank 0 alone looks at options and files. What it shares is the library, which need not be on the
-/// machines of the others; nothing, if there is nothing to do.
-int run_ranks(int argc, char** argv, Ranks& ranks) {
-  const std::string bytes = ranks.is_first() ? std::string() : ranks.share({});
-  if (!ranks.is_first() && bytes.empty()) return client::kDone;
-  Options options = parse_options(argc, argv);
-  if (ranks.is_first()) {
-    if (options.wants_help) client::print(help_text());
-    if (!options.wants_help) check_files(options);
-    const bool is_all = options.wants_help || options.only_checks;
-    ranks.share(is_all || ranks.size() == 1 ? std::string() : client::read_file(options.library));
-    if (is_all) return client::kDone;
-  }
-  const client::Library library(ranks.is_first() ? options.library : file_of(bytes));
-  return run_campaign(options, library, ranks,
-                      host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends));
+/// Rank 0 alone looks at options and files. What it shares are its words and the library, which
+/// need not be on the machines of the others; nothing, if there is nothing to do.
+int run_first(int argc, char** argv, Ranks& ranks) {
+  const Options options = parse_options(argc, argv);
+  if (options.wants_help) client::print(help_text());
+  if (!options.wants_help) check_files(options);
+  const bool is_all = options.wants_help || options.only_checks;
+  ranks.share(is_all ? std::string() : environments::words_of(argc, argv));
+  if (is_all) return client::kDone;
+  ranks.share(ranks.size() == 1 ? std::string() : client::read_file(options.library));
+  return run_campaign(options, client::Library(options.library), ranks, interrupts());
+}
+
+int run_other(Ranks& ranks) {
+  const std::string words = ranks.share({});
+  if (words.empty()) return client::kDone;
+  const auto argv = environments::command_line("eagerx-campaign", words);
+  const Options options = parse_options(static_cast<int>(argv.size()), argv.data());
+  const client::Library library(environments::file_of(ranks.share({})));
+  return run_campaign(options, library, ranks, interrupts());
 }
 
 int run(int argc, char** argv) {
   std::unique_ptr<Ranks> ranks;
   try {
-    ranks = make_ranks(argc, argv);
-    return run_ranks(argc, argv, *ranks);
+    ranks = environments::make_ranks(argc, argv);
+    return ranks->is_first() ? run_first(argc, argv, *ranks) : run_other(*ranks);
   } catch (const std::exception& error) {
     const int code = client::tell(error);
     if (ranks && ranks->size() > 1) ranks->abort(code);  // the others wait for this one

@@ -49,6 +49,9 @@ std::size_t Description::observation_numbers() const {
 std::size_t Description::action_numbers() const {
   return numbers(actions);
 }
+std::size_t Description::critic_numbers() const {
+  return numbers(critic);
+}
 bool Description::chooses() const {
   return actions.size() == 1 && actions.front().size == 1 &&
          (actions.front().dtype.starts_with("int") || actions.front().dtype.starts_with("uint"));
@@ -81,6 +84,7 @@ Description read_description(std::string_view text) {
     result.terms = task.at("terms").get<std::vector<std::string>>();
     result.has_success = task.at("success");
     result.episode_steps = task.at("episode_steps");
+    if (task.contains("critic")) result.critic = spaces(task.at("critic"));
     return result;
   } catch (const json::exception& error) {
     throw Problem(kInputOutput,

@@ -29,9 +29,11 @@ struct Description {
   std::vector<std::string> terms;  // of the reward
   bool has_success = false;
   std::uint32_t episode_steps = 0;  // 0: no limit
+  std::vector<Space> critic;        // what the critic of a training sees besides observations
 
   std::size_t observation_numbers() const;
   std::size_t action_numbers() const;
+  std::size_t critic_numbers() const;
   /// Whether the only action is one of a few whole numbers.
   bool chooses() const;
 };

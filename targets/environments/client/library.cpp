@@ -45,6 +45,11 @@ bool Environments::step(const float* action, const eagerx_rows& rows) {
   return result == 0;
 }
 
+void Environments::critic(float* rows, float* final_rows) {
+  if (library_.critic(handle_.get(), rows, final_rows) != 0)
+    fail(library_, "cannot ask what the critic sees");
+}
+
 std::string Environments::stepping() const {
   const char* const text = library_.stepping(handle_.get());
   if (text == nullptr) fail(library_, "cannot ask how environments are stepped");
@@ -80,6 +85,8 @@ Library::Library(const std::string& path) : path_(path) {
   functions_.step = find<decltype(&eagerx_step)>("eagerx_step");
   functions_.stepping = find<decltype(&eagerx_stepping)>("eagerx_stepping");
   description_ = read_description(functions_.describe());
+  if (description_.critic_numbers() > 0)
+    functions_.critic = find<decltype(&eagerx_critic)>("eagerx_critic");
 }
 
 }  // namespace eagerx::client

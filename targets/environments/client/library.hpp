@@ -20,6 +20,7 @@ struct LibraryFunctions {
   decltype(&eagerx_reset) reset;
   decltype(&eagerx_step) step;
   decltype(&eagerx_stepping) stepping;
+  decltype(&eagerx_critic) critic;  // null where the critic of a training sees observations only
 };
 
 /// Some environments of a library, stepped by the caller's thread. What fails throws Problem.
@@ -37,6 +38,8 @@ class Environments {
   void reset_some(const std::uint8_t* mask, float* observation);
   /// False if a reward is not finite, and error() says which. The step is made.
   [[nodiscard]] bool step(const float* action, const eagerx_rows& rows);
+  /// What the critic of a training sees, as eagerx_critic() says it.
+  void critic(float* rows, float* final_rows);
   /// How they are stepped, and what made that slower: "in packs of 64 (avx512)".
   std::string stepping() const;
   /// Why the last call of this thread was not as it should be.

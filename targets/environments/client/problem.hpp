@@ -8,7 +8,13 @@
 namespace eagerx::client {
 
 /// Exit codes, as those of eagerx-gen.
-enum ExitCode : int { kDone = 0, kProblems = 1, kUsage = 2, kInputOutput = 3 };
+enum ExitCode : int {
+  kDone = 0,
+  kProblems = 1,
+  kUsage = 2,
+  kInputOutput = 3,
+  kInterrupted = 130  // as shells say it
+};
 
 struct Problem : std::runtime_error {
   Problem(ExitCode exit_code, const std::string& what, std::string what_to_do = {})

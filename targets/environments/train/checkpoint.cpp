@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 #include <runtime/host/base/hash.hpp>
 #include <string_view>
-#include <type_traits>
 
+#include "targets/environments/train/bytes.hpp"
 #include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
@@ -16,57 +15,6 @@ namespace {
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
 constexpr std::string_view kFirstLine = "eagerx-train checkpoint 5\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
-
-/// Visits values of a checkpoint in its order: writes them.
-class Writer {
- public:
-  std::string bytes;
-
-  template <class T>
-  void operator()(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  template <class T>
-  void operator()(const std::vector<T>& values) {
-    (*this)(std::uint64_t{values.size()});
-    for (const T& value : values) (*this)(value);
-  }
-};
-
-/// The same, and reads them. False in `complete` if there are not enough.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
-  bool complete = true;
-
-  template <class T>
-  void operator()(T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    complete = complete && bytes_.size() >= sizeof value;
-    if (!complete) return;
-    std::memcpy(&value, bytes_.data(), sizeof value);
-    bytes_.remove_prefix(sizeof value);
-  }
-  void operator()(bool& value) {
-    std::uint8_t byte = 0;
-    (*this)(byte);
-    complete = complete && byte <= 1;
-    value = byte == 1;
-  }
-  template <class T>
-  void operator()(std::vector<T>& values) {
-    std::uint64_t count = 0;
-    (*this)(count);
-    complete = complete && count <= bytes_.size() / sizeof(T);
-    if (!complete) return;
-    values.resize(count);
-    for (T& value : values) (*this)(value);
-  }
-
- private:
-  std::string_view bytes_;
-};
 
 /// The sizes of what it visits.
 struct Sizes {
@@ -265,6 +213,10 @@ std::string interface_of(const Settings& settings, const Description& descriptio
                      settings.algorithm, names_and_sizes(description.observations),
                      names_and_sizes(description.actions), fmt::join(settings.layers, ","),
                      settings.activation == Activation::relu ? "relu" : "tanh", memory);
+}
+
+std::string critic_of(const Description& description) {
+  return description.critic.empty() ? "" : "; critic " + names_and_sizes(description.critic);
 }
 
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,

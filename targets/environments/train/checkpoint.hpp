@@ -49,6 +49,10 @@ std::string conditions(const Settings& settings, const std::string& contract_has
 /// "observations angle[2], actions voltage[1], layers 64,64".
 std::string interface_of(const Settings& settings, const Description& description);
 
+/// What the critic sees besides the observations, to be added to both: "; critic mass[1]". Empty:
+/// nothing.
+std::string critic_of(const Description& description);
+
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
                           const Model& model, const Progressed& progressed);
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,

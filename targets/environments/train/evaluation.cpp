@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "targets/environments/train/bytes.hpp"
+
 namespace eagerx::train {
 
 void Evaluation::add(const Evaluation& more) {
@@ -24,6 +26,34 @@ struct Evaluator::Episode {
   bool success = false;
 };
 
+namespace {
+
+/// Calls `visitor` with all of a part, for other ranks.
+template <class Visitor, class Result>
+void visit_result(Visitor& visitor, Result& result) {
+  std::uint64_t count = result.episodes.size();
+  visitor(count);
+  result.episodes.resize(std::min(count, std::uint64_t{kLanes}));
+  for (auto& episode : result.episodes) {
+    visitor(episode.sum);
+    visitor(episode.terms);
+    visitor(episode.steps);
+    visitor(episode.success);
+  }
+  visitor(result.saturated);
+  visitor(result.numbers);
+  visitor(result.far);
+}
+
+}  // namespace
+
+/// What came of a part.
+struct Evaluator::Result {
+  std::vector<Episode> episodes;
+  std::uint64_t saturated = 0, numbers = 0;  // of the actions
+  std::vector<std::uint64_t> far;            // [inputs] steps
+};
+
 class Evaluator::Part {
  public:
   Part(const Library& library, std::uint32_t first, std::uint32_t count, std::uint32_t longest)
@@ -36,16 +66,13 @@ class Evaluator::Part {
     rows_.observation.resize(kLanes * library.description().observation_numbers());
   }
 
-  std::vector<Episode> episodes;
-  std::uint64_t saturated = 0, numbers = 0;  // of the actions
-  std::vector<std::uint64_t> far;            // [inputs] steps
+  std::size_t count() const { return count_; }
 
-  void run(const Kernels& kernels, const Policy& policy, std::uint64_t seed,
-           const Statistics& observations) {
-    saturated = numbers = 0;
-    far.assign(policy.network.inputs(), 0);
+  Result run(const Kernels& kernels, const Policy& policy, std::uint64_t seed,
+             const Statistics& observations) {
+    result_ = {.episodes = std::vector(count_, Episode{0.0, std::vector<double>(terms_), 0, false}),
+               .far = std::vector<std::uint64_t>(policy.network.inputs())};
     row_.assign(policy.network.row(), Pack{});  // nothing is remembered
-    episodes.assign(count_, Episode{0.0, std::vector<double>(terms_), 0, false});
     std::vector<bool> ended(count_);
     environments_.reset(seed, rows_.observation.data());
     while (std::count(ended.begin(), ended.end(), false) != 0) {
@@ -59,6 +86,7 @@ class Evaluator::Part {
         ended[e] = ended[e] || rows_.ended(e);
       }
     }
+    return std::move(result_);
   }
 
  private:
@@ -73,16 +101,17 @@ class Evaluator::Part {
   void look(const Policy& policy, const Statistics& observations, std::uint32_t e) {
     for (std::size_t j = 0; j < policy.head.numbers && !policy.head.chooses; ++j) {
       const float x = action_[e * policy.head.numbers + j];
-      saturated += x <= policy.head.low[j] || x >= policy.head.high[j] ? 1 : 0;
-      ++numbers;
+      result_.saturated += x <= policy.head.low[j] || x >= policy.head.high[j] ? 1 : 0;
+      ++result_.numbers;
     }
-    for (std::size_t i = 0; i < far.size(); ++i) {
-      const double distance = rows_.observation[e * far.size() + i] - observations.mean[i];
-      far[i] += std::abs(distance) * observations.scale(i) > double{kFar} ? 1 : 0;
+    const std::size_t width = result_.far.size();
+    for (std::size_t i = 0; i < width; ++i) {
+      const double distance = rows_.observation[e * width + i] - observations.mean[i];
+      result_.far[i] += std::abs(distance) * observations.scale(i) > double{kFar} ? 1 : 0;
     }
   }
   void count(std::uint32_t e) {
-    Episode& episode = episodes[e];
+    Episode& episode = result_.episodes[e];
     episode.sum += rows_.reward[e];
     for (std::size_t i = 0; i < terms_; ++i) episode.terms[i] += rows_.terms[e * terms_ + i];
     ++episode.steps;
@@ -90,6 +119,7 @@ class Evaluator::Part {
   }
 
   Environments environments_;
+  Result result_;
   std::size_t terms_, count_;
   Rows rows_;  // [count] of the last step; [kLanes] of observations
   std::vector<float> action_;
@@ -97,12 +127,17 @@ class Evaluator::Part {
 };
 
 Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
-                     std::uint32_t longest, std::size_t episodes)
-    : kernels_(kernels), team_(team), has_threads_(library.description().has_threads) {
-  const auto all = static_cast<std::uint32_t>(episodes);
-  for (std::uint32_t first = 0; first < all; first += kLanes) {
-    const auto count = std::min(static_cast<std::uint32_t>(kLanes), all - first);
-    parts_.push_back(std::make_unique<Part>(library, first, count, longest));
+                     std::uint32_t longest, std::size_t episodes, Ranks& ranks)
+    : kernels_(kernels),
+      team_(team),
+      ranks_(ranks),
+      has_threads_(library.description().has_threads),
+      results_((episodes + kLanes - 1) / kLanes) {
+  own_ = environments::share_of(results_.size(), ranks.rank(), ranks.size());
+  for (std::size_t part = own_.first; part < own_.end; ++part) {
+    const std::size_t first = part * kLanes, count = std::min(kLanes, episodes - first);
+    parts_.push_back(std::make_unique<Part>(library, static_cast<std::uint32_t>(first),
+                                            static_cast<std::uint32_t>(count), longest));
   }
 }
 
@@ -110,23 +145,46 @@ Evaluator::~Evaluator() = default;
 
 Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed,
                           const Statistics& observations) {
-  const auto work = [&](std::size_t part) {
-    parts_[part]->run(kernels_, policy, seed, observations);
+  const auto work = [&](std::size_t i) {
+    results_[own_.first + i] = parts_[i]->run(kernels_, policy, seed, observations);
   };
-  if (has_threads_) {
-    team_.run_parts(parts_.size(), work);
-  } else {
-    for (std::size_t part = 0; part < parts_.size(); ++part) work(part);
+  const auto all = together(
+      ranks_,
+      [&] {
+        if (has_threads_) return team_.run_parts(parts_.size(), work);
+        for (std::size_t i = 0; i < parts_.size(); ++i) work(i);
+      },
+      [&] { return ranks_.size() == 1 ? std::string() : bytes_of_own(); });
+  for (std::uint32_t rank = 0; rank < ranks_.size(); ++rank) {
+    if (rank != ranks_.rank()) take(rank, all[rank]);
   }
+  return sum(policy.network.inputs());
+}
+
+std::string Evaluator::bytes_of_own() {
+  Writer writer;
+  for (std::size_t part = own_.first; part < own_.end; ++part) visit_result(writer, results_[part]);
+  return std::move(writer.bytes);
+}
+
+void Evaluator::take(std::uint32_t rank, const std::string& bytes) {
+  const auto theirs = environments::share_of(results_.size(), rank, ranks_.size());
+  Reader reader(bytes);
+  for (std::size_t part = theirs.first; part < theirs.end; ++part)
+    visit_result(reader, results_[part]);
+  if (!reader.complete) throw Problem(kInputOutput, "a rank has sent damaged results");
+}
+
+Evaluation Evaluator::sum(std::size_t inputs) const {
   Evaluation result;
-  result.far.resize(policy.network.inputs());
+  result.far.resize(inputs);
   double numbers = 0.0;
-  for (const auto& part : parts_) {
-    result.saturated += static_cast<double>(part->saturated);
-    numbers += static_cast<double>(part->numbers);
+  for (const Result& part : results_) {
+    result.saturated += static_cast<double>(part.saturated);
+    numbers += static_cast<double>(part.numbers);
     for (std::size_t i = 0; i < result.far.size(); ++i)
-      result.far[i] += static_cast<double>(part->far[i]);
-    for (const Episode& episode : part->episodes) {
+      result.far[i] += static_cast<double>(part.far[i]);
+    for (const Episode& episode : part.episodes) {
       const bool is_first = result.episodes++ == 0;
       result.successes += episode.success ? 1 : 0;
       result.mean_return += episode.sum;

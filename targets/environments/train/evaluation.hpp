@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/policy.hpp"
+#include "targets/environments/train/ranks/together.hpp"
 
 namespace eagerx::train {
 
@@ -31,7 +33,7 @@ class Evaluator {
  public:
   /// `longest`: steps of an episode that the task does not end.
   Evaluator(const Library& library, const Kernels& kernels, Team& team, std::uint32_t longest,
-            std::size_t episodes);
+            std::size_t episodes, Ranks& ranks = environments::alone());
   ~Evaluator();
 
   /// One episode in each of `episodes` environments, the first of `seed`. Nothing is drawn.
@@ -40,12 +42,20 @@ class Evaluator {
 
  private:
   struct Episode;
-  class Part;  // sixteen environments or fewer
+  struct Result;  // of a part
+  class Part;     // sixteen environments or fewer
+
+  std::string bytes_of_own();
+  void take(std::uint32_t rank, const std::string& bytes);
+  Evaluation sum(std::size_t inputs) const;
 
   const Kernels& kernels_;
   Team& team_;
+  Ranks& ranks_;
   const bool has_threads_;
-  std::vector<std::unique_ptr<Part>> parts_;
+  environments::Share own_;                   // parts of this rank
+  std::vector<std::unique_ptr<Part>> parts_;  // [own_]
+  std::vector<Result> results_;               // of all parts
 };
 
 }  // namespace eagerx::train

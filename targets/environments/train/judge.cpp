@@ -14,13 +14,14 @@ constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
 
 }  // namespace
 
-Judge::Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team)
+Judge::Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
+             Ranks& ranks)
     : until_return_(settings.until_return),
       has_success_(library.description().has_success),
       has_aim_(has_success_ || std::isfinite(until_return_)),
       head_(library.description()),
       evaluator_(library, kernels, team, longest_of(library.description()),
-                 settings.evaluation_episodes) {}
+                 settings.evaluation_episodes, ranks) {}
 
 Policy Judge::policy(const Algorithm& algorithm, std::vector<float> parameters) const {
   return {algorithm.deployed(), std::move(parameters), head_};

@@ -13,7 +13,8 @@ namespace eagerx::train {
 
 class Judge {
  public:
-  Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team);
+  Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
+        Ranks& ranks);
 
   /// Whether something says when a policy is good.
   bool has_aim() const { return has_aim_; }

@@ -26,7 +26,7 @@ struct AdamStep {
 struct Kernels {
   const char* name;
 
-  /// y [outputs] = W x + b of one tile. W [outputs][inputs]; the bias first, then inputs in order.
+  /// y [outputs] = W x + b of one tile. W [outputs][inputs]; sums as in eagerx/policy.hpp.
   void (*dense)(DenseSizes sizes, const float* weights, const float* bias, const Pack* x, Pack* y);
 
   /// dx [inputs] = Wᵀ dy, outputs in order.

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstddef>
-#include <eagerx/math/hyperbolic.hpp>
+#include <eagerx/policy/activation.hpp>
 #include <eagerx/policy/float_lanes.hpp>
+#include <eagerx/policy/lane_sums.hpp>
+#include <type_traits>
 
 #include "targets/environments/train/kernels.hpp"
 #include "targets/environments/train/recurrent/kernels_of.hpp"
@@ -21,26 +23,31 @@ struct KernelsOf {
   [[gnu::always_inline]] static Vector load(const Pack& x) { return Vector::load(x.lane); }
   [[gnu::always_inline]] static void store(const Vector& x, Pack& to) { x.store(to.lane); }
 
-  template <std::size_t Rows>
-  [[gnu::always_inline]] static void dense_rows(std::size_t inputs, const float* weights,
-                                                const float* bias, const Pack* x, Pack* y) {
-    Vector sum[Rows];
-    for (std::size_t r = 0; r < Rows; ++r) sum[r] = Vector(bias[r]);
-    for (std::size_t i = 0; i < inputs; ++i) {
-      const Vector xi = load(x[i]);
-      for (std::size_t r = 0; r < Rows; ++r) sum[r] = sum[r] + Vector(weights[r * inputs + i]) * xi;
-    }
-    for (std::size_t r = 0; r < Rows; ++r) store(sum[r], y[r]);
+  /// Outputs j … j + Outputs - 1, none of which is alone in its panel.
+  template <std::size_t Outputs>
+  static void dense_outputs(DenseSizes sizes, const float* weights, const float* bias,
+                            const Pack* x, Pack* y, std::size_t j) {
+    using One = std::integral_constant<std::size_t, 1>;
+    const policy::LaneWeights<std::size_t, One, std::size_t> part{
+        weights + j * sizes.inputs, sizes.inputs, {}, sizes.inputs};
+    Vector sums[Outputs];
+    policy::LaneOutputs<Outputs, Vector>::run(part, bias + j, x->lane, sums);
+    for (std::size_t k = 0; k < Outputs; ++k) store(sums[k], y[j + k]);
   }
+  /// With the sums of programs (eagerx/policy/lane_sums.hpp): what is trained is what is deployed.
   static void dense(DenseSizes sizes, const float* weights, const float* bias, const Pack* x,
                     Pack* y) {
+    constexpr std::size_t kOutputs = policy::kOutputsAtATime;
+    const bool one_is_alone = policy::alone_in_panel(sizes.outputs - 1, sizes.outputs);
+    const std::size_t in_panels = sizes.outputs - (one_is_alone ? 1 : 0);
     std::size_t j = 0;
-    for (; j + kRows <= sizes.outputs; j += kRows) {
-      dense_rows<kRows>(sizes.inputs, weights + j * sizes.inputs, bias + j, x, y + j);
-    }
-    for (; j < sizes.outputs; ++j) {
-      dense_rows<1>(sizes.inputs, weights + j * sizes.inputs, bias + j, x, y + j);
-    }
+    for (; j + kOutputs <= in_panels; j += kOutputs)
+      dense_outputs<kOutputs>(sizes, weights, bias, x, y, j);
+    for (; j < in_panels; ++j) dense_outputs<1>(sizes, weights, bias, x, y, j);
+    if (one_is_alone)
+      store(policy::LaneOutputAlone<Vector>::run(sizes.inputs, weights + j * sizes.inputs, bias[j],
+                                                 x->lane),
+            y[j]);
   }
 
   template <std::size_t Rows>
@@ -131,8 +138,9 @@ struct KernelsOf {
     }
   }
 
-  static void tanh(Pack* x, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) store(detail::tanh_inlined(load(x[i])), x[i]);
+  template <Activation A>
+  static void activate(Pack* x, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) store(policy::activated<A>(load(x[i]), 0.0F), x[i]);
   }
   static void tanh_slope(const Pack* y, Pack* dx, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -141,13 +149,6 @@ struct KernelsOf {
     }
   }
 
-  static void relu(Pack* x, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t l = 0; l < kLanes; ++l) {
-        x[i].lane[l] = x[i].lane[l] > 0.0F ? x[i].lane[l] : 0.0F;
-      }
-    }
-  }
   static void relu_slope(const Pack* y, Pack* dx, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t l = 0; l < kLanes; ++l) {
@@ -173,9 +174,9 @@ struct KernelsOf {
             dense,
             dense_transposed,
             dense_gradient,
-            tanh,
+            activate<Activation::tanh>,
             tanh_slope,
-            relu,
+            activate<Activation::relu>,
             relu_slope,
             OfMemory::gru,
             OfMemory::lstm,

@@ -1,33 +1,63 @@
 // eagerx-train LIBRARY: trains a policy on the environments of a graph.
+#include <chrono>
 #include <csignal>
 #include <runtime/host/base/interrupt.hpp>
+#include <thread>
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/options.hpp"
+#include "targets/environments/train/ranks/start.hpp"
 #include "targets/environments/train/seeds.hpp"
+#include "targets/environments/train/start.hpp"
 #include "targets/environments/train/sweep.hpp"
-#include "targets/environments/train/training.hpp"
 
 namespace eagerx::train {
 namespace {
 
-int run(int argc, char** argv) {
-  try {
-    const Options options = parse_options(argc, argv);
-    if (options.wants_help) {
-      print(help_text());
-      return kDone;
-    }
+const Interrupt& interrupts() {
+  return host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends);
+}
+
+/// Rank 0 alone looks at options and files, and prints.
+int run_first(int argc, char** argv, Ranks& ranks) {
+  const Options options = parse_options(argc, argv);
+  if (!options.wants_help)
     options.cases.empty() ? check_files(options) : check_files_of_sweep(options);
-    if (options.only_checks) return kDone;
-    const Library library(options.library);
-    const host::Interrupt& interrupt =
-        host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends);
-    if (!options.cases.empty()) return train_sweep(options, library, interrupt);
-    if (options.seeds > 1) return train_seeds(options, library, interrupt);
-    return Training(options, library).run(interrupt);
+  if (options.wants_help || options.only_checks) {
+    if (options.wants_help) print(help_text());
+    give_nothing(ranks);
+    return kDone;
+  }
+  give(ranks, argc, argv, options);
+  if (!options.cases.empty()) return train_sweep(options, Library(options.library), interrupts());
+  if (options.seeds > 1) return train_seeds(options, Library(options.library), interrupts());
+  return train_together(ranks, options, interrupts());
+}
+
+/// What rank 0 says, it says for all, and then it ends all. If it does not, this one's problem is
+/// not its own.
+int run_other(Ranks& ranks) {
+  constexpr std::chrono::seconds kPatience(30);
+  const Options options = take_job(ranks);
+  if (options.library.empty()) return kDone;
+  try {
+    train_together(ranks, options, interrupts());
+  } catch (const Problem&) {
+    std::this_thread::sleep_for(kPatience);
+    throw;
+  }
+  return kDone;
+}
+
+int run(int argc, char** argv) {
+  std::unique_ptr<Ranks> ranks;
+  try {
+    ranks = environments::make_ranks(argc, argv);
+    return ranks->is_first() ? run_first(argc, argv, *ranks) : run_other(*ranks);
   } catch (const std::exception& error) {
-    return client::tell(error);
+    const int code = client::tell(error);
+    if (ranks && ranks->size() > 1) ranks->abort(code);  // the others wait for this one
+    return code;
   }
 }
 

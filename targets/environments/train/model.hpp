@@ -16,10 +16,11 @@ inline constexpr float kHalfLogTwoPi = 0.9189385F;
 
 /// Actor and critic with all that the next update depends on.
 struct Model {
-  Model(const Settings& settings, std::size_t inputs, const Head& head)
+  /// `inputs` of the actor; the critic sees `more` behind them.
+  Model(const Settings& settings, std::size_t inputs, const Head& head, std::size_t more = 0)
       : actor(inputs, settings.layers, head.outputs, settings.activation,
               {settings.memory, settings.memory_units}),
-        critic(inputs, settings.layers, 1, settings.activation,
+        critic(inputs + more, settings.layers, 1, settings.activation,
                {settings.memory, settings.memory_units}),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
         critic_parameters(critic.drawn(random(settings, "train/critic"), 1.0F)),
@@ -28,7 +29,7 @@ struct Model {
         actor_adam(actor.parameters()),
         critic_adam(critic.parameters()),
         deviation_adam(log_deviation.size()),
-        observations(inputs),
+        observations(inputs + more),
         returns(1),
         step_size(settings.learning_rate),
         remembered(settings.environments * 2 *
@@ -40,7 +41,7 @@ struct Model {
   std::vector<float> log_deviation;  // [outputs] of the actions; [0] of a choice
   std::vector<float> averaged;       // running mean of actor_parameters: the policy
   Adam actor_adam, critic_adam, deviation_adam;
-  Statistics observations;  // [inputs]
+  Statistics observations;  // [inputs of the critic], those of the actor first
   Statistics returns;       // [1] discounted, while they run
   float step_size;
   /// [environments][states of actor and critic] after the last iteration.

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <eagerx/math.hpp>
+#include <optional>
 #include <utility>
 
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/choice.hpp"
+#include "targets/environments/train/ranks/together.hpp"
 
 namespace eagerx::train {
 namespace {
-
-void add_to(std::vector<float>& sum, const std::vector<float>& more) {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
-}
 
 /// What makes the gradient of a mean of sums at most `longest` long.
 float clipped_scale(const std::vector<float>& gradient, double count, double longest) {
@@ -24,20 +22,6 @@ float clipped_scale(const std::vector<float>& gradient, double count, double lon
 }
 
 }  // namespace
-
-void Gradient::clear() {
-  for (auto* values : {&actor, &critic, &log_deviation})
-    std::fill(values->begin(), values->end(), 0.0F);
-  divergence = count = 0.0;
-}
-
-void Gradient::add(const Gradient& more) {
-  add_to(actor, more.actor);
-  add_to(critic, more.critic);
-  add_to(log_deviation, more.log_deviation);
-  divergence += more.divergence;
-  count += more.count;
-}
 
 /// The gradient of every Mth tile of one rollout; with a memory, of every Mth sequence of them.
 class Ppo::Learner {
@@ -91,10 +75,10 @@ class Ppo::Learner {
 
   void evaluate(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t place) {
     const Model& model = ppo.model_;
-    const std::size_t width = model.actor.inputs();
+    const std::size_t width = model.critic.inputs();
     Pack* actor = &actor_rows_[place * model.actor.row()];
     Pack* critic = &critic_rows_[place * model.critic.row()];
-    std::copy_n(&rollout.inputs[tile * width], width, actor);
+    std::copy_n(&rollout.inputs[tile * width], model.actor.inputs(), actor);
     std::copy_n(&rollout.inputs[tile * width], width, critic);
     model.actor.forward(ppo.kernels_, model.actor_parameters.data(), actor);
     model.critic.forward(ppo.kernels_, model.critic_parameters.data(), critic);
@@ -184,15 +168,24 @@ class Ppo::Learner {
 };
 
 Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
-         std::uint32_t longest)
+         std::uint32_t longest, Ranks& ranks)
     : settings_(settings),
       head_(library.description()),
-      model_(settings, library.description().observation_numbers(), head_),
+      model_(settings, library.description().observation_numbers(), head_,
+             library.description().critic_numbers()),
+      critic_(critic_of(library.description())),
       kernels_(kernels),
       team_(team),
-      has_threads_(library.description().has_threads) {
+      ranks_(ranks),
+      own_(environments::share_of(kParts, ranks.rank(), ranks.size())),
+      has_threads_(library.description().has_threads),
+      gradient_sum_(ranks, model_) {
   for (std::size_t part = 0; part < kParts; ++part) {
-    rollouts_.push_back(std::make_unique<Rollout>(settings_, library, head_, longest, part));
+    if (part < own_.first || part >= own_.end) {
+      parts_.push_back(std::make_unique<Seen>(model_.critic.inputs()));
+      continue;
+    }
+    parts_.push_back(std::make_unique<Rollout>(settings_, library, head_, longest, part));
     learners_.push_back(std::make_unique<Learner>(settings_, model_));
   }
 }
@@ -201,28 +194,32 @@ Ppo::~Ppo() = default;
 
 void Ppo::begin_era(std::uint32_t era) {
   const std::uint64_t seed = settings_.seed + (std::uint64_t{era} << 32U);
-  for (auto& rollout : rollouts_) rollout->reset(seed);
+  for (auto& part : parts_) part->taken.clear();
+  in_parts([&](std::size_t part) { rollout(part).reset(seed); });
   if (model_.observations.count > 0.0 || !settings_.normalise) return;
-  for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
+  for (auto& part : parts_) model_.observations.add(part->observation_sums);
 }
 
 void Ppo::in_parts(const std::function<void(std::size_t part)>& work) {
-  if (has_threads_) return team_.run_parts(kParts, work);
-  for (std::size_t part = 0; part < kParts; ++part) work(part);
+  share_seen(ranks_, parts_, [&] {
+    const auto one = [&](std::size_t i) { work(own_.first + i); };
+    if (has_threads_) return team_.run_parts(own_.end - own_.first, one);
+    for (std::size_t i = 0; i < own_.end - own_.first; ++i) one(i);
+  });
 }
 
 void Ppo::remember_actions() {
   remembers_ = true;
-  for (auto& rollout : rollouts_) rollout->remembers = true;
+  for (std::size_t part = own_.first; part < own_.end; ++part) rollout(part).remembers = true;
 }
 
 std::vector<float> Ppo::actions(std::uint32_t iterations) const {
   const std::size_t wanted = iterations * steps() * head_.numbers / kParts;
   std::vector<float> actions;
-  for (const auto& rollout : rollouts_) {
-    const std::size_t count = std::min(wanted, rollout->taken.size());
-    actions.insert(actions.end(), rollout->taken.begin(),
-                   rollout->taken.begin() + static_cast<std::ptrdiff_t>(count));
+  for (const auto& part : parts_) {
+    const std::size_t count = std::min(wanted, part->taken.size());
+    actions.insert(actions.end(), part->taken.begin(),
+                   part->taken.begin() + static_cast<std::ptrdiff_t>(count));
   }
   return actions;
 }
@@ -232,22 +229,20 @@ void Ppo::take_up(const std::vector<float>& actions, std::uint32_t iterations) {
   if (actions.size() != count * kParts) return;
   for (std::size_t part = 0; part < kParts; ++part) {
     const auto first = actions.begin() + static_cast<std::ptrdiff_t>(part * count);
-    rollouts_[part]->taken.assign(first, first + static_cast<std::ptrdiff_t>(count));
+    parts_[part]->taken.assign(first, first + static_cast<std::ptrdiff_t>(count));
   }
 }
 
 void Ppo::go_on(std::uint32_t era) {
   std::vector<std::vector<float>> taken;
-  for (auto& rollout : rollouts_) taken.push_back(std::exchange(rollout->taken, {}));
+  for (auto& part : parts_) taken.push_back(std::exchange(part->taken, {}));
   const bool has_actions = !taken.front().empty();
   begin_era(era);
+  for (std::size_t part = 0; part < kParts && remembers_; ++part) parts_[part]->taken = taken[part];
   in_parts([&](std::size_t part) {
-    Rollout& rollout = *rollouts_[part];
-    rollout.taken = std::move(taken[part]);
-    rollout.replay(settings_.discount);
-    if (!remembers_) rollout.taken = {};
+    rollout(part).replay(taken[part], settings_.discount);
     const std::size_t states = model_.remembered.size() / kParts;
-    if (has_actions) rollout.recall(&model_.remembered[part * states]);
+    if (has_actions) rollout(part).recall(model_.remembered.data() + part * states);
   });
 }
 
@@ -255,14 +250,14 @@ std::vector<Episode> Ppo::collect() {
   Frozen frozen{kernels_, settings_, model_, Normaliser(model_.observations), {}, 1.0F, iteration};
   for (const float x : model_.log_deviation) frozen.deviation.push_back(exp(x));
   frozen.reward_scale = static_cast<float>(model_.returns.scale(0));
-  in_parts([&](std::size_t part) { rollouts_[part]->collect(frozen); });
+  in_parts([&](std::size_t part) { rollout(part).collect(frozen); });
   std::vector<Episode> episodes;
   Sums advantages(1);
-  for (auto& rollout : rollouts_) {
-    advantages.sum[0] += rollout->advantage_sums.sum[0];
-    advantages.squares[0] += rollout->advantage_sums.squares[0];
-    advantages.count += rollout->advantage_sums.count;
-    episodes.insert(episodes.end(), rollout->episodes.begin(), rollout->episodes.end());
+  for (const auto& part : parts_) {
+    advantages.sum[0] += part->advantage_sums.sum[0];
+    advantages.squares[0] += part->advantage_sums.squares[0];
+    advantages.count += part->advantage_sums.count;
+    episodes.insert(episodes.end(), part->episodes.begin(), part->episodes.end());
   }
   std::ranges::stable_sort(episodes, {}, &Episode::step);
   const double mean = advantages.sum[0] / advantages.count;
@@ -277,14 +272,14 @@ std::vector<Episode> Ppo::collect() {
 void Ppo::see() {
   if (is_frozen()) return;
   const double scale = model_.returns.scale(0);
-  for (auto& rollout : rollouts_) model_.returns.add(rollout->return_sums);
+  for (auto& part : parts_) model_.returns.add(part->return_sums);
   const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
   const Network::Layer& last = model_.critic.layers().back();
   for (std::size_t i = last.weights; i < last.bias + last.sizes.outputs; ++i)
     model_.critic_parameters[i] *= ratio;
   if (!settings_.normalise) return;
   const Statistics before = model_.observations;
-  for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
+  for (auto& part : parts_) model_.observations.add(part->observation_sums);
   keep_answers(model_.critic, model_.critic_parameters, before, model_.observations);
   for (auto* parameters : {&model_.actor_parameters, &model_.averaged})
     keep_answers(model_.actor, *parameters, before, model_.observations);
@@ -330,11 +325,12 @@ void Ppo::average() {
 bool Ppo::update(std::size_t minibatch) {
   precision_.clear();
   for (const float x : model_.log_deviation) precision_.push_back(exp(-x));
-  team_.run_parts(kParts, [&](std::size_t part) {
-    learners_[part]->learn(*this, *rollouts_[part], minibatch);
+  team_.run_parts(learners_.size(), [&](std::size_t i) {
+    learners_[i]->learn(*this, rollout(own_.first + i), minibatch);
   });
-  Gradient& sum = learners_.front()->gradient;
-  for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
+  std::vector<Gradient*> own;
+  for (const auto& learner : learners_) own.push_back(&learner->gradient);
+  const Gradient& sum = gradient_sum_.of(own);
   divergence_ = sum.divergence / sum.count;
   adapt_step_size();
   if (settings_.stop_divergence > 0.0F &&
@@ -352,21 +348,33 @@ bool Ppo::update(std::size_t minibatch) {
   return true;
 }
 
-Algorithm::Result Ppo::iterate() {
+std::size_t Ppo::learn() {
   constexpr std::size_t kShift = 7;  // the minibatches of an epoch do not begin with the same one
-  Result result{collect()};
   const std::size_t most = settings_.epochs * settings_.minibatches;
-  for (; result.updates < most; ++result.updates) {
-    const std::size_t epoch = result.updates / settings_.minibatches;
-    const std::size_t m = result.updates % settings_.minibatches;
+  std::size_t updates = 0;
+  for (; updates < most; ++updates) {
+    const std::size_t epoch = updates / settings_.minibatches;
+    const std::size_t m = updates % settings_.minibatches;
     if (!update((epoch * kShift + m) % settings_.minibatches)) break;
+  }
+  return updates;
+}
+
+Algorithm::Result Ppo::iterate() {
+  Result result{collect()};
+  const std::optional<Model> before = ranks_.size() > 1 ? std::optional(model_) : std::nullopt;
+  try {
+    result.updates = learn();
+  } catch (const Problem&) {  // another rank is gone: there is a checkpoint to be written
+    if (before) model_ = *before;
+    throw;
   }
   average();
   see();
   model_.remembered.clear();
-  for (const auto& rollout : rollouts_)
-    model_.remembered.insert(model_.remembered.end(), rollout->remembered.begin(),
-                             rollout->remembered.end());
+  for (const auto& part : parts_)
+    model_.remembered.insert(model_.remembered.end(), part->remembered.begin(),
+                             part->remembered.end());
   ++iteration;
   result.divergence = divergence_;
   return result;
@@ -385,14 +393,14 @@ double Ppo::deviation() const {
 std::string Ppo::checkpoint(const std::string& conditions, const std::string& interface,
                             Progressed& progressed, std::uint32_t iterations) const {
   if (!progressed.succeeded) progressed.actions = actions(iterations);
-  std::string bytes = checkpoint_of(conditions, interface, model_, progressed);
+  std::string bytes = checkpoint_of(conditions + critic_, interface + critic_, model_, progressed);
   progressed.actions = {};
   return bytes;
 }
 
 void Ppo::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
                   Progressed& progressed, std::uint32_t era) {
-  train::restore(bytes, name, conditions, model_, progressed);
+  train::restore(bytes, name, conditions + critic_, model_, progressed);
   iteration = progressed.iteration;
   // After a change of the task eras may be longer: then the rest of this one has new episodes.
   take_up(std::exchange(progressed.actions, {}), iteration % era);
@@ -405,7 +413,7 @@ std::string Ppo::replay(const std::string& /*text*/, const std::string& name) {
 
 void Ppo::begin_from(const std::string& bytes, const std::string& name,
                      const std::string& interface) {
-  train::begin_from(bytes, name, interface, model_);
+  train::begin_from(bytes, name, interface + critic_, model_);
 }
 
 }  // namespace eagerx::train

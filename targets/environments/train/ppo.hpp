@@ -7,35 +7,22 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/ranks/gradient_sum.hpp"
 #include "targets/environments/train/rollout.hpp"
 
 namespace eagerx::train {
 
-/// Gradients of one part of a minibatch.
-struct Gradient {
-  explicit Gradient(const Model& model)
-      : actor(model.actor.parameters()),
-        critic(model.critic.parameters()),
-        log_deviation(model.log_deviation.size()) {}
-  std::vector<float> actor, critic, log_deviation;
-  double divergence = 0.0;  // sum over the samples
-  double count = 0.0;       // samples
-
-  void clear();
-  void add(const Gradient& more);
-};
-
 class Ppo : public Algorithm {
  public:
   Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
-      std::uint32_t longest);
+      std::uint32_t longest, Ranks& ranks = environments::alone());
   ~Ppo() override;
 
   const Model& model() const { return model_; }
 
   std::size_t environments() const override { return settings_.environments; }
   std::size_t steps() const override { return settings_.environments * settings_.horizon; }
-  std::string stepping() const override { return rollouts_.front()->stepping(); }
+  std::string stepping() const override { return rollout(own_.first).stepping(); }
   void begin_era(std::uint32_t era) override;
   void remember_actions() override;
   void go_on(std::uint32_t era) override;
@@ -56,9 +43,14 @@ class Ppo : public Algorithm {
  private:
   class Learner;  // a part of a minibatch
 
-  /// work(part) for each of the rollouts, at once if the library can.
+  /// Of this rank.
+  Rollout& rollout(std::size_t part) const { return static_cast<Rollout&>(*parts_[part]); }
+  /// work(part) for each of this rank's, at once if the library can. Then every rank has seen what
+  /// all have.
   void in_parts(const std::function<void(std::size_t part)>& work);
   std::vector<Episode> collect();
+  /// Returns how often it has learnt from the rollouts.
+  std::size_t learn();
   /// False if the policy has moved far enough.
   bool update(std::size_t minibatch);
   void adapt_step_size();
@@ -75,12 +67,16 @@ class Ppo : public Algorithm {
   const Settings settings_;
   const Head head_;
   Model model_;
+  const std::string critic_;  // what only the critic sees, in words, for checkpoints
   const Kernels& kernels_;
   Team& team_;
+  Ranks& ranks_;
+  const environments::Share own_;  // parts of this rank
   const bool has_threads_;
   bool remembers_ = false;
-  std::vector<std::unique_ptr<Rollout>> rollouts_;
-  std::vector<std::unique_ptr<Learner>> learners_;
+  std::vector<std::unique_ptr<Seen>> parts_;  // [kParts] rollouts, where they are of this rank
+  std::vector<std::unique_ptr<Learner>> learners_;  // [own_]
+  GradientSum gradient_sum_;
   std::vector<float> precision_;  // [outputs] 1 / deviation of the actions
   double divergence_ = 0.0;
   float advantage_mean_ = 0.0F, advantage_scale_ = 1.0F;

@@ -18,9 +18,7 @@ float& lane(Packs& packs, std::size_t row, std::size_t environment) {
 
 Rollout::Rollout(const Settings& settings, const Library& library, const Head& head,
                  std::uint32_t longest, std::size_t part)
-    : observation_sums(library.description().observation_numbers()),
-      return_sums(1),
-      advantage_sums(1),
+    : Seen(library.description().observation_numbers() + library.description().critic_numbers()),
       head_(head),
       environments_(library.functions(), static_cast<std::uint32_t>(settings.environments / kParts),
                     static_cast<std::uint32_t>(settings.environments / kParts * part),
@@ -28,7 +26,7 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
       count_(settings.environments / kParts),
       first_(count_ * part),
       horizon_(settings.horizon),
-      width_(library.description().observation_numbers()),
+      width_(observation_sums.sum.size()),
       numbers_(head.numbers),
       longest_(!settings.stagger ? 0
                : longest > 0     ? longest
@@ -38,6 +36,7 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
       hard_(settings, library, static_cast<std::uint32_t>(first_),
             static_cast<std::uint32_t>(count_)),
       rows_(library.description(), count_),
+      sight_(library.description(), rows_),
       action_(count_ * numbers_),
       return_(count_),
       discounted_(count_),
@@ -54,6 +53,7 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
 
 void Rollout::reset(std::uint64_t seed) {
   hard_.reset(environments_, seed, rows_.observation.data());
+  sight_.look(environments_);
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
   taken.clear();
@@ -87,13 +87,15 @@ void Rollout::cut_first_episodes() {
     any = any || cuts;
     if (!cuts) continue;
     rows_.truncated[e] = 1;
-    std::copy_n(&rows_.observation[e * width_], width_, &rows_.final_observation[e * width_]);
+    sight_.end(e);
   }
-  if (any) environments_.reset_some(is_cut_.data(), rows_.observation.data());
+  if (!any) return;
+  environments_.reset_some(is_cut_.data(), rows_.observation.data());
+  sight_.look(environments_);
 }
 
-void Rollout::replay(float discount) {
-  for (auto row = taken.begin(); row != taken.end();) {
+void Rollout::replay(const std::vector<float>& again, float discount) {
+  for (auto row = again.begin(); row != again.end();) {
     const auto end = row + static_cast<std::ptrdiff_t>(action_.size());
     std::copy(row, end, action_.begin());
     step_environments();
@@ -119,7 +121,7 @@ void Rollout::collect(const Frozen& frozen) {
     step(frozen, t);
   }
   for (std::size_t k = 0; k < tiles(); ++k) {
-    frozen.normaliser.load(&rows_.observation[k * kLanes * width_], critic_row_.data());
+    frozen.normaliser.load(sight_.now() + k * kLanes * width_, critic_row_.data());
     critic_states_.load(frozen.model.critic, k, critic_row_.data());
     frozen.model.critic.forward(frozen.kernels, frozen.model.critic_parameters.data(),
                                 critic_row_.data());
@@ -136,8 +138,8 @@ void Rollout::act(const Frozen& frozen, std::size_t step) {
   const Model& model = frozen.model;
   for (std::size_t k = 0; k < tiles(); ++k) {
     Pack* x = input(step, k);
-    frozen.normaliser.load(&rows_.observation[k * kLanes * width_], x);
-    std::copy_n(x, width_, actor_row_.data());
+    frozen.normaliser.load(sight_.now() + k * kLanes * width_, x);
+    std::copy_n(x, sight_.actor_width(), actor_row_.data());
     std::copy_n(x, width_, critic_row_.data());
     actor_states_.load(model.actor, k, actor_row_.data());
     critic_states_.load(model.critic, k, critic_row_.data());
@@ -196,6 +198,8 @@ void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t t
 
 void Rollout::step_environments() {
   step_all(environments_, action_.data(), rows_);
+  sight_.look(environments_);
+  sight_.look_at_ends(environments_);
   cut_first_episodes();
 }
 
@@ -275,7 +279,7 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
       any = any || (rows_.truncated[e] != 0 && rows_.terminated[e] == 0);
     }
     if (!any) continue;
-    frozen.normaliser.load(&rows_.final_observation[k * kLanes * width_], critic_row_.data());
+    frozen.normaliser.load(sight_.at_end() + k * kLanes * width_, critic_row_.data());
     critic_states_.load(model.critic, k, critic_row_.data());
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
     const Pack& value = critic_row_[model.critic.output()];
@@ -290,7 +294,7 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
 void Rollout::sum_observations() {
   for (std::size_t e = 0; e < count_; ++e) {
     for (std::size_t i = 0; i < width_; ++i) {
-      const float x = rows_.observation[e * width_ + i];
+      const float x = sight_.now()[e * width_ + i];
       if (!std::isfinite(x)) {
         throw Problem(kProblems, "an observation is NaN or infinite",
                       "the simulation breaks down: look at its step, or end the episode sooner");

@@ -12,6 +12,8 @@
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/recurrent/states.hpp"
+#include "targets/environments/train/seen.hpp"
+#include "targets/environments/train/sight.hpp"
 
 namespace eagerx::train {
 
@@ -28,7 +30,7 @@ struct Frozen {
 
 /// One of kParts parts of the environments, in tiles of sixteen. Steps are in order of time:
 /// [horizon][tiles], one more where it says so.
-class Rollout {
+class Rollout final : public Seen {
  public:
   Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
           std::size_t part);
@@ -37,9 +39,9 @@ class Rollout {
   void reset(std::uint64_t seed);
   /// Steps all environments `horizon` times and estimates advantages.
   void collect(const Frozen& frozen);
-  /// Steps all environments, which have just been reset, with `taken` again. They are then where
-  /// they were when the last of these actions had been taken.
-  void replay(float discount);
+  /// Steps all environments, which have just been reset, with `again` [steps][count][numbers] once
+  /// more. They are then where they were when the last of these had been taken.
+  void replay(const std::vector<float>& again, float discount);
   /// The networks remember of all environments what was in `remembered` once.
   void recall(const float* states);
 
@@ -49,18 +51,13 @@ class Rollout {
   /// 1 where the episode went on behind a step of the rollout, 0 where it ended; [16] of a tile.
   Pack goes_on(std::size_t step, std::size_t tile) const;
 
-  Packs inputs;           // [horizon + 1][tiles][inputs] normalised observations
+  Packs inputs;           // [horizon + 1][tiles][inputs of the critic] normalised observations
   Packs actions;          // [horizon][tiles][numbers] as drawn, in -1…1 or beyond; or the choice
   Packs log_probability;  // of the actions
   Packs advantage, target;  // target of the critic
   /// [horizon / memory_steps][tiles][state] what was remembered at the beginning of each sequence.
   Packs actor_starts, critic_starts;
-  std::vector<float> remembered;  // [states of actor and critic] behind the rollout
-  Sums observation_sums, return_sums;
-  Sums advantage_sums;
-  std::vector<Episode> episodes;  // in order of time
-  bool remembers = false;         // in `taken`
-  std::vector<float> taken;       // [steps since reset()][count][numbers] actions
+  bool remembers = false;  // in `taken`
 
  private:
   void act(const Frozen& frozen, std::size_t step);
@@ -91,14 +88,15 @@ class Rollout {
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
   HardEnvironments hard_;
-  Rows rows_;                          // [count] of the last step
-  std::vector<float> action_;          // [count][numbers]
-  std::vector<double> return_;         // [count] of the episode so far
-  std::vector<float> discounted_;      // [count] of the episode so far
-  Packs value_;                        // [horizon + 1][tiles]
-  Packs rewards_;                      // [horizon][tiles] scaled
-  std::vector<std::uint8_t> ended_;    // [horizon][count]
-  Packs actor_row_, critic_row_;       // scratch
+  Rows rows_;                        // [count] of the last step
+  Sight sight_;                      // with what only the critic sees, [count][width]
+  std::vector<float> action_;        // [count][numbers]
+  std::vector<double> return_;       // [count] of the episode so far
+  std::vector<float> discounted_;    // [count] of the episode so far
+  Packs value_;                      // [horizon + 1][tiles]
+  Packs rewards_;                    // [horizon][tiles] scaled
+  std::vector<std::uint8_t> ended_;  // [horizon][count]
+  Packs actor_row_, critic_row_;     // scratch
   States actor_states_, critic_states_;
 };
 

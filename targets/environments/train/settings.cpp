@@ -47,20 +47,25 @@ Place number_at(std::string_view name, T sac::Settings::*member) {
           [member](const Settings& settings) { return fmt::format("{}", settings.sac.*member); }};
 }
 
+/// `values`: what the words of the row mean, in their order; empty: 0, 1, ….
 template <class T>
-Place word_at(std::string_view name, T Settings::*member) {
+Place word_at(std::string_view name, T Settings::*member, std::vector<T> values = {}) {
   const auto words = [](const Setting& row) { return client::pieces_of(row.words, ','); };
   return {name,
-          [member, words](Settings& settings, const Setting& row, const std::string& text) {
+          [=](Settings& settings, const Setting& row, const std::string& text) {
             const auto known = words(row);
             const auto found = std::ranges::find(known, text);
             if (found == known.end())
               refuse(fmt::format("`{}` is none of {}", text, fmt::join(known, ", ")));
-            settings.*member = static_cast<T>(found - known.begin());
+            const auto place = static_cast<std::size_t>(found - known.begin());
+            settings.*member = values.empty() ? static_cast<T>(place) : values.at(place);
           },
-          [member, name, words](const Settings& settings) {
+          [=](const Settings& settings) {
             const auto* row = std::ranges::find(kTrainSettings, name, &Setting::name);
-            return std::string(words(*row)[static_cast<std::size_t>(settings.*member)]);
+            const auto found = std::ranges::find(values, settings.*member);
+            return std::string(
+                words(*row)[values.empty() ? static_cast<std::size_t>(settings.*member)
+                                           : static_cast<std::size_t>(found - values.begin())]);
           }};
 }
 
@@ -96,7 +101,7 @@ const std::vector<Place>& places() {
   using S = Settings;
   static const std::vector<Place> all = {
       layers_at("layers", &S::layers),
-      word_at("activation", &S::activation),
+      word_at("activation", &S::activation, {Activation::tanh, Activation::relu}),
       word_at("memory", &S::memory),
       number_at("memory_units", &S::memory_units),
       number_at("memory_steps", &S::memory_steps),

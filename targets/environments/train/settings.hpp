@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/policy/activation.hpp>
 #include <limits>
 #include <memory>
 #include <string>
@@ -15,7 +16,8 @@ namespace eagerx::train {
 
 class HardStarts;
 
-enum class Activation : std::uint8_t { tanh, relu };
+/// The runtime's; tanh and relu are trained.
+using eagerx::Activation;
 enum class Memory : std::uint8_t { none, gru, lstm };
 enum class Schedule : std::uint8_t { adaptive, constant };
 

@@ -109,9 +109,10 @@ std::uint32_t era_of(const Settings& settings, const Description& description) {
 }
 
 std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
-                                            const Kernels& kernels, Team& team) {
+                                            const Kernels& kernels, Team& team, Ranks& ranks) {
   const std::uint32_t longest = longest_of(library.description());
-  if (!is_sac(settings)) return std::make_unique<Ppo>(settings, library, kernels, team, longest);
+  if (!is_sac(settings))
+    return std::make_unique<Ppo>(settings, library, kernels, team, longest, ranks);
   // A training that goes on takes the actions of its era from the memory.
   sac::Settings& s = settings.sac;
   s.memory =

@@ -5,12 +5,15 @@
 #include <memory>
 #include <string>
 
+#include "targets/environments/ranks/ranks.hpp"
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/kernels.hpp"
 #include "targets/environments/train/options.hpp"
 
 namespace eagerx::train {
+
+using environments::Ranks;
 
 /// Throws Problem if a file of the options could not be written or read.
 void check_files(const Options& options);
@@ -30,7 +33,8 @@ std::uint32_t longest_of(const Description& description);
 /// Iterations between two starts of all environments.
 std::uint32_t era_of(const Settings& settings, const Description& description);
 
+/// With several ranks, it has been checked that they can share it: ranks/start.hpp.
 std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
-                                            const Kernels& kernels, Team& team);
+                                            const Kernels& kernels, Team& team, Ranks& ranks);
 
 }  // namespace eagerx::train

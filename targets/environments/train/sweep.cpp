@@ -19,8 +19,6 @@
 namespace eagerx::train {
 namespace {
 
-constexpr int kInterrupted = 130;  // as shells say it
-
 double seconds_of(clockid_t clock) {
   timespec time{};
   clock_gettime(clock, &time);

@@ -35,18 +35,21 @@ std::string conditions_of(const Options& options, const Description& description
 
 }  // namespace
 
-Training::Training(const Options& options, const Library& library, Showing::SharedTable table)
+Training::Training(const Options& options, const Library& library, Showing::SharedTable table,
+                   Ranks& ranks)
     : options_(options),
       library_(library),
       kernels_(chosen_kernels(options.kernels)),
+      ranks_(ranks),
       settings_(settings_of(options, checked(library))),
       era_(era_of(settings_, library.description())),
       conditions_(conditions_of(options, library.description())),
       interface_(interface_of(options.settings, library.description())),
       team_(chosen_threads(options.threads), Team::Size::at_most),
-      algorithm_(chosen_algorithm(settings_, library, kernels_, team_)),
-      judge_(options.settings, library, kernels_, team_),
-      saving_(options.checkpoint, options.checkpoint_every_s, [this] { return checkpoint(); }),
+      algorithm_(chosen_algorithm(settings_, library, kernels_, team_, ranks)),
+      judge_(options.settings, library, kernels_, team_, ranks),
+      saving_(ranks.is_first() ? options.checkpoint : std::string(), options.checkpoint_every_s,
+              [this] { return checkpoint(); }),
       showing_(options, library.description(), begin(), std::move(table)) {}
 
 /// With a checkpoint, what another training has learnt, or logs. Returns the first step.
@@ -63,7 +66,7 @@ std::uint64_t Training::begin() {
     const std::string said = algorithm_->replay(read_file(log), log);
     if (!options_.is_quiet) fmt::print(stderr, "{}\n", said);
   }
-  if (saving_.is_wanted()) algorithm_->remember_actions();
+  if (!options_.checkpoint.empty()) algorithm_->remember_actions();
   return steps();
 }
 
@@ -86,12 +89,14 @@ int Training::run(const Stop& stop) {
     evaluate(unused);
   }
   last_ = judge_.evaluate_at_last(*algorithm_, progressed_.best);
-  if (!options_.output.empty()) write_policy(options_.output);
-  write_curves();
+  if (ranks_.is_first()) {
+    if (!options_.output.empty()) write_policy(options_.output);
+    write_curves();
+  }
   if (!options_.is_quiet)
     print((options_.name.empty() ? "" : options_.name + "\n") + report(last_, ending));
   if (unsaved) throw *unsaved;
-  if (ending == Ending::interrupted) return 130;  // as shells say it
+  if (ending == Ending::interrupted) return kInterrupted;
   return ending == Ending::success || !judge_.has_aim() ? kDone : kProblems;
 }
 
@@ -104,7 +109,7 @@ void Training::tell_where(const Problem& problem) {
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
   }
-  if (problem.code != kProblems) throw problem;
+  if (problem.code != kProblems && problem.code != kInterrupted) throw problem;
   throw Problem(problem.code,
                 fmt::format("{}\nnote: the training had made {} steps with `--seed {}`{}",
                             problem.what(), steps(), options_.settings.seed, saved),
@@ -130,7 +135,7 @@ Ending Training::iterate(const Stop& stop) {
     }
     if (algorithm_->iteration > first_iteration_) showing_.show(progressed_.curve, judge_.seen());
     if (steps() >= options_.steps) return Ending::steps;
-    if (stop) return Ending::interrupted;
+    if (ranks_.is_any(static_cast<bool>(stop))) return Ending::interrupted;
     start_iteration();
     progressed_.curve.push_back(note(algorithm_->iterate()));
   }

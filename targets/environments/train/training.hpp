@@ -20,10 +20,12 @@ namespace eagerx::train {
 class Training {
  public:
   /// Throws Problem for a library that cannot be trained on, and a checkpoint of another training.
-  Training(const Options& options, const Library& library, Showing::SharedTable table = {});
+  Training(const Options& options, const Library& library, Showing::SharedTable table = {},
+           Ranks& ranks = environments::alone());
 
   /// Trains until the policy succeeds, the steps are used up, or it is to `stop`. Writes the
-  /// files. Returns an exit code. Throws Problem, after the checkpoint is written.
+  /// files. Returns an exit code. Throws Problem, after the checkpoint is written. Called by all
+  /// ranks, which all come to the same; rank 0 alone writes and prints.
   int run(const Stop& stop);
 
   /// Of what run() has written.
@@ -49,6 +51,7 @@ class Training {
   const Options& options_;
   const Library& library_;
   const Kernels& kernels_;
+  Ranks& ranks_;
   const Settings settings_;  // with what its files say
   const std::uint32_t era_;  // iterations between two starts of all environments
   const std::string conditions_, interface_;

@@ -1,7 +1,8 @@
 // A library of environments, written by hand: the disc pendulum without friction, with the
 // interface that generated libraries have. Test double of the trainer's tests. With
 // EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V; with EAGERX_TEST_HIDDEN the speed
-// is not observed. In the environment of a process,
+// is not observed; with EAGERX_TEST_CRITIC the critic sees the angle's distance from upright, too,
+// and a number of the episode. In the environment of a process,
 // EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
 // EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
 #include <cmath>
@@ -29,6 +30,13 @@ constexpr bool kChooses = false;
 #define ACTION R"("shape": [], "dtype": "float32", "low": [-2], "high": [2])"
 #endif
 
+#ifdef EAGERX_TEST_CRITIC
+#define NUMBER R"("shape": [], "dtype": "float32", "low": [null], "high": [null], "first": )"
+#define CRITIC R"(, "critic": [{"name": "error", )" NUMBER R"(0}, {"name": "luck", )" NUMBER "1}]"
+#else
+#define CRITIC
+#endif
+
 #ifdef EAGERX_TEST_HIDDEN
 constexpr std::size_t kWidth = 2;  // of an observation
 #define SPEED
@@ -47,6 +55,8 @@ struct Pendulum {
   std::uint64_t seed = 0;
   std::uint32_t number = 0, episode = 0, step = 0, upright = 0;
   float angle = 0.0F, speed = 0.0F;  // rad, rad/s; 0 is upright
+  float luck = 0.0F;                 // of the episode
+  float end[2] = {};                 // what the critic saw last in the one that ended
   bool ended = false;
   float next[2] = {NAN, NAN};  // angle and speed that the next episode begins with, if not NaN
 
@@ -54,6 +64,7 @@ struct Pendulum {
     eagerx::Random random({seed, number, episode++}, eagerx::entity_id("pendulum"));
     angle = random.uniform(-3.14F, 3.14F);
     speed = random.uniform(-9.0F, 9.0F);
+    luck = random.uniform(0.0F, 1.0F);
     if (!std::isnan(next[0])) angle = next[0];
     if (!std::isnan(next[1])) speed = next[1];
     next[0] = next[1] = NAN;
@@ -70,6 +81,10 @@ struct Pendulum {
     ++step;
   }
   float error() const { return eagerx::atan2(eagerx::sin(angle), eagerx::cos(angle)); }
+  void show(float* row) const {
+    row[0] = error();
+    row[1] = luck;
+  }
   void observe(float* row) const {
     row[0] = eagerx::cos(angle);
     row[1] = eagerx::sin(angle);
@@ -116,7 +131,8 @@ const char* eagerx_describe(void) {
     "actions": [{"name": "voltage", )" ACTION R"(, "first": 0}],
     "states": [{"name": "pendulum.model_state", "shape": [2], "dtype": "float32",
                 "low": [-4, -10], "high": [4, 10], "first": 0}],
-    "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150}})";
+    "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150)" CRITIC
+         "}}";
 }
 const char* eagerx_error(void) {
   return failure.c_str();
@@ -187,12 +203,22 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
     if (rows->terms != nullptr) std::memcpy(rows->terms + 3 * i, terms, sizeof terms);
     if (one.ended && environments->autoreset == EAGERX_SAME_STEP) {
       if (rows->final_observation != nullptr) one.observe(rows->final_observation + kWidth * i);
+      one.show(one.end);
       one.begin();
     }
     if (rows->observation != nullptr) one.observe(rows->observation + kWidth * i);
   }
   if (!is_finite) failure = "a reward is not finite";
   return is_finite ? 0 : 1;
+}
+
+int eagerx_critic(eagerx_environments* environments, float* critic, float* final_critic) {
+  for (std::size_t i = 0; i < environments->all.size(); ++i) {
+    const Pendulum& one = environments->all[i];
+    if (critic != nullptr) one.show(critic + 2 * i);
+    if (final_critic != nullptr) std::memcpy(final_critic + 2 * i, one.end, sizeof one.end);
+  }
+  return 0;
 }
 
 }  // extern "C"

@@ -48,9 +48,11 @@ class Described:
     def __init__(self, description):
         self.description = description
         self._fields = {what: tuple(Field(told) for told in description[what]) for what in ("observations", "actions", "states")}
+        self.critic = tuple(Field(told) for told in (description["task"] or {}).get("critic", ()))
         self.terms = tuple(description["task"]["terms"]) if description["task"] else ()
         # Of the memory that is read and written, whatever happens to the fields.
-        self._sizes = {what: numbers_of(fields) for what, fields in self._fields.items()} | {"terms": len(self.terms)}
+        self._sizes = {what: numbers_of(fields) for what, fields in self._fields.items()} | {
+            "terms": len(self.terms), "critic": numbers_of(self.critic)}
 
     observations = property(lambda self: self._fields["observations"])
     actions = property(lambda self: self._fields["actions"])

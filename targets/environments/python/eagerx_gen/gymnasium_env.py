@@ -49,6 +49,7 @@ class Env(checks.Single, gymnasium.Env):
         self._observations = conversion.of_observations(library, flatten)
         self.action_space, self.observation_space = self._actions.space, self._observations.space
         self._begun = self._ended = False
+        self._says_critic = bool(library.critic)
 
     def _observation(self):
         return conversion.one_of(self._observations.from_row(self.environments.observation.copy()), 0)
@@ -64,7 +65,7 @@ class Env(checks.Single, gymnasium.Env):
             seed = int(self.np_random.integers(2**63))
         self.environments.reset(seeds=None if seed is None else [seed])
         self._begun, self._ended = True, False
-        return self._observation(), {}
+        return self._observation(), self._seen()
 
     def set(self, parameters):
         """Sets tunable parameters between two steps: {"controller.kp": 3.0}. They stay until they are set again."""
@@ -91,7 +92,14 @@ class Env(checks.Single, gymnasium.Env):
     def _info(self, rows):
         if not self.library.has_task:
             return {}
-        return {"success": bool(rows.success[0]), "terms": {name: float(x) for name, x in zip(self.library.terms, rows.terms[0])}}
+        return {"success": bool(rows.success[0]), "terms": {name: float(x) for name, x in zip(self.library.terms, rows.terms[0])},
+                **self._seen()}
+
+    def _seen(self):
+        """`critic`: what only the critic of a training sees, where the graph's task says so."""
+        if not self._says_critic:
+            return {}
+        return {"critic": {name: rows[0] for name, rows in self.environments.critic().items()}}
 
     def render(self):
         """What the graph's `render:` showed last; None without a render mode."""

@@ -89,7 +89,9 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
             self.environments.reset(mask & ~new)
         self._begun |= mask
         self._ended = self._ended & ~mask
-        return self._observation(), {}
+        info = {}
+        self._add_critic(info, mask)
+        return self._observation(), info
 
     def _mask(self, options):
         if "reset_mask" not in options:
@@ -123,6 +125,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
             raise
         before, self._ended = self._ended, rows.terminated | rows.truncated
         info = self._info_of_step(before) if self.library.has_task else {}
+        self._add_critic(info, np.ones(self.num_envs, np.bool_))
         if mode == "same_step" and is_any(self._ended):
             self._add_final(info)
         # float64: what Gymnasium's own vector environments give.
@@ -142,6 +145,16 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
             terms["_" + name] = mask.copy()
         return {"success": rows.success & mask, "_success": mask.copy(), "terms": terms, "_terms": mask.copy()}
 
+    def _add_critic(self, info, mask, final=False):
+        """What only the critic of a training sees, where the graph's task says so: of a reset, too."""
+        if not self.library.critic:
+            return
+        seen = {}
+        for name, rows in self.environments.critic(final).items():
+            seen[name] = np.where(mask.reshape(-1, *(1,) * (rows.ndim - 1)), rows, np.float32(0))
+            seen["_" + name] = mask.copy()
+        info["critic"], info["_critic"] = seen, mask.copy()
+
     def _add_final(self, info):
         ended = self._ended
         places = np.flatnonzero(ended)
@@ -151,6 +164,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
             observations[place] = observation
         info["final_obs"], info["_final_obs"] = observations, ended.copy()
         info["final_info"] = self._info(ended) if self.library.has_task else {}
+        self._add_critic(info["final_info"], ended, final=True)
         info["_final_info"] = ended.copy()
 
     def render(self):

@@ -47,6 +47,7 @@ _FUNCTIONS = {
     "eagerx_set_states": (c_int, [c_void_p] * 3),
     "eagerx_tune": (c_int, [c_void_p] * 3),
     "eagerx_get_states": (c_int, [c_void_p] * 2),
+    "eagerx_critic": (c_int, [c_void_p] * 3),
     "eagerx_trace": (c_int, [c_void_p, c_uint32, c_char_p]),
     "eagerx_hash": (c_uint64, [c_void_p, c_uint32]),
     "eagerx_picture": (c_int, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p]),
@@ -245,6 +246,17 @@ class Environments(checks.Single):
         if self._call(self._library.c.eagerx_get_states, row.ctypes.data) != 0:
             self._fail()
         return {field.name: row[:, field.columns].reshape(self._count, *field.shape) for field in self._library.states}
+
+    def critic(self, final=False):
+        """{name: [count, ...]} what the graph's `task.critic` shows besides observations, as of the last step or reset.
+
+        final: rows whose episode ended with the last step, with autoreset "same_step".
+        """
+        row = np.zeros((self._count, self._library._sizes["critic"]), np.float32)
+        address = row.ctypes.data
+        if self._call(self._library.c.eagerx_critic, None if final else address, address if final else None) != 0:
+            self._fail()
+        return {field.name: row[:, field.columns].reshape(self._count, *field.shape) for field in self._library.critic}
 
     def trace(self, environment, path):
         """From its next reset on, messages of an environment go to a file for `eagerx-gen replay`; None ends it.

@@ -60,7 +60,7 @@ class VecEnv(checks.Single, _base.VecEnv):
         self._begun = True
         self._started = time.monotonic()
         self._returns[:], self._lengths[:] = 0.0, 0
-        self.reset_infos = [{} for _ in range(self.num_envs)]
+        self.reset_infos = self._infos()
         self._reset_seeds()
         self._reset_options()
         return self._observation(self.environments.observation)
@@ -82,13 +82,22 @@ class VecEnv(checks.Single, _base.VecEnv):
         if problem is not None:
             self._returns[ended], self._lengths[ended] = 0.0, 0
             raise problem
-        infos = [{} for _ in range(self.num_envs)]
+        infos = self._infos()
         if ended.any():
             final = self._observation(rows.final_observation)
+            critic = rows.critic(final=True) if self.library.critic else {}
             for i in np.flatnonzero(ended):
-                infos[i] = self._info_of_end(i, final)
+                infos[i] |= self._info_of_end(i, final)
+                if critic:
+                    infos[i]["terminal_critic"] = conversion.one_of(critic, i)
             self._returns[ended], self._lengths[ended] = 0.0, 0
         return self._observation(rows.observation), rows.reward.copy(), ended, infos
+
+    def _infos(self):
+        """`critic` for each environment, where the graph's task says what only the critic of a training sees."""
+        if not self.library.critic:
+            return [{} for _ in range(self.num_envs)]
+        return [{"critic": seen} for seen in conversion.each_of(self.environments.critic())]
 
     def _info_of_end(self, i, final):
         rows = self.environments

@@ -39,11 +39,12 @@ class SyncVectorEnv(VectorEnv):
         self.observations = [None] * self.num_envs
 
     def reset(self, *, seed=None, options=None):
-        mask = (options or {}).get("reset_mask", np.ones(self.num_envs, bool))
+        mask, info = (options or {}).get("reset_mask", np.ones(self.num_envs, bool)), {}
         for i in np.flatnonzero(mask):
-            self.observations[i], _ = self.envs[i].reset(seed=None if seed is None else seed + int(i))
+            self.observations[i], told = self.envs[i].reset(seed=None if seed is None else seed + int(i))
+            self.add(info, told, i)
             self.ended[i] = False
-        return utils.together(self.observations), {}
+        return utils.together(self.observations), info
 
     def step(self, actions):
         reward, info = np.zeros(self.num_envs), {}
@@ -65,9 +66,18 @@ class SyncVectorEnv(VectorEnv):
             if isinstance(value, dict) and key != "final_obs":
                 self.add(infos.setdefault(key, {}), value, i)
             else:
-                dtype = {bool: bool, float: float}.get(type(value), object)
-                infos.setdefault(key, np.full(self.num_envs, None, object) if dtype is object else np.zeros(self.num_envs, dtype))[i] = value
+                if key not in infos:
+                    infos[key] = self.empty(key, value)
+                infos[key][i] = value
             infos.setdefault("_" + key, np.zeros(self.num_envs, bool))[i] = True
+
+    def empty(self, key, value):
+        """Where the values of all environments go."""
+        if type(value) in (bool, float) or isinstance(value, np.number):
+            return np.zeros(self.num_envs, type(value))
+        if isinstance(value, np.ndarray) and key != "final_obs":
+            return np.zeros((self.num_envs, *value.shape), value.dtype)
+        return np.full(self.num_envs, None, object)
 
     def close(self):
         for env in self.envs:

@@ -1,0 +1,26 @@
+// What several ranks do together: one of them has a problem, and all say so.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "targets/environments/ranks/ranks.hpp"
+#include "targets/environments/train/seen.hpp"
+
+namespace eagerx::train {
+
+using environments::Ranks;
+
+/// Called by all ranks: each works, then all have the bytes of all, in order. Throws the Problem of
+/// the first rank that has one, in all of them.
+std::vector<std::string> together(Ranks& ranks, const std::function<void()>& work,
+                                  const std::function<std::string()>& bytes);
+
+/// Called by all ranks: each works on its share of `parts`, then all have what all have seen. One
+/// rank works, and that is all.
+void share_seen(Ranks& ranks, const std::vector<std::unique_ptr<Seen>>& parts,
+                const std::function<void()>& work);
+
+}  // namespace eagerx::train

@@ -1,0 +1,38 @@
+// What a rollout of a part of the environments has to say to all of the training.
+#pragma once
+
+#include <vector>
+
+#include "targets/environments/train/algorithm.hpp"
+#include "targets/environments/train/statistics.hpp"
+
+namespace eagerx::train {
+
+/// Of one of kParts parts, wherever it was stepped.
+struct Seen {
+  explicit Seen(std::size_t width) : observation_sums(width), return_sums(1), advantage_sums(1) {}
+  virtual ~Seen() = default;
+  Seen(const Seen&) = delete;
+  Seen& operator=(const Seen&) = delete;
+
+  Sums observation_sums, return_sums;
+  Sums advantage_sums;            // [1]
+  std::vector<Episode> episodes;  // that ended, in order of time
+  std::vector<float> remembered;  // [states of actor and critic] behind the rollout
+  /// [steps][count][numbers] actions since reset(), if they are remembered.
+  std::vector<float> taken;
+};
+
+/// Calls `visitor` with all but the actions.
+template <class Visitor, class SomeSeen>
+void visit_seen(Visitor& visitor, SomeSeen& seen) {
+  for (auto* sums : {&seen.observation_sums, &seen.return_sums, &seen.advantage_sums}) {
+    visitor(sums->sum);
+    visitor(sums->squares);
+    visitor(sums->count);
+  }
+  visitor(seen.episodes);
+  visitor(seen.remembered);
+}
+
+}  // namespace eagerx::train

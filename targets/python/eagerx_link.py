@@ -1,0 +1,398 @@
+"""The line from a part to the hub of its graph: frames, checksums and sessions, as targets/PROTOCOL.md says them.
+
+Nothing in here knows a graph. What is wrong with a frame is a FrameError; a line that is over is a LinkClosed.
+"""
+import errno
+import fcntl
+import os
+import select
+import socket
+import stat
+import struct
+import sys
+import termios
+import time
+
+import numpy as np
+
+PROTOCOL = 1
+HELLO, WELCOME, REQUEST, ANSWER = 1, 2, 3, 4
+FRAME_BYTES = 9  # of a frame, besides its payload: kind, number, CRC
+GREETING_BYTES = 16
+GREETING_S = 5  # that a peer has to say something
+MOST_BEFORE_GREETING = 65536  # bytes of a socket that are no greeting
+_RUN = 254  # most bytes after one length byte of COBS
+_HEADER = struct.Struct("<BI")
+_CRC = struct.Struct("<I")
+_GREETING = struct.Struct("<BBHQI")
+
+
+class FrameError(Exception):
+    """Bytes that are no frame of this session."""
+
+
+class LinkClosed(Exception):
+    """The line is over."""
+
+
+class SessionOver(Exception):
+    """The hub has begun another session."""
+
+
+class ProtocolError(Exception):
+    """The peer is no hub of this graph, or no hub at all."""
+
+
+def _tables(most):
+    """tables[k][b]: what the byte b does to a CRC when k bytes follow it."""
+    one = np.arange(256, dtype=np.uint32)
+    for _ in range(8):
+        one = np.where(one & 1, one >> 1 ^ np.uint32(0x82F63B78), one >> 1)
+    tables = np.empty((most, 256), np.uint32)
+    tables[0] = one
+    for k in range(1, most):
+        tables[k] = tables[k - 1] >> 8 ^ one[tables[k - 1] & 0xFF]
+    return tables
+
+
+_TABLES = _tables(1100)
+
+
+def crc32c(data, start=0):
+    """CRC-32C of bytes; `start` is that of the bytes before them. A byte's effect does not depend on the others."""
+    crc = ~start & 0xFFFFFFFF
+    for begin in range(0, len(data), len(_TABLES)):
+        part = bytes(data[begin:begin + len(_TABLES)])
+        if len(part) < 4:
+            for byte in part:
+                crc = crc >> 8 ^ int(_TABLES[0][crc & 0xFF ^ byte])
+            continue
+        mixed = np.frombuffer(part, np.uint8).copy()
+        mixed[:4] ^= np.frombuffer(_CRC.pack(crc), np.uint8)
+        crc = int(np.bitwise_xor.reduce(_TABLES[np.arange(len(part) - 1, -1, -1), mixed]))
+    return ~crc & 0xFFFFFFFF
+
+
+def cobs_encode(data):
+    """The bytes without a zero among them, and without the zero that ends them."""
+    out = bytearray()
+    runs = bytes(data).split(b"\0")
+    for i, run in enumerate(runs):
+        full = False
+        while len(run) >= _RUN:
+            out.append(_RUN + 1)
+            out += run[:_RUN]
+            run = run[_RUN:]
+            full = True
+        if full and not run and i + 1 == len(runs):
+            break
+        out.append(len(run) + 1)
+        out += run
+    return bytes(out)
+
+
+def cobs_decode(data):
+    """The bytes that cobs_encode() was given."""
+    out = bytearray()
+    at = 0
+    while at < len(data):
+        run = data[at]
+        if run == 0 or at + run > len(data):
+            raise FrameError(f"a run of {run} bytes at byte {at} of {len(data)}")
+        out += data[at + 1:at + run]
+        at += run
+        if run <= _RUN and at < len(data):
+            out.append(0)
+    return bytes(out)
+
+
+def encode_frame(kind, number, payload, crc_start=0):
+    """A frame as it goes on the line."""
+    body = _HEADER.pack(kind, number) + payload
+    return b"\0" + cobs_encode(body + _CRC.pack(crc32c(body, crc_start))) + b"\0"
+
+
+def decode_frame(encoded):
+    """(kind, number, payload, whole body) of what is between two zeros. The CRC is for check_crc()."""
+    body = cobs_decode(encoded)
+    if len(body) < FRAME_BYTES:
+        raise FrameError(f"{len(body)} bytes are too short for a frame")
+    return (*_HEADER.unpack_from(body), body[_HEADER.size:-_CRC.size], body)
+
+
+def check_crc(body, crc_start):
+    if _CRC.unpack_from(body, len(body) - _CRC.size)[0] != crc32c(body[:-_CRC.size], crc_start):
+        raise FrameError("its checksum is another one")
+
+
+def greeting(graph, runtime, session, status=0):
+    """The payload of hello and welcome."""
+    return _GREETING.pack(PROTOCOL, status, runtime, graph, session)
+
+
+def crc_start_of(graph, runtime, session):
+    """What the checksums of a session's requests and answers begin from."""
+    return crc32c(greeting(graph, runtime, session))
+
+
+class Port:
+    """A line of bytes: a socket or a serial line."""
+
+    def __init__(self, file, is_socket, keep=None):
+        self.file, self.is_socket, self._keep = file, is_socket, keep
+        os.set_blocking(file, False)
+
+    def read(self):
+        """Some bytes; waits for them."""
+        while True:
+            select.select([self.file], [], [])
+            try:
+                data = os.read(self.file, 65536)
+            except BlockingIOError:
+                continue
+            except OSError as error:
+                raise LinkClosed(error.strerror) from None
+            if not data:
+                raise LinkClosed("the other end hung up")
+            return data
+
+    def write(self, data):
+        """What nobody takes within a second is dropped: the hub asks again."""
+        until = time.monotonic() + 1.0
+        while data:
+            try:
+                data = data[os.write(self.file, data):]
+            except BlockingIOError:
+                left = until - time.monotonic()
+                if left <= 0:
+                    return
+                select.select([], [self.file], [], left)
+            except OSError as error:
+                raise LinkClosed(error.strerror) from None
+
+
+def _say(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+def _first_that_speaks(listener):
+    """The peer that says something first; others are refused from then on."""
+    while True:
+        peer, _ = listener.accept()
+        ready, _, _ = select.select([peer], [], [], GREETING_S)
+        try:
+            if ready and peer.recv(1, socket.MSG_PEEK):
+                listener.close()
+                return Port(peer.fileno(), True, peer)
+        except OSError:
+            pass
+        _say("note: a peer hung up without a word" if ready else
+             f"note: a peer said nothing for {GREETING_S} s and was dropped")
+        peer.close()
+
+
+def _is_alive(path):
+    """Whether a program listens on this socket: a stream takes no datagrams, but only a living one says so."""
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect(path)
+        except ConnectionRefusedError:
+            return False
+        except OSError:
+            return True
+        return True
+
+
+def _listen_unix(path):
+    listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    folder = os.open(os.path.dirname(path) or ".", os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        fcntl.flock(folder, fcntl.LOCK_EX)  # two programs must not remove each other's socket
+        if os.path.lexists(path):
+            if not stat.S_ISSOCK(os.lstat(path).st_mode) or _is_alive(path):
+                raise OSError(errno.EADDRINUSE, "another program listens on it, or it is no socket")
+            os.unlink(path)
+        os.fchmod(listener.fileno(), 0o600)  # only its owner may connect, from the first moment on
+        listener.bind(path)
+        listener.listen(1)
+    finally:
+        os.close(folder)
+    _say(f"listens on unix:{path}")
+    return _first_that_speaks(listener)
+
+
+def _listen_tcp(address):
+    host, _, port = address.rpartition(":")
+    if not port.isdecimal() or int(port) > 65535:
+        raise OSError(errno.EINVAL, "it is neither unix:PATH nor HOST:PORT")
+    found = socket.getaddrinfo(host.strip("[]") or "localhost", int(port), type=socket.SOCK_STREAM)
+    family, kind, protocol, _, where = found[0]
+    if not where[0].startswith("127.") and where[0] != "::1":
+        raise OSError(errno.EACCES, "nothing keeps strangers out: listen on `:PORT`, and let `ssh -L` bring the hub here")
+    listener = socket.socket(family, kind, protocol)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    listener.bind(where)
+    listener.listen(1)
+    at = listener.getsockname()
+    _say(f"listens on {at[0]}:{at[1]}, for this machine only")
+    port = _first_that_speaks(listener)
+    port._keep.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    return port
+
+
+def listen(address):
+    """A Port to the one peer that comes: `unix:PATH`, or `:PORT` of this machine."""
+    return _listen_unix(address[5:]) if address.startswith("unix:") else _listen_tcp(address)
+
+
+def open_serial(path, baud):
+    """A Port over a serial line, which is ours alone."""
+    speed = getattr(termios, f"B{baud}", None)
+    if speed is None:
+        raise OSError(errno.EINVAL, "Linux has no such baud rate")
+    file = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+    try:
+        settings = termios.tcgetattr(file)
+    except termios.error:
+        raise OSError(errno.ENOTTY, "it is no serial line") from None
+    fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    fcntl.ioctl(file, termios.TIOCEXCL)
+    settings[0] = settings[1] = settings[3] = 0
+    settings[2] = termios.CS8 | termios.CLOCAL | termios.CREAD
+    settings[4] = settings[5] = speed
+    termios.tcsetattr(file, termios.TCSANOW, settings)
+    termios.tcflush(file, termios.TCIOFLUSH)
+    return Port(file, False)
+
+
+class PartLink:
+    """A part's end of the line. It never speaks unasked: it answers a request once it needs more than it has, and a
+    duplicate with its last answer."""
+
+    def __init__(self, port, graph, runtime, most_to_part, most_to_hub):
+        self.port, self.graph, self.runtime = port, graph, runtime
+        self.most_to_hub = most_to_hub
+        payload = max(most_to_part, GREETING_BYTES) + FRAME_BYTES
+        self.most_encoded = payload + payload // _RUN + 1
+        self.damaged = 0  # frames that were dropped
+        self._incoming = bytearray()
+        self._skipping = False  # a frame that is too long, up to its end
+        self._before_greeting = 0
+        self._session = None  # its number
+        self._number = 0  # of the request that is worked on; 0: none yet
+        self._crc_start = 0
+        self._request, self._read = b"", 0
+        self._answer = bytearray()
+        self._last = b""  # the last frame that was sent
+        self._greeted = False
+
+    def wait_for_hub(self):
+        """Returns when a session has begun."""
+        while not self._greeted:
+            try:
+                self._wait_for_request()
+            except SessionOver:
+                pass
+        self._greeted = False
+
+    def read(self, size):
+        """So many bytes of the hub's messages."""
+        parts = []
+        while size > 0:
+            if self._read == len(self._request):
+                self._next_request()
+                continue
+            part = self._request[self._read:self._read + size]
+            self._read += len(part)
+            size -= len(part)
+            parts.append(part)
+        return parts[0] if len(parts) == 1 else b"".join(parts)
+
+    def write(self, data):
+        """Bytes for the hub. They go when the hub's next ones are needed, or a frame is full."""
+        at = 0
+        while at < len(data):
+            room = self.most_to_hub - len(self._answer)
+            self._answer += data[at:at + room]
+            at += room
+            if at < len(data):
+                self._next_request()
+
+    def _next_request(self):
+        if self._read != len(self._request):
+            raise ProtocolError("the hub sent what is not due")
+        if self._number > 0:
+            self._send(ANSWER, self._number, bytes(self._answer), self._crc_start)
+        self._answer.clear()
+        self._wait_for_request()
+
+    def _send(self, kind, number, payload, crc_start):
+        self._last = encode_frame(kind, number, payload, crc_start)
+        self.port.write(self._last)
+
+    def _frames(self):
+        """The next thing between two zeros that may be a frame."""
+        while True:
+            end = self._incoming.find(0)
+            if end >= 0:
+                encoded = bytes(self._incoming[:end])
+                del self._incoming[:end + 1]
+                too_long = self._skipping or len(encoded) > self.most_encoded
+                self._skipping = False
+                if too_long:
+                    self.damaged += 1
+                elif encoded:
+                    return encoded
+                continue
+            if len(self._incoming) > self.most_encoded:
+                self._incoming.clear()
+                self._skipping = True
+            data = self.port.read()
+            if self._session is None and self.port.is_socket:
+                self._before_greeting += len(data)
+                if self._before_greeting > MOST_BEFORE_GREETING:
+                    raise ProtocolError(f"{self._before_greeting} bytes came, and no greeting of a hub is among them")
+            self._incoming += data
+
+    def _wait_for_request(self):
+        while True:
+            try:
+                kind, number, payload, body = decode_frame(self._frames())
+                if kind == HELLO:
+                    check_crc(body, 0)
+                    self._greet(payload)
+                    continue
+                if kind != REQUEST or self._session is None:
+                    raise FrameError(f"a frame of kind {kind}")
+                check_crc(body, self._crc_start)
+            except FrameError:
+                self.damaged += 1
+                continue
+            if number == (1 if self._number == 0xFFFFFFFF else self._number + 1):
+                self._number, self._request, self._read = number, payload, 0
+                return
+            if number == self._number and number > 0:
+                self.port.write(self._last)
+
+    def _greet(self, payload):
+        """Answers a greeting; SessionOver if a new session begins."""
+        if len(payload) != GREETING_BYTES:
+            raise FrameError(f"a greeting of {len(payload)} bytes")
+        protocol, _, runtime, graph, session = _GREETING.unpack(payload)
+        same = session == self._session
+        if same and self._number > 0:
+            return  # a late duplicate
+        self._send(WELCOME, 0, greeting(self.graph, self.runtime, session), 0)
+        if same:
+            return
+        self._number, self._request, self._read = 0, b"", 0
+        self._answer.clear()
+        self._session = None
+        self._before_greeting = 0
+        if (protocol, runtime, graph) != (PROTOCOL, self.runtime, self.graph):
+            _say(f"note: a hub of another graph or version was refused: {graph:#018x}, this part {self.graph:#018x}")
+            return
+        self._session = session
+        self._crc_start = crc_start_of(self.graph, self.runtime, session)
+        self._greeted = True
+        raise SessionOver
