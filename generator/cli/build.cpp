@@ -45,6 +45,12 @@ std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& pr
           is_own(run, target) ? folder_of(run, target) : target.id.value, program.image};
 }
 
+bool is_compiled(const Target& target) {
+  return target.language.empty() || std::ranges::any_of(target.partner, [](const auto& item) {
+           return item.second == "CMakeLists.txt";
+         });
+}
+
 int become_built(const Run& run, const BuiltProgram& program,
                  const std::vector<std::string>& words) {
   std::vector<std::string> command = command_to_start(run, program);
@@ -62,14 +68,6 @@ struct Planned {
   Tree tree;
   bool is_compiled = true;
 };
-
-/// Whether a target has something to compile: each that makes a project of CMake.
-bool is_compiled(const Target& target) {
-  return target.language.empty() || std::ranges::any_of(target.partner, [](const auto& item) {
-           return item.second == "CMakeLists.txt";
-         });
-}
-
 std::vector<Planned> planned(const Run& run, const GenerateOptions& options,
                              const Generated& generated) {
   const std::string& folder = generated.folder;

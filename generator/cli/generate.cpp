@@ -132,7 +132,7 @@ Arguments outputs(GenerateOptions& options) {
       texts("--package", options.packages,
             "make the output standalone and a package: arduino, esp-idf, platformio or zephyr; "
             "with --library a controller for hardware, without it an episode of the simulation; "
-            "may be repeated. With `--part` a language: python",
+            "may be repeated. With `--part` a language: python or c",
             "NAME"),
       writes(text("--depfile", options.depfile,
                   "also write the files that the output depends on; the make target is FILE "

@@ -64,11 +64,18 @@ std::string next_steps(const Run& run, const GenerateOptions& options,
   if (split) {
     const auto& parts = run.graph->placement->parts;
     for (std::size_t part = 0; part < parts.size(); ++part) {
+      const std::string own = folder + "/" + parts[part].name;
+      if (!is_compiled(*parts[part].target)) {
+        text += fmt::format("start {}; over its link in a step: {}:\n  {} {} --listen unix:PATH\n",
+                            described(parts[part]), load_of_part(*run.plan, part),
+                            parts[part].target->run.front(), shell_word(own));
+        continue;
+      }
       Target target = *parts[part].target;
       target.run.clear();  // it waits for its hub
       text += fmt::format("build {}; over its link in a step: {}:\n{}", described(parts[part]),
                           load_of_part(*run.plan, part),
-                          steps.build(target, folder + "/" + parts[part].name, false));
+                          steps.build(target, own, false));
     }
   }
   text += split ? "build the rest; its --help says how to name the parts' lines:\n"

@@ -71,13 +71,16 @@ void keep_part(const std::string& part, std::vector<GeneratedFile>& files) {
 std::string next_steps_of_part(const Run& run, const std::string& part, const std::string& folder) {
   const auto& parts = run.graph->placement->parts;
   const Target& target = *std::ranges::find(parts, part, &PlacedPart::name)->target;
-  if (target.language.empty() || target.yours.empty()) return "";
-  std::string start = target.image;
-  if (!target.run.empty() && target.run.front() != "{image}")
-    start = target.run.front() + " " + shell_word(folder);
+  if (target.language.empty() || target.yours.empty() || target.run.empty()) return "";
+  const std::string build = shell_word(folder + "/build");
+  std::string compile, start = target.run.front() + " " + shell_word(folder);
+  if (target.run.front() == "{image}") {
+    compile = fmt::format("  cmake -S {} -B {} && cmake --build {}\n", shell_word(folder), build, build);
+    start = shell_word(folder + "/build/" + run.graph->name);
+  }
   return fmt::format(
-      "Fill in {}, then:\n  {} --listen unix:/tmp/{}\n  eagerx-gen run {} --link {}=unix:/tmp/{}\n",
-      shell_word(folder + "/" + target.yours.front().second), start, shell_word(part),
+      "Fill in {}, then:\n{}  {} --listen unix:/tmp/{}\n  eagerx-gen run {} --link {}=unix:/tmp/{}\n",
+      shell_word(folder + "/" + target.yours.front().second), compile, start, shell_word(part),
       shell_word(run.graph->path), shell_word(part), shell_word(part));
 }
 

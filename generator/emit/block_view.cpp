@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/emit/arrival_view.hpp"
 #include "generator/emit/link_view.hpp"
 #include "generator/emit/reset_view.hpp"
@@ -48,6 +50,7 @@ class BlockView {
     } else {
       add_remote();
     }
+    add_waiting();
     return std::move(view_);
   }
 
@@ -74,6 +77,33 @@ class BlockView {
       reached.push_back(item);
     }
     view_["reached"] = std::move(reached);
+  }
+
+  /// Where messages are asked for before they are needed.
+  void add_waiting() {
+    view_.set("posts", names_.posts(n_));
+    const bool reads = names_.runs(n_) && node_.role != NodeRole::engine;
+    view_.set("waits", reads && std::ranges::any_of(node_.inputs, [&](const Input& input) {
+                         return names_.posts(input.source_node);
+                       }));
+    if (!names_.posts(n_)) return;
+    const std::string& member = names_.node_member[n_];
+    view_.set("take", "take_" + member.substr(0, member.size() - 1));
+    view_.set("taken", fmt::format("taken_[{}]", names_.place_in_taken(n_)));
+    view_.set("part", names_.link_argument(graph_.placement->part_of[n_]));
+    View awaited = list();
+    bool sends = false;
+    for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
+      const LinkUse use = names_.links(n_, o);
+      if (!use.any()) continue;
+      sends = sends || !use.to.empty();
+      View item = object();
+      item.set("type", names_.message(node_.outputs[o].space));
+      item.set("channel", channel(o));
+      awaited.push_back(item);
+    }
+    view_["awaited"] = std::move(awaited);
+    view_.set("hands_on", sends);
   }
 
   bool is_render(std::size_t n) const { return graph_.render && graph_.render->node == n; }
@@ -285,6 +315,13 @@ View groups_view(const Plan& plan, const ProgramNames& names,
     groups.push_back(group);
   }
   return groups;
+}
+
+View takes_view(const Plan& plan, const ProgramNames& names) {
+  View takes = list();
+  for (std::size_t n = 0; n < plan.graph->nodes.size(); ++n)
+    if (names.posts(n)) takes.push_back(BlockView(plan, names, n).make());
+  return takes;
 }
 
 MessagePlace message_place(const Plan& plan, const ProgramNames& names, std::size_t ring,

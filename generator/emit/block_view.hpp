@@ -12,6 +12,9 @@ namespace eagerx::gen {
 View groups_view(const Plan& plan, const ProgramNames& names,
                  const std::vector<std::size_t>& nodes);
 
+/// How a hub takes what nodes of its parts send, of those that it asks for before it needs them.
+View takes_view(const Plan& plan, const ProgramNames& names);
+
 /// Where a message is written, by an expression that is cheap to repeat.
 struct MessagePlace {
   std::string expression;  // "smooth_filtered_[0]", "new_filtered"

@@ -220,6 +220,8 @@ class GraphView {
       item.set("machine", placed[part].host);
       item.set("to_board", fmt::format("{}", link.part_payload));
       item.set("to_host", fmt::format("{}", link.hub_payload));
+      item.set("depth", fmt::format("{}", link.depth));
+      item.set("is_deep", link.depth > 1);
       item.set("comma", part + 1 < placed.size() ? "," : "");
       parts.push_back(item);
     }

@@ -85,9 +85,9 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_lo
     for (const PlacedPart& placed : graph.placement->parts)
       part_constant.push_back(parts.unique("k" + camel(plain(placed.name))));
   }
-  for (const char* taken :
-       {"link_", "slot_", "due_", "countdown_", "warm_", "started_", "resetting_",
-        "reset_timeouts_", "refused_delays_", "memory_faults_", "arrivals_", "drawing_"})
+  for (const char* taken : {"link_", "slot_", "due_", "countdown_", "warm_", "started_",
+                            "resetting_", "reset_timeouts_", "refused_delays_", "memory_faults_",
+                            "arrivals_", "drawing_", "ahead_", "taken_"})
     members.unique(taken);
   for (const auto& node : graph.nodes) {
     io.push_back(types.unique(camel(node.name) + "Io"));
@@ -253,6 +253,26 @@ bool ProgramNames::crosses(std::size_t node, std::size_t output) const {
 }
 std::string ProgramNames::link_argument(std::size_t part) const {
   return is_hub() ? "part::" + part_constant[part] + ", " : "";
+}
+
+bool ProgramNames::posts(std::size_t node) const {
+  if (!is_hub() || node == Graph::kEnvironment) return false;
+  const std::size_t part = plan_.graph->placement->part_of[node];
+  return part != Placement::kHub && plan_.split->links[part].posts;
+}
+bool ProgramNames::posts() const {
+  return place_in_taken(plan_.graph->nodes.size()) > 0;
+}
+std::size_t ProgramNames::place_in_taken(std::size_t node) const {
+  std::size_t place = 0;
+  for (std::size_t n = 0; n < node; ++n) place += posts(n) ? 1 : 0;
+  return place;
+}
+std::string ProgramNames::awaited(std::size_t node, const std::string& count) const {
+  if (!posts(node)) return count;
+  return fmt::format("ahead_.need(*this, {}taken_[{}], {})",
+                     link_argument(plan_.graph->placement->part_of[node]), place_in_taken(node),
+                     count);
 }
 
 bool ProgramNames::has_ring(std::size_t ring) const {

@@ -111,6 +111,14 @@ struct ProgramNames {
   /// What this program does with an output at its links; whether it does anything.
   [[nodiscard]] LinkUse links(std::size_t node, std::size_t output) const;
   [[nodiscard]] bool crosses(std::size_t node, std::size_t output) const;
+  /// Whether this program is a hub that asks for the messages of a node before it needs them, and
+  /// for those of any node.
+  [[nodiscard]] bool posts(std::size_t node) const;
+  [[nodiscard]] bool posts() const;
+  /// How many of the nodes before this one it asks for: the node's place in `taken_`.
+  [[nodiscard]] std::size_t place_in_taken(std::size_t node) const;
+  /// `count` messages of a node, once so many are there where they may be on their way.
+  [[nodiscard]] std::string awaited(std::size_t node, const std::string& count) const;
   /// Which link, before the arguments of its functions: "part::kVision, "; empty where there is
   /// one.
   [[nodiscard]] std::string link_argument(std::size_t part) const;

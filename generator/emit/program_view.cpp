@@ -72,6 +72,7 @@ class ProgramView {
     view_.set("what", what_runs());
     view_.set("is_split", names_.is_split());
     add_parts();
+    add_ahead();
     view_.set("is_host", names_.is_hub());
     view_.set("link_parameter", names_.is_split() ? ", class Link = eagerx::link::NoLink" : "");
     // What the other program decides is given back.
@@ -105,6 +106,22 @@ class ProgramView {
       parts.push_back(item);
     }
     view_["parts"] = std::move(parts);
+  }
+
+  /// What a hub does that asks for messages before it needs them.
+  void add_ahead() {
+    const bool posts = names_.posts();
+    view_.set("link_header", posts ? "ahead" : "star");
+    view_.set("tell", posts ? "ahead_.tell(*this, " : "trace(");
+    view_["takes"] = takes_view(plan_, names_);
+    view_["ahead"] = View(false);
+    if (!posts) return;
+    View ahead = object();
+    ahead.set("part_count", fmt::format("{}", graph_.placement->parts.size()));
+    ahead.set("most_waiting", fmt::format("{}", plan_.split->most_waiting));
+    ahead.set("trace_bytes", fmt::format("{}", plan_.split->trace_bytes));
+    ahead.set("taken_count", fmt::format("{}", names_.place_in_taken(graph_.nodes.size())));
+    view_["ahead"] = std::move(ahead);
   }
 
   void add_actions() {

@@ -32,6 +32,14 @@ std::string messages_text(const Plan& plan, const std::vector<bool>& crosses) {
   return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
+/// "goes on while up to 3 exchanges are on their way"
+std::string ahead_text(const PartLink& link) {
+  if (link.depth > 1)
+    return fmt::format("goes on while up to {} exchanges are on their way", link.depth);
+  return fmt::format("waits for a message where it is {}: {}", link.posts ? "read" : "sent",
+                     link.why_not_ahead);
+}
+
 Json names_json(const Plan& plan, const std::vector<bool>& crosses) {
   Json names = Json::list();
   for (std::size_t c = 0; c < plan.channels.size(); ++c)
@@ -74,6 +82,7 @@ std::string part_text(const Plan& plan, std::size_t part, const YamlValue* limit
   return fmt::format("  {}, for {}{}\n", placed.name, placed.target->id.value, machine) +
          row("takes", messages_text(plan, link.to_part)) +
          row("gives", messages_text(plan, link.to_hub)) + row("a step", load_of_part(plan, part)) +
+         row("the hub", ahead_text(link)) +
          (link.exchanges == 0.0 ? std::string() : time_rows(plan, link, limit));
 }
 
@@ -116,14 +125,17 @@ Json parts_json(const Plan& plan) {
     const PartLink& link = plan.split->links[part];
     const PlacedPart& placed = plan.graph->placement->parts[part];
     const bool known = link.exchanges > 0.0;
-    parts.push_back(Json{{"name", placed.name},
-                         {"target", placed.target->id.value},
-                         {"host", placed.host.empty() ? Json(nullptr) : Json(placed.host)},
-                         {"to_part", names_json(plan, link.to_part)},
-                         {"to_hub", names_json(plan, link.to_hub)},
-                         {"exchanges_a_step", known ? Json(link.exchanges) : Json(nullptr)},
-                         {"bytes_a_step", known ? Json(bytes_on_line(link)) : Json(nullptr)},
-                         {"baud", known ? Json(baud_of(plan, link)) : Json(nullptr)}});
+    parts.push_back(
+        Json{{"name", placed.name},
+             {"target", placed.target->id.value},
+             {"host", placed.host.empty() ? Json(nullptr) : Json(placed.host)},
+             {"to_part", names_json(plan, link.to_part)},
+             {"to_hub", names_json(plan, link.to_hub)},
+             {"exchanges_a_step", known ? Json(link.exchanges) : Json(nullptr)},
+             {"bytes_a_step", known ? Json(bytes_on_line(link)) : Json(nullptr)},
+             {"exchanges_on_their_way", Json(static_cast<double>(link.depth))},
+             {"why_not_more", link.depth > 1 ? Json(nullptr) : Json(link.why_not_ahead)},
+             {"baud", known ? Json(baud_of(plan, link)) : Json(nullptr)}});
   }
   return parts;
 }

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string_view>
 
 #include "generator/emit/namer.hpp"
+#include "generator/languages/timetable.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
@@ -33,6 +36,24 @@ std::string tuple(const Space& space) {
   return fmt::format("({}{})", fmt::join(space.shape, ", "), space.shape.size() == 1 ? "," : "");
 }
 
+std::string c_type(Dtype dtype) {
+  const std::string type(element_type(dtype));
+  return type.starts_with("std::") ? type.substr(std::string_view("std::").size()) : type;
+}
+/// "[64][64][3]"
+std::string dimensions(const Space& space) {
+  std::string text;
+  for (const std::uint64_t size : space.shape) text += fmt::format("[{}]", size);
+  return text;
+}
+
+/// Of "0.2.1", as greetings say it: major * 256 + minor.
+std::string runtime_number(const std::string& version) {
+  constexpr int kMajor = 256;
+  return fmt::format("{}", std::atoi(version.c_str()) * kMajor +
+                               std::atoi(version.c_str() + version.find('.') + 1));
+}
+
 std::string count_text(const Input& input) {
   const std::string count = input.window == 0   ? "those that are new"
                             : input.window == 1 ? "the newest"
@@ -54,6 +75,7 @@ class LanguageView {
     view.set("name", graph_.name);
     view.set("part", plain(part.name));
     view.set("version", version);
+    view.set("runtime", runtime_number(version));
     view.set("hash", fmt::format("0x{:016x}", hash));
     view.set("most_to_part", fmt::format("{}", link.part_payload));
     view.set("most_to_hub", fmt::format("{}", link.hub_payload));
@@ -75,6 +97,7 @@ class LanguageView {
     view["nodes"] = std::move(nodes);
     view["blanks"] = std::move(blanks);
     view["imports"] = std::move(imports);
+    add_timetable(plan_, layout_, c_names_, view);
     return view;
   }
 
@@ -83,6 +106,7 @@ class LanguageView {
     const GraphNode& node = graph_.nodes[n];
     View view = object();
     view.set("node", node.name);
+    view.set("c_name", c_names_[n] = c_unique_.unique(snake(node.name)));
     const std::string file = fs::path(node.entity->python).stem().string();
     const bool imported = is_imported(target, node);
     view.set("module", imported ? file : "");
@@ -114,6 +138,15 @@ class LanguageView {
   View port(const std::string& name, const Space& space, std::size_t message) const {
     View view = object();
     view.set("field", name);
+    const std::string type = c_type(space.dtype), dims = dimensions(space);
+    view.set("dims", dims);
+    view.set("window_type", type);
+    view.set("member", fmt::format("{} {}{}", type, name, dims));
+    view.set("pointer", dims.empty() ? fmt::format("const {}* {}", type, name)
+                                     : fmt::format("const {} (*{}){}", type, name, dims));
+    view.set("cast", dims.empty() ? fmt::format("(const {}*)", type)
+                                  : fmt::format("(const {} (*){})", type, dims));
+    view.set("message", fmt::format("{}", message));
     view.set("dtype", std::string(to_string(space.dtype)));
     view.set("shape", fmt::format("{}", fmt::join(space.shape, ", ")));
     view.set("window",
@@ -126,11 +159,22 @@ class LanguageView {
 
   View inputs(std::size_t n) const {
     View views = list();
-    for (const Input& input : graph_.nodes[n].inputs) {
+    const GraphNode& node = graph_.nodes[n];
+    for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+      const Input& input = node.inputs[i];
+      const Reception& reception = plan_.nodes[n].receptions[i];
       View view = port(input.name, input.space,
                        layout_.find(plan_, input.source_node, input.source_output));
       view.set("from", name_of_source(graph_, input));
       view.set("count", count_text(input));
+      view.set("window_name", fmt::format("window_{}_{}", c_names_.at(n), input.name));
+      view.set("window_size", fmt::format("{}", input.window));
+      view.set("most", fmt::format("{}", reception.max_size));
+      view.set("skip", input.skip ? "1" : "0");
+      view.set("a", fmt::format("{}", reception.a));
+      view.set("b", fmt::format("{}", reception.b));
+      view.set("x", fmt::format("{}", reception.x));
+      view.set("off", fmt::format("{}", reception.off));
       views.push_back(view);
     }
     return views;
@@ -148,7 +192,8 @@ class LanguageView {
   const Plan& plan_;
   const Graph& graph_;
   const PartLayout& layout_;
-  Names classes_;
+  Names classes_, c_unique_;
+  std::map<std::size_t, std::string> c_names_;  // by node
   std::set<const Entity*> imported_;
 };
 

@@ -101,9 +101,16 @@ struct PartLink {
   double exchanges = 0.0;             // a step: a frame there and one back
   double part_bytes = 0.0;            // a step, to the part, without frames
   double hub_bytes = 0.0;
+  bool several_frames = false;  // whether messages do not fit into one
+  bool posts = false;           // the hub asks for messages where they are sent, and takes them
+                                // where they are read
+  std::size_t depth = 1;        // exchanges on their way at most
+  std::string why_not_ahead;    // why no more than one
 };
 struct Split {
-  std::vector<PartLink> links;  // of each part
+  std::vector<PartLink> links;   // of each part
+  std::size_t most_waiting = 0;  // ticks of a part's nodes on their way, if any link posts
+  std::size_t trace_bytes = 0;   // of messages that wait for them in the hub
 };
 
 /// What a board sends of itself: the channels of one rate together, as many as a record takes.

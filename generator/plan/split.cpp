@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "generator/plan/ahead.hpp"
+
 namespace eagerx::gen {
 namespace {
 
-// Longer ones gain nothing: eleven bytes of a frame are 1 % of it.
+// Longer ones gain nothing on a serial line: eleven bytes of a frame are 1 % of it. A program for
+// Linux has memory for an image, which is then one exchange.
 constexpr std::size_t kLargestPayload = 1024;
+constexpr std::size_t kLargestOnLinux = std::size_t{1} << 16U;
 constexpr std::size_t kGreeting = 16;  // eagerx/link/frame.hpp
 constexpr std::size_t kCommand = 2;    // eagerx/link/stream.hpp
 constexpr std::size_t kReset = 18;
@@ -40,10 +44,13 @@ class Line {
 
   /// `link` with what it needs for its messages.
   [[nodiscard]] PartLink measured(PartLink link) const {
-    link.part_payload =
-        std::clamp(std::max(most_part_, run_part_) + kReset, kGreeting, kLargestPayload);
-    link.hub_payload =
-        std::clamp(std::max(most_hub_, run_hub_) + done_, kGreeting, kLargestPayload);
+    const Target& target = *plan_.graph->placement->parts[part_].target;
+    const std::size_t largest = target.system.empty() ? kLargestPayload : kLargestOnLinux;
+    const std::size_t to_part = std::max(most_part_, run_part_) + kReset;
+    const std::size_t to_hub = std::max(most_hub_, run_hub_) + done_;
+    link.part_payload = std::clamp(to_part, kGreeting, largest);
+    link.hub_payload = std::clamp(to_hub, kGreeting, largest);
+    link.several_frames = std::max(to_part, to_hub) > largest;
     if (steps_ == 0) return link;
     const auto per_step = [&](std::size_t count) {
       return static_cast<double>(count) / static_cast<double>(steps_);
@@ -141,6 +148,7 @@ Split make_split(const Plan& plan) {
   Split split;
   for (std::size_t part = 0; part < plan.graph->placement->parts.size(); ++part)
     split.links.push_back(make_link(plan, part));
+  plan_ahead(plan, split);
   return split;
 }
 

@@ -26,7 +26,8 @@ inline constexpr std::uint16_t kRuntimeVersion =
     static_cast<std::uint16_t>(kVersionMajor * 256 + kVersionMinor);
 
 template <class Graph, class Port>
-using BoardLinkOf = link::BoardLink<Port, Graph::Link::kToBoard, Graph::Link::kToHost>;
+using BoardLinkOf =
+    link::BoardLink<Port, Graph::Link::kToBoard, Graph::Link::kToHost, Graph::Link::kDepth>;
 template <class Graph, class Port>
 using BoardProgramOf = typename Graph::template Program<NoTrace, BoardLinkOf<Graph, Port>>;
 

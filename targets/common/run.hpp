@@ -117,6 +117,12 @@ bool is_linked(const Program& program) {
   }
 }
 
+/// A program that asks others for messages before it needs them waits for those on their way.
+template <class Program>
+void settle(Program& program) {
+  if constexpr (requires { program.settle(); }) program.settle();
+}
+
 /// What is applied in place of what the agent wants. In a split graph, the program that has the
 /// agent has the guard.
 template <class Program, class Action>
@@ -227,7 +233,8 @@ typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
-    if (!watch.go_on()) return;
+    settle(program);
+    if (!is_linked(program) || !watch.go_on()) return;
     EpisodeKey key{plan.seed, plan.environment, episode};
     if constexpr (requires { watch.key(key); }) key = watch.key(key);
     if constexpr (requires { watch.begin(key); }) watch.begin(key);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <eagerx/math/rounding_check.hpp>
 #include <optional>
+#include <runtime/host/base/keeper.hpp>
 #include <targets/common/csv.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/graph_program.hpp>
@@ -132,6 +133,16 @@ class GraphWatch {
   Watch& watch_;
 };
 
+/// What another process does with its copy of `program` if this one is killed; nullptr: nothing.
+template <class Program>
+auto how_to_take_over(const Program& program) -> void (*)(void*) {
+  if constexpr (requires(Program& copy) { copy.take_over(); }) {
+    if (target::is_real(program))
+      return [](void* context) { static_cast<Program*>(context)->take_over(); };
+  }
+  return nullptr;
+}
+
 /// A run from its first reset to its last step, and behind that until everything is safe.
 template <class Graph, class Program>
 void run_program(Watch& watch, Program& program) {
@@ -146,6 +157,7 @@ void run_program(Watch& watch, Program& program) {
     }
   };
   LinkOf<Graph>::connect(program);
+  const host::Keeper keeper(how_to_take_over(program), &program);
   target::warm_up(program);  // a library may need memory for it, and none afterwards
   const host::MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
@@ -159,6 +171,7 @@ void run_program(Watch& watch, Program& program) {
     LinkOf<Graph>::make_safe(program);
     target::step_safely<Graph>(program);
   }
+  target::settle(program);
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
   target::stop(program);
 }

@@ -143,6 +143,8 @@ bool LinkPort::accept_on(int listener, Say say) {
       number = errno == EINTR || errno == ECONNABORTED ? 0 : errno;
       continue;
     }
+    const int yes = 1;  // an answer waits for no other one; a unix socket knows no such wait
+    setsockopt(file_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
     const std::uint64_t until = now_ns() + kGreetingS * kSecondNs;
     bool has_spoken = false;
     while (!has_spoken && now_ns() < until) has_spoken = wait(POLLIN, until);

@@ -142,6 +142,9 @@ bool set_baud(Options& options, std::string_view value) {
 bool set_link_timeout(Options& options, std::string_view value) {
   return host::read_number(value, 0.0, 1e6, options.link_timeout_s);
 }
+bool set_lockstep(Options& options, std::string_view) {
+  return options.lockstep = true;
+}
 bool set_csv_states(Options& options, std::string_view) {
   return options.csv_states = true;
 }
@@ -265,6 +268,9 @@ constexpr std::array kOptions{
            true},
     Option{"--link-timeout", "S", "a number from 0 to 1000000",
            "end the run after so many seconds without an answer of a part", set_link_timeout, true},
+    Option{"--lockstep", "", "",
+           "wait for each message of a part when it is sent, also where a delay gives time",
+           set_lockstep, true},
     Option{"--set", "STATE=VALUE", "such as `pendulum.mass=0.1` or `pendulum.mass=uniform:0.1,0.2`",
            "value of a state at each reset, or how it is drawn: uniform:LOW,HIGH and so on; "
            "VALUE@STEP "

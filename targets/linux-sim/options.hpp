@@ -59,6 +59,7 @@ struct Options {
   std::vector<std::string> keys;   // `PART=FILE`, or FILE for all TCP lines
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
+  bool lockstep = false;  // with parts, also where delays would let the program go on
   bool strict_spaces = false;
   bool csv_states = false;
   std::string until;  // a condition; empty: none

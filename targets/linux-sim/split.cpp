@@ -5,6 +5,7 @@
 #include <string_view>
 #include <targets/common/partner.hpp>
 #include <targets/linux-sim/keys.hpp>
+#include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/split.hpp>
 #include <vector>
 
@@ -94,7 +95,8 @@ std::string problem_of(SplitLink& link, const GraphFacts& facts) {
              "how long to wait";
     case Problem::closed:
       return "error: the line to " + name_of_part(link.part()) + " is closed, " + repeated + ": " +
-             link.port().error() + behind;
+             link.port().error() + behind +
+             "\nhelp: has it ended, or its machine? What it said last is where it was started";
     case Problem::other_protocol:
       return who + " speaks version " + std::to_string(other.protocol) +
              " of the link, this program version " + std::to_string(link::kProtocol) +
@@ -197,6 +199,8 @@ std::string connect(SplitLink& link, const std::string& line, const std::string&
   if (!link.port().open(line, options.baud))
     return "error: cannot open `" + line + "`: " + link.port().error() +
            (facts.part_count == 1 ? "" : "\nnote: of " + name_of_part(link.part()));
+  // Who changes messages, or takes their place, does so when they are sent.
+  link.set_runs_ahead(!options.lockstep && !recorder_of_run.takes_part());
   link.set_time_limit(static_cast<std::uint64_t>(options.link_timeout_s * kNanosecondsPerSecond));
   return link.open(new_session()) ? std::string() : problem_of(link, facts);
 }

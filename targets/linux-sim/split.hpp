@@ -23,6 +23,8 @@ class SplitLink {
   virtual link::Problem problem() const = 0;
   virtual const link::Greeting& greeting() const = 0;
   virtual const link::Statistics& statistics() const = 0;
+  /// Whether the hub may ask its parts, all of them, for messages before it needs these.
+  virtual void set_runs_ahead(bool runs_ahead) = 0;
   /// Nobody waits for the board any more.
   virtual void forget_silence() = 0;
   virtual bool finish(link::Report& report, CountListener& counts) = 0;

@@ -30,6 +30,7 @@ class LinkOfRun final : public SplitLink {
   link::Problem problem() const override { return link().problem(); }
   const link::Greeting& greeting() const override { return link().board(); }
   const link::Statistics& statistics() const override { return link().statistics(); }
+  void set_runs_ahead(bool runs_ahead) override { star_of_run<Graph>.set_runs_ahead(runs_ahead); }
   void forget_silence() override { link().on_silence(0, nullptr, nullptr); }
   bool finish(link::Report& report, CountListener& counts) override {
     return link().finish(report,

@@ -212,9 +212,12 @@ def _listen_unix(path):
             if not stat.S_ISSOCK(os.lstat(path).st_mode) or _is_alive(path):
                 raise OSError(errno.EADDRINUSE, "another program listens on it, or it is no socket")
             os.unlink(path)
+        if os.path.lexists(path + "~") and stat.S_ISSOCK(os.lstat(path + "~").st_mode):
+            os.unlink(path + "~")
         os.fchmod(listener.fileno(), 0o600)  # only its owner may connect, from the first moment on
-        listener.bind(path)
+        listener.bind(path + "~")
         listener.listen(1)
+        os.rename(path + "~", path)  # whoever sees the socket can connect
     finally:
         os.close(folder)
     _say(f"listens on unix:{path}")

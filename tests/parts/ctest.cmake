@@ -2,6 +2,9 @@
 # tests/parts/run by hand.
 add_test(NAME parts COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/parts)
 set_tests_properties(parts PROPERTIES COST 900 LABELS long) # compiles some thirty programs
+# In real time, as the line to a part has the machine's clock.
+add_test(NAME parts.hardware COMMAND ${CMAKE_CURRENT_LIST_DIR}/hardware ${PROJECT_BINARY_DIR})
+set_tests_properties(parts.hardware PROPERTIES COST 400 LABELS long) # compiles four programs
 # The same over TCP, over TCP with a key and over serial lines: a quadrotor and a quadruped.
 add_test(NAME parts_lines COMMAND ${CMAKE_CURRENT_LIST_DIR}/lines ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/parts_lines)
 set_tests_properties(parts_lines PROPERTIES COST 500 LABELS long) # compiles some twenty programs

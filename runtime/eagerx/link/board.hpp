@@ -14,10 +14,11 @@ inline constexpr int kNothing = -1;
 inline constexpr int kClosed = -2;
 
 /// `ToBoard`, `ToHost`: most bytes of a frame's payload; longer messages take several frames. All
-/// zero at the start.
-template <class Port, std::size_t ToBoard, std::size_t ToHost>
-class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost>> {
-  static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes);
+/// zero at the start. `Depth`: answers that are kept, for a host that sends so many requests before
+/// it waits; a `Port` that holds what comes meanwhile.
+template <class Port, std::size_t ToBoard, std::size_t ToHost, std::size_t Depth = 1>
+class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost, Depth>> {
+  static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes && Depth >= 1);
 
  public:
   Port port;
@@ -44,7 +45,7 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost>> {
 
   [[gnu::noinline]] void put_bytes(const std::uint8_t* bytes, std::size_t size) {
     while (size > 0 && open_) {
-      const std::size_t taken = out_.append(bytes, size);
+      const std::size_t taken = out().append(bytes, size);
       bytes += taken;
       size -= taken;
       if (size > 0) next_request();
@@ -69,7 +70,15 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost>> {
     if (read_ != received_) open_ = false;
     if (open_ && number_ > 0) send(Kind::answer, number_);
     if (!open_ || !wait_for_request()) open_ = false;
-    out_.clear();
+    out().clear();
+  }
+
+  OutFrame<ToHost>& out() { return out_[number_ % Depth]; }
+  /// Whether the request `number` was answered with a frame that is still there.
+  bool is_kept(std::uint32_t number) const {
+    if (number == 0 || number_ == 0) return false;
+    if constexpr (Depth == 1) return number == number_;
+    return number <= number_ && number_ - number < Depth;
   }
 
   /// True if there is a new request of this session; false if there is a new session or no line.
@@ -82,7 +91,7 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost>> {
         if (greet()) return false;
       } else if (in_.kind() == Kind::request && in_.intact(crc_start_) && (open_ || greeted_)) {
         if (in_.number() == next_number(number_)) break;
-        if (in_.number() == number_ && number_ > 0) send_again();
+        if (is_kept(in_.number())) put_frame(out_[in_.number() % Depth]);
       } else {
         ++damaged_;
       }
@@ -102,10 +111,10 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost>> {
     const Greeting welcome{kProtocol, status_, identity_.runtime, identity_.graph, hello.session};
     std::uint8_t bytes[Greeting::kBytes];
     welcome.write(bytes);
-    out_.clear();
-    out_.append(bytes, sizeof bytes);
+    out().clear();
+    out().append(bytes, sizeof bytes);
     send(Kind::welcome, 0);
-    out_.clear();
+    out().clear();
     if (same) return false;
     session_ = hello.session;
     crc_start_ = welcome.crc_start();
@@ -117,16 +126,16 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost>> {
   }
 
   [[gnu::noinline]] void send(Kind kind, std::uint32_t number) {
-    out_.seal(kind, number, kind == Kind::welcome ? 0 : crc_start_);
-    send_again();
+    out().seal(kind, number, kind == Kind::welcome ? 0 : crc_start_);
+    put_frame(out());
   }
-  [[gnu::noinline]] void send_again() {
-    out_.send([this](std::uint8_t byte) { port.put(byte); });
+  [[gnu::noinline]] void put_frame(const OutFrame<ToHost>& frame) {
+    frame.send([this](std::uint8_t byte) { port.put(byte); });
     port.flush();
   }
 
   InFrame<ToBoard> in_;
-  OutFrame<ToHost> out_;
+  OutFrame<ToHost> out_[Depth];  // the answer to request N is in N % Depth
   Identity identity_;
   std::size_t read_, received_;  // of the request's payload
   std::uint32_t number_;         // of the request

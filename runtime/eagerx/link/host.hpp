@@ -1,7 +1,8 @@
 // The host's end of the link. It drives: a request goes out when it needs messages of the board (or
 // its frame is full), and is sent again until the answer with its number is there. So a line that
 // drops, duplicates, delays, reorders or corrupts frames changes how long a run takes and nothing
-// else, or the run stops with a reason.
+// else, or the run stops with a reason. A host that knows what it will need can post() requests
+// before it waits for the answer to the first of them.
 #pragma once
 
 #include <cstddef>
@@ -35,10 +36,11 @@ struct Statistics {
 /// `Port` has put(byte), flush() and get(until_ns), which returns a byte, kNothing when the time
 /// is over or kClosed; and now_ns(), a clock that never goes back. It may have write_until(ns):
 /// what cannot be written by then is dropped; and is_interrupted(): somebody wants the run to end,
-/// so an answer that is not there soon is not waited for.
-template <class Port, std::size_t ToBoard, std::size_t ToHost>
-class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
-  static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes);
+/// so an answer that is not there soon is not waited for. `Depth`: requests that may be without an
+/// answer; the board's BoardLink has the same.
+template <class Port, std::size_t ToBoard, std::size_t ToHost, std::size_t Depth = 1>
+class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
+  static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes && Depth >= 1);
   static constexpr std::uint64_t kFirstRepeatNs = 200'000'000;
   static constexpr std::uint64_t kLeastRepeatNs = 20'000'000;
   static constexpr std::uint64_t kMostRepeatNs = 4'000'000'000;
@@ -64,14 +66,17 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
     hello.session = session;
     std::uint8_t bytes[Greeting::kBytes];
     hello.write(bytes);
-    out_.clear();
-    out_.append(bytes, sizeof bytes);
+    waiting_ = 0;
+    out().clear();
+    out().append(bytes, sizeof bytes);
     number_ = 0;
     read_ = received_ = 0;
     repeat_ns_ = kFirstRepeatNs;
     session_ = session;
     problem_ = Problem::none;
-    if (!exchange(Kind::hello, Kind::welcome, 0)) return false;
+    const std::uint64_t begun = port.now_ns();
+    send_next(Kind::hello, 0, begun);
+    if (!answer_comes(Kind::welcome, 0, 0, begun)) return false;
     other_ = Greeting::read(in_.payload());
     received_ = 0;
     crc_start_ = hello.crc_start();
@@ -112,9 +117,11 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
 
   void put_bytes(const std::uint8_t* bytes, std::size_t size) {
     while (size > 0 && ok()) {
-      const std::size_t taken = out_.append(bytes, size);
+      const std::size_t taken = out().append(bytes, size);
       bytes += taken;
       size -= taken;
+      // Who posts has frames with room for all that goes into one.
+      if (size > 0 && waiting_ > 0) problem_ = Problem::out_of_step;
       if (size > 0) request();
     }
   }
@@ -131,50 +138,87 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
     return ok();
   }
 
+  /// Sends what the board needs for its next messages, if there is something, and does not wait for
+  /// them. Before it, until is_full() is false: get() of the oldest that were posted.
+  void post() {
+    if (!open_ || !ok() || out().empty()) return;
+    send_request(port.now_ns());
+  }
+  bool is_full() const { return waiting_ == Depth && !out_[filled_].empty(); }
+
  private:
+  static constexpr std::size_t kFrames = Depth + 1;  // one is being filled
+
   void command(Command what) { this->put(static_cast<std::uint8_t>(what)); }
+  OutFrame<ToBoard>& out() { return out_[filled_]; }
+  /// The frame that went out `back` frames before the one that is being filled.
+  OutFrame<ToBoard>& sent(std::size_t back) { return out_[place_of(back)]; }
+  std::size_t place_of(std::size_t back) const { return (filled_ + kFrames - back) % kFrames; }
 
   void request() {
     // Two programs of one graph never ask before everything is read.
     if (!open_) problem_ = Problem::closed;
     if (ok() && read_ != received_) problem_ = Problem::out_of_step;
     if (!ok()) return;
+    const std::uint64_t begun = port.now_ns();
+    if (waiting_ == 0) send_request(begun);
+    answered_ = next_number(answered_);
+    if (answer_comes(Kind::answer, answered_, crc_start_, begun)) ++statistics_.exchanges;
+  }
+  void send_request(std::uint64_t now_ns) {
+    if (waiting_ == 0) answered_ = number_;
     number_ = next_number(number_);
-    if (exchange(Kind::request, Kind::answer, crc_start_)) ++statistics_.exchanges;
+    send_next(Kind::request, crc_start_, now_ns);
   }
 
-  /// Sends until the right frame comes back; it is then in in_.
-  bool exchange(Kind kind, Kind wanted, std::uint32_t crc_start) {
-    out_.seal(kind, number_, crc_start);
-    const std::uint64_t begun = port.now_ns();
+  void send_next(Kind kind, std::uint32_t crc_start, std::uint64_t now_ns) {
+    out().seal(kind, number_, crc_start);
+    sent_ns_[filled_] = now_ns;
+    ++waiting_;
+    filled_ = (filled_ + 1) % kFrames;
+    out().clear();
+    const std::uint64_t until = now_ns + repeat_ns_;
+    const std::uint64_t silence = silent_ != nullptr ? now_ns + silence_ns_ : UINT64_MAX;
+    send(sent(1), silence < until ? silence : until);
+  }
+
+  /// Waits for the answer to the oldest request without one, and sends all of these again where it
+  /// does not come. It is then in in_. The time begins at `begun`.
+  bool answer_comes(Kind wanted, std::uint32_t number, std::uint32_t crc_start,
+                    std::uint64_t begun) {
+    awaited_ = number;
     end_ns_ = begun + limit_ns_;
     hurries_ = false;
     look(begun);
     std::uint64_t silence = silent_ != nullptr ? begun + silence_ns_ : UINT64_MAX;
     std::uint64_t patience = repeat_ns_;
     for (bool again = false;; again = true) {
-      std::uint64_t now = port.now_ns();
+      const std::uint64_t now = port.now_ns();
       if (now >= end_ns_) return problem_ = Problem::no_answer, false;
       const std::uint64_t until = now + patience < end_ns_ ? now + patience : end_ns_;
-      send(again, silence < until ? silence : until);
-      bool answered = wait_for(wanted, crc_start, silence < until ? silence : until);
+      const std::uint64_t first = silence < until ? silence : until;
+      if (again) send_again(first);
+      bool answered = wait_for(wanted, crc_start, first);
       if (!answered && ok() && port.now_ns() >= silence) {
         silence = UINT64_MAX;
         silent_(silent_context_);
         answered = wait_for(wanted, crc_start, until);
       }
       if (answered) {
-        now = port.now_ns();
-        note_time(now - begun, again);
+        note_time(port.now_ns() - sent_ns_[place_of(waiting_)], again);
         break;
       }
       if (!ok()) return false;
       patience = patience < kMostRepeatNs / 2 ? patience * 2 : kMostRepeatNs;
     }
-    out_.clear();
+    --waiting_;
     read_ = 0;
     received_ = in_.size();
     return true;
+  }
+  void send_again(std::uint64_t until_ns) {
+    for (std::size_t back = waiting_; back > 0; --back) send(sent(back), until_ns);
+    statistics_.repeated += waiting_;
   }
 
   bool wait_for(Kind wanted, std::uint32_t crc_start, std::uint64_t until_ns) {
@@ -193,7 +237,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
       const std::uint32_t damaged = in_.damaged();
       if (!in_.take(static_cast<std::uint8_t>(byte))) {
         statistics_.ignored += in_.damaged() - damaged;
-      } else if (in_.kind() == wanted && in_.number() == number_ && in_.intact(crc_start) &&
+      } else if (in_.kind() == wanted && in_.number() == awaited_ && in_.intact(crc_start) &&
                  (wanted != Kind::welcome || is_our_welcome())) {
         return true;
       } else {
@@ -219,10 +263,9 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
     return in_.size() == Greeting::kBytes && Greeting::read(in_.payload()).session == session_;
   }
 
-  void send(bool again, [[maybe_unused]] std::uint64_t until_ns) {
-    statistics_.repeated += again ? 1 : 0;
+  void send(const OutFrame<ToBoard>& frame, [[maybe_unused]] std::uint64_t until_ns) {
     if constexpr (requires { port.write_until(until_ns); }) port.write_until(until_ns);
-    out_.send([this](std::uint8_t byte) {
+    frame.send([this](std::uint8_t byte) {
       ++statistics_.bytes_out;
       port.put(byte);
     });
@@ -243,7 +286,10 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   }
 
   InFrame<ToHost> in_;
-  OutFrame<ToBoard> out_;
+  OutFrame<ToBoard> out_[kFrames];
+  std::uint64_t sent_ns_[kFrames] = {};
+  std::size_t filled_ = 0;   // of out_
+  std::size_t waiting_ = 0;  // for their answers, those before it
   Statistics statistics_;
   Greeting other_;
   std::size_t read_ = 0, received_ = 0;
@@ -254,7 +300,9 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   void* silent_context_ = nullptr;
   std::uint64_t repeat_ns_ = kFirstRepeatNs;
   std::uint64_t typical_ns_ = 0;
-  std::uint32_t number_ = 0;
+  std::uint32_t number_ = 0;    // of the last request
+  std::uint32_t answered_ = 0;  // of the last answer, or of one that is waited for
+  std::uint32_t awaited_ = 0;   // in the frame that is waited for
   std::uint32_t session_ = 0;
   std::uint32_t crc_start_ = 0;
   Problem problem_ = Problem::closed;
@@ -275,6 +323,13 @@ struct NoLink {
   static bool get(Message&&... /*message*/) {
     return false;
   }
+  static bool runs_ahead() { return false; }
+  template <class Part>
+  static bool is_full(Part /*part*/) {
+    return false;
+  }
+  template <class Part>
+  static void post(Part /*part*/) {}
 };
 
 }  // namespace eagerx::link

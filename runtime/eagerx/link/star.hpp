@@ -1,6 +1,6 @@
 // The hub's links to all parts of a graph. Each has frames, exchanges and a line of its own
 // (host.hpp); what goes from one part to another goes through the hub. All programs follow one
-// order of messages, so the hub waits for one part at a time and never for two that wait for each
+// order of messages, so the hub never waits for two parts that wait for each
 // other.
 #pragma once
 
@@ -69,6 +69,18 @@ class Star {
     return true;
   }
 
+  /// Whether a hub that can (ahead.hpp) asks for messages before it needs them.
+  bool runs_ahead() const { return runs_ahead_; }
+  void set_runs_ahead(bool runs_ahead) { runs_ahead_ = runs_ahead; }
+  template <std::size_t K>
+  bool is_full(PartIndex<K> /*part*/) const {
+    return link<K>().is_full();
+  }
+  template <std::size_t K>
+  void post(PartIndex<K> /*part*/) {
+    link<K>().post();
+  }
+
   void begin_episode(const Episode& episode) {
     for_each([&](auto& link) { link.begin_episode(episode); });
   }
@@ -89,6 +101,7 @@ class Star {
  private:
   std::tuple<Links...> links_{};
   PartProgress progress_[kParts] = {};
+  bool runs_ahead_ = false;
 };
 
 }  // namespace eagerx::link

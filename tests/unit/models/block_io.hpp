@@ -445,6 +445,7 @@ struct IdealConfig {
   static constexpr std::array<double, 1> bias = {0.0};
   static constexpr std::array<double, 1> drift = {0.0};
   static constexpr std::array<double, 1> noise = {0.0};
+  static constexpr std::array<double, 1> spread = {0.0};
   static constexpr double drop_out = 0.0;
   static constexpr double resolution = 0.0;
   static constexpr double low = -kInf;
@@ -460,6 +461,9 @@ struct BentConfig : IdealConfig {
 };
 struct NoisyConfig : IdealConfig {
   static constexpr std::array<double, 1> noise = {0.5};
+struct EvenConfig : IdealConfig {
+  static constexpr std::array<double, 2> spread = {0.5, 2.0};
+};
   static constexpr double drop_out = 0.25;
 };
 template <class Real, class Config>

@@ -172,6 +172,28 @@ TEST(SensorModel, NoiseHasItsDeviationAndDropOutsTheirProbability) {
   EXPECT_NEAR(products / kTicks, 0.0, 0.015) << "elements are independent";
   EXPECT_NEAR(static_cast<double>(held) / kTicks, 0.25, 0.015);
 }
+template <class Real>
+using EvenIo = SignalIo<Real, EvenConfig, 2>;
+
+TEST(SensorModel, EvenNoiseStaysWithinItsSpread) {
+  Ticking<SensorModel, EvenIo<double>> sensor;
+  constexpr int kTicks = 20'000;
+  double sum = 0.0, squares = 0.0, products = 0.0, most = 0.0;
+  for (int n = 0; n < kTicks; ++n) {
+    const D2 y = sensor(D2{{3.0, 3.0}});
+    ASSERT_LE(std::abs(y[0] - 3.0), 0.5);
+    ASSERT_LE(std::abs(y[1] - 3.0), 2.0);
+    most = std::max(most, std::abs(y[1] - 3.0));
+    sum += y[1] - 3.0;
+    squares += (y[1] - 3.0) * (y[1] - 3.0);
+    products += (y[0] - 3.0) * (y[1] - 3.0);
+  }
+  EXPECT_GT(most, 1.99);
+  EXPECT_NEAR(sum / kTicks, 0.0, 0.04);
+  EXPECT_NEAR(squares / kTicks, 4.0 / 3.0, 0.05);
+  EXPECT_NEAR(products / kTicks, 0.0, 0.02) << "elements are independent";
+  expect_lanes<SensorModel, EvenIo, 2>();
+}
 TEST(SensorModel, SeedsDecide) {
   Ticking<SensorModel, SensorIo<float, NoisyConfig>> sensor;
   const auto run = [&](std::optional<std::uint32_t> seed) {

@@ -11,7 +11,8 @@ namespace {
 /// Sensors at 60 Hz, a filter at `filter_hz`, an agent at 30 Hz.
 std::unique_ptr<GraphOfText> planned(const std::string& placement,
                                      const std::string& filter_hz = "30",
-                                     const std::string& to_filter = "actions.voltage") {
+                                     const std::string& to_filter = "actions.voltage",
+                                     const std::string& more = "") {
   const std::string text =
       "name: tested\nrate: 30\nengine: {type: OdeEngine, rate: 60}\n"
       "objects:\n  arm: {type: Pendulum, sensors: {theta: {rate: 60}}}\n"
@@ -20,8 +21,8 @@ std::unique_ptr<GraphOfText> planned(const std::string& placement,
       ", config: {cutoff_hz: 5}}\n"
       "actions: {voltage: {space: {like: arm.u}}}\nobservations: [angle]\n"
       "connections:\n  - {from: " +
-      to_filter +
-      ", to: smooth.signal}\n  - {from: smooth.filtered, to: arm.u}\n"
+      to_filter + ", to: smooth.signal}\n  - {from: smooth.filtered, to: arm.u" + more +
+      "}\n"
       "  - {from: arm.theta, to: observations.angle}\n"
       "placement: {" +
       placement + (placement.find(':') == std::string::npos ? ": mps2-an386}\n" : "}\n");
@@ -96,6 +97,30 @@ TEST(Split, WhatGoesFromOnePartToAnotherGoesThroughTheHub) {
   EXPECT_EQ(of_filter.from, 0U);
   EXPECT_TRUE(of_filter.to.empty());
   EXPECT_FALSE(link_use(plan, Part::whole, Graph::kEnvironment, 0).any());
+}
+
+TEST(Split, ADelayGivesTime) {
+  const auto link = [](const std::string& placement, const std::string& more) {
+    return planned(placement, "30", "actions.voltage", more)->plan->split->links.front();
+  };
+  const PartLink at_once = link("smooth: {part: filter}", "");
+  EXPECT_TRUE(at_once.posts);
+  EXPECT_EQ(at_once.depth, 1U);
+  EXPECT_EQ(at_once.why_not_ahead, "`arm.u` reads it with no `delay`");
+  EXPECT_EQ(link("smooth: {part: filter}", ", delay: 0.03").depth, 1U);  // less than an exchange
+  const PartLink late = link("smooth: {part: filter}", ", delay: 0.1");
+  EXPECT_EQ(late.depth, 4U);  // three steps, and the one that is sent
+  EXPECT_EQ(late.why_not_ahead, "");
+  EXPECT_EQ(link("smooth: {part: filter}", ", delay: 100").depth, 32U);
+  // A delay that a reset may change may be none.
+  EXPECT_EQ(link("smooth: {part: filter}", ", delay: 0.1, max_delay: 0.2").depth, 1U);
+  const PartLink board = link("smooth: mps2-an386", ", delay: 0.1");
+  EXPECT_TRUE(board.posts);
+  EXPECT_EQ(board.depth, 1U);
+  EXPECT_EQ(board.why_not_ahead, "a board holds one request at a time");
+  const PartLink agent = link("agent: {part: mind}", ", delay: 0.1");
+  EXPECT_FALSE(agent.posts);
+  EXPECT_EQ(agent.why_not_ahead, "the agent is in it, and a step needs its action");
 }
 
 TEST(Split, TheControllerIsWhatNothingElsePlaces) {

@@ -69,6 +69,7 @@ parts: programs of their own, each with a link to the hub, `host`
     takes       actions.voltage (4 B at 30 Hz)
     gives       smooth.filtered (4 B at 30 Hz)
     a step      1 exchange, 34 bytes with their frames
+    the hub     waits for a message where it is read: `arm.u` reads it with no `delay`
     real time   1020 bytes/s, 9 % of a serial line at 115200 baud
     added age   none in lockstep, where a step waits; in real time over such a line 2.95 of the 33.33 ms of a step
     budget      19200 baud, of which it needs 10200

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t kHash = 0x0123456789abcdefU;
 
 /// The pendulum with its filter in Python, which runs at `rate`.
-std::unique_ptr<GraphOfText> placed(const std::string& rate = "30", const std::string& more = "") {
+std::unique_ptr<GraphOfText> placed_in_python(const std::string& rate = "30", const std::string& more = "") {
   return graph_of_text(swing(rate, "placement: {smooth: {part: filter, target: python}}\n" + more));
 }
 
@@ -30,7 +30,7 @@ std::size_t size(const Json* list) {
 }
 
 TEST(Languages, ALayoutSaysWhatCrossesTheLineAndInWhichOrder) {
-  const auto graph = placed();
+  const auto graph = placed_in_python();
   const Json json = layout_of_text(*graph);
   EXPECT_EQ(text_of(member(&json, "format")), "eagerx part 1");
   EXPECT_EQ(text_of(member(&json, "part")), "filter");
@@ -55,7 +55,7 @@ TEST(Languages, TheHashIsThatOfPrograms) {
 }
 
 TEST(Languages, RatesAreCountedAsInThePlan) {
-  const auto graph = placed("15");
+  const auto graph = placed_in_python("15");
   const Json json = layout_of_text(*graph);
   const Json* const rates = member(&json, "rates");
   ASSERT_EQ(size(rates), 2U);
@@ -68,7 +68,7 @@ TEST(Languages, RatesAreCountedAsInThePlan) {
 }
 
 TEST(Languages, AFolderIsWrittenOnceWhereItIsTheUsers) {
-  const auto graph = placed();
+  const auto graph = placed_in_python();
   const auto files = emit_language(*graph->plan, 0, kHash, "0.2.1", graph->diagnostics);
   ASSERT_TRUE(files) << graph->codes();
   std::string yours;

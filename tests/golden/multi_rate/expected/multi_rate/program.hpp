@@ -53,6 +53,24 @@ class Program {
       eagerx::make_safe(engine_, left_simulator_, right_simulator_);
     }
   }
+  /// In a copy of this program, when it was killed: opens hardware anew and makes it safe, as its
+  /// actuators declare it.
+  void take_over() {
+    warm_up();
+    [[maybe_unused]] const States states{};
+    fast_.reset({});
+    right_u_applied_.reset({}, right_simulator_);
+    left_x_.reset({}, left_simulator_);
+    left_theta_.reset({}, left_simulator_);
+    right_u_.reset({}, right_simulator_);
+    left_theta_dot_.reset({}, left_simulator_);
+    right_x_.reset({}, right_simulator_);
+    right_theta_.reset({}, right_simulator_);
+    left_u_applied_.reset({}, left_simulator_);
+    slow_.reset({});
+    left_u_.reset({}, left_simulator_);
+    stop();
+  }
   /// Whether the engine acts on the world itself.
   [[nodiscard]] bool is_real() const {
     return eagerx::is_real(engine_, left_simulator_, right_simulator_);

@@ -52,6 +52,19 @@ class Program {
       eagerx::make_safe(engine_, pendulum_simulator_);
     }
   }
+  /// In a copy of this program, when it was killed: opens hardware anew and makes it safe, as its
+  /// actuators declare it.
+  void take_over() {
+    warm_up();
+    [[maybe_unused]] const States states{};
+    pendulum_u_applied_.reset({}, pendulum_simulator_);
+    pendulum_x_.reset({}, pendulum_simulator_);
+    pendulum_theta_.reset({}, pendulum_simulator_);
+    pendulum_theta_dot_.reset({}, pendulum_simulator_);
+    smooth_.reset({});
+    pendulum_u_.reset({}, pendulum_simulator_);
+    stop();
+  }
   /// Whether the engine acts on the world itself.
   [[nodiscard]] bool is_real() const {
     return eagerx::is_real(engine_, pendulum_simulator_);

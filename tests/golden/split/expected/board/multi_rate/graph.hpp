@@ -27,6 +27,7 @@ struct Graph : Limits {
         eagerx::link::hash_of_part(graphs::multi_rate::kGraphHash, kPart);
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
+    static constexpr std::size_t kDepth = 1;  // requests that may be on their way
     static constexpr bool kBoardDecides = true;
   };
   using States = graphs::multi_rate::States;

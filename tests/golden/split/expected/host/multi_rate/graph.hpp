@@ -23,7 +23,8 @@ struct Graph : Limits {
   /// The links to the other programs of this graph.
   struct Link {
     static constexpr bool kPartDecides = true;
-    /// By most bytes of a frame's payload, there and back.
+    /// By most bytes of a frame's payload, there and back, and exchanges on their way if these are
+    /// several.
     template <class Port>
     using Star = eagerx::link::Star<
         eagerx::link::HostLink<Port, 36, 16>  // board

@@ -1,0 +1,203 @@
+// A hub that goes on while its parts calculate: it asks for a message where the message is sent,
+// and waits for it where it is read. What a delay holds back is not waited for, and parts that do
+// not need each other calculate at the same time. Which message is read when, and the order of the
+// trace, stay what they are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <eagerx/link/star.hpp>
+#include <eagerx/rate.hpp>
+#include <new>
+#include <type_traits>
+
+namespace eagerx::link {
+
+/// A message of the trace that waits for its turn; its bytes follow.
+struct alignas(16) Record {
+  void (*tell)(void* trace, Record& record);
+  std::uint64_t seq;
+  std::uint32_t channel;
+  std::uint32_t bytes;  // with this header
+  bool is_there;        // else it is still to come
+};
+
+/// A channel that a message is to come of.
+template <class Message>
+struct Awaited {
+  std::uint32_t channel;
+};
+
+/// Messages in the order of the trace, from the first that has not come: a ring of bytes, in which
+/// no message is in two pieces. All zero at the start.
+template <class Trace, std::size_t Bytes>
+class LaterTrace {
+ public:
+  bool empty() const { return first_ == end_; }
+
+  /// Whether add() can be called for these, one after the other.
+  template <class... Message>
+  bool has_room() {
+    constexpr std::size_t kBytes = (kBytesOf<Message> + ...);
+    if (empty()) first_ = end_ = 0;
+    if (end_ < first_) return first_ - end_ > kBytes;
+    if (Bytes - end_ >= kBytes) return true;
+    if (first_ <= kBytes) return false;
+    wrap_ = end_;
+    end_ = 0;
+    return true;
+  }
+  template <class Message>
+  Record* add(std::uint32_t channel, Seq seq) {
+    static_assert(std::is_trivially_copyable_v<Message> && alignof(Message) <= alignof(Record));
+    auto* const record =
+        ::new (bytes_ + end_) Record{&tell<Message>, seq, channel, kBytesOf<Message>, false};
+    end_ += kBytesOf<Message>;
+    return record;
+  }
+  /// The message of a record is there.
+  template <class Message>
+  static void fill(Record& record, const Message& message) {
+    std::memcpy(&record + 1, &message, sizeof message);
+    record.is_there = true;
+  }
+  /// That of those for which has_room() was asked together.
+  static Record* after(Record* record) {
+    return reinterpret_cast<Record*>(reinterpret_cast<unsigned char*>(record) + record->bytes);
+  }
+  /// Tells the trace what is there, up to the first that is not.
+  void flush(Trace& trace) {
+    while (!empty()) {
+      auto* const record = reinterpret_cast<Record*>(bytes_ + first_);
+      if (!record->is_there) return;
+      record->tell(&trace, *record);
+      const bool wraps = end_ < first_ && first_ + record->bytes == wrap_;
+      first_ = wraps ? 0 : first_ + record->bytes;
+    }
+  }
+  void clear() { first_ = end_ = 0; }
+
+ private:
+  template <class Message>
+  static constexpr std::uint32_t kBytesOf = sizeof(Record) +
+                                            (sizeof(Message) + alignof(Record) - 1) /
+                                                alignof(Record) * alignof(Record);
+
+  template <class Message>
+  static void tell(void* trace, Record& record) {
+    Message message;
+    std::memcpy(&message, &record + 1, sizeof message);
+    (*static_cast<Trace*>(trace))(record.channel, record.seq, message);
+  }
+
+  alignas(Record) unsigned char bytes_[Bytes];
+  std::size_t first_, end_;
+  std::size_t wrap_;  // where the messages end that are followed by that at the beginning
+};
+
+/// `Owner` is the hub's program, with a member `trace` and a link() that is a Star of `Parts`
+/// links. `Most`: ticks of a part's nodes that may be on their way; `Bytes`: of the trace that
+/// waits. If either is not enough, the hub waits. All zero at the start.
+template <class Owner, class Trace, std::size_t Parts, std::size_t Most, std::size_t Bytes>
+class Ahead {
+ public:
+  /// Takes what a node sends at tick `n`; false if the connection is over. `record`: of its first
+  /// message, null where the trace waits for nothing.
+  using Take = bool (Owner::*)(Seq n, Record* record);
+
+  /// Asks part `K` for what `take` takes. False if the connection is over.
+  template <std::size_t K, class... Message>
+  bool post(Owner& owner, PartIndex<K> part, Take take, Seq n, Awaited<Message>... awaited) {
+    auto& link = owner.link();
+    if (!link.runs_ahead()) return (owner.*take)(n, nullptr);
+    Queue& queue = queues_[K];
+    while ((link.is_full(part) || queue.count == Most) && queue.count > 0) {
+      if (!take_next(owner, queue)) return false;
+    }
+    Record* const record = reserve(n, awaited...);
+    if (record == nullptr) return settle(owner) && (owner.*take)(n, nullptr);
+    link.post(part);
+    queue.waiting[(queue.first + queue.count++) % Most] = {take, n, record};
+    return link.ok();
+  }
+
+  /// Returns `count` once so many messages of a node of part `K` are there, of which there are
+  /// `taken`.
+  template <std::size_t K>
+  Seq need(Owner& owner, PartIndex<K> /*part*/, const Seq& taken, Seq count) {
+    Queue& queue = queues_[K];
+    while (taken < count && queue.count > 0) {
+      if (!take_next(owner, queue)) break;
+    }
+    return count;
+  }
+
+  /// Waits for all that is on its way. False if the connection is over.
+  bool settle(Owner& owner) {
+    for (Queue& queue : queues_) {
+      while (queue.count > 0) {
+        if (!take_next(owner, queue)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// A message of the trace.
+  template <class Message>
+  void tell(Owner& owner, std::uint32_t channel, Seq seq, Message& message) {
+    if (!later_.empty()) {
+      if (later_.template has_room<Message>()) {
+        later_.fill(*later_.template add<Message>(channel, seq), message);
+        return;
+      }
+      if (!settle(owner)) return;
+    }
+    owner.trace(channel, seq, message);
+  }
+  /// The same of one that has come over a link.
+  template <class Message>
+  void came(Owner& owner, Record*& record, std::uint32_t channel, Seq seq, Message& message) {
+    if (record == nullptr) return tell(owner, channel, seq, message);
+    Record* const next = later_.after(record);
+    later_.fill(*record, message);
+    record = next;
+    later_.flush(owner.trace);
+  }
+
+ private:
+  struct Waiting {
+    Take take;
+    Seq n;
+    Record* record;
+  };
+  /// Of one part, in the order in which it sends.
+  struct Queue {
+    Waiting waiting[Most];
+    std::size_t first, count;
+  };
+
+  bool take_next(Owner& owner, Queue& queue) {
+    const Waiting next = queue.waiting[queue.first];
+    queue.first = (queue.first + 1) % Most;
+    --queue.count;
+    if (owner.link().ok() && (owner.*next.take)(next.n, next.record)) return true;
+    // Nobody tells a trace what came after what did not come.
+    for (Queue& each : queues_) each.count = 0;
+    later_.clear();
+    return false;
+  }
+
+  template <class First, class... Message>
+  Record* reserve(Seq n, Awaited<First> first, Awaited<Message>... awaited) {
+    if (!later_.template has_room<First, Message...>()) return nullptr;
+    Record* const record = later_.template add<First>(first.channel, n);
+    (later_.template add<Message>(awaited.channel, n), ...);
+    return record;
+  }
+
+  Queue queues_[Parts];
+  LaterTrace<Trace, Bytes> later_;
+};
+
+}  // namespace eagerx::link

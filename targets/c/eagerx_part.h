@@ -1,0 +1,57 @@
+/* A part of a graph in C: the timetable and the line to the hub, as targets/PROTOCOL.md says them. */
+#ifndef EAGERX_PART_H
+#define EAGERX_PART_H
+
+#include <stdint.h>
+
+/* The last messages of one output; number `seq` lies at seq % keep. */
+struct eagerx_message {
+  uint8_t* ring;
+  uint32_t bytes, keep;
+  int is_bool; /* then other bytes than 0 and 1 become 1 */
+};
+
+/* How many messages an input has received: runtime/SEMANTICS.md, section 3. */
+struct eagerx_input {
+  const struct eagerx_message* message;
+  void* window; /* what is in it, oldest first */
+  uint32_t size;
+  int skip;
+  int64_t a, b, x, off;
+  uint64_t received;
+};
+
+/* What a node does at a tick: it runs here, or (run is 0) its messages come over the line. */
+struct eagerx_turn {
+  uint32_t rate;
+  void (*run)(uint64_t n);
+  const uint32_t* messages;
+  uint32_t count;
+};
+
+struct eagerx_part {
+  const char *name, *of_graph;
+  uint64_t hash;
+  uint16_t runtime;
+  uint32_t most_to_part, most_to_hub;
+  const uint64_t* periods;
+  uint32_t rates, step_rate;
+  int safe_steps;
+  struct eagerx_message* messages;
+  const uint32_t* actions;
+  uint32_t action_count;
+  const struct eagerx_turn* before;
+  uint32_t before_count;
+  const struct eagerx_turn* after;
+  uint32_t after_count;
+  void (*reset)(void);
+};
+
+/* Fills the window of an input at tick n; to be called at every tick once. Returns how many messages are in it. */
+uint32_t eagerx_take(struct eagerx_input* input, uint64_t n);
+/* Sends message n of an output to the hub, and keeps it. */
+void eagerx_put(const struct eagerx_message* message, uint64_t n, const void* bytes);
+/* The program: `--listen unix:PATH` or `--listen :PORT`. Serves one hub; returns the exit code. */
+int eagerx_serve(int argc, char** argv, const struct eagerx_part* part);
+
+#endif

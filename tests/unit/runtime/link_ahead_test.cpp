@@ -1,0 +1,218 @@
+// eagerx/link/ahead.hpp: a hub that goes on while messages are on their way reads what it would
+// have read, and its trace has the order that it would have had, on any line.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <eagerx/link/ahead.hpp>
+#include <memory>
+#include <thread>
+#include <tuple>
+#include <vector>
+
+#include "tests/unit/runtime/link_line.hpp"
+
+namespace eagerx::link {
+namespace {
+
+constexpr std::size_t kDepth = 4, kBytes = 64;
+using HubEnd = HostLink<HostPort, kBytes, kBytes, kDepth>;
+using PartEnd = BoardLink<BoardPort, kBytes, kBytes, kDepth>;
+constexpr PartIndex<0> kPart;
+constexpr std::uint32_t kSent = 0, kAnswered = 1;
+
+using Told = std::vector<std::tuple<std::uint32_t, Seq, std::uint32_t>>;
+struct KeepingTrace {
+  Told told;
+  void operator()(std::uint32_t channel, Seq seq, std::uint32_t& message) {
+    told.emplace_back(channel, seq, message);
+  }
+};
+
+/// Sends a number a step, and reads the sum of all `delay` steps after it was sent.
+template <std::size_t TraceBytes>
+class Hub {
+ public:
+  KeepingTrace trace;
+  Star<HubEnd> star;
+  Star<HubEnd>& link() { return star; }
+
+  /// Steps until one fails.
+  Seq run(Seq steps, Seq delay) {
+    taken_ = 0;
+    star.begin_episode({{1, 2, 5}, 0});
+    for (Seq n = 0; n < steps; ++n) {
+      star.begin_step();
+      auto value = static_cast<std::uint32_t>(n * n);
+      ahead_.tell(*this, kSent, n, value);
+      star.put(kPart, value);
+      if (!ahead_.post(*this, kPart, &Hub::take, n, Awaited<std::uint32_t>{kAnswered})) return n;
+      most_on_way = std::max(most_on_way, n + 1 - taken_);
+      const Seq count = ahead_.need(*this, kPart, taken_, n < delay ? 1 : n - delay + 1);
+      if (!star.ok()) return n;
+      EXPECT_EQ(ring_[(count - 1) % kRing], sum_of(count - 1)) << n;
+    }
+    return ahead_.settle(*this) ? steps : 0;
+  }
+  /// What the trace has to be told.
+  static Told expected(Seq steps) {
+    Told told;
+    for (Seq n = 0; n < steps; ++n) {
+      told.emplace_back(kSent, n, static_cast<std::uint32_t>(n * n));
+      told.emplace_back(kAnswered, n, sum_of(n));
+    }
+    return told;
+  }
+  Seq most_on_way = 0;
+
+ private:
+  static constexpr std::size_t kRing = 64;
+  static std::uint32_t sum_of(Seq n) {
+    std::uint32_t sum = 0;
+    for (Seq i = 0; i <= n; ++i) sum += static_cast<std::uint32_t>(i * i);
+    return sum;
+  }
+  bool take(Seq n, Record* record) {
+    std::uint32_t& place = ring_[n % kRing];
+    if (!star.get(kPart, kAnswered, place)) return false;
+    ahead_.came(*this, record, kAnswered, n, place);
+    return ++taken_, true;
+  }
+
+  std::uint32_t ring_[kRing] = {};
+  Seq taken_ = 0;
+  template <class, class, std::size_t, std::size_t, std::size_t>
+  friend class Ahead;
+  Ahead<Hub, KeepingTrace, 1, 16, TraceBytes> ahead_{};
+};
+
+class LinkAhead : public ::testing::Test {
+ protected:
+  void TearDown() override {
+    turns_.end();
+    if (thread_.joinable()) thread_.join();
+  }
+  template <class AnyHub>
+  void connect(AnyHub& hub, const Faults& faults = {}, unsigned seed = 1) {
+    to_board_.faults = to_host_.faults = faults;
+    to_board_.random.seed(seed);
+    to_host_.random.seed(seed + 1000);
+    HubEnd& end = hub.star.template link<0>();
+    end.port.in = &to_host_;
+    end.port.out = &to_board_;
+    end.port.turns = &turns_;
+    end.set_time_limit(600'000'000'000);
+    hub.star.set_runs_ahead(true);
+    if (!thread_.joinable()) {
+      part_->port.in = &to_board_;
+      part_->port.out = &to_host_;
+      part_->port.turns = &turns_;
+      part_->identify(kIdentity, 0);
+      thread_ = std::thread([this] {
+        if (turns_.wait_for_turn()) run_part();
+      });
+      turns_.wait_for_board();
+    }
+    ASSERT_TRUE(end.open(kIdentity, ++session_));
+  }
+  void run_part() {
+    while (part_->wait_for_host()) {
+      std::uint32_t sum = 0;
+      std::uint8_t command = 0, late = 0;
+      while (part_->get(command)) {
+        Episode episode;
+        std::uint32_t value = 0;
+        if (command == static_cast<std::uint8_t>(Command::reset)) {
+          if (!episode.get(*part_)) break;
+        } else {
+          if (!part_->get(late) || !part_->get(value)) break;
+          sum += value;
+          part_->put(sum);
+        }
+      }
+    }
+  }
+
+  Wire to_board_, to_host_;
+  Turns turns_;
+  std::unique_ptr<PartEnd> part_ = std::make_unique<PartEnd>();
+  std::thread thread_;
+  std::uint32_t session_ = 0;
+};
+
+constexpr std::size_t kEnough = 4096;
+
+TEST_F(LinkAhead, ExchangesAreOnTheirWayWhileADelayGivesTime) {
+  auto hub = std::make_unique<Hub<kEnough>>();
+  connect(*hub);
+  EXPECT_EQ(hub->run(200, 3), 200U);
+  EXPECT_EQ(hub->most_on_way, 4U);
+  EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(200));
+  EXPECT_EQ(hub->star.link<0>().statistics().exchanges, 200U);
+  EXPECT_EQ(hub->star.link<0>().statistics().repeated, 0U);
+}
+
+TEST_F(LinkAhead, NeverMoreThanTheLinkHasFramesFor) {
+  auto hub = std::make_unique<Hub<kEnough>>();
+  connect(*hub);
+  EXPECT_EQ(hub->run(200, 30), 200U);
+  EXPECT_EQ(hub->most_on_way, kDepth);
+  EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(200));
+}
+
+TEST_F(LinkAhead, WithoutADelayEachIsWaitedFor) {
+  auto hub = std::make_unique<Hub<kEnough>>();
+  connect(*hub);
+  EXPECT_EQ(hub->run(50, 0), 50U);
+  EXPECT_EQ(hub->most_on_way, 1U);
+}
+
+TEST_F(LinkAhead, InLockstepNothingIsOnItsWay) {
+  auto hub = std::make_unique<Hub<kEnough>>();
+  connect(*hub);
+  hub->star.set_runs_ahead(false);
+  EXPECT_EQ(hub->run(50, 3), 50U);
+  EXPECT_EQ(hub->most_on_way, 0U);
+  EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(50));
+}
+
+TEST_F(LinkAhead, ATraceWithoutRoomWaits) {
+  // Two records fit, of four that would wait; and the ring goes around where none ends.
+  for (const Seq steps : {1U, 2U, 3U, 100U}) {
+    auto small = std::make_unique<Hub<112>>();
+    connect(*small);
+    EXPECT_EQ(small->run(steps, 3), steps);
+    EXPECT_EQ(small->trace.told, Hub<112>::expected(steps));
+    auto odd = std::make_unique<Hub<368>>();
+    connect(*odd);
+    EXPECT_EQ(odd->run(steps, 3), steps);
+    EXPECT_EQ(odd->trace.told, Hub<368>::expected(steps));
+  }
+}
+
+TEST_F(LinkAhead, ABadLineChangesNothing) {
+  std::uint64_t repeated = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    auto hub = std::make_unique<Hub<kEnough>>();
+    connect(*hub, {20, 20, 20, 20, 20}, seed);
+    EXPECT_EQ(hub->run(60, 3), 60U) << seed;
+    EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(60)) << seed;
+    EXPECT_GT(hub->most_on_way, 1U);
+    repeated += hub->star.link<0>().statistics().repeated;
+  }
+  EXPECT_GT(repeated, 500U);
+}
+
+TEST_F(LinkAhead, NothingBehindWhatDidNotComeIsTold) {
+  auto hub = std::make_unique<Hub<kEnough>>();
+  connect(*hub);
+  EXPECT_EQ(hub->run(50, 3), 50U);
+  to_host_.faults = {100, 0, 0, 0, 0};
+  EXPECT_LT(hub->run(50, 3), 50U);
+  EXPECT_EQ(hub->star.link<0>().problem(), Problem::no_answer);
+  Told told = Hub<kEnough>::expected(50);
+  told.emplace_back(kSent, 0, 0);  // before the first that did not come
+  EXPECT_EQ(hub->trace.told, told);
+}
+
+}  // namespace
+}  // namespace eagerx::link
