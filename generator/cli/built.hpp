@@ -62,8 +62,8 @@ std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions o
 /// manifest has no `run:`).
 std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program);
 
-/// Whether a target has something to compile: in another language than C++, if it makes a project of
-/// CMake.
+/// Whether a target has something to compile: in another language than C++, if it makes a project
+/// of CMake.
 bool is_compiled(const Target& target);
 
 /// Becomes the program, or what starts it, for as long as it takes; `words` are its own options.

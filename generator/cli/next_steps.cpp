@@ -74,8 +74,7 @@ std::string next_steps(const Run& run, const GenerateOptions& options,
       Target target = *parts[part].target;
       target.run.clear();  // it waits for its hub
       text += fmt::format("build {}; over its link in a step: {}:\n{}", described(parts[part]),
-                          load_of_part(*run.plan, part),
-                          steps.build(target, own, false));
+                          load_of_part(*run.plan, part), steps.build(target, own, false));
     }
   }
   text += split ? "build the rest; its --help says how to name the parts' lines:\n"

@@ -75,11 +75,13 @@ std::string next_steps_of_part(const Run& run, const std::string& part, const st
   const std::string build = shell_word(folder + "/build");
   std::string compile, start = target.run.front() + " " + shell_word(folder);
   if (target.run.front() == "{image}") {
-    compile = fmt::format("  cmake -S {} -B {} && cmake --build {}\n", shell_word(folder), build, build);
+    compile =
+        fmt::format("  cmake -S {} -B {} && cmake --build {}\n", shell_word(folder), build, build);
     start = shell_word(folder + "/build/" + run.graph->name);
   }
   return fmt::format(
-      "Fill in {}, then:\n{}  {} --listen unix:/tmp/{}\n  eagerx-gen run {} --link {}=unix:/tmp/{}\n",
+      "Fill in {}, then:\n{}  {} --listen unix:/tmp/{}\n  eagerx-gen run {} --link "
+      "{}=unix:/tmp/{}\n",
       shell_word(folder + "/" + target.yours.front().second), compile, start, shell_word(part),
       shell_word(run.graph->path), shell_word(part), shell_word(part));
 }

@@ -136,7 +136,7 @@ class GraphWatch {
 /// What another process does with its copy of `program` if this one is killed; nullptr: nothing.
 template <class Program>
 auto how_to_take_over(const Program& program) -> void (*)(void*) {
-  if constexpr (requires(Program& copy) { copy.take_over(); }) {
+  if constexpr (requires(Program & copy) { copy.take_over(); }) {
     if (target::is_real(program))
       return [](void* context) { static_cast<Program*>(context)->take_over(); };
   }

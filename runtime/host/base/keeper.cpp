@@ -53,8 +53,7 @@ Keeper::Keeper(void (*safe_action)(void*), void* context) {
     keep(ends[0], program, safe_action, context);
   }
   if (process_ < 0) {
-    std::fprintf(stderr,
-                 "warning: nobody makes the hardware safe if this program is killed: %s\n",
+    std::fprintf(stderr, "warning: nobody makes the hardware safe if this program is killed: %s\n",
                  std::strerror(errno));
   }
   if (has_line) close(ends[0]);

@@ -65,11 +65,7 @@ std::vector<client::Setter> setters(Options& o) {
        [&](Text v) {
          o.cases.push_back({v, {}});
        }},
-      {"--results",
-       [&](Text v) {
-         o.results = v;
-         o.has_results = true;
-       }},
+      {"--results", [&](Text v) { o.results = v; }},
       {"--hard-starts", [&](Text v) { o.hard_starts = v; }},
       {"--from", [&](Text v) { o.from = v; }},
       {"--replay", [&](Text v) { o.replay.push_back(v); }},
@@ -115,10 +111,7 @@ void set_cases(Options& options) {
 }
 
 void check_sweep(Options& options) {
-  if (options.cases.empty()) {
-    if (options.has_results) refuse("--results is of a --sweep");
-    return;
-  }
+  if (options.cases.empty()) return;
   const std::pair<const char*, const std::string*> others[] = {
       {"--checkpoint", &options.checkpoint},
       {"--resume", &options.resume},

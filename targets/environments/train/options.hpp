@@ -28,7 +28,6 @@ struct Options {
   double checkpoint_every_s = 60.0;   // at least
   bool is_quiet = false;
   bool wants_help = false;
-  bool has_results = false;         // --results was given
   bool only_checks = false;         // options and the places of files; there is no library yet
   std::vector<std::string> replay;  // tables of runs
   std::vector<std::string> named;   // settings that --setting gave

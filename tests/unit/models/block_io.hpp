@@ -461,9 +461,9 @@ struct BentConfig : IdealConfig {
 };
 struct NoisyConfig : IdealConfig {
   static constexpr std::array<double, 1> noise = {0.5};
-struct EvenConfig : IdealConfig {
-  static constexpr std::array<double, 2> spread = {0.5, 2.0};
-};
+  struct EvenConfig : IdealConfig {
+    static constexpr std::array<double, 2> spread = {0.5, 2.0};
+  };
   static constexpr double drop_out = 0.25;
 };
 template <class Real, class Config>

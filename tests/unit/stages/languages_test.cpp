@@ -11,7 +11,8 @@ namespace {
 constexpr std::uint64_t kHash = 0x0123456789abcdefU;
 
 /// The pendulum with its filter in Python, which runs at `rate`.
-std::unique_ptr<GraphOfText> placed_in_python(const std::string& rate = "30", const std::string& more = "") {
+std::unique_ptr<GraphOfText> placed_in_python(const std::string& rate = "30",
+                                              const std::string& more = "") {
   return graph_of_text(swing(rate, "placement: {smooth: {part: filter, target: python}}\n" + more));
 }
 
