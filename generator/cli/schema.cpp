@@ -7,18 +7,23 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/train_settings.hpp"
+#include "generator/cli/train_sweep.hpp"
 #include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 struct SchemaOptions : LibraryOptions {
-  bool of_library = false, of_manifests = false, of_settings = false;
+  bool of_library = false, of_manifests = false, of_settings = false, of_sweeps = false;
 };
 
 int perform(const SchemaOptions& options) {
   if (options.of_settings) {
     say("{}", train_settings_schema());
+    return kDone;
+  }
+  if (options.of_sweeps) {
+    say("{}", train_sweep_schema());
     return kDone;
   }
   if (options.of_manifests) {
@@ -54,15 +59,16 @@ Command table(SchemaOptions& options) {
                     std::move(manifest),
                     flag("--train-settings", options.of_settings,
                          "of the files of `train --settings`"),
+                    flag("--train-sweep", options.of_sweeps, "of the files of `train --sweep`"),
                     library(options)},
       .check =
           [&options] {
             const bool of_graphs = options.of_library || !options.paths.empty();
-            if (options.of_manifests && (of_graphs || options.of_settings))
-              return "--manifest takes no --graph, no --path and no --train-settings";
-            return options.of_settings && of_graphs
-                       ? "--train-settings takes no --graph and no --path"
-                       : "";
+            const int kinds = (of_graphs ? 1 : 0) + (options.of_manifests ? 1 : 0) +
+                              (options.of_settings ? 1 : 0) + (options.of_sweeps ? 1 : 0);
+            return kinds > 1 ? "a schema is of graphs (--graph, --path), --manifest, "
+                               "--train-settings or --train-sweep: ask for one"
+                             : "";
           },
       .run = [&options] { return perform(options); }};
 }

@@ -8,13 +8,14 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/ranks.hpp"
 #include "generator/cli/train_settings.hpp"
+#include "generator/cli/train_sweep.hpp"
 
 namespace eagerx::gen {
 
 namespace {
 
 struct TrainOptions : EnvironmentsOptions {
-  std::string settings;  // a file
+  std::string settings, sweep;  // files
 };
 
 int perform(const TrainOptions& options) {
@@ -26,6 +27,12 @@ int perform(const TrainOptions& options) {
       const auto read = read_train_settings(options.settings, run.sources, run.diagnostics);
       if (!read) return finish(run, options);
       words = *read;
+    }
+    if (!options.sweep.empty()) {
+      Run run;
+      const auto read = read_train_sweep(options.sweep, run.sources, run.diagnostics);
+      if (!read) return finish(run, options);
+      words.insert(words.end(), read->begin(), read->end());
     }
     words.insert(words.end(), options.of_program.begin(), options.of_program.end());
     return int{kDone};
@@ -44,17 +51,25 @@ Command table(TrainOptions& options) {
             "eagerx-gen train robot.yaml --steps 50000000 --checkpoint robot.checkpoint"},
            {"and goes on",
             "eagerx-gen train robot.yaml --steps 50000000 --resume robot.checkpoint"},
+           {"over settings: a table of how good each is, and the best policy",
+            "eagerx-gen train robot.yaml --sweep sweep.yaml --csv settings.csv"},
            {"fine-tune for another graph what was learnt on this one",
             "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"},
            {"on four processes, for an eagerx-gen with MPI: the same policy, sooner",
             "mpirun -n 4 eagerx-gen train robot.yaml"}},
-      .arguments =
-          joined({{graph(options), reads(text("--settings", options.settings,
-                                              "settings of the algorithm; `eagerx-gen help "
-                                              "train-settings` lists them",
-                                              "FILE.yaml"))},
-                  handed_on(eagerx::options::kTrain, options),
-                  on_environments(options)}),
+      .arguments = joined(
+          {{graph(options),
+            reads(text("--settings", options.settings,
+                       "settings of the algorithm; `eagerx-gen help "
+                       "train-settings` lists them",
+                       "FILE.yaml")),
+            reads(
+                text("--sweep", options.sweep,
+                     "train with each of these settings, beside each other, and say how good each "
+                     "is; a file with lists and ranges, see `eagerx-gen help train-settings`",
+                     "FILE.yaml"))},
+           handed_on(eagerx::options::kTrain, options),
+           on_environments(options)}),
       .run = [&options] { return perform(options); }};
 }
 

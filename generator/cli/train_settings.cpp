@@ -14,21 +14,21 @@ namespace eagerx::gen {
 namespace {
 
 using eagerx::options::kTrainSettings;
-using Row = eagerx::options::Setting;
-using Kind = eagerx::options::SettingKind;
+using SettingRow = eagerx::options::Setting;
+using eagerx::options::SettingKind;
 
-std::string value_of(const Row& row) {
-  return row.kind == Kind::layers ? fmt::format("[{}]", row.otherwise) : row.otherwise;
+std::string value_of(const SettingRow& row) {
+  return row.kind == SettingKind::layers ? fmt::format("[{}]", row.otherwise) : row.otherwise;
 }
 
 /// "0 to 1", "tanh, relu"
-std::string range_of(const Row& row) {
+std::string range_of(const SettingRow& row) {
   switch (row.kind) {
-    case Kind::word:
+    case SettingKind::word:
       return fmt::format("{}", fmt::join(comma_separated(row.words), ", "));
-    case Kind::truth:
+    case SettingKind::truth:
       return "true, false";
-    case Kind::layers:
+    case SettingKind::layers:
       return fmt::format("at most {}, each {} to {}", eagerx::options::kMostLayers, row.low,
                          row.high);
     default:
@@ -36,46 +36,51 @@ std::string range_of(const Row& row) {
   }
 }
 
-FormatPtr bounded(FormatPtr number, const Row& row) {
+FormatPtr bounded(FormatPtr number, const SettingRow& row) {
   Format copy = *number;
   copy.low = row.low;
   copy.high = row.high;
   return std::make_shared<const Format>(std::move(copy));
 }
 
-FormatPtr format_of(const Row& row) {
+}  // namespace
+
+FormatPtr setting_format(const SettingRow& row) {
   switch (row.kind) {
-    case Kind::whole:
+    case SettingKind::whole:
       return format::integer("a whole number", row.low, row.high);
-    case Kind::layers:
+    case SettingKind::layers:
       return format::list("a list of widths", format::integer("a width", row.low, row.high), 1);
-    case Kind::word:
+    case SettingKind::word:
       return format::keyword(comma_separated(row.words));
-    case Kind::truth:
+    case SettingKind::truth:
       return format::boolean();
-    case Kind::number:
+    case SettingKind::number:
       break;
   }
   return bounded(format::number("a number"), row);
 }
 
+namespace {
+
 const Format& settings_format() {
   static const FormatPtr whole = [] {
     std::vector<Field> fields;
-    for (const Row& row : kTrainSettings)
+    for (const SettingRow& row : kTrainSettings)
       fields.push_back({.name = row.name,
-                        .format = format_of(row),
+                        .format = setting_format(row),
                         .about = fmt::format("{} (default: {})", row.about, value_of(row))});
     return format::record("settings of a training", std::move(fields));
   }();
   return *whole;
 }
 
-/// As the trainer reads it on a command line.
-std::string word_of(const YamlValue& value) {
+}  // namespace
+
+std::string setting_word(const YamlValue& value) {
   if (value.is_sequence()) {
     std::vector<std::string> words;
-    for (const YamlValue& item : value.items) words.push_back(word_of(item));
+    for (const YamlValue& item : value.items) words.push_back(setting_word(item));
     return fmt::format("{}", fmt::join(words, ","));
   }
   if (const auto whole = parse_int(value.text)) return fmt::format("{}", *whole);
@@ -83,28 +88,25 @@ std::string word_of(const YamlValue& value) {
   return value.text;
 }
 
-bool check_layers(const YamlValue& yaml, Diagnostics& diagnostics) {
-  const YamlValue* layers = yaml.find("layers");
-  if (layers == nullptr || layers->items.size() <= eagerx::options::kMostLayers) return true;
-  diagnostics.error("E0204", layers->span,
+bool check_layers(const YamlValue& layers, Diagnostics& diagnostics) {
+  if (layers.items.size() <= eagerx::options::kMostLayers) return true;
+  diagnostics.error("E0204", layers.span,
                     fmt::format("expected at most {} layers, found {}",
-                                eagerx::options::kMostLayers, layers->items.size()));
+                                eagerx::options::kMostLayers, layers.items.size()));
   return false;
 }
-
-}  // namespace
 
 std::optional<std::vector<std::string>> read_train_settings(const std::string& path,
                                                             SourceMap& sources,
                                                             Diagnostics& diagnostics) {
   const YamlValue yaml = read_yaml_file(path, sources, diagnostics);
-  if (diagnostics.has_errors() || !check(yaml, settings_format(), diagnostics) ||
-      !check_layers(yaml, diagnostics))
-    return std::nullopt;
+  if (diagnostics.has_errors() || !check(yaml, settings_format(), diagnostics)) return std::nullopt;
+  const YamlValue* layers = yaml.find("layers");
+  if (layers != nullptr && !check_layers(*layers, diagnostics)) return std::nullopt;
   std::vector<std::string> words;
   for (const auto& entry : yaml.entries) {
     words.emplace_back("--setting");
-    words.push_back(entry.key + "=" + word_of(entry.value));
+    words.push_back(entry.key + "=" + setting_word(entry.value));
   }
   return words;
 }
@@ -113,8 +115,9 @@ std::string train_settings_text() {
   std::string text =
       "`eagerx-gen train GRAPH.yaml --settings FILE.yaml`, or one of them with `--setting\n"
       "NAME=VALUE`, which comes after the file. What was used stands in the checkpoint and in\n"
-      "the policy's file. For editors: `eagerx-gen schema --train-settings`.\n\n";
-  for (const Row& row : kTrainSettings) {
+      "the policy's file. For editors: `eagerx-gen schema --train-settings`.\n"
+      "`--sweep FILE.yaml` tries several values of some: see the README of the trainer.\n\n";
+  for (const SettingRow& row : kTrainSettings) {
     text +=
         fmt::format("{}: {}\n    {}\n    {}{}\n", row.name, value_of(row), row.about, range_of(row),
                     *row.algorithm == '\0' ? "" : fmt::format("; {} only", row.algorithm));

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/read/tree.hpp"
+#include "generator/spec/format.hpp"
+#include "targets/environments/options/train_settings.hpp"
 
 namespace eagerx::gen {
 
@@ -14,6 +17,13 @@ namespace eagerx::gen {
 std::optional<std::vector<std::string>> read_train_settings(const std::string& path,
                                                             SourceMap& sources,
                                                             Diagnostics& diagnostics);
+
+/// What the value of a setting may look like, but for check_layers().
+FormatPtr setting_format(const eagerx::options::Setting& row);
+/// Reports a list that is too long (E0204). True if it is not.
+bool check_layers(const YamlValue& layers, Diagnostics& diagnostics);
+/// A value as the trainer reads it on a command line.
+std::string setting_word(const YamlValue& value);
 
 /// What `eagerx-gen help train-settings` says.
 std::string train_settings_text();

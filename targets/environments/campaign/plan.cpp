@@ -19,15 +19,6 @@ using client::kProblems;
 using client::Problem;
 using client::Space;
 
-std::vector<std::string> columns_of(const std::vector<Space>& states) {
-  std::vector<std::string> names;
-  for (const Space& state : states) {
-    for (std::size_t i = 0; i < state.size; ++i)
-      names.push_back(state.is_scalar ? state.name : fmt::format("{}[{}]", state.name, i));
-  }
-  return names;
-}
-
 [[noreturn]] void refuse_name(const std::string& name, const Description& description) {
   std::vector<std::string> names;
   for (const Space& state : description.states) names.push_back(state.name);
@@ -186,7 +177,7 @@ Plan make_plan(const Description& description, std::uint64_t seed, std::uint32_t
   plan.longest = steps != 0                       ? steps
                  : description.episode_steps != 0 ? description.episode_steps
                                                   : kDefaultSteps;
-  plan.columns = columns_of(description.states);
+  plan.columns = client::column_names(description.states);
   std::set<std::size_t> taken;
   for (const Variation& variation : variations) {
     const Place place = place_of(variation.name, description);

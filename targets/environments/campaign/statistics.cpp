@@ -23,19 +23,6 @@ std::vector<double> ranks(const std::vector<double>& values) {
 
 }  // namespace
 
-Interval wilson(std::uint64_t successes, std::uint64_t runs) {
-  if (runs == 0) return {};
-  constexpr double kZ = 1.959963984540054;  // 97.5 % of a standard normal are below
-  const auto n = static_cast<double>(runs);
-  const double p = static_cast<double>(successes) / n;
-  const double middle = p + kZ * kZ / (2.0 * n);
-  const double half = kZ * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));
-  const double scale = 1.0 + kZ * kZ / n;
-  // At the ends they are 0 and 1 but for rounding.
-  return {successes == 0 ? 0.0 : (middle - half) / scale,
-          successes == runs ? 1.0 : (middle + half) / scale};
-}
-
 std::array<double, kPercentages.size()> percentiles(const std::vector<double>& sorted) {
   constexpr std::size_t kWhole = 100;
   std::array<double, kPercentages.size()> result{};

@@ -7,17 +7,12 @@
 #include <vector>
 
 #include "targets/environments/campaign/results.hpp"
+#include "targets/environments/client/intervals.hpp"
 
 namespace eagerx::campaign {
 
-/// An interval of a probability.
-struct Interval {
-  double low = 0.0, high = 1.0;
-};
-
-/// Score interval of 95 % for a probability of which `successes` of `runs` were seen (Wilson 1927):
-/// also near 0 and 1, where the normal interval is too short.
-Interval wilson(std::uint64_t successes, std::uint64_t runs);
+using client::Interval;
+using client::wilson;
 
 inline constexpr std::array<unsigned, 7> kPercentages = {0, 5, 25, 50, 75, 95, 100};
 

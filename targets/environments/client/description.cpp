@@ -57,6 +57,15 @@ bool Description::chooses() const {
          (actions.front().dtype.starts_with("int") || actions.front().dtype.starts_with("uint"));
 }
 
+std::vector<std::string> column_names(const std::vector<Space>& states) {
+  std::vector<std::string> names;
+  for (const Space& state : states) {
+    for (std::size_t i = 0; i < state.size; ++i)
+      names.push_back(state.is_scalar ? state.name : state.name + "[" + std::to_string(i) + "]");
+  }
+  return names;
+}
+
 Description read_description(std::string_view text) {
   try {
     const json all = json::parse(text);

@@ -1,7 +1,9 @@
-// Numbers for people.
+// Numbers for people, and words of a text.
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace eagerx::client {
 
@@ -9,5 +11,8 @@ namespace eagerx::client {
 std::string minutes(double seconds);
 /// 153211 as "153,000": three digits that matter.
 std::string rounded(double number);
+
+/// What is between the separators: "a,,b" are "a", "" and "b"; an empty text is one piece.
+std::vector<std::string_view> pieces_of(std::string_view text, char separator);
 
 }  // namespace eagerx::client

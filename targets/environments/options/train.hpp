@@ -25,8 +25,8 @@ inline constexpr Row kTrain[] = {
      .about = "where random numbers start: another seed gives another policy (default: 1)"},
     {.names = "--seeds",
      .value = "N",
-     .about = "train with so many seeds, one after the other: a policy and a line of a table for "
-              "each, the best as --output (default: 1)"},
+     .about = "train with so many seeds, beside each other: a policy, a checkpoint and a line of a "
+              "table for each, the best as --output (default: 1)"},
     {.names = "--threads",
      .value = "N",
      .about = "how many threads; the policy is the same for any number (default: one for each "
@@ -59,9 +59,25 @@ inline constexpr Row kTrain[] = {
               "repeated",
      .use = Use::reads,
      .repeated = true},
+    {.names = "--hard-starts",
+     .value = "FILE",
+     .about =
+         "let a share of the episodes begin where runs of a campaign have failed, by the table "
+         "that its --csv wrote; `hard_share` is a setting",
+     .use = Use::reads},
+    {.names = "--results",
+     .value = "FILE",
+     .about = "of --sweep: a row for each training that is done; those that are there are not made "
+              "again (default: sweep.csv)",
+     .use = Use::writes},
+    {.names = "--case",
+     .value = "SETTINGS",
+     .about = "of --sweep: some settings, `NAME=VALUE NAME=VALUE`",
+     .repeated = true,
+     .who = For::program},
     {.names = "--csv",
      .value = "FILE",
-     .about = "write the learning curve as a table",
+     .about = "write the learning curve as a table; with --sweep a row for each of its settings",
      .use = Use::writes},
     {.names = "--curve",
      .value = "FILE",

@@ -287,6 +287,12 @@ inline constexpr Setting kTrainSettings[] = {
      .low = 0,
      .high = 0.9999,
      .algorithm = "ppo"},
+    {.name = "hard_share",
+     .kind = SettingKind::number,
+     .otherwise = "0.2",
+     .about = "share of the environments whose episodes begin at `--hard-starts`",
+     .low = 0,
+     .high = 1},
     // When it is looked at.
     {.name = "evaluation_every",
      .kind = SettingKind::whole,

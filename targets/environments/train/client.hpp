@@ -33,6 +33,21 @@ using enum client::ExitCode;
 using host::Interrupt;
 using host::Team;
 
+/// Whether a training is to end: somebody has interrupted the program, or what goes on beside it
+/// has failed.
+class Stop {
+ public:
+  Stop(const Interrupt& interrupted)  // NOLINT(google-explicit-constructor): most have this one
+      : Stop(interrupted, interrupted) {}
+  Stop(const Interrupt& interrupted, const Interrupt& failed)
+      : interrupted_(interrupted), failed_(failed) {}
+  explicit operator bool() const { return interrupted_ || failed_; }
+
+ private:
+  const Interrupt& interrupted_;
+  const Interrupt& failed_;
+};
+
 /// A step that can be learnt from. Throws Problem if a reward is not finite.
 inline void step_all(Environments& environments, const float* action, Rows& rows) {
   if (environments.step(action, rows.pointers())) return;

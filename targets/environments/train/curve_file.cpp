@@ -8,6 +8,7 @@ namespace eagerx::train {
 
 std::string CurveFile::grow(double now_s, const std::function<std::string()>& text) {
   constexpr double kEvery_s = 1.0;  // the whole file each time, so that nobody reads half a row
+  const std::lock_guard lock(mutex_);
   if (path_.empty() || now_s < next_s_) return {};
   next_s_ = now_s + kEvery_s;
   try {
@@ -17,6 +18,11 @@ std::string CurveFile::grow(double now_s, const std::function<std::string()>& te
     if (!std::exchange(is_told_, true)) return problem.what();
   }
   return {};
+}
+
+void CurveFile::write(const std::function<std::string()>& text) {
+  const std::lock_guard lock(mutex_);
+  if (!path_.empty()) write_file(path_, text());
 }
 
 }  // namespace eagerx::train

@@ -1,7 +1,8 @@
-// The table of a training that grows: whole at any time.
+// The table of a training that grows, or of several beside each other: whole at any time.
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -15,10 +16,14 @@ class CurveFile {
   /// After an iteration, `now_s` after the start: writes what `text` makes, if that was a second
   /// ago or never done. Returns why not, the first time that it fails; the next second it is tried
   /// again.
+  /// By any thread; `text` is called by one at a time.
   std::string grow(double now_s, const std::function<std::string()>& text);
+  /// The same at the end. Throws Problem.
+  void write(const std::function<std::string()>& text);
 
  private:
   std::string path_;
+  std::mutex mutex_;
   double next_s_ = 0.0;
   bool is_told_ = false;
 };

@@ -9,6 +9,7 @@
 #include "targets/environments/train/ranks/start.hpp"
 #include "targets/environments/train/seeds.hpp"
 #include "targets/environments/train/start.hpp"
+#include "targets/environments/train/sweep.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -20,13 +21,15 @@ const Interrupt& interrupts() {
 /// Rank 0 alone looks at options and files, and prints.
 int run_first(int argc, char** argv, Ranks& ranks) {
   const Options options = parse_options(argc, argv);
-  if (!options.wants_help) check_files(options);
+  if (!options.wants_help)
+    options.cases.empty() ? check_files(options) : check_files_of_sweep(options);
   if (options.wants_help || options.only_checks) {
     if (options.wants_help) print(help_text());
     give_nothing(ranks);
     return kDone;
   }
   give(ranks, argc, argv, options);
+  if (!options.cases.empty()) return train_sweep(options, Library(options.library), interrupts());
   if (options.seeds > 1) return train_seeds(options, Library(options.library), interrupts());
   return train_together(ranks, options, interrupts());
 }

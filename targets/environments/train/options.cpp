@@ -1,7 +1,11 @@
 #include "targets/environments/train/options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "targets/environments/client/command_line.hpp"
 #include "targets/environments/options/train.hpp"
@@ -57,6 +61,12 @@ std::vector<client::Setter> setters(Options& o) {
        }},
       {"--checkpoint", [&](Text v) { o.checkpoint = v; }},
       {"--resume", [&](Text v) { o.resume = v; }},
+      {"--case",
+       [&](Text v) {
+         o.cases.push_back({v, {}});
+       }},
+      {"--results", [&](Text v) { o.results = v; }},
+      {"--hard-starts", [&](Text v) { o.hard_starts = v; }},
       {"--from", [&](Text v) { o.from = v; }},
       {"--replay", [&](Text v) { o.replay.push_back(v); }},
       {"--csv", [&](Text v) { o.csv = v; }},
@@ -67,6 +77,51 @@ std::vector<client::Setter> setters(Options& o) {
       {"--check", [&](Text) { o.only_checks = true; }},
       {"--help", [&](Text) { o.wants_help = true; }},
   };
+}
+
+/// The names of "a=1 b=2": "a b".
+std::string names_of(const std::string& words) {
+  std::string names;
+  bool is_name = true;
+  for (const char c : words) {
+    if (c == '=') is_name = false;
+    if (c == ' ') is_name = true;
+    if (is_name) names += c;
+  }
+  return names;
+}
+
+/// Sets what the words of each case say. All have the same names, because they are columns.
+void set_cases(Options& options) {
+  for (Case& one : options.cases) {
+    if (names_of(one.words) != names_of(options.cases.front().words))
+      refuse("--case: all name the same settings");
+    one.settings = options.settings;
+    std::istringstream words(one.words);
+    for (std::string word; words >> word;) {
+      set_named(one.settings, word);
+      check_algorithm(one.settings, word.substr(0, word.find('=')));
+    }
+    try {
+      check(one.settings);
+    } catch (const Problem& problem) {
+      throw Problem(problem.code, fmt::format("{} ({})", problem.what(), one.words), problem.help);
+    }
+  }
+}
+
+void check_sweep(Options& options) {
+  if (options.cases.empty()) return;
+  const std::pair<const char*, const std::string*> others[] = {
+      {"--checkpoint", &options.checkpoint},
+      {"--resume", &options.resume},
+      {"--curve", &options.curve},
+      {"--tensorboard", &options.tensorboard}};
+  for (const auto& [name, value] : others) {
+    if (!value->empty())
+      refuse(fmt::format("--sweep takes no {}: --results goes on by itself", name));
+  }
+  set_cases(options);
 }
 
 std::vector<client::Option> table(Options& options) {
@@ -84,8 +139,7 @@ Options parse_options(int argc, const char* const* argv) {
       refuse("--resume goes on with a training that has its logs already: leave --replay out");
     check(options.settings);
     for (const std::string& name : options.named) check_algorithm(options.settings, name);
-    if (options.seeds > 1 && !(options.checkpoint + options.resume).empty())
-      refuse("--seeds takes no --checkpoint and no --resume: train each seed by itself for that");
+    check_sweep(options);
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   };
   client::parse({"train", table(options), &options.library, check_all}, argc, argv);

@@ -8,20 +8,30 @@
 
 namespace eagerx::train {
 
+/// One of the settings of a sweep.
+struct Case {
+  std::string words;  // "learning_rate=0.001 layers=64,64"
+  Settings settings;
+};
+
 struct Options {
   std::string library;
   std::string output = "policy.safetensors";
   std::string checkpoint, resume, from, csv, curve, tensorboard;  // empty: none
-  std::string kernels;                                            // empty: the fastest
-  std::uint64_t steps = 5'000'000;                                // of all environments, at most
-  std::uint64_t seeds = 1;           // trainings, from settings.seed on
-  unsigned threads = 0;              // 0: one for each core
-  double checkpoint_every_s = 60.0;  // at least
+  std::string hard_starts;            // the table of a campaign; empty: none
+  std::string results = "sweep.csv";  // of a sweep
+  std::string name;                   // of one of several trainings: "seed 3"
+  std::string kernels;                // empty: the fastest
+  std::uint64_t steps = 5'000'000;    // of all environments, at most
+  std::uint64_t seeds = 1;            // trainings, from settings.seed on
+  unsigned threads = 0;               // 0: one for each core
+  double checkpoint_every_s = 60.0;   // at least
   bool is_quiet = false;
   bool wants_help = false;
   bool only_checks = false;         // options and the places of files; there is no library yet
   std::vector<std::string> replay;  // tables of runs
   std::vector<std::string> named;   // settings that --setting gave
+  std::vector<Case> cases;          // of a sweep; empty: it is none
   Settings settings;
 };
 

@@ -7,16 +7,18 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 namespace eagerx::train {
 
 Progress::Progress(std::uint64_t first_step, std::uint64_t last_step, bool has_success,
-                   bool is_quiet)
+                   bool is_quiet, std::string name)
     : first_step_(first_step),
       last_step_(last_step),
       has_success_(has_success),
       is_quiet_(is_quiet),
-      is_terminal_(isatty(STDERR_FILENO) == 1),
+      name_(std::move(name)),
+      is_terminal_(name_.empty() && isatty(STDERR_FILENO) == 1),
       last_return_(std::numeric_limits<double>::quiet_NaN()),
       last_evaluation_(last_return_),
       last_success_(last_return_),
@@ -53,8 +55,9 @@ void Progress::finish() {
 std::string Progress::line(const CurvePoint& point, double seconds) const {
   const double here = point.steps - static_cast<double>(first_step_);
   const double left = std::max(0.0, static_cast<double>(last_step_) - point.steps);
-  std::string text = fmt::format("{:.2f} of {:.2f} M steps", point.steps / 1e6,
-                                 static_cast<double>(last_step_) / 1e6);
+  std::string text = name_.empty() ? std::string() : name_ + ": ";
+  text += fmt::format("{:.2f} of {:.2f} M steps", point.steps / 1e6,
+                      static_cast<double>(last_step_) / 1e6);
   if (!std::isnan(last_return_)) text += fmt::format(", return {:.4g}", last_return_);
   if (!std::isnan(last_evaluation_)) text += fmt::format(", evaluation {:.4g}", last_evaluation_);
   if (has_success_ && !std::isnan(last_success_)) {

@@ -14,7 +14,10 @@ namespace eagerx::train {
 /// seconds. Goes to stderr.
 class Progress {
  public:
-  Progress(std::uint64_t first_step, std::uint64_t last_step, bool has_success, bool is_quiet);
+  /// `name`: of one of several trainings beside each other, whose lines begin with it and are not
+  /// written over. Empty: there is one only.
+  Progress(std::uint64_t first_step, std::uint64_t last_step, bool has_success, bool is_quiet,
+           std::string name = {});
 
   /// `point`: the last iteration.
   void show(const CurvePoint& point);
@@ -28,7 +31,9 @@ class Progress {
   std::string line(const CurvePoint& point, double seconds) const;
 
   std::uint64_t first_step_, last_step_;
-  bool has_success_, is_quiet_, is_terminal_;
+  bool has_success_, is_quiet_;
+  std::string name_;
+  bool is_terminal_;
   bool is_shown_ = false;
   double last_return_, last_evaluation_, last_success_;  // NaN: not yet
   Clock::time_point start_, shown_;

@@ -33,6 +33,8 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
                                  : library.description().episode_steps),
       cut_at_(count_),
       is_cut_(count_),
+      hard_(settings, library, static_cast<std::uint32_t>(first_),
+            static_cast<std::uint32_t>(count_)),
       rows_(library.description(), count_),
       sight_(library.description(), rows_),
       action_(count_ * numbers_),
@@ -50,7 +52,7 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
 }
 
 void Rollout::reset(std::uint64_t seed) {
-  environments_.reset(seed, rows_.observation.data());
+  hard_.reset(environments_, seed, rows_.observation.data());
   sight_.look(environments_);
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
@@ -100,6 +102,7 @@ void Rollout::replay(const std::vector<float>& again, float discount) {
     for (std::size_t e = 0; e < count_; ++e) {
       if (count_reward(discount, e)) begin_episode(e);
     }
+    hard_.set(environments_);
     row = end;
   }
 }
@@ -204,6 +207,7 @@ void Rollout::step(const Frozen& frozen, std::size_t step) {
   step_environments();
   if (remembers) taken.insert(taken.end(), action_.begin(), action_.end());
   for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
+  hard_.set(environments_);
   bootstrap(frozen, step);
   forget(step);
   sum_observations();
@@ -249,6 +253,7 @@ bool Rollout::count_reward(float discount, std::size_t environment) {
 void Rollout::begin_episode(std::size_t environment) {
   return_[environment] = 0.0;
   discounted_[environment] = 0.0F;
+  hard_.note(environment);
 }
 
 /// Counts the reward and the end of an episode.

@@ -8,6 +8,7 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/hard_starts.hpp"
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/recurrent/states.hpp"
@@ -86,15 +87,16 @@ class Rollout final : public Seen {
   std::uint32_t time_ = 0;             // steps since reset()
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
-  Rows rows_;                          // [count] of the last step
-  Sight sight_;                        // with what only the critic sees, [count][width]
-  std::vector<float> action_;          // [count][numbers]
-  std::vector<double> return_;         // [count] of the episode so far
-  std::vector<float> discounted_;      // [count] of the episode so far
-  Packs value_;                        // [horizon + 1][tiles]
-  Packs rewards_;                      // [horizon][tiles] scaled
-  std::vector<std::uint8_t> ended_;    // [horizon][count]
-  Packs actor_row_, critic_row_;       // scratch
+  HardEnvironments hard_;
+  Rows rows_;                        // [count] of the last step
+  Sight sight_;                      // with what only the critic sees, [count][width]
+  std::vector<float> action_;        // [count][numbers]
+  std::vector<double> return_;       // [count] of the episode so far
+  std::vector<float> discounted_;    // [count] of the episode so far
+  Packs value_;                      // [horizon + 1][tiles]
+  Packs rewards_;                    // [horizon][tiles] scaled
+  std::vector<std::uint8_t> ended_;  // [horizon][count]
+  Packs actor_row_, critic_row_;     // scratch
   States actor_states_, critic_states_;
 };
 

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <mutex>
 #include <vector>
 
+#include "targets/environments/client/intervals.hpp"
+#include "targets/environments/train/beside.hpp"
 #include "targets/environments/train/export.hpp"
 #include "targets/environments/train/training.hpp"
 
@@ -14,6 +18,7 @@ namespace {
 
 struct Trained {
   std::uint64_t seed = 0;
+  bool is_done = false;  // has written its policy
   int exit_code = 0;
   std::vector<CurvePoint> curve;
   Evaluation evaluation;
@@ -21,25 +26,23 @@ struct Trained {
   Score score() const { return {evaluation.successes, evaluation.mean_return}; }
 };
 
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+/// Those of one seed. One that had written no checkpoint before a kill begins.
 Options options_of(const Options& options, std::uint64_t seed) {
   Options one = options;
   one.settings.seed = seed;
+  one.name = fmt::format("seed {}", seed);
   one.output = path_of_seed(options.output, seed);
   one.curve.clear();
+  if (!one.checkpoint.empty()) one.checkpoint = path_of_seed(options.checkpoint, seed);
+  if (!one.resume.empty()) one.resume = path_of_seed(options.resume, seed);
+  if (!is_there(one.resume)) one.resume.clear();
   if (!one.tensorboard.empty()) one.tensorboard += fmt::format("/seed{}", seed);
   return one;
-}
-
-/// 95 % of the mean, by Student's distribution, of few; of many 1.96 deviations.
-double half_interval(const std::vector<double>& values) {
-  constexpr double kStudent[] = {12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31, 2.26};
-  const auto count = static_cast<double>(values.size());
-  double mean = 0.0, squares = 0.0;
-  for (const double value : values) mean += value / count;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  const std::size_t free = values.size() - 1;
-  const double factor = free <= std::size(kStudent) ? kStudent[free - 1] : 1.96;
-  return factor * std::sqrt(squares / (count - 1.0) / count);
 }
 
 std::string table_of(const std::vector<Trained>& all, bool has_success) {
@@ -47,36 +50,81 @@ std::string table_of(const std::vector<Trained>& all, bool has_success) {
                                  has_success ? "success" : "", "return");
   std::vector<double> returns;
   for (const Trained& one : all) {
-    const double steps = one.curve.empty() ? 0.0 : one.curve.back().steps;
     const std::string success =
         has_success ? fmt::format("{} of {}", one.evaluation.successes, one.evaluation.episodes)
                     : std::string();
+    const double steps = one.curve.empty() ? 0.0 : one.curve.back().steps;
     text += fmt::format("{:>8} {:>12} {:>10} {:>12.4g}\n", one.seed, rounded(steps), success,
                         one.evaluation.mean_return);
     returns.push_back(one.evaluation.mean_return);
   }
   if (all.size() < 2) return text;
-  double mean = 0.0;
-  for (const double value : returns) mean += value / static_cast<double>(returns.size());
   const auto good = std::ranges::count(all, kDone, &Trained::exit_code);
+  const client::Mean mean = client::mean_of(returns);
   return text + fmt::format("{} of {} seeds {}; return {:.4g} +- {:.2g} (95 % of the mean)\n", good,
-                            all.size(), has_success ? "succeed" : "are done", mean,
-                            half_interval(returns));
+                            all.size(), has_success ? "succeed" : "are done", mean.mean, mean.half);
 }
 
-void write_all(const Options& options, const Library& library, const std::vector<Trained>& all) {
-  std::vector<std::vector<CurvePoint>> curves;
-  curves.reserve(all.size());
-  for (const Trained& one : all) curves.push_back(one.curve);
-  if (!options.curve.empty())
-    write_file(options.curve, curves_svg(curves, library.description().graph));
-  const Trained& best = *std::ranges::max_element(
-      all, [](const Trained& a, const Trained& b) { return b.score().is_better_than(a.score()); });
-  const std::string path = path_of_seed(options.output, best.seed);
-  write_files({{options.output, read_file(path)},
-               {golden_path(options.output), read_file(golden_path(path))}});
-  print(fmt::format("written: {}, the policy of seed {}\n", options.output, best.seed));
-}
+class Seeds {
+ public:
+  Seeds(const Options& options, const Library& library)
+      : options_(options),
+        library_(library),
+        beside_(beside(options, library, options.seeds)),
+        all_(options.seeds),
+        table_(options.csv),
+        curves_(options.seeds) {}
+
+  int run(const Interrupt& is_interrupted) {
+    if (!options_.is_quiet && beside_.at_once > 1)
+      fmt::print(stderr, "{} seeds at a time, with {} each\n", beside_.at_once,
+                 beside_.threads == 1 ? "1 thread" : fmt::format("{} threads", beside_.threads));
+    train_beside(options_.seeds, beside_.at_once, is_interrupted,
+                 [&](std::size_t i, const Stop& stop) { train(i, stop); });
+    std::erase_if(all_, [](const Trained& one) { return !one.is_done; });
+    write();
+    if (!options_.is_quiet) print(table_of(all_, library_.description().has_success));
+    return std::ranges::max(all_, {}, &Trained::exit_code).exit_code;
+  }
+
+ private:
+  void train(std::size_t i, const Stop& stop) {
+    Options one = options_of(options_, options_.settings.seed + i);
+    one.threads = beside_.threads;
+    if (!options_.is_quiet && !options_.resume.empty() && one.resume.empty())
+      fmt::print(stderr, "{} begins: it has no checkpoint\n", one.name);
+    const auto table = [&](const std::vector<CurvePoint>& curve) {
+      curves_[i] = curve;
+      return curves_csv(curves_, options_.settings.seed);
+    };
+    Training training(one, library_, {&table_, table});
+    const int code = training.run(stop);
+    const std::lock_guard lock(mutex_);
+    all_[i] = {one.settings.seed, true, code, training.curve(), training.evaluation()};
+  }
+
+  void write() const {
+    std::vector<std::vector<CurvePoint>> curves;
+    for (const Trained& one : all_) curves.push_back(one.curve);
+    if (!options_.curve.empty())
+      write_file(options_.curve, curves_svg(curves, library_.description().graph));
+    const Trained& best = *std::ranges::max_element(all_, [](const Trained& a, const Trained& b) {
+      return b.score().is_better_than(a.score());
+    });
+    const std::string path = path_of_seed(options_.output, best.seed);
+    write_files({{options_.output, read_file(path)},
+                 {golden_path(options_.output), read_file(golden_path(path))}});
+    print(fmt::format("written: {}, the policy of seed {}\n", options_.output, best.seed));
+  }
+
+  const Options& options_;
+  const Library& library_;
+  const Beside beside_;
+  std::mutex mutex_;                             // of
+  std::vector<Trained> all_;                     // [seeds] that have ended
+  CurveFile table_;                              // locks
+  std::vector<std::vector<CurvePoint>> curves_;  // [seeds] as far as the table has them
+};
 
 }  // namespace
 
@@ -87,26 +135,20 @@ std::string path_of_seed(const std::string& path, std::uint64_t seed) {
                      has_end ? kEnd : "");
 }
 
-int train_seeds(const Options& options, const Library& library, const Interrupt& is_interrupted) {
-  std::vector<Trained> all;
-  // The first one says itself that it was interrupted: there is always one to write.
-  for (std::uint64_t i = 0; i < options.seeds && (i == 0 || !is_interrupted); ++i) {
+void check_files_of_seeds(const Options& options) {
+  bool any = options.resume.empty();
+  for (std::uint64_t i = 0; i < options.seeds; ++i) {
     const Options one = options_of(options, options.settings.seed + i);
-    if (!options.is_quiet) print(fmt::format("seed {}\n", one.settings.seed));
-    const auto table = [&](const std::vector<CurvePoint>& curve) {
-      std::vector<std::vector<CurvePoint>> curves;
-      curves.reserve(all.size() + 1);
-      for (const Trained& each : all) curves.push_back(each.curve);
-      curves.push_back(curve);
-      return curves_csv(curves, options.settings.seed);
-    };
-    Training training(one, library, table);
-    const int code = training.run(is_interrupted);
-    all.push_back({one.settings.seed, code, training.curve(), training.evaluation()});
+    any = any || !one.resume.empty();
+    for (const std::string* path : {&one.output, &one.checkpoint}) {
+      if (!path->empty()) check_writable(*path);
+    }
   }
-  write_all(options, library, all);
-  if (!options.is_quiet) print(table_of(all, library.description().has_success));
-  return std::ranges::max(all, {}, &Trained::exit_code).exit_code;
+  if (!any) read_file(path_of_seed(options.resume, options.settings.seed));  // says why not
+}
+
+int train_seeds(const Options& options, const Library& library, const Interrupt& is_interrupted) {
+  return Seeds(options, library).run(is_interrupted);
 }
 
 }  // namespace eagerx::train

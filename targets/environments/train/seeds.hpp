@@ -8,12 +8,15 @@
 
 namespace eagerx::train {
 
-/// Trains with the seeds settings.seed … + seeds - 1, one after the other. Each writes a policy of
-/// its own, the best is also that of --output; curve and table have all. Returns an exit code: 0 if
-/// all have succeeded. Throws Problem as Training does.
+/// Trains with the seeds settings.seed … + seeds - 1, beside each other. Each writes a policy and a
+/// checkpoint of its own, the best policy is also that of --output; curve and table have all.
+/// Returns an exit code: 0 if all have succeeded. Throws Problem as Training does.
 int train_seeds(const Options& options, const Library& library, const Interrupt& is_interrupted);
 
 /// "policy.safetensors", 3 → "policy.seed3.safetensors".
 std::string path_of_seed(const std::string& path, std::uint64_t seed);
+
+/// Throws Problem as check_files() does, for the files of all seeds.
+void check_files_of_seeds(const Options& options);
 
 }  // namespace eagerx::train

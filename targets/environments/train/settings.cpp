@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "targets/environments/client/command_line.hpp"
+#include "targets/environments/client/words.hpp"
 #include "targets/environments/options/train_settings.hpp"
 #include "targets/environments/train/packs.hpp"
 
@@ -17,16 +18,6 @@ namespace {
 using client::refuse;
 using options::kTrainSettings;
 using options::Setting;
-
-std::vector<std::string> pieces_of(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, at), text.size());
-    parts.emplace_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
-}
 
 /// Where a setting's value is kept.
 struct Place {
@@ -59,7 +50,7 @@ Place number_at(std::string_view name, T sac::Settings::*member) {
 /// `values`: what the words of the row mean, in their order; empty: 0, 1, ….
 template <class T>
 Place word_at(std::string_view name, T Settings::*member, std::vector<T> values = {}) {
-  const auto words = [](const Setting& row) { return pieces_of(row.words, ','); };
+  const auto words = [](const Setting& row) { return client::pieces_of(row.words, ','); };
   return {name,
           [=](Settings& settings, const Setting& row, const std::string& text) {
             const auto known = words(row);
@@ -72,8 +63,9 @@ Place word_at(std::string_view name, T Settings::*member, std::vector<T> values 
           [=](const Settings& settings) {
             const auto* row = std::ranges::find(kTrainSettings, name, &Setting::name);
             const auto found = std::ranges::find(values, settings.*member);
-            return words(*row)[values.empty() ? static_cast<std::size_t>(settings.*member)
-                                              : static_cast<std::size_t>(found - values.begin())];
+            return std::string(
+                words(*row)[values.empty() ? static_cast<std::size_t>(settings.*member)
+                                           : static_cast<std::size_t>(found - values.begin())]);
           }};
 }
 
@@ -93,7 +85,7 @@ Place layers_at(std::string_view name, std::vector<std::size_t> Settings::*membe
   return {name,
           [member](Settings& settings, const Setting& row, const std::string& text) {
             std::vector<std::size_t> widths;
-            for (const std::string& width : pieces_of(text, ','))
+            for (const std::string_view width : client::pieces_of(text, ','))
               widths.push_back(client::number<std::size_t>(width, static_cast<std::size_t>(row.low),
                                                            static_cast<std::size_t>(row.high)));
             if (widths.size() > options::kMostLayers)
@@ -145,6 +137,7 @@ const std::vector<Place>& places() {
       truth_at("normalise", &S::normalise),
       number_at("freeze_after", &S::freeze_after),
       number_at("averaging", &S::averaging),
+      number_at("hard_share", &S::hard_share),
       number_at("evaluation_every", &S::evaluation_every),
       number_at("evaluation_episodes", &S::evaluation_episodes),
   };
@@ -211,7 +204,7 @@ std::string text_of(const Settings& settings) {
 }
 
 std::string difference(std::string_view theirs, std::string_view ours) {
-  const auto a = pieces_of(theirs, ';'), b = pieces_of(ours, ';');
+  const auto a = client::pieces_of(theirs, ';'), b = client::pieces_of(ours, ';');
   std::vector<std::string> words;
   const auto name = [](std::string_view part) {
     part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
@@ -222,7 +215,7 @@ std::string difference(std::string_view theirs, std::string_view ours) {
     const std::size_t blank = part.find(' ');
     return blank == std::string_view::npos ? std::string_view() : part.substr(blank + 1);
   };
-  for (const std::string& one : a) {
+  for (const std::string_view one : a) {
     const auto other = std::ranges::find(b, name(one), name);
     if (other == b.end()) {
       words.push_back(fmt::format("{} {} (here there is none)", name(one), value(one)));
@@ -230,7 +223,7 @@ std::string difference(std::string_view theirs, std::string_view ours) {
       words.push_back(fmt::format("{} {} (here {})", name(one), value(one), value(*other)));
     }
   }
-  for (const std::string& one : b) {
+  for (const std::string_view one : b) {
     if (std::ranges::find(a, name(one), name) == a.end())
       words.push_back(fmt::format("no {} (here {})", name(one), value(one)));
   }

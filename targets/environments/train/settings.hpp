@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <eagerx/policy/activation.hpp>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "targets/environments/train/sac/settings.hpp"
 
 namespace eagerx::train {
+
+class HardStarts;
 
 /// The runtime's; tanh and relu are trained.
 using eagerx::Activation;
@@ -59,6 +62,9 @@ struct Settings {
   bool normalise{};
   double freeze_after{};  // steps; 0: never
   float averaging{};
+
+  double hard_share{};                            // of the environments
+  std::shared_ptr<const HardStarts> hard_starts;  // of `--hard-starts`; nullptr: none
 
   std::size_t evaluation_every{};  // iterations
   std::size_t evaluation_episodes{};

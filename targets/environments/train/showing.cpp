@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -9,12 +10,13 @@
 namespace eagerx::train {
 
 Showing::Showing(const Options& options, const Description& description, std::uint64_t first_step,
-                 Table table)
+                 SharedTable table)
     : description_(description),
       folder_(options.tensorboard),
-      table_(std::move(table)),
-      progress_(first_step, options.steps, description.has_success, options.is_quiet),
-      curve_file_(options.csv) {}
+      progress_(first_step, options.steps, description.has_success, options.is_quiet, options.name),
+      own_table_(options.csv),
+      table_(table.file != nullptr ? *table.file : own_table_),
+      table_text_(std::move(table.text)) {}
 
 void Showing::open_events(const std::vector<CurvePoint>& curve) {
   if (folder_.empty()) return;
@@ -27,10 +29,16 @@ void Showing::warn(const std::string& problem, const char* goes_on) {
   fmt::print(stderr, "warning: {}; the training goes on {}\n", problem, goes_on);
 }
 
+void Showing::write_table(const std::vector<CurvePoint>& curve) {
+  table_.write([&] { return table_text_(curve); });
+}
+
 void Showing::show(const std::vector<CurvePoint>& curve, const Evaluation& seen) {
   progress_.show(curve.back());
   // A disk that is full now may have room in a second; at the end it is an error.
-  const std::string problem = curve_file_.grow(progress_.seconds(), [&] { return table_(curve); });
+  // Trainings beside each other have begun at different times.
+  const std::chrono::duration<double> now_s = std::chrono::steady_clock::now().time_since_epoch();
+  const std::string problem = table_.grow(now_s.count(), [&] { return table_text_(curve); });
   if (!problem.empty()) warn(problem, "and tries again");
   if (events_) show_events(curve.back(), seen);
 }

@@ -17,12 +17,16 @@ namespace eagerx::train {
 
 class Showing {
  public:
-  /// What the table of the curve has so far, for who makes another one than curve_csv().
-  using Table = std::function<std::string(const std::vector<CurvePoint>&)>;
+  /// A table that several trainings write: where, and what it has so far with the curve of this
+  /// one.
+  struct SharedTable {
+    CurveFile* file = nullptr;  // nullptr: the training has one of its own
+    std::function<std::string(const std::vector<CurvePoint>&)> text = curve_csv;
+  };
 
   /// `first_step`: that the training begins with.
   Showing(const Options& options, const Description& description, std::uint64_t first_step,
-          Table table);
+          SharedTable table);
 
   /// A file of events has the points that a resumed training begins with, too.
   void open_events(const std::vector<CurvePoint>& curve);
@@ -32,7 +36,8 @@ class Showing {
   void finish() { progress_.finish(); }
   /// "warning: …; the training goes on …"
   void warn(const std::string& problem, const char* goes_on);
-  std::string table(const std::vector<CurvePoint>& curve) const { return table_(curve); }
+  /// The table at the end. Throws Problem.
+  void write_table(const std::vector<CurvePoint>& curve);
   double seconds() const { return progress_.seconds(); }
 
  private:
@@ -40,9 +45,10 @@ class Showing {
 
   const Description& description_;
   const std::string folder_;  // of events; empty: none
-  const Table table_;
   Progress progress_;
-  CurveFile curve_file_;
+  CurveFile own_table_;
+  CurveFile& table_;
+  const std::function<std::string(const std::vector<CurvePoint>&)> table_text_;
   std::optional<EventFile> events_;
 };
 

@@ -8,6 +8,7 @@
 #include "targets/environments/train/export.hpp"
 #include "targets/environments/train/ppo.hpp"
 #include "targets/environments/train/sac/sac.hpp"
+#include "targets/environments/train/seeds.hpp"
 #include "targets/environments/train/tensorboard.hpp"
 
 namespace eagerx::train {
@@ -61,11 +62,17 @@ void check_trainable(const Description& description) {
 void check_files(const Options& options) {
   check_writable(options.output);
   check_writable(golden_path(options.output));
-  for (const std::string* path : {&options.checkpoint, &options.csv, &options.curve}) {
+  for (const std::string* path : {&options.csv, &options.curve}) {
     if (!path->empty()) check_writable(*path);
   }
+  if (options.seeds > 1) {
+    check_files_of_seeds(options);
+  } else {
+    if (!options.checkpoint.empty()) check_writable(options.checkpoint);
+    if (!options.resume.empty()) read_file(options.resume);
+  }
   if (!options.tensorboard.empty()) check_folder(options.tensorboard);
-  for (const std::string* path : {&options.resume, &options.from}) {
+  for (const std::string* path : {&options.from, &options.hard_starts}) {
     if (!path->empty()) read_file(*path);
   }
   for (const std::string& path : options.replay) read_file(path);

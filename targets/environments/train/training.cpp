@@ -5,28 +5,48 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <runtime/host/base/hash.hpp>
 #include <utility>
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/export.hpp"
+#include "targets/environments/train/hard_starts.hpp"
 
 namespace eagerx::train {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
+Settings settings_of(const Options& options, const Description& description) {
+  Settings settings = options.settings;
+  if (!options.hard_starts.empty())
+    settings.hard_starts = std::make_shared<const HardStarts>(read_file(options.hard_starts),
+                                                              options.hard_starts, description);
+  return settings;
+}
+
+/// All that the bits of a training depend on.
+std::string conditions_of(const Options& options, const Description& description) {
+  std::string text = conditions(options.settings, description.hash);
+  if (!options.hard_starts.empty())
+    text += fmt::format("; hard-starts {:016x}", host::fnv1a(read_file(options.hard_starts)));
+  return text;
+}
+
 }  // namespace
 
-Training::Training(const Options& options, const Library& library, Table table, Ranks& ranks)
+Training::Training(const Options& options, const Library& library, Showing::SharedTable table,
+                   Ranks& ranks)
     : options_(options),
       library_(library),
       kernels_(chosen_kernels(options.kernels)),
       ranks_(ranks),
-      era_(era_of(options.settings, checked(library))),
-      conditions_(conditions(options.settings, library.description().hash)),
+      settings_(settings_of(options, checked(library))),
+      era_(era_of(settings_, library.description())),
+      conditions_(conditions_of(options, library.description())),
       interface_(interface_of(options.settings, library.description())),
       team_(chosen_threads(options.threads), Team::Size::at_most),
-      algorithm_(chosen_algorithm(options.settings, library, kernels_, team_, ranks)),
+      algorithm_(chosen_algorithm(settings_, library, kernels_, team_, ranks)),
       judge_(options.settings, library, kernels_, team_, ranks),
       saving_(ranks.is_first() ? options.checkpoint : std::string(), options.checkpoint_every_s,
               [this] { return checkpoint(); }),
@@ -54,13 +74,14 @@ std::uint64_t Training::steps() const {
   return std::uint64_t{algorithm_->iteration} * algorithm_->steps();
 }
 
-int Training::run(const Interrupt& is_interrupted) {
+int Training::run(const Stop& stop) {
   if (!options_.is_quiet) {
-    fmt::print(stderr, "{} environments step {}\n", algorithm_->environments(),
+    fmt::print(stderr, "{}{}{} environments step {}\n", options_.name,
+               options_.name.empty() ? "" : ": ", algorithm_->environments(),
                algorithm_->stepping());
   }
   showing_.open_events(progressed_.curve);
-  const Ending ending = learn(is_interrupted);
+  const Ending ending = learn(stop);
   showing_.finish();
   const std::optional<Problem> unsaved = saving_.save();  // before what may take long, or fail
   if (progressed_.best.parameters.empty()) {
@@ -69,10 +90,11 @@ int Training::run(const Interrupt& is_interrupted) {
   }
   last_ = judge_.evaluate_at_last(*algorithm_, progressed_.best);
   if (ranks_.is_first()) {
-    write_policy();
-    write_curve();
+    if (!options_.output.empty()) write_policy(options_.output);
+    write_curves();
   }
-  if (!options_.is_quiet) print(report(last_, ending));
+  if (!options_.is_quiet)
+    print((options_.name.empty() ? "" : options_.name + "\n") + report(last_, ending));
   if (unsaved) throw *unsaved;
   if (ending == Ending::interrupted) return kInterrupted;
   return ending == Ending::success || !judge_.has_aim() ? kDone : kProblems;
@@ -94,9 +116,9 @@ void Training::tell_where(const Problem& problem) {
                 problem.help);
 }
 
-Ending Training::learn(const Interrupt& is_interrupted) {
+Ending Training::learn(const Stop& stop) {
   try {
-    return iterate(is_interrupted);
+    return iterate(stop);
   } catch (const Problem& problem) {
     tell_where(problem);
   }
@@ -104,7 +126,7 @@ Ending Training::learn(const Interrupt& is_interrupted) {
 
 /// Whenever it returns or throws, a checkpoint can be written, and resumed with the next iteration
 /// or the evaluation that is due.
-Ending Training::iterate(const Interrupt& is_interrupted) {
+Ending Training::iterate(const Stop& stop) {
   while (!progressed_.succeeded) {
     if (is_evaluation_due() && evaluate(progressed_.curve.back())) {
       progressed_.succeeded = true;
@@ -113,7 +135,7 @@ Ending Training::iterate(const Interrupt& is_interrupted) {
     }
     if (algorithm_->iteration > first_iteration_) showing_.show(progressed_.curve, judge_.seen());
     if (steps() >= options_.steps) return Ending::steps;
-    if (ranks_.is_any(is_interrupted)) return Ending::interrupted;
+    if (ranks_.is_any(static_cast<bool>(stop))) return Ending::interrupted;
     start_iteration();
     progressed_.curve.push_back(note(algorithm_->iterate()));
   }
@@ -183,7 +205,7 @@ std::string Training::report(const Evaluation& evaluation, Ending ending) const 
                  evaluation);
 }
 
-void Training::write_policy() const {
+void Training::write_policy(const std::string& path) const {
   const Policy best = judge_.policy(*algorithm_, progressed_.best.parameters);
   const std::size_t width = best.network.inputs();
   // Observations as they are in an episode: around the mean that was seen, by their deviation.
@@ -195,13 +217,13 @@ void Training::write_policy() const {
     rows.push_back(random.normal(static_cast<float>(seen.mean[i % width]),
                                  static_cast<float>(1.0 / seen.scale(i % width))));
   }
-  write_files({{options_.output, safetensors_of(best, library_.description(), options_.settings)},
-               {golden_path(options_.output), golden_rows(best, kernels_, rows)}});
+  write_files({{path, safetensors_of(best, library_.description(), options_.settings)},
+               {golden_path(path), golden_rows(best, kernels_, rows)}});
 }
 
-void Training::write_curve() const {
+void Training::write_curves() {
   const std::string& name = library_.description().graph;
-  if (!options_.csv.empty()) write_file(options_.csv, showing_.table(progressed_.curve));
+  showing_.write_table(progressed_.curve);
   if (!options_.curve.empty()) write_file(options_.curve, curve_svg(progressed_.curve, name));
 }
 

@@ -19,25 +19,25 @@ namespace eagerx::train {
 
 class Training {
  public:
-  using Table = Showing::Table;
-
   /// Throws Problem for a library that cannot be trained on, and a checkpoint of another training.
-  Training(const Options& options, const Library& library, Table table = curve_csv,
+  Training(const Options& options, const Library& library, Showing::SharedTable table = {},
            Ranks& ranks = environments::alone());
 
-  /// Trains until the policy succeeds, the steps are used up, or `is_interrupted`. Writes the
+  /// Trains until the policy succeeds, the steps are used up, or it is to `stop`. Writes the
   /// files. Returns an exit code. Throws Problem, after the checkpoint is written. Called by all
   /// ranks, which all come to the same; rank 0 alone writes and prints.
-  int run(const Interrupt& is_interrupted);
+  int run(const Stop& stop);
 
   /// Of what run() has written.
   const std::vector<CurvePoint>& curve() const { return progressed_.curve; }
   const Evaluation& evaluation() const { return last_; }
+  /// The best policy and its known answers. Throws Problem.
+  void write_policy(const std::string& path) const;
 
  private:
   std::uint64_t begin();
-  Ending learn(const Interrupt& is_interrupted);
-  Ending iterate(const Interrupt& is_interrupted);
+  Ending learn(const Stop& stop);
+  Ending iterate(const Stop& stop);
   void start_iteration();
   bool is_evaluation_due() const;
   bool evaluate(CurvePoint& point);
@@ -45,14 +45,14 @@ class Training {
   CurvePoint note(const Algorithm::Result& result);
   std::string checkpoint();
   std::string report(const Evaluation& evaluation, Ending ending) const;
-  void write_policy() const;
-  void write_curve() const;
+  void write_curves();
   std::uint64_t steps() const;
 
   const Options& options_;
   const Library& library_;
   const Kernels& kernels_;
   Ranks& ranks_;
+  const Settings settings_;  // with what its files say
   const std::uint32_t era_;  // iterations between two starts of all environments
   const std::string conditions_, interface_;
   Team team_;

@@ -5,6 +5,7 @@
 // and a number of the episode. In the environment of a process,
 // EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
 // EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <eagerx/math.hpp>
@@ -57,12 +58,16 @@ struct Pendulum {
   float luck = 0.0F;                 // of the episode
   float end[2] = {};                 // what the critic saw last in the one that ended
   bool ended = false;
+  float next[2] = {NAN, NAN};  // angle and speed that the next episode begins with, if not NaN
 
   void begin() {
     eagerx::Random random({seed, number, episode++}, eagerx::entity_id("pendulum"));
     angle = random.uniform(-3.14F, 3.14F);
     speed = random.uniform(-9.0F, 9.0F);
     luck = random.uniform(0.0F, 1.0F);
+    if (!std::isnan(next[0])) angle = next[0];
+    if (!std::isnan(next[1])) speed = next[1];
+    next[0] = next[1] = NAN;
     step = upright = 0;
     ended = false;
   }
@@ -124,7 +129,8 @@ const char* eagerx_describe(void) {
       {"name": "angle", "shape": [2], "dtype": "float32", "window": 1, "low": [-1, -1],
        "high": [1, 1], "first": 0})" SPEED R"(],
     "actions": [{"name": "voltage", )" ACTION R"(, "first": 0}],
-    "states": [],
+    "states": [{"name": "pendulum.model_state", "shape": [2], "dtype": "float32",
+                "low": [-4, -10], "high": [4, 10], "first": 0}],
     "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150)" CRITIC
          "}}";
 }
@@ -158,6 +164,13 @@ int eagerx_reset(eagerx_environments* environments, const uint8_t* mask, const u
     if (seeds != nullptr) one.episode = 0;
     one.begin();
     if (observation != nullptr) one.observe(observation + kWidth * i);
+  }
+  return 0;
+}
+int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, const float* states) {
+  for (std::size_t i = 0; i < environments->all.size(); ++i) {
+    if (mask == nullptr || mask[i] != 0)
+      std::memcpy(environments->all[i].next, states + 2 * i, sizeof(float[2]));
   }
   return 0;
 }

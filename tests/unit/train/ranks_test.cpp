@@ -205,13 +205,11 @@ class TrainRanksTraining : public testing::Test {
     const std::string policy = read_file(whole.output), checkpoint = read_file(whole.checkpoint);
     for (const std::uint32_t count : counts) {
       Options first = of_memory(options("first", 6));
-      in_ranks(count,
-               [&](Ranks& ranks) { Training(first, one_pendulum(), curve_csv, ranks).run(never); });
+      in_ranks(count, [&](Ranks& ranks) { Training(first, one_pendulum(), {}, ranks).run(never); });
       Options second = of_memory(options("second", 9));
       second.resume = first.checkpoint;
-      in_ranks(10 - count, [&](Ranks& ranks) {
-        Training(second, one_pendulum(), curve_csv, ranks).run(never);
-      });
+      in_ranks(10 - count,
+               [&](Ranks& ranks) { Training(second, one_pendulum(), {}, ranks).run(never); });
       EXPECT_TRUE(read_file(second.output) == policy) << count;
       EXPECT_TRUE(read_file(second.checkpoint) == checkpoint) << count;
     }

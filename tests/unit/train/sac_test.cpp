@@ -8,6 +8,7 @@
 #include <string>
 
 #include "targets/environments/train/training.hpp"
+#include "tests/unit/train/common.hpp"
 #include "tests/unit/train/sac_common.hpp"
 
 namespace eagerx::train {
@@ -46,7 +47,6 @@ class TrainSac : public testing::Test {
   }
 
   static std::string trained(const Options& options) {
-    const Interrupt never = false;
     Training(options, pendulum()).run(never);
     return read_file(options.output);
   }
@@ -107,7 +107,6 @@ TEST_F(TrainSac, LogsAreLearntFromAndAreInTheCheckpoint) {
 }
 
 TEST_F(TrainSac, LearnsToSwingUp) {
-  const Interrupt never = false;
   EXPECT_EQ(Training(options(30'000), pendulum()).run(never), kDone);  // 99 of 100, four times
 }
 

@@ -16,6 +16,7 @@
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/seeds.hpp"
+#include "tests/unit/train/common.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -23,12 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kIteration = 256 * 32;  // steps
-const Interrupt never = false;
-
-const Library& pendulum() {
-  static const Library library(EAGERX_TEST_PENDULUM);
-  return library;
-}
 
 /// The same pendulum with three voltages to choose from.
 const Library& choices() {
@@ -313,6 +308,40 @@ TEST_F(TrainTraining, SeveralSeeds) {
   for (const char* row : {"\n1,40960,", "\n2,40960,"})
     EXPECT_NE(read_file(all.csv).find(row), std::string::npos) << row;
   EXPECT_NE(read_file(all.curve).find("2 seeds"), std::string::npos);
+}
+
+// Before, --seeds took no --checkpoint.
+TEST_F(TrainTraining, SeveralSeedsGoOn) {
+  Options all = small(options(8));
+  all.seeds = 3;
+  train_seeds(all, pendulum(), never);
+  std::vector<std::string> policies;
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    policies.push_back(read_file(path_of_seed(all.output, seed)));
+  all.steps = options(3).steps;
+  all.checkpoint = path("checkpoint");
+  train_seeds(all, pendulum(), never);
+  fs::remove(path("checkpoint.seed2"));  // was killed before it wrote one
+  all.steps = options(8).steps;
+  all.resume = all.checkpoint;
+  check_files(all);
+  train_seeds(all, pendulum(), never);
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    EXPECT_EQ(read_file(path_of_seed(all.output, seed)), policies[seed - 1]) << seed;
+  all.resume = path("elsewhere");
+  EXPECT_NE(said([&] { check_files(all); }).find("elsewhere.seed1`: No such file"),
+            std::string::npos);
+}
+
+TEST_F(TrainTraining, ASeedThatFailsEndsTheOthers) {
+  Options all = small(options(1'000'000));
+  all.settings.until_return = 1.0;  // the reward is negative
+  all.seeds = all.threads = 3;
+  fs::create_directories(path("checkpoint.seed3"));  // cannot be written over
+  all.checkpoint = path("checkpoint");
+  all.resume = path("checkpoint");
+  EXPECT_NE(said([&] { train_seeds(all, pendulum(), never); }).find("checkpoint.seed3"),
+            std::string::npos);
 }
 
 TEST_F(TrainTraining, LearnsToSwingUp) {

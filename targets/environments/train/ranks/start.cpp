@@ -21,6 +21,9 @@ void check_shared(const Options& options, std::uint32_t ranks) {
   if (options.seeds > 1)
     throw Problem(kUsage, "several ranks share one training, and `--seeds` are several",
                   "give each its `--seed`");
+  if (!options.cases.empty())
+    throw Problem(kUsage, "several ranks share one training, and a sweep has many",
+                  "leave `mpirun` out: a sweep runs on all cores of this machine");
   if (ranks > kParts)
     throw Problem(
         kUsage, fmt::format("a training has {} parts, which {} ranks cannot share", kParts, ranks),
@@ -42,7 +45,8 @@ void give(Ranks& ranks, int argc, const char* const* argv, const Options& option
   if (ranks.size() == 1) return;
   check_shared(options, ranks.size());
   ranks.share(environments::words_of(argc, argv));
-  for (const std::string* path : {&options.library, &options.resume, &options.from})
+  for (const std::string* path :
+       {&options.library, &options.resume, &options.from, &options.hard_starts})
     ranks.share(content_of(*path));
 }
 
@@ -58,6 +62,7 @@ Options take_job(Ranks& ranks) {
   options.library = received(ranks);
   options.resume = received(ranks);
   options.from = received(ranks);
+  options.hard_starts = received(ranks);
   options.csv.clear();
   options.tensorboard.clear();
   options.is_quiet = true;
@@ -69,7 +74,7 @@ int train_together(Ranks& ranks, const Options& options, const Interrupt& is_int
   std::optional<Training> training;
   const auto begin = [&] {
     library.emplace(options.library);
-    training.emplace(options, *library, curve_csv, ranks);
+    training.emplace(options, *library, Showing::SharedTable{}, ranks);
   };
   together(
       ranks,

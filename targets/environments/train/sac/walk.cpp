@@ -18,6 +18,7 @@ Walk::Walk(const train::Settings& settings, const Library& library, std::uint32_
                     settings.seed, longest, EAGERX_SAME_STEP),
       count_(settings.sac.environments),
       numbers_(head_.numbers),
+      hard_(settings, library, 0, static_cast<std::uint32_t>(count_)),
       rows_(library.description(), count_),
       sight_(library.description(), rows_),
       width_(sight_.width()),
@@ -30,7 +31,7 @@ Walk::Walk(const train::Settings& settings, const Library& library, std::uint32_
 }
 
 void Walk::reset(std::uint64_t seed) {
-  environments_.reset(seed, rows_.observation.data());
+  hard_.reset(environments_, seed, rows_.observation.data());
   sight_.look(environments_);
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
@@ -72,6 +73,7 @@ void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kerne
   before_.assign(sight_.now(), sight_.now() + count_ * width_);
   step_environments();
   for (std::size_t e = 0; e < count_; ++e) settle(model, e, time);
+  hard_.set(environments_);
   sum_observations();
 }
 
@@ -81,6 +83,7 @@ void Walk::step_again(const Memory& memory, std::size_t back) {
   }
   step_environments();
   for (std::size_t e = 0; e < count_; ++e) count_reward(e);
+  hard_.set(environments_);
 }
 
 void Walk::step_environments() {
@@ -102,6 +105,7 @@ bool Walk::count_reward(std::size_t environment) {
   episodes.push_back({return_[e], 0, rows_.success[e] != 0 ? 1U : 0U});
   return_[e] = 0.0;
   discounted_[e] = 0.0F;
+  hard_.note(e);
   return true;
 }
 

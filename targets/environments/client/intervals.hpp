@@ -1,0 +1,25 @@
+// How sure a figure is that comes of samples.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace eagerx::client {
+
+/// An interval of a probability.
+struct Interval {
+  double low = 0.0, high = 1.0;
+};
+
+/// Score interval of 95 % for a probability of which `successes` of `runs` were seen (Wilson 1927):
+/// also near 0 and 1, where the normal interval is too short.
+Interval wilson(std::uint64_t successes, std::uint64_t runs);
+
+/// A mean and what is added to and taken from it for an interval of 95 % (Student 1908); of fewer
+/// than two values that is 0.
+struct Mean {
+  double mean = 0.0, half = 0.0;
+};
+Mean mean_of(const std::vector<double>& values);
+
+}  // namespace eagerx::client

@@ -1,0 +1,17 @@
+// Trainings over settings: a sweep.
+#pragma once
+
+#include "targets/environments/train/client.hpp"
+#include "targets/environments/train/options.hpp"
+
+namespace eagerx::train {
+
+/// Trains with each of options.cases and each seed, beside each other, but for what the file of
+/// results has already. Writes results, table and the policy of the best training. Returns an exit
+/// code: 0 once all are made, whatever their success. Throws Problem.
+int train_sweep(const Options& options, const Library& library, const Interrupt& is_interrupted);
+
+/// Throws Problem as check_files() does.
+void check_files_of_sweep(const Options& options);
+
+}  // namespace eagerx::train

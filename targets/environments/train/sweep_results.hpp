@@ -1,0 +1,43 @@
+// The results of a sweep's trainings in a file, so that none is made twice.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eagerx::train {
+
+/// What came of one training. Numbers are of its best policy, in episodes that chose nothing.
+struct SweepRow {
+  std::string training;  // hash of all that it depends on: 16 hexadecimal digits
+  std::string settings;  // "learning_rate=0.001 layers=64,64", for people
+  std::uint64_t seed = 0;
+  bool succeeds = false;
+  std::uint64_t steps = 0;
+  std::uint64_t successes = 0, episodes = 0;
+  double mean_return = 0.0;
+  double processor_s = 0.0;
+  std::string problem;  // why it broke; then there are no numbers
+};
+
+class SweepResults {
+ public:
+  /// Reads what is there. Throws Problem if that is no such file.
+  explicit SweepResults(std::string path);
+
+  /// Of a training, or nullptr.
+  const SweepRow* find(std::string_view training) const;
+  std::size_t size() const { return rows_.size(); }
+  /// Adds a row and writes the file. Returns why not, if so: the row is there, and a later add() or
+  /// write() writes it, too.
+  std::string add(SweepRow row);
+  /// Throws Problem.
+  void write() const;
+
+ private:
+  std::string path_;
+  std::vector<SweepRow> rows_;
+};
+
+}  // namespace eagerx::train
