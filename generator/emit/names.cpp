@@ -256,9 +256,7 @@ std::string ProgramNames::link_argument(std::size_t part) const {
 }
 
 bool ProgramNames::posts(std::size_t node) const {
-  if (!is_hub() || node == Graph::kEnvironment) return false;
-  const std::size_t part = plan_.graph->placement->part_of[node];
-  return part != Placement::kHub && plan_.split->links[part].posts;
+  return gen::posts(plan_, part_, node);
 }
 bool ProgramNames::posts() const {
   return place_in_taken(plan_.graph->nodes.size()) > 0;

@@ -186,4 +186,10 @@ LinkUse link_use_of_flags(const Graph& graph, Part part, std::size_t node) {
   return use;
 }
 
+bool posts(const Plan& plan, Part part, std::size_t node) {
+  if (part != Part::hub || node == Graph::kEnvironment) return false;
+  const std::size_t owner = plan.graph->placement->part_of[node];
+  return owner != Placement::kHub && plan.split->links[owner].posts;
+}
+
 }  // namespace eagerx::gen
