@@ -146,9 +146,10 @@ void read_safe_outputs(const GraphNode& environment, const SafetySpec* written, 
 void resolve_safe_outputs(Draft& draft) {
   const SafetySpec* const written = draft.spec.safety ? &*draft.spec.safety : nullptr;
   const GraphNode& environment = draft.graph.environment();
-  // Observations that a policy of the program answers do not leave, unless somebody says so.
-  const bool stay = draft.spec.agent.kind == AgentSpec::Kind::policy &&
-                    (written == nullptr || written->outputs.empty());
+  // Observations that a policy of the program answers, or that one learns from, do not leave,
+  // unless somebody says so.
+  const bool is_answered = draft.spec.agent.kind == AgentSpec::Kind::policy || draft.spec.task;
+  const bool stay = is_answered && (written == nullptr || written->outputs.empty());
   if (!draft.spec.has_engine() && !stay) {
     read_safe_outputs(environment, written, draft.graph.safety, draft.diagnostics);
   } else if (written != nullptr) {
