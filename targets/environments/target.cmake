@@ -16,7 +16,7 @@ function(eagerx_configure_target library)
   list(TRANSFORM functions PREPEND "eagerx_")
   file(CONFIGURE OUTPUT ${visible} CONTENT "{ global: @functions@; local: *; };\n" @ONLY)
   target_link_options(${library} PRIVATE -Wl,--version-script=${visible} -Wl,--no-undefined)
-  set_target_properties(${library} PROPERTIES OUTPUT_NAME ${library}_environments)
+  set_target_properties(${library} PROPERTIES OUTPUT_NAME ${library}_environments LINK_DEPENDS ${visible})
 endfunction()
 
 # The instruction sets above plain x86-64 that a library has packs for: EAGERX_INSTRUCTION_SETS, a list of them, or
