@@ -5,6 +5,7 @@ set_tests_properties(parts PROPERTIES COST 900 LABELS long) # compiles some thir
 # In real time, as the line to a part has the machine's clock.
 add_test(NAME parts.hardware COMMAND ${CMAKE_CURRENT_LIST_DIR}/hardware ${PROJECT_BINARY_DIR})
 set_tests_properties(parts.hardware PROPERTIES COST 400 LABELS long) # compiles four programs
-# The same over TCP, over TCP with a key and over serial lines: a quadrotor and a quadruped.
-add_test(NAME parts_lines COMMAND ${CMAKE_CURRENT_LIST_DIR}/lines ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/parts_lines)
-set_tests_properties(parts_lines PROPERTIES COST 500 LABELS long) # compiles some twenty programs
+# The same over TCP, over TCP with a key and over serial lines: a quadrotor and a quadruped. All five cuts: tests/parts/lines.
+add_test(NAME parts_lines COMMAND ${CMAKE_CURRENT_LIST_DIR}/lines ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/parts_lines
+                                  quadrotor_5 quadruped_2)
+set_tests_properties(parts_lines PROPERTIES COST 400 LABELS long) # compiles some ten programs
