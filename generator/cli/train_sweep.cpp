@@ -12,6 +12,7 @@
 #include "generator/read/scalar.hpp"
 #include "generator/read/tree.hpp"
 #include "generator/spec/format.hpp"
+#include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {
 namespace {

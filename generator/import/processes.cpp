@@ -16,9 +16,10 @@ std::optional<Process> process_of(const SavedEntity& entity, Diagnostics& diagno
   const YamlValue* saved = entity.parameter("process");
   if (saved == nullptr) return std::nullopt;
   constexpr std::string_view kNumbers = "0123";
-  const std::size_t number =
-      saved->is_scalar() && saved->text.size() == 1 ? kNumbers.find(saved->text) : kNumbers.npos;
-  if (number != kNumbers.npos) return static_cast<Process>(number);
+  const std::size_t number = saved->is_scalar() && saved->text.size() == 1
+                                 ? kNumbers.find(saved->text)
+                                 : std::string_view::npos;
+  if (number != std::string_view::npos) return static_cast<Process>(number);
   diagnostics
       .error("E0802", saved->span,
              fmt::format("`process` of `{}` is none of EAGERx's", entity.name.value))

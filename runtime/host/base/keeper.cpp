@@ -32,7 +32,7 @@ void wait_for_its_end(pid_t program) {
   setsid();
   // Those that the program ends well after, and tells us.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGPIPE})
-    std::signal(signal, SIG_IGN);
+    static_cast<void>(std::signal(signal, SIG_IGN));
   if (!is_dismissed(line)) {
     wait_for_its_end(program);
     take_over(context);
@@ -53,8 +53,9 @@ Keeper::Keeper(void (*take_over)(void*), void* context) {
     keep(ends[0], program, take_over, context);
   }
   if (process_ < 0) {
-    std::fprintf(stderr, "warning: nobody makes the hardware safe if this program is killed: %s\n",
-                 std::strerror(errno));
+    static_cast<void>(std::fprintf(
+        stderr, "warning: nobody makes the hardware safe if this program is killed: %s\n",
+        std::strerror(errno)));
   }
   if (has_line) close(ends[0]);
   if (has_line && process_ < 0) close(ends[1]);

@@ -64,6 +64,7 @@ void share_seen(Ranks& ranks, const std::vector<std::unique_ptr<Seen>>& parts,
   if (ranks.size() == 1) return work();
   const Share own = share_of(parts.size(), ranks.rank(), ranks.size());
   std::vector<std::size_t> known;  // actions of each
+  known.reserve(parts.size());
   for (const auto& part : parts) known.push_back(part->taken.size());
   const auto all = together(ranks, work, [&] {
     Writer writer;
