@@ -10,6 +10,7 @@
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/sight.hpp"
 #include "targets/environments/train/training.hpp"
+#include "tests/unit/train/common.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -29,10 +30,7 @@ const Library& without_critic() {
 
 class TrainCritic : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   Options options(std::uint64_t iterations) const {
     Options result;
@@ -57,7 +55,7 @@ class TrainCritic : public testing::Test {
   }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() / ("eagerx_critic_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 TEST_F(TrainCritic, RowsHaveWhatItSees) {

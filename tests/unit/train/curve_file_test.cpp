@@ -8,6 +8,7 @@
 #include <string>
 
 #include "targets/environments/train/training.hpp"
+#include "tests/unit/train/common.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -16,12 +17,10 @@ namespace fs = std::filesystem;
 
 class TrainCurveFile : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() / ("eagerx_curve_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 TEST_F(TrainCurveFile, IsWrittenAtOnceAndThenEachSecond) {

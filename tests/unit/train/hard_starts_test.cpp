@@ -124,9 +124,7 @@ TEST(HardStarts, AShareOfTheEnvironmentsBeginsThere) {
 
 class TrainHardStarts : public testing::TestWithParam<const char*> {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   Options options(std::uint64_t iterations) const {
     Options result;
@@ -148,7 +146,7 @@ class TrainHardStarts : public testing::TestWithParam<const char*> {
   }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() / ("eagerx_hard_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 TEST_P(TrainHardStarts, GoOnFromACheckpointAsOneTraining) {

@@ -11,6 +11,7 @@
 #include "targets/environments/train/ranks/gradient_sum.hpp"
 #include "targets/environments/train/ranks/together.hpp"
 #include "targets/environments/train/training.hpp"
+#include "tests/unit/train/common.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -174,9 +175,7 @@ TEST(TrainRanks, BytesOfAllAreInOrder) {
 
 class TrainRanksTraining : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   Options options(const std::string& name, std::uint64_t iterations) const {
     Options result;
@@ -216,8 +215,7 @@ class TrainRanksTraining : public testing::Test {
   }
 
  private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("eagerx_ranks_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 TEST_F(TrainRanksTraining, AnyNumberOfThemLearnsTheSameBits) {

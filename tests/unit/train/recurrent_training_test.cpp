@@ -12,6 +12,7 @@
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/ppo.hpp"
 #include "targets/environments/train/training.hpp"
+#include "tests/unit/train/common.hpp"
 
 namespace eagerx::train::recurrent_test {
 namespace {
@@ -28,10 +29,7 @@ const Library& hidden() {
 
 class TrainMemory : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   /// Quick, and does not succeed so soon.
   Options small(std::uint64_t iterations, const char* memory = "gru") const {
@@ -63,7 +61,7 @@ class TrainMemory : public testing::Test {
   }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() / ("eagerx_memory_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 TEST_F(TrainMemory, AnyThreadsAndInstructionsLearnTheSameBits) {

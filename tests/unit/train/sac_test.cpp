@@ -18,14 +18,11 @@ namespace fs = std::filesystem;
 
 class TrainSac : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static const Library& pendulum() {
     static const Library library(EAGERX_TEST_PENDULUM);
     return library;
   }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   Options options(std::uint64_t steps) const {
     Options result;
@@ -52,7 +49,7 @@ class TrainSac : public testing::Test {
   }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() / ("eagerx_train_sac_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 TEST_F(TrainSac, AnyNumberOfThreadsAndAnyInstructionsLearnTheSameBits) {

@@ -25,12 +25,8 @@ constexpr const char* kResultsRow =
 
 class TrainSweep : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override {
-    unsetenv("EAGERX_TEST_BREAKS");
-    fs::remove_all(folder_);
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void TearDown() override { unsetenv("EAGERX_TEST_BREAKS"); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   Options options(const std::vector<std::string>& cases) const {
     std::vector<std::string> words = {"train",     EAGERX_TEST_PENDULUM,
@@ -67,7 +63,7 @@ class TrainSweep : public testing::Test {
   }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() / ("eagerx_sweep_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 TEST_F(TrainSweep, EachTrainingIsThatOfItsSettingsAndSeed) {

@@ -44,10 +44,7 @@ std::string said(Work work) {
 
 class TrainTraining : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   Options options(std::uint64_t iterations) const {
     Options result;
@@ -66,7 +63,7 @@ class TrainTraining : public testing::Test {
   }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() / ("eagerx_train_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 TEST_F(TrainTraining, AnyNumberOfThreadsLearnsTheSameBits) {
