@@ -17,17 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Interrupt unbroken = false;
-
 const Library& with_critic() {
   static const Library library(EAGERX_TEST_CRITIC);
   return library;
 }
-const Library& without_critic() {
-  static const Library library(EAGERX_TEST_PENDULUM);
-  return library;
-}
-
 class TrainCritic : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return folder_.path(name); }
@@ -42,7 +35,7 @@ class TrainCritic : public testing::Test {
     return result;
   }
   static std::string trained(const Options& options, const Library& library) {
-    Training(options, library).run(unbroken);
+    Training(options, library).run(never);
     return read_file(options.output);
   }
   static std::string said(const Options& options, const Library& library) {
@@ -96,7 +89,7 @@ TEST_F(TrainCritic, AnyThreadsLearnTheSameBitsAndOthersThanWithoutIt) {
   one.threads = 3;
   one.kernels = "plain";
   EXPECT_EQ(trained(one, with_critic()), policy);
-  EXPECT_NE(trained(one, without_critic()), policy);
+  EXPECT_NE(trained(one, pendulum()), policy);
 }
 
 TEST_F(TrainCritic, ThePolicySeesNothingOfIt) {
@@ -123,7 +116,7 @@ TEST_F(TrainCritic, SacSeesItToo) {
   const std::string policy = trained(one, with_critic());
   EXPECT_NE(policy.find("\"policy.hidden.0.weight\":{\"dtype\":\"F32\",\"shape\":[8,3]"),
             std::string::npos);
-  EXPECT_NE(trained(one, without_critic()), policy);
+  EXPECT_NE(trained(one, pendulum()), policy);
   one.threads = 3;
   one.kernels = "plain";
   EXPECT_EQ(trained(one, with_critic()), policy);
@@ -144,12 +137,12 @@ TEST_F(TrainCritic, CheckpointsOfAnotherCriticAreRefused) {
   trained(first, with_critic());
   Options other = options(2);
   other.resume = first.checkpoint;
-  EXPECT_EQ(said(other, without_critic()),
+  EXPECT_EQ(said(other, pendulum()),
             "`" + first.checkpoint +
                 "` belongs to another training: critic error[1] luck[1] (here there is none)");
   other.resume.clear();
   other.from = first.checkpoint;
-  EXPECT_NE(said(other, without_critic()).find("is of other networks"), std::string::npos);
+  EXPECT_NE(said(other, pendulum()).find("is of other networks"), std::string::npos);
   EXPECT_EQ(said(other, with_critic()), "nothing");
 }
 

@@ -18,10 +18,6 @@ namespace fs = std::filesystem;
 
 class TrainSac : public testing::Test {
  protected:
-  static const Library& pendulum() {
-    static const Library library(EAGERX_TEST_PENDULUM);
-    return library;
-  }
   std::string path(const std::string& name) const { return folder_.path(name); }
 
   Options options(std::uint64_t steps) const {
