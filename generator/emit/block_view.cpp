@@ -53,6 +53,13 @@ class BlockView {
     add_waiting();
     return std::move(view_);
   }
+  /// The same of what it sends elsewhere, where that is taken.
+  View make_take() {
+    view_.set("node", node_.name);
+    add_remote();
+    add_waiting();
+    return std::move(view_);
+  }
 
  private:
   std::string tick() const {
@@ -103,7 +110,8 @@ class BlockView {
       awaited.push_back(item);
     }
     view_["awaited"] = std::move(awaited);
-    view_.set("hands_on", sends);
+    // What another part reads is handed on at once.
+    view_.set("ask", sends ? "fetch" : "post");
   }
 
   bool is_render(std::size_t n) const { return graph_.render && graph_.render->node == n; }
@@ -320,8 +328,12 @@ View groups_view(const Plan& plan, const ProgramNames& names,
 View takes_view(const Plan& plan, const ProgramNames& names) {
   View takes = list();
   for (std::size_t n = 0; n < plan.graph->nodes.size(); ++n)
-    if (names.posts(n)) takes.push_back(BlockView(plan, names, n).make());
+    if (names.posts(n)) takes.push_back(BlockView(plan, names, n).make_take());
   return takes;
+}
+
+View ask_view(const Plan& plan, const ProgramNames& names, std::size_t node) {
+  return names.posts(node) ? BlockView(plan, names, node).make_take() : View(false);
 }
 
 MessagePlace message_place(const Plan& plan, const ProgramNames& names, std::size_t ring,

@@ -15,6 +15,9 @@ View groups_view(const Plan& plan, const ProgramNames& names,
 /// How a hub takes what nodes of its parts send, of those that it asks for before it needs them.
 View takes_view(const Plan& plan, const ProgramNames& names);
 
+/// How the hub asks for what `node` sends, without waiting for it; false if it waits.
+View ask_view(const Plan& plan, const ProgramNames& names, std::size_t node);
+
 /// Where a message is written, by an expression that is cheap to repeat.
 struct MessagePlace {
   std::string expression;  // "smooth_filtered_[0]", "new_filtered"

@@ -32,12 +32,12 @@ std::string messages_text(const Plan& plan, const std::vector<bool>& crosses) {
   return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// "goes on while up to 3 exchanges are on their way"
+/// "goes on while up to 4 exchanges are on their way: `arm.u` reads it with `delay: 1/10`"
 std::string ahead_text(const PartLink& link) {
-  if (link.depth > 1)
-    return fmt::format("goes on while up to {} exchanges are on their way", link.depth);
-  return fmt::format("waits for a message where it is {}: {}", link.posts ? "read" : "sent",
-                     link.why_not_ahead);
+  const std::string what =
+      link.depth > 1 ? fmt::format("goes on while up to {} exchanges are on their way", link.depth)
+                     : fmt::format("waits for a message where it is {}", link.posts ? "read" : "sent");
+  return fmt::format("{}: {}", what, link.why_no_more);
 }
 
 Json names_json(const Plan& plan, const std::vector<bool>& crosses) {
@@ -134,7 +134,7 @@ Json parts_json(const Plan& plan) {
              {"exchanges_a_step", known ? Json(link.exchanges) : Json(nullptr)},
              {"bytes_a_step", known ? Json(bytes_on_line(link)) : Json(nullptr)},
              {"exchanges_on_their_way", Json(static_cast<double>(link.depth))},
-             {"why_not_more", link.depth > 1 ? Json(nullptr) : Json(link.why_not_ahead)},
+             {"why_not_more", Json(link.why_no_more)},
              {"baud", known ? Json(baud_of(plan, link)) : Json(nullptr)}});
   }
   return parts;

@@ -58,34 +58,35 @@ class Finder {
  private:
   void look_at(std::size_t part) {
     PartLink& link = split_.links[part];
-    link.why_not_ahead = reason_against(part);
-    if (!link.why_not_ahead.empty()) return;
+    link.why_no_more = reason_against(part);
+    if (!link.why_no_more.empty()) return;
     link.posts = true;
     const Slack slack = slack_of(part);
     const double per_s = link.exchanges * graph_.environment().rate_hz.to_double();
     const double ahead = std::floor(slack.seconds.to_double() * per_s + 1e-9);
-    if (ahead < 1.0) {
-      link.why_not_ahead = slack.why;
-      return;
-    }
+    link.why_no_more = slack.why;
+    if (ahead < 1.0) return;
     if (graph_.placement->parts[part].target->is_board() ||
         graph_.placement->parts[part].target->system.empty()) {
-      link.why_not_ahead = "a board holds one request at a time";
+      link.why_no_more = "a board holds one request at a time";
       return;
     }
-    const std::size_t room = kMostBytesOnWay / std::max(link.part_payload, link.hub_payload);
-    const auto most = std::clamp<std::size_t>(room, 1, kMostExchanges);
-    link.depth = 1 + std::min(most - 1, static_cast<std::size_t>(std::min(ahead, 1e6)));
-    if (link.depth == 1) link.why_not_ahead = "its frames are too large to have two on their way";
+    const std::size_t payload = std::max(link.part_payload, link.hub_payload);
+    const auto most = std::clamp<std::size_t>(kMostBytesOnWay / payload, 1, kMostExchanges);
+    const auto wanted = 1 + static_cast<std::size_t>(std::min(ahead, 1e6));
+    link.depth = std::min(most, wanted);
+    if (link.depth == wanted) return;
+    link.why_no_more = most == kMostExchanges
+                           ? fmt::format("{} are the most of a link", most)
+                           : fmt::format("its frames have up to {} bytes, and {} are the most on "
+                                         "their way",
+                                         payload, kMostBytesOnWay);
   }
 
   /// Why the hub has to wait for each message of a part at once.
   [[nodiscard]] std::string reason_against(std::size_t part) const {
     const PartLink& link = split_.links[part];
-    if (part_of_[Graph::kEnvironment] == part)
-      return "the agent is in it, and a step needs its action";
     if (graph_.asynchronous) return "the graph has `sync: false`";
-    if (graph_.has_reset_nodes()) return "the graph has reset nodes";
     if (plan_.schedule.masks.empty()) return "the rates are too far apart";
     if (link.several_frames) return "its messages take several frames";
     if (link.exchanges == 0.0) return "it sends nothing";
@@ -99,8 +100,7 @@ class Finder {
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       if (part_of_[n] == part) continue;
       for (const Input& input : graph_.nodes[n].inputs) {
-        if (input.source_node == Graph::kEnvironment || part_of_[input.source_node] != part)
-          continue;
+        if (part_of_[input.source_node] != part) continue;
         const Slack slack = slack_of(n, input);
         if (slack.seconds < least.seconds) least = slack;
       }
@@ -108,7 +108,7 @@ class Finder {
     return least;
   }
   [[nodiscard]] Slack slack_of(std::size_t n, const Input& input) const {
-    if (part_of_[n] != Placement::kHub && n != Graph::kEnvironment)
+    if (part_of_[n] != Placement::kHub)
       return {Rational(), fmt::format("part `{}` reads what it sends",
                                       graph_.placement->parts[part_of_[n]].name)};
     // One that a reset may change may be none.

@@ -110,7 +110,7 @@ class Ahead {
   template <std::size_t K, class... Message>
   bool post(Owner& owner, PartIndex<K> part, Take take, Seq n, Awaited<Message>... awaited) {
     auto& link = owner.link();
-    if (!link.runs_ahead()) return (owner.*take)(n, nullptr);
+    if (held_ || !link.runs_ahead()) return (owner.*take)(n, nullptr);
     Queue& queue = queues_[K];
     while ((link.is_full(part) || queue.count == Most) && queue.count > 0) {
       if (!take_next(owner, queue)) return false;
@@ -120,6 +120,12 @@ class Ahead {
     link.post(part);
     queue.waiting[(queue.first + queue.count++) % Most] = {take, n, record};
     return link.ok();
+  }
+
+  /// The same of what is handed on to another part at once: waits for it.
+  template <std::size_t K, class... Message>
+  bool fetch(Owner& owner, PartIndex<K> part, Take take, Seq n, Awaited<Message>... awaited) {
+    return post(owner, part, take, n, awaited...) && empty(owner, queues_[K]);
   }
 
   /// Returns `count` once so many messages of a node of part `K` are there, of which there are
@@ -136,12 +142,18 @@ class Ahead {
   /// Waits for all that is on its way. False if the connection is over.
   bool settle(Owner& owner) {
     for (Queue& queue : queues_) {
-      while (queue.count > 0) {
-        if (!take_next(owner, queue)) return false;
-      }
+      if (!empty(owner, queue)) return false;
     }
     return true;
   }
+
+  /// Waits for all, and from then on for each message where it is asked for: where parts also send
+  /// what nobody asked for. False if the connection is over.
+  bool hold(Owner& owner) {
+    held_ = true;
+    return settle(owner);
+  }
+  void go_on() { held_ = false; }
 
   /// A message of the trace.
   template <class Message>
@@ -177,6 +189,12 @@ class Ahead {
     std::size_t first, count;
   };
 
+  bool empty(Owner& owner, Queue& queue) {
+    while (queue.count > 0) {
+      if (!take_next(owner, queue)) return false;
+    }
+    return true;
+  }
   bool take_next(Owner& owner, Queue& queue) {
     const Waiting next = queue.waiting[queue.first];
     queue.first = (queue.first + 1) % Most;
@@ -198,6 +216,7 @@ class Ahead {
 
   Queue queues_[Parts];
   LaterTrace<Trace, Bytes> later_;
+  bool held_;
 };
 
 }  // namespace eagerx::link

@@ -106,21 +106,31 @@ TEST(Split, ADelayGivesTime) {
   const PartLink at_once = link("smooth: {part: filter}", "");
   EXPECT_TRUE(at_once.posts);
   EXPECT_EQ(at_once.depth, 1U);
-  EXPECT_EQ(at_once.why_not_ahead, "`arm.u` reads it with no `delay`");
+  EXPECT_EQ(at_once.why_no_more, "`arm.u` reads it with no `delay`");
   EXPECT_EQ(link("smooth: {part: filter}", ", delay: 0.03").depth, 1U);  // less than an exchange
   const PartLink late = link("smooth: {part: filter}", ", delay: 0.1");
   EXPECT_EQ(late.depth, 4U);  // three steps, and the one that is sent
-  EXPECT_EQ(late.why_not_ahead, "");
-  EXPECT_EQ(link("smooth: {part: filter}", ", delay: 100").depth, 32U);
+  EXPECT_EQ(late.why_no_more, "`arm.u` reads it with `delay: 1/10`");
+  const PartLink later = link("smooth: {part: filter}", ", delay: 100");
+  EXPECT_EQ(later.depth, 32U);
+  EXPECT_EQ(later.why_no_more, "32 are the most of a link");
   // A delay that a reset may change may be none.
   EXPECT_EQ(link("smooth: {part: filter}", ", delay: 0.1, max_delay: 0.2").depth, 1U);
   const PartLink board = link("smooth: mps2-an386", ", delay: 0.1");
   EXPECT_TRUE(board.posts);
   EXPECT_EQ(board.depth, 1U);
-  EXPECT_EQ(board.why_not_ahead, "a board holds one request at a time");
-  const PartLink agent = link("agent: {part: mind}", ", delay: 0.1");
-  EXPECT_FALSE(agent.posts);
-  EXPECT_EQ(agent.why_not_ahead, "the agent is in it, and a step needs its action");
+  EXPECT_EQ(board.why_no_more, "a board holds one request at a time");
+}
+
+TEST(Split, AnActionIsAskedForBeforeItIsNeeded) {
+  // The filter reads it at once, whatever is behind the filter.
+  const auto at_once = planned("agent: {part: mind}", "30", "actions.voltage", ", delay: 0.1");
+  const PartLink agent = at_once->plan->split->links.front();
+  EXPECT_TRUE(agent.posts);
+  EXPECT_TRUE(posts(*at_once->plan, Part::hub, Graph::kEnvironment));
+  EXPECT_FALSE(posts(*at_once->plan, Part::placed(0), Graph::kEnvironment));
+  EXPECT_EQ(agent.depth, 1U);
+  EXPECT_EQ(agent.why_no_more, "`smooth.signal` reads it with no `delay`");
 }
 
 TEST(Split, TheControllerIsWhatNothingElsePlaces) {
