@@ -22,7 +22,9 @@ class BlockView {
         node_(graph_.nodes[n]),
         names_(names),
         n_(n),
-        seq_(names.sent[n].empty() ? "n" : names.sent[n] + ".count()") {}
+        seq_(!names.sent[n].empty() ? names.sent[n] + ".count()"
+             : names.lag(n) > 0     ? "sent"
+                                    : "n") {}
 
   View make() {
     const bool is_engine = node_.role == NodeRole::engine;
@@ -99,19 +101,29 @@ class BlockView {
     view_.set("taken", fmt::format("taken_[{}]", names_.place_in_taken(n_)));
     view_.set("part", names_.link_argument(graph_.placement->part_of[n_]));
     View awaited = list();
-    bool sends = false;
     for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
-      const LinkUse use = names_.links(n_, o);
-      if (!use.any()) continue;
-      sends = sends || !use.to.empty();
+      if (!names_.crosses(n_, o)) continue;
       View item = object();
       item.set("type", names_.message(node_.outputs[o].space));
       item.set("channel", channel(o));
       awaited.push_back(item);
     }
     view_["awaited"] = std::move(awaited);
-    // What another part reads is handed on at once.
-    view_.set("ask", sends ? "fetch" : "post");
+    add_handing_on();
+  }
+  /// What another part reads.
+  void add_handing_on() {
+    View hands_on = list();
+    for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
+      for (const std::size_t part : names_.links(n_, o).to) {
+        View item = object();
+        item.set("to", names_.link_argument(part));
+        item.set("lag", fmt::format("{}", plan_.split->links[part].lags[n_]));
+        item.set("sent", names_.ring_member[plan_.nodes[n_].rings[o]]);
+        hands_on.push_back(item);
+      }
+    }
+    view_["hands_on"] = std::move(hands_on);
   }
 
   bool is_render(std::size_t n) const { return graph_.render && graph_.render->node == n; }
@@ -141,6 +153,7 @@ class BlockView {
     }
     view_["slots"] = slots_view(places);
     view_["received"] = std::move(received);
+    add_lag(names_, n_, view_);
   }
 
   void add_engine() {
@@ -330,6 +343,11 @@ View takes_view(const Plan& plan, const ProgramNames& names) {
   for (std::size_t n = 0; n < plan.graph->nodes.size(); ++n)
     if (names.posts(n)) takes.push_back(BlockView(plan, names, n).make_take());
   return takes;
+}
+
+void add_lag(const ProgramNames& names, std::size_t node, View& view) {
+  const std::uint64_t lag = names.lag(node);
+  view.set("lag", text_or_false(lag > 0 ? fmt::format("{}", lag) : ""));
 }
 
 View ask_view(const Plan& plan, const ProgramNames& names, std::size_t node) {

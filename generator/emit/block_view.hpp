@@ -15,6 +15,9 @@ View groups_view(const Plan& plan, const ProgramNames& names,
 /// How a hub takes what nodes of its parts send, of those that it asks for before it needs them.
 View takes_view(const Plan& plan, const ProgramNames& names);
 
+/// Into `view`: `lag`, how many ticks later the messages of `node` come into this program, or false.
+void add_lag(const ProgramNames& names, std::size_t node, View& view);
+
 /// How the hub asks for what `node` sends, without waiting for it; false if it waits.
 View ask_view(const Plan& plan, const ProgramNames& names, std::size_t node);
 

@@ -141,7 +141,8 @@ class ProgramView {
     constexpr std::size_t kEnvironment = Graph::kEnvironment;
     View actions = list();
     const bool here = names_.runs(kEnvironment);
-    const std::string seq = names_.seq_of(kEnvironment);
+    add_lag(names_, kEnvironment, view_);
+    const std::string seq = names_.lag(kEnvironment) > 0 ? "sent" : names_.seq_of(kEnvironment);
     for (std::size_t a = 0; a < graph_.environment().outputs.size(); ++a) {
       const Output& output = graph_.environment().outputs[a];
       const std::size_t ring = plan_.nodes[kEnvironment].rings[a];

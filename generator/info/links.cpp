@@ -32,7 +32,7 @@ std::string messages_text(const Plan& plan, const std::vector<bool>& crosses) {
   return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// "goes on while up to 4 exchanges are on their way: `arm.u` reads it with `delay: 1/10`"
+/// "goes on while up to 4 exchanges are on their way: `arm.u` reads it with `delay: 0.1`"
 std::string ahead_text(const PartLink& link) {
   const std::string what =
       link.depth > 1 ? fmt::format("goes on while up to {} exchanges are on their way", link.depth)

@@ -36,7 +36,13 @@ class Finder {
       : plan_(plan), graph_(*plan.graph), part_of_(plan.graph->placement->part_of), split_(split) {}
 
   void run() {
-    for (std::size_t part = 0; part < split_.links.size(); ++part) look_at(part);
+    for (std::size_t part = 0; part < split_.links.size(); ++part) {
+      split_.links[part].why_no_more = reason_against(part);
+      split_.links[part].posts = split_.links[part].why_no_more.empty();
+    }
+    find_lags();
+    for (std::size_t part = 0; part < split_.links.size(); ++part)
+      if (split_.links[part].posts) look_at(part);
     if (std::ranges::none_of(split_.links, &PartLink::posts)) return;
     // The first message after a reset, and the one that is being sent, beside those on their way.
     constexpr double kMoreSteps = 2.0;
@@ -58,9 +64,6 @@ class Finder {
  private:
   void look_at(std::size_t part) {
     PartLink& link = split_.links[part];
-    link.why_no_more = reason_against(part);
-    if (!link.why_no_more.empty()) return;
-    link.posts = true;
     const Slack slack = slack_of(part);
     const double per_s = link.exchanges * graph_.environment().rate_hz.to_double();
     const double ahead = std::floor(slack.seconds.to_double() * per_s + 1e-9);
@@ -93,6 +96,43 @@ class Finder {
     return {};
   }
 
+  /// What a part sends to another one is handed on late where that reads it late, so that the hub
+  /// need not wait for it.
+  void find_lags() {
+    for (std::size_t part = 0; part < split_.links.size(); ++part) {
+      std::vector<std::uint64_t>& lags = split_.links[part].lags;
+      lags.resize(graph_.nodes.size());
+      // Programs in other languages take a message where it is sent.
+      if (!graph_.placement->parts[part].target->language.empty()) continue;
+      for (std::size_t n = 0; n < lags.size(); ++n) {
+        const std::size_t owner = part_of_[n];
+        if (owner != part && owner != Placement::kHub && split_.links[owner].posts)
+          lags[n] = lag_of(n, part);
+      }
+    }
+  }
+  /// Ticks of `source` that all its readers in `part` wait for a message.
+  [[nodiscard]] std::uint64_t lag_of(std::size_t source, std::size_t part) const {
+    std::uint64_t least = UINT64_MAX;
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      if (part_of_[n] != part) continue;
+      for (const Input& input : graph_.nodes[n].inputs) {
+        if (input.source_node != source) continue;
+        const Rational ticks = least_delay(input) * graph_.nodes[source].rate_hz;
+        // The hub hands it on from its ring.
+        const Ring& ring = plan_.rings[plan_.nodes[source].rings[input.source_output]];
+        const auto late = input.skip ? 0 : static_cast<std::uint64_t>(ticks.floor());
+        least = std::min({least, late, ring.capacity - 1});
+      }
+    }
+    return least == UINT64_MAX ? 0 : least;
+  }
+  /// One that a reset may change may be none.
+  static Rational least_delay(const Input& input) {
+    const bool changes = input.max_delay_s || input.random_delay || input.entity_sets_delay;
+    return changes ? Rational() : input.delay_s;
+  }
+
   /// Of all that a part sends.
   [[nodiscard]] Slack slack_of(std::size_t part) const {
     constexpr std::int64_t kNever_s = 1'000'000;
@@ -108,19 +148,19 @@ class Finder {
     return least;
   }
   [[nodiscard]] Slack slack_of(std::size_t n, const Input& input) const {
-    if (part_of_[n] != Placement::kHub)
-      return {Rational(), fmt::format("part `{}` reads what it sends",
-                                      graph_.placement->parts[part_of_[n]].name)};
-    // One that a reset may change may be none.
     const bool changes = input.max_delay_s || input.random_delay || input.entity_sets_delay;
-    Rational seconds = changes ? Rational() : input.delay_s;
-    if (input.skip)
-      seconds =
-          seconds + shortest_gap(graph_.nodes[input.source_node].rate_hz, graph_.nodes[n].rate_hz);
-    const std::string delay = changes ? "a delay that changes"
-                              : input.delay_s == Rational()
-                                  ? "no `delay`"
-                                  : "`delay: " + input.delay_s.to_string() + "`";
+    const std::string delay = changes                         ? "a delay that changes"
+                              : input.delay_s == Rational() ? "no `delay`"
+                                                            : "`delay: " + input.delay_s.to_string() + "`";
+    const Rational& sent_hz = graph_.nodes[input.source_node].rate_hz;
+    if (part_of_[n] != Placement::kHub) {
+      const std::uint64_t lag = split_.links[part_of_[n]].lags[input.source_node];
+      return {Rational(static_cast<std::int64_t>(lag)) / sent_hz,
+              fmt::format("part `{}` reads it with {}", graph_.placement->parts[part_of_[n]].name,
+                          delay)};
+    }
+    Rational seconds = least_delay(input);
+    if (input.skip) seconds = seconds + shortest_gap(sent_hz, graph_.nodes[n].rate_hz);
     return {seconds, fmt::format("`{}` reads it with {}", input.written, delay)};
   }
 

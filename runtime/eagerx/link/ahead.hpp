@@ -9,6 +9,7 @@
 #include <cstring>
 #include <eagerx/link/star.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/window.hpp>
 #include <new>
 #include <type_traits>
 
@@ -122,10 +123,18 @@ class Ahead {
     return link.ok();
   }
 
-  /// The same of what is handed on to another part at once: waits for it.
-  template <std::size_t K, class... Message>
-  bool fetch(Owner& owner, PartIndex<K> part, Take take, Seq n, Awaited<Message>... awaited) {
-    return post(owner, part, take, n, awaited...) && empty(owner, queues_[K]);
+  /// At tick `n` of a node of `from`: hands on to `to` the message of `lag` ticks before, the first
+  /// at once, and waits for it. The node has sent into `ring`, and `taken` are there. False if the
+  /// connection is over.
+  template <class From, class To, class Message, std::size_t Capacity>
+  bool hand_on(Owner& owner, From from, const Seq& taken, Seq n, Seq lag, To to,
+               const Message (&ring)[Capacity]) {
+    if (!comes_late(n, lag)) return true;
+    const Seq sent = sent_before(n, lag);
+    need(owner, from, taken, sent + 1);
+    if (!owner.link().ok()) return false;
+    owner.link().put(to, ring[ring_position<Capacity>(sent)]);
+    return true;
   }
 
   /// Returns `count` once so many messages of a node of part `K` are there, of which there are
@@ -142,7 +151,9 @@ class Ahead {
   /// Waits for all that is on its way. False if the connection is over.
   bool settle(Owner& owner) {
     for (Queue& queue : queues_) {
-      if (!empty(owner, queue)) return false;
+      while (queue.count > 0) {
+        if (!take_next(owner, queue)) return false;
+      }
     }
     return true;
   }
@@ -189,12 +200,6 @@ class Ahead {
     std::size_t first, count;
   };
 
-  bool empty(Owner& owner, Queue& queue) {
-    while (queue.count > 0) {
-      if (!take_next(owner, queue)) return false;
-    }
-    return true;
-  }
   bool take_next(Owner& owner, Queue& queue) {
     const Waiting next = queue.waiting[queue.first];
     queue.first = (queue.first + 1) % Most;

@@ -110,7 +110,7 @@ TEST(Split, ADelayGivesTime) {
   EXPECT_EQ(link("smooth: {part: filter}", ", delay: 0.03").depth, 1U);  // less than an exchange
   const PartLink late = link("smooth: {part: filter}", ", delay: 0.1");
   EXPECT_EQ(late.depth, 4U);  // three steps, and the one that is sent
-  EXPECT_EQ(late.why_no_more, "`arm.u` reads it with `delay: 1/10`");
+  EXPECT_EQ(late.why_no_more, "`arm.u` reads it with `delay: 0.1`");
   const PartLink later = link("smooth: {part: filter}", ", delay: 100");
   EXPECT_EQ(later.depth, 32U);
   EXPECT_EQ(later.why_no_more, "32 are the most of a link");
@@ -131,6 +131,32 @@ TEST(Split, AnActionIsAskedForBeforeItIsNeeded) {
   EXPECT_FALSE(posts(*at_once->plan, Part::placed(0), Graph::kEnvironment));
   EXPECT_EQ(agent.depth, 1U);
   EXPECT_EQ(agent.why_no_more, "`smooth.signal` reads it with no `delay`");
+  const auto late = planned("agent: {part: mind}", "30", "actions.voltage, delay: 0.1");
+  EXPECT_EQ(late->plan->split->links.front().depth, 4U);
+  EXPECT_EQ(late->plan->split->links.front().why_no_more,
+            "`smooth.signal` reads it with `delay: 0.1`");
+}
+
+TEST(Split, WhatAnotherPartReadsLateIsHandedOnLate) {
+  const auto lags = [](const std::string& delay) {
+    const auto result = planned("smooth: {part: filter}, agent: {part: mind}", "30",
+                                "actions.voltage" + delay, ", delay: 0.2");
+    return result->plan->split->links;
+  };
+  const std::vector<PartLink> at_once = lags("");
+  EXPECT_EQ(at_once[0].lags[Graph::kEnvironment], 0U);
+  EXPECT_EQ(at_once[1].depth, 1U);
+  EXPECT_EQ(at_once[1].why_no_more, "part `filter` reads it with no `delay`");
+  EXPECT_EQ(at_once[0].depth, 7U);
+  const std::vector<PartLink> late = lags(", delay: 0.1");
+  EXPECT_EQ(late[0].lags[Graph::kEnvironment], 3U);
+  EXPECT_EQ(late[1].lags[Graph::kEnvironment], 0U);
+  EXPECT_EQ(late[1].depth, 4U);
+  EXPECT_EQ(late[1].why_no_more, "part `filter` reads it with `delay: 0.1`");
+  // What is between two ticks is not waited for.
+  EXPECT_EQ(lags(", delay: 0.095")[0].lags[Graph::kEnvironment], 2U);
+  EXPECT_EQ(lags(", delay: 0.1, max_delay: 0.2")[0].lags[Graph::kEnvironment], 0U);
+  EXPECT_EQ(lags(", delay: 0.1, skip: true, window: 0")[0].lags[Graph::kEnvironment], 0U);
 }
 
 TEST(Split, TheControllerIsWhatNothingElsePlaces) {

@@ -62,12 +62,6 @@ class Hub {
     EXPECT_EQ(taken_, from + steps);
     EXPECT_TRUE(ahead_.settle(*this));
   }
-  /// And one whose answer another part needs.
-  void run_fetched(Seq n) {
-    send(n);
-    EXPECT_TRUE(ahead_.fetch(*this, kPart, &Hub::take, n, Awaited<std::uint32_t>{kAnswered}));
-    EXPECT_EQ(taken_, n + 1);
-  }
   /// What the trace has to be told.
   static Told expected(Seq steps) {
     Told told;
@@ -81,14 +75,11 @@ class Hub {
 
  private:
   static constexpr std::size_t kRing = 64;
-  void send(Seq n) {
+  bool ask(Seq n) {
     star.begin_step();
     auto value = static_cast<std::uint32_t>(n * n);
     ahead_.tell(*this, kSent, n, value);
     star.put(kPart, value);
-  }
-  bool ask(Seq n) {
-    send(n);
     return ahead_.post(*this, kPart, &Hub::take, n, Awaited<std::uint32_t>{kAnswered});
   }
   static std::uint32_t sum_of(Seq n) {
@@ -208,12 +199,15 @@ TEST_F(LinkAhead, WhatIsHeldIsAskedForAndTaken) {
   EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(24));
 }
 
-TEST_F(LinkAhead, WhatIsHandedOnIsWaitedFor) {
-  auto hub = std::make_unique<Hub<kEnough>>();
-  connect(*hub);
-  EXPECT_EQ(hub->run(10, 3), 10U);
-  for (Seq n = 10; n < 20; ++n) hub->run_fetched(n);
-  EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(20));
+TEST(LinkLate, TheFirstComesAtOnceAndTheOthersInOrder) {
+  for (const Seq lag : {0U, 1U, 5U}) {
+    Seq next = 0;
+    for (Seq n = 0; n < 20; ++n) {
+      if (!comes_late(n, lag)) continue;
+      EXPECT_EQ(sent_before(n, lag), next++) << n;
+    }
+    EXPECT_EQ(next, 20U - lag);
+  }
 }
 
 TEST_F(LinkAhead, ATraceWithoutRoomWaits) {
