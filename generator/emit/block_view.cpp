@@ -375,6 +375,12 @@ View slots_view(const std::vector<MessagePlace>& places) {
   return slots;
 }
 
+bool is_kept_within(const Plan& plan, const Ring& ring) {
+  if (ring.node != Graph::kEnvironment || !ring.reader_node) return false;
+  const Input& input = plan.graph->nodes[*ring.reader_node].inputs[*ring.reader_input];
+  return input.actuator && (!input.space.low.empty() || !input.space.high.empty());
+}
+
 View conversions_view(const Plan& plan, const ProgramNames& names, const WrittenMessage& message) {
   View views = list();
   const Ring& written = plan.rings[message.ring];
@@ -393,9 +399,8 @@ View conversions_view(const Plan& plan, const ProgramNames& names, const Written
                  ? fmt::format("{}::convert({})",
                                names.input_processor[*ring.reader_node][*ring.reader_input], source)
                  : source);
-    const bool action = ring.node == Graph::kEnvironment && names.runs(Graph::kEnvironment);
-    view.set("space", text_or_false(action && input.actuator &&
-                                            (!input.space.low.empty() || !input.space.high.empty())
+    view.set("bounds", names.runs(Graph::kEnvironment) ? "guard" : "actuators");
+    view.set("space", text_or_false(is_kept_within(plan, ring)
                                         ? "eagerx::Space<" + names.message(input.space) + ">" +
                                               space_literal(input.space)
                                         : ""));

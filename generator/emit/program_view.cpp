@@ -79,6 +79,12 @@ class ProgramView {
     view_.set("step_parameter",
               decides && acts ? "const Action& action" : "const Action& /*action*/");
     view_.set("guards", decides && acts);
+    const bool has_actuators =
+        !decides && names_.is_hub() && std::ranges::any_of(plan_.rings, [&](const Ring& ring) {
+          return is_kept_within(plan_, ring);
+        });
+    view_.set("has_actuators", has_actuators);
+    view_.set("needs_limits", (decides && acts) || has_actuators);
     const bool outputs = guards_outputs(plan_, names_);
     view_.set("guards_outputs", outputs);
     view_.set("guard_type", outputs ? "OutputGuard" : "Guard");
@@ -91,16 +97,16 @@ class ProgramView {
   /// What the other program has decided.
   void add_applied(bool is_elsewhere) {
     constexpr std::size_t kEnvironment = Graph::kEnvironment;
-    view_["asks_for_action"] =
-        is_elsewhere ? ask_view(plan_, names_, kEnvironment) : View(false);
+    view_["asks_for_action"] = is_elsewhere ? ask_view(plan_, names_, kEnvironment) : View(false);
     view_.set("has_applied", is_elsewhere);
     if (!is_elsewhere) return;
     std::vector<FieldValue> values;
     const auto& outputs = graph_.environment().outputs;
     // The tick of the observation that followed has been counted.
     for (std::size_t a = 0; a < outputs.size(); ++a)
-      values.push_back({outputs[a].name, ring_place(plan_, names_, plan_.nodes[kEnvironment].rings[a],
-                                                    names_.seq_of(kEnvironment) + " - 1")});
+      values.push_back(
+          {outputs[a].name, ring_place(plan_, names_, plan_.nodes[kEnvironment].rings[a],
+                                       names_.seq_of(kEnvironment) + " - 1")});
     view_.set("applied", designated(values));
   }
 

@@ -81,9 +81,10 @@ class Finder {
     if (link.depth == wanted) return;
     link.why_no_more = most == kMostExchanges
                            ? fmt::format("{} are the most of a link", most)
-                           : fmt::format("its frames have up to {} bytes, and {} are the most on "
-                                         "their way",
-                                         payload, kMostBytesOnWay);
+                           : fmt::format(
+                                 "its frames have up to {} bytes, and {} are the most on "
+                                 "their way",
+                                 payload, kMostBytesOnWay);
   }
 
   /// Why the hub has to wait for each message of a part at once.
@@ -149,9 +150,10 @@ class Finder {
   }
   [[nodiscard]] Slack slack_of(std::size_t n, const Input& input) const {
     const bool changes = input.max_delay_s || input.random_delay || input.entity_sets_delay;
-    const std::string delay = changes                         ? "a delay that changes"
-                              : input.delay_s == Rational() ? "no `delay`"
-                                                            : "`delay: " + input.delay_s.to_string() + "`";
+    const std::string delay = changes ? "a delay that changes"
+                              : input.delay_s == Rational()
+                                  ? "no `delay`"
+                                  : "`delay: " + input.delay_s.to_string() + "`";
     const Rational& sent_hz = graph_.nodes[input.source_node].rate_hz;
     if (part_of_[n] != Placement::kHub) {
       const std::uint64_t lag = split_.links[part_of_[n]].lags[input.source_node];

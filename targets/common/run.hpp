@@ -244,8 +244,9 @@ typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
 /// episode; if it has `key(key)`, that is the key of the episode; if it has `late_in_a_row()`, that
 /// is how many steps up to now were too late; if it has `states(key)`, that is what an episode
 /// begins with; if it has `is_over()`, an episode ends when that is true; if it has `looks()` and
-/// that is false, it sees no message that a part has sent, nor what a part has decided. The run of a program with
-/// a link to another one ends when the link does, and `watch` does not see that step.
+/// that is false, it sees no message that a part has sent, nor what a part has decided. The run of
+/// a program with a link to another one ends when the link does, and `watch` does not see that
+/// step.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
