@@ -40,26 +40,26 @@ static struct {
 } sodium;
 
 static int find_sodium(void) {
-  const struct {
-    const char* name;
-    void* function;
-  } functions[] = {{"sodium_init", &sodium.init},
-                   {"crypto_kx_keypair", &sodium.keypair},
-                   {"crypto_kx_server_session_keys", &sodium.session_keys},
-                   {"crypto_generichash", &sodium.generichash},
-                   {"crypto_secretstream_xchacha20poly1305_init_push", &sodium.init_push},
-                   {"crypto_secretstream_xchacha20poly1305_push", &sodium.push},
-                   {"crypto_secretstream_xchacha20poly1305_init_pull", &sodium.init_pull},
-                   {"crypto_secretstream_xchacha20poly1305_pull", &sodium.pull},
-                   {"crypto_secretstream_xchacha20poly1305_statebytes", &sodium.state_bytes},
-                   {"crypto_secretstream_xchacha20poly1305_headerbytes", &sodium.head_bytes},
-                   {"crypto_secretstream_xchacha20poly1305_abytes", &sodium.seal_bytes}};
+  static const char* const names[] = {"sodium_init",
+                                      "crypto_kx_keypair",
+                                      "crypto_kx_server_session_keys",
+                                      "crypto_generichash",
+                                      "crypto_secretstream_xchacha20poly1305_init_push",
+                                      "crypto_secretstream_xchacha20poly1305_push",
+                                      "crypto_secretstream_xchacha20poly1305_init_pull",
+                                      "crypto_secretstream_xchacha20poly1305_pull",
+                                      "crypto_secretstream_xchacha20poly1305_statebytes",
+                                      "crypto_secretstream_xchacha20poly1305_headerbytes",
+                                      "crypto_secretstream_xchacha20poly1305_abytes"};
+  void* const functions[] = {&sodium.init,      &sodium.keypair, &sodium.session_keys, &sodium.generichash,
+                             &sodium.init_push, &sodium.push,    &sodium.init_pull,    &sodium.pull,
+                             &sodium.state_bytes, &sodium.head_bytes, &sodium.seal_bytes};
   void* const library = dlopen(LIBRARY, RTLD_NOW | RTLD_LOCAL);
   if (library == 0) return 0;
-  for (size_t i = 0; i < sizeof functions / sizeof *functions; ++i) {
-    void* const found = dlsym(library, functions[i].name);
+  for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+    void* const found = dlsym(library, names[i]);
     if (found == 0) return 0;
-    memcpy(functions[i].function, &found, sizeof found);
+    memcpy(functions[i], &found, sizeof found);
   }
   return sodium.init() >= 0 && sodium.state_bytes() == EAGERX_STATE && sodium.head_bytes() == EAGERX_HEAD &&
          sodium.seal_bytes() == EAGERX_SEAL;

@@ -26,14 +26,12 @@ static struct {
 } g = {.file = -1};
 
 static speed_t speed_of(long baud) {
-  static const struct {
-    long baud;
-    speed_t speed;
-  } speeds[] = {{9600, B9600},       {19200, B19200},     {38400, B38400},     {57600, B57600},
-                {115200, B115200},   {230400, B230400},   {460800, B460800},   {921600, B921600},
-                {1000000, B1000000}, {2000000, B2000000}, {3000000, B3000000}, {4000000, B4000000}};
-  for (size_t i = 0; i < sizeof speeds / sizeof *speeds; ++i)
-    if (speeds[i].baud == baud) return speeds[i].speed;
+  static const long bauds[] = {9600,   19200,  38400,   57600,   115200,  230400,
+                               460800, 921600, 1000000, 2000000, 3000000, 4000000};
+  static const speed_t speeds[] = {B9600,   B19200,  B38400,   B57600,   B115200,  B230400,
+                                   B460800, B921600, B1000000, B2000000, B3000000, B4000000};
+  for (size_t i = 0; i < sizeof bauds / sizeof *bauds; ++i)
+    if (bauds[i] == baud) return speeds[i];
   return B0;
 }
 

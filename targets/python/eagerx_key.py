@@ -56,11 +56,13 @@ class _Sodium:
         try:
             library = ctypes.CDLL(_LIBRARY)
             for name, arguments in _FUNCTIONS.items():
-                library[name].argtypes, library[name].restype = arguments, ctypes.c_int
-                setattr(self, name.replace(_STREAM, ""), library[name])
+                function = library[name]  # a new one each time
+                function.argtypes, function.restype = arguments, ctypes.c_int
+                setattr(self, name.replace(_STREAM, ""), function)
             for name, size in _SIZES.items():
-                library[name].argtypes, library[name].restype = [], _SIZE
-                if library[name]() != size:
+                function = library[name]
+                function.argtypes, function.restype = [], _SIZE
+                if function() != size:
                     raise missing
         except (OSError, AttributeError):
             raise missing from None
