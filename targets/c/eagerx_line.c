@@ -159,7 +159,7 @@ int eagerx_line_write(const uint8_t* bytes, size_t size) {
   return send_sealed(until_ms) >= 0;
 }
 
-int eagerx_line_is_socket(void) { return g.is_socket; }
+int eagerx_line_knows_peer(void) { return !g.is_socket || g.is_sealed; }
 
 int eagerx_line_is_forged(void) { return g.is_forged; }
 

@@ -17,7 +17,8 @@ int eagerx_line_open(const struct eagerx_options* options);
 size_t eagerx_line_read(uint8_t* bytes, size_t size);
 /* What nobody takes within a second is dropped: the hub asks again. 0: the line is over. */
 int eagerx_line_write(const uint8_t* bytes, size_t size);
-int eagerx_line_is_socket(void);
+/* Whether nobody else can be at the other end: a serial line, or a socket with a key. */
+int eagerx_line_knows_peer(void);
 /* Whether it is over because what came with a key is not what the hub sent. */
 int eagerx_line_is_forged(void);
 /* Says that this is the end, and that nobody has cut the line. */

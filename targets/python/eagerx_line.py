@@ -37,8 +37,9 @@ def say(text):
 class Port:
     """A line of bytes: a socket or a serial line."""
 
-    def __init__(self, file, is_socket, keep=None):
-        self.file, self.is_socket, self._keep = file, is_socket, keep
+    def __init__(self, file, knows_peer, keep=None):
+        self.file, self._keep = file, keep
+        self.knows_peer = knows_peer  # nobody else can be at the other end
         os.set_blocking(file, False)
 
     def read(self):
@@ -81,7 +82,7 @@ class SealedPort:
     """A socket between two who have a key in common."""
 
     def __init__(self, port, records):
-        self._port, self._records, self.is_socket = port, records, True
+        self._port, self._records, self.knows_peer = port, records, True
         self._rest = b""  # of a record that is sealed: it has its place in the order, so it goes first
 
     def read(self):
@@ -126,7 +127,7 @@ def _first_that_speaks(listener):
         try:
             if ready and peer.recv(1, socket.MSG_PEEK):
                 listener.close()
-                return Port(peer.fileno(), True, peer)
+                return Port(peer.fileno(), False, peer)
         except OSError:
             pass
         say("note: a peer hung up without a word" if ready else
@@ -300,4 +301,4 @@ def open_serial(path, baud):
     settings[6][termios.VMIN], settings[6][termios.VTIME] = 1, 0
     termios.tcsetattr(file, termios.TCSANOW, settings)
     termios.tcflush(file, termios.TCIOFLUSH)
-    return Port(file, False)
+    return Port(file, True)

@@ -207,7 +207,7 @@ class PartLink:
                 self._incoming.clear()
                 self._skipping = True
             data = self.port.read()
-            if self._session is None and self.port.is_socket:
+            if self._session is None and not self.port.knows_peer:
                 self._before_greeting += len(data)
                 if self._before_greeting > MOST_BEFORE_GREETING:
                     raise ProtocolError(f"{self._before_greeting} bytes came, and no greeting of a hub is among them")

@@ -72,7 +72,7 @@ int eagerx_line_write(const std::uint8_t* bytes, std::size_t size) {
   answered.insert(answered.end(), bytes, bytes + size);
   return answered.size() < (std::size_t{1} << 22U) ? 1 : 0;
 }
-int eagerx_line_is_socket(void) { return 1; }
+int eagerx_line_knows_peer(void) { return 0; }
 }
 
 namespace {

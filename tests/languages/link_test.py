@@ -43,7 +43,7 @@ class Served:
     def _serve(self):
         try:
             with contextlib.redirect_stderr(io.StringIO()):
-                eagerx_part.serve(line.Port(self._part.fileno(), True, self._part), LAYOUT, nodes.NODES)
+                eagerx_part.serve(line.Port(self._part.fileno(), False, self._part), LAYOUT, nodes.NODES)
         except Exception as error:  # noqa: BLE001  what ended it is what is asked
             self.end = error
         self._part.close()
