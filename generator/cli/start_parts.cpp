@@ -96,7 +96,8 @@ std::string how_elsewhere(const Run& run, const BuiltProgram& program, const std
         shell_word(fs::path(key).filename().string()), part.name, host, port);
   return fmt::format(
       "copy {} there and type `{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
-      "`--link {}=localhost:{}`. Without ssh it takes a key: `eagerx-gen key new {}.key`, then this "
+      "`--link {}=localhost:{}`. Without ssh it takes a key: `eagerx-gen key new {}.key`, then "
+      "this "
       "command with `--key {}.key`",
       shell_word(what), there, port, port, port, host, part.name, port, part.name, part.name);
 }

@@ -1,4 +1,7 @@
-// Whatever comes in to a part in C: frames in the open, and greetings and records of a line with a key.
+// Whatever comes in to a part in C: frames in the open, and greetings and records of a line with a
+// key.
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +10,6 @@
 #include <eagerx/link/frame.hpp>
 #include <runtime/host/key/session.hpp>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 extern "C" {
@@ -44,16 +46,18 @@ void run_node(std::uint64_t n) {
   eagerx_put(&messages[2], n, &sum);
 }
 
-void reset_nodes() { sensor_input.received = flag_input.received = 0; }
+void reset_nodes() {
+  sensor_input.received = flag_input.received = 0;
+}
 
 constexpr std::uint32_t kSensor[] = {0}, kFlag[] = {1}, kMean[] = {2};
 constexpr eagerx_turn kBefore[] = {
     {0, nullptr, kSensor, 1}, {1, nullptr, kFlag, 1}, {0, run_node, kMean, 1}};
 constexpr eagerx_turn kAfter[] = {{0, nullptr, nullptr, 0}};
 constexpr std::uint64_t kPeriods[] = {1, 2};
-constexpr eagerx_part kPart = {"part", "fuzz",   kHash,   kRuntime, kToPart, kToHub, 3,
-                               kPeriods, 2,      1,       1,        messages, kSensor, 1,
-                               kBefore,  3,      kAfter,  0,        reset_nodes};
+constexpr eagerx_part kPart = {"part",   "fuzz", kHash,  kRuntime, kToPart,    kToHub,  3,
+                               kPeriods, 2,      1,      1,        messages,   kSensor, 1,
+                               kBefore,  3,      kAfter, 0,        reset_nodes};
 
 // --- the line: what the data are, and nobody who listens ---
 const std::uint8_t *at = nullptr, *end = nullptr;
@@ -72,7 +76,9 @@ int eagerx_line_write(const std::uint8_t* bytes, std::size_t size) {
   answered.insert(answered.end(), bytes, bytes + size);
   return answered.size() < (std::size_t{1} << 22U) ? 1 : 0;
 }
-int eagerx_line_knows_peer(void) { return 0; }
+int eagerx_line_knows_peer(void) {
+  return 0;
+}
 }
 
 namespace {
@@ -82,7 +88,8 @@ void check_answers() {
   std::size_t begin = 0;
   while (begin < answered.size()) {
     if (answered[begin++] != 0) std::abort();
-    const auto zero = std::find(answered.begin() + static_cast<std::ptrdiff_t>(begin), answered.end(), 0);
+    const auto zero =
+        std::find(answered.begin() + static_cast<std::ptrdiff_t>(begin), answered.end(), 0);
     if (zero == answered.end()) std::abort();
     const auto next = static_cast<std::size_t>(zero - answered.begin());
     Line frame(answered.begin() + static_cast<std::ptrdiff_t>(begin), zero);
@@ -104,7 +111,7 @@ void run_part(const Line& line) {
 
 void append_frame(Line& line, link::Kind kind, std::uint32_t number, const std::uint8_t* bytes,
                   std::size_t size, std::uint32_t crc_start) {
-  link::OutFrame<kToPart> frame;
+  link::OutFrame<kToPart> frame{};
   frame.append(bytes, std::min<std::size_t>(size, kToPart));
   frame.seal(kind, number, crc_start);
   frame.send([&](std::uint8_t byte) { line.push_back(byte); });
@@ -128,7 +135,8 @@ Line session_of(const std::uint8_t* data, std::size_t size) {
     if (what < 160) {  // as it should be
       append_frame(line, link::Kind::request, ++number, data + i, count, greeting.crc_start());
     } else if (what < 200) {  // again, or another one
-      append_frame(line, link::Kind::request, number - what % 5U, data + i, count, greeting.crc_start());
+      append_frame(line, link::Kind::request, number - what % 5U, data + i, count,
+                   greeting.crc_start());
     } else if (what < 210) {  // a session anew
       greeting.session = what;
       greeting.write(bytes);
