@@ -155,6 +155,13 @@ struct KernelsOf {
     }
   }
 
+  static void add(const float* x, float* to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) to[i] += x[i];
+  }
+  static void approach(float share, const float* x, float* to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) to[i] += share * (x[i] - to[i]);
+  }
+
   static void adam(float* weights, const float* gradient, float* mean, float* square,
                    std::size_t count, AdamStep step) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -181,6 +188,8 @@ struct KernelsOf {
             OfMemory::gru_slopes,
             OfMemory::lstm_slopes,
             OfMemory::carry,
+            add,
+            approach,
             adam};
   }
 };
