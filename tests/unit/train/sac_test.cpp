@@ -125,7 +125,8 @@ TEST_F(TrainSac, FineTuningBeginsWithWhatWasLearnt) {
             std::string::npos);
 }
 
-/// What the temperature has become while the policy should have so much entropy.
+/// What the temperature has become while the policy should have so much entropy, in rewards as they
+/// come: what is learnt first is not scaled, then the temperature goes with the scale.
 float temperature_for(float entropy, const Library& library) {
   train::Settings settings;
   settings.layers = {8};
@@ -135,7 +136,8 @@ float temperature_for(float entropy, const Library& library) {
   sac::Sac sac(settings, library, *kernels_here().back(), team, 0);
   sac.begin_era(0);
   sac.iterate();
-  return exp(sac.model().log_temperature.front());
+  const auto scale = static_cast<float>(sac.model().returns.scale(0));
+  return exp(sac.model().log_temperature.front()) / scale;
 }
 
 TEST_F(TrainSac, TheTemperatureGrowsWhereEntropyIsMissing) {
