@@ -99,8 +99,8 @@ class TrainSacLosses : public testing::Test {
   void SetUp() override {
     Random random({11, 0, 0}, 1);
     for (auto* values :
-         {&model_.actor_parameters, &model_.averaged, &model_.critics[0].parameters, &model_.critics[1].parameters,
-          &model_.critics[0].target, &model_.critics[1].target}) {
+         {&model_.actor_parameters, &model_.averaged, &model_.critics[0].parameters,
+          &model_.critics[1].parameters, &model_.critics[0].target, &model_.critics[1].target}) {
       for (float& x : *values) x += random.normal(0.0F, 0.3F);
     }
     for (int i = 0; i < 3; ++i) {
