@@ -7,7 +7,8 @@ export const runs = data.logs.flatMap(
         (episode) => ({
           log,
           episode,
-          name: data.logs.length > 1 ? `${l + 1}: episode ${episode.number}` : `episode ${episode.number}`
+          name: log.title ? log.title :
+              data.logs.length > 1 ? `${l + 1}: episode ${episode.number}` : `episode ${episode.number}`
         })));
 runs.forEach((run, number) => {
   run.number = number;
