@@ -78,12 +78,13 @@ bool make_with_training(Run& run, ReportOptions& options,
                         std::optional<ReportedTraining>& training) {
   if (options.training.empty()) return make(run, options);
   training = ReportedTraining::read(options.training, run.sources, run.diagnostics);
-  return training && training->make_graph(run, options) &&
-         training->check(*run.graph, run.diagnostics);
+  if (!training) return false;
+  training->choose_policy(options);
+  return make(run, options) && training->check(*run.graph, run.diagnostics);
 }
 
-/// Traces that were given, and those of episodes of a training. Nothing if there is a problem, which
-/// has been told.
+/// Traces that were given, and those of episodes of a training. Nothing if there is a problem,
+/// which has been told.
 std::optional<Json> traces_of(Run& run, const ReportOptions& options,
                               std::optional<ReportedTraining>& training, int& code) {
   const std::size_t points = options.points.value_or(0);
@@ -110,7 +111,7 @@ int perform(const ReportOptions& given) {
   if (!logs) return code;
   if (run.diagnostics.has_errors()) return finish(run, options);
   PageContents contents;
-  if (training) contents.training = training->page(options);
+  if (training) contents.training = training->page(*run.graph, options);
   const std::vector<const Target*> no_targets;
   check_plausibility({*run.spec, *run.graph, *run.plan, no_targets}, run.diagnostics);
   const PlanInfo info = info_of(*run.plan, run.spec->budget, run.diagnostics);
@@ -149,17 +150,18 @@ Command table(ReportOptions& options) {
   return {
       .name = "report",
       .about = "show everything about a graph on one page for a browser",
-      .examples = {{"drawing, timetable, memory and ages, in pendulum.html",
-                    "eagerx-gen report pendulum.yaml"},
-                   {"with a run as plots, and the flash and RAM of an image",
-                    "eagerx-gen report pendulum.yaml --trace run.log --image build/pendulum.elf -o "
-                    "run.html"},
-                   {"with the simulation, which runs in the browser; needs Emscripten",
-                    "eagerx-gen report pendulum.yaml --simulate"},
-                   {"of a training: curves, settings, what holds it, its best and its worst episode",
-                    "eagerx-gen report pendulum.yaml --training training.json"},
-                   {"of a program that was started with --publish foxglove:8765, while it runs",
-                    "eagerx-gen report pendulum.yaml --live foxglove:8765"}},
+      .examples =
+          {{"drawing, timetable, memory and ages, in pendulum.html",
+            "eagerx-gen report pendulum.yaml"},
+           {"with a run as plots, and the flash and RAM of an image",
+            "eagerx-gen report pendulum.yaml --trace run.log --image build/pendulum.elf -o "
+            "run.html"},
+           {"with the simulation, which runs in the browser; needs Emscripten",
+            "eagerx-gen report pendulum.yaml --simulate"},
+           {"of a training: curves, settings, what holds it, its best and its worst episode",
+            "eagerx-gen report pendulum.yaml --training training.json"},
+           {"of a program that was started with --publish foxglove:8765, while it runs",
+            "eagerx-gen report pendulum.yaml --live foxglove:8765"}},
       .arguments = joined(
           {{graph(options),
             writes(text("-o,--output", options.output, "the page (default: <graph name>.html)",

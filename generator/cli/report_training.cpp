@@ -51,8 +51,9 @@ std::optional<double> return_of(const std::string& table) {
 }
 
 std::vector<std::string> options_of(const TrainingEpisode& episode) {
-  return {"--seed",  std::to_string(episode.seed),        "--environment",
-          std::to_string(episode.environment), "--steps", std::to_string(episode.steps)};
+  return {"--seed",        std::to_string(episode.seed),
+          "--environment", std::to_string(episode.environment),
+          "--steps",       std::to_string(episode.steps)};
 }
 
 Json episode_json(const char* what, const TrainingEpisode& episode) {
@@ -100,26 +101,19 @@ std::optional<ReportedTraining> ReportedTraining::read(const std::string& path, 
   return ReportedTraining(std::move(*record));
 }
 
-bool ReportedTraining::make_graph(Run& run, GraphOptions& options) {
+void ReportedTraining::choose_policy(GraphOptions& options) {
   const std::string file = options.agent_policy.empty() ? record_.policy : options.agent_policy;
   if (!record_.policy.empty()) {
     const std::string hash = hash_of_file(file);
-    has_policy_ = hash == record_.policy_hash;
+    has_policy_ = !hash.empty() && hash == record_.policy_hash;
     if (has_policy_) options.agent_policy = file;
     if (hash.empty()) why_not_ = fmt::format("`{}`, its policy, cannot be read", file);
     if (!hash.empty() && !has_policy_)
       why_not_ = fmt::format("`{}` is not the policy that this training wrote", file);
   }
-  if (make(run, options)) return true;
-  if (!options.agent_policy.empty()) return false;
-  // The graph may name the policy that is not there yet.
-  Run other;
-  GraphOptions without = options;
-  without.purpose = Purpose::training;
-  if (!make(other, without)) return false;
-  options = without;
-  run = std::move(other);
-  return true;
+  if (!options.agent_policy.empty()) return;
+  Run trial;  // the graph may name the policy that is not there yet
+  if (!make(trial, options)) options.purpose = Purpose::training;
 }
 
 bool ReportedTraining::check(const Graph& graph, Diagnostics& diagnostics) const {
@@ -183,7 +177,7 @@ void ReportedTraining::leave_episodes_out(const std::string& why) {
   if (!record_.episodes.empty()) why_not_ = why;
 }
 
-Json ReportedTraining::page(const GraphOptions& options) const {
+Json ReportedTraining::page(const Graph& graph, const GraphOptions& options) const {
   Json page = record_.page;
   page["shown"] = Json::list();
   if (!record_.episodes.empty()) {
@@ -197,14 +191,14 @@ Json ReportedTraining::page(const GraphOptions& options) const {
   page["run"] = command_on_graph(typed);
   page["next"] = Json::list();
   if (record_.policy.empty()) return page;
-  for (const auto& [about, command, more] :
-       {std::tuple("see it, where the graph has a `render:`", "run", " --render window"),
-        std::tuple("how often it succeeds, and the worst runs", "campaign", " --runs 10000"),
-        std::tuple("the same program on an emulated board", "run",
-                   " --target mps2-an386 --steps 300 --hash"),
-        std::tuple("an image for a board", "build", " --target stm32f405")})
+  const auto add = [&](const char* about, const char* command, const char* more) {
     page["next"].push_back(
         Json{{"about", about}, {"command", command_on_graph(typed, command) + more}});
+  };
+  if (graph.render) add("see it", "run", " --render window");
+  add("how often it succeeds, and the worst runs", "campaign", " --runs 10000");
+  add("the same program on an emulated board", "run", " --target mps2-an386 --steps 300 --hash");
+  add("an image for a board", "build", " --target stm32f405");
   return page;
 }
 

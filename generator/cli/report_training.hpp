@@ -16,9 +16,9 @@ class ReportedTraining {
   static std::optional<ReportedTraining> read(const std::string& path, SourceMap& sources,
                                               Diagnostics& diagnostics);
 
-  /// make() of the graph with the policy that was trained, if it is there and nobody named another
-  /// one; without a policy if there is none that can be read: a page shows what there is.
-  bool make_graph(Run& run, GraphOptions& options);
+  /// The graph is to be made with the policy that was trained, if it is there and nobody named
+  /// another one; without any if there is none that can be read: a page shows what there is.
+  void choose_policy(GraphOptions& options);
   /// Whether it is of this graph. Problems: E0361.
   bool check(const Graph& graph, Diagnostics& diagnostics) const;
   /// The traces of the best and the worst episode, as read_logs() gives them: run again by the
@@ -29,7 +29,7 @@ class ReportedTraining {
   /// Says on the page why no episodes are run.
   void leave_episodes_out(const std::string& why);
   /// What the page shows, with commands to type next.
-  Json page(const GraphOptions& options) const;
+  Json page(const Graph& graph, const GraphOptions& options) const;
   /// Why there are no episodes; empty: there are, or nobody knows of any.
   [[nodiscard]] const std::string& why_not() const { return why_not_; }
 

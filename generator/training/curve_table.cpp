@@ -29,11 +29,11 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 namespace {
 
 constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t kMostTrainings = 1000;
 
-class Reader {
+class CurveReader {
  public:
-  Reader(std::string_view header, TrainingLines& lines) : names_(cells_of(header)), lines_(lines) {}
+  CurveReader(std::string_view header, TrainingLines& lines)
+      : names_(cells_of(header)), lines_(lines) {}
 
   std::optional<TrainingRecord> read() {
     while (const auto line = lines_.next()) {
@@ -60,8 +60,8 @@ class Reader {
 
   bool read_row(const std::vector<std::string_view>& cells) {
     if (cells.size() != names_.size())
-      return lines_.fail(fmt::format("it has {} cells, and the first line has {}", cells.size(),
-                                     names_.size()));
+      return lines_.fail(
+          fmt::format("it has {} cells, and the first line has {}", cells.size(), names_.size()));
     std::uint64_t seed = 0;
     if (has_seeds() && !host::read_number(cells[place_of("seed")], seed))
       return lines_.fail("`seed` is no whole number");
@@ -104,7 +104,7 @@ class Reader {
 }  // namespace
 
 std::optional<TrainingRecord> read_curves(std::string_view header, TrainingLines& lines) {
-  return Reader(header, lines).read();
+  return CurveReader(header, lines).read();
 }
 
 }  // namespace eagerx::gen

@@ -106,9 +106,7 @@ class Chart {
     const std::vector<Point> all = points_of(curves_, values);
     if (all.empty()) return;
     const std::vector<Point> points = thinned(all);
-    Json line{{"name", name},
-              {"x", numbers(points, &Point::x)},
-              {"y", numbers(points, &Point::y)}};
+    Json line{{"name", name}, {"x", numbers(points, &Point::x)}, {"y", numbers(points, &Point::y)}};
     if (curves_.size() > 1 || points.size() < all.size()) {
       line["low"] = numbers(points, &Point::low);
       line["high"] = numbers(points, &Point::high);
@@ -135,7 +133,7 @@ class Chart {
 
 Json curve_charts(const std::vector<LearningCurve>& curves, const std::vector<std::string>& terms) {
   Json charts = Json::list();
-  constexpr const char* kNoisy = "last 100 episodes, with the noise of learning";
+  constexpr const char* kNoisy = "last 100 episodes, with noise";
   constexpr const char* kEvaluated = "evaluation, without noise";
   for (const auto& [name, unit, noisy, evaluated] :
        {std::tuple("Return", "", "return", "evaluation_return"),

@@ -16,6 +16,9 @@ inline constexpr std::array<std::string_view, 7> kCurveColumns = {
     "return",    "success",   "evaluation_return", "evaluation_success",
     "deviation", "step_size", "divergence"};
 
+/// Of a file; a page of more says nothing.
+inline constexpr std::size_t kMostTrainings = 1000;
+
 /// Of one training, an element an iteration; NaN where there is nothing.
 struct LearningCurve {
   std::uint64_t seed = 0;

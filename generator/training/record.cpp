@@ -15,7 +15,7 @@ namespace eagerx::gen {
 namespace {
 
 constexpr double kMostWhole = 9007199254740992.0;  // exact as a double
-constexpr std::size_t kMostTerms = 1000, kMostTrainings = 1000;
+constexpr std::size_t kMostTerms = 1000;
 
 /// An object of a line. What is missing or of another kind is the line's problem.
 class Fields {
@@ -31,7 +31,7 @@ class Fields {
   double whole(std::string_view name, double most = kMostWhole) {
     const double value = number(name);
     if (value >= 0.0 && value <= most && value == std::floor(value)) return value;
-    lines_.fail(fmt::format("`{}` is no whole number from 0 to {}", name, most));
+    lines_.fail(fmt::format("`{}` is no whole number from 0 to {:.0f}", name, most));
     return 0.0;
   }
   std::string text(std::string_view name) {
@@ -76,9 +76,9 @@ struct Training {
   }
 };
 
-class Reader {
+class RecordReader {
  public:
-  explicit Reader(TrainingLines& lines) : lines_(lines) {}
+  explicit RecordReader(TrainingLines& lines) : lines_(lines) {}
 
   std::optional<TrainingRecord> read() {
     const auto first = lines_.next();
@@ -157,9 +157,8 @@ class Reader {
       return lines_.fail("its steps are not more than those before");
     curve.steps.push_back(steps);
     for (std::size_t i = 0; i < kCurveColumns.size(); ++i)
-      curve.columns.at(i).push_back(fields.has(kCurveColumns.at(i))
-                                        ? fields.number(kCurveColumns.at(i))
-                                        : kNothing);
+      curve.columns.at(i).push_back(
+          fields.has(kCurveColumns.at(i)) ? fields.number(kCurveColumns.at(i)) : kNothing);
     for (auto& term : curve.terms) term.push_back(kNothing);
     if (!fields.has("terms")) return !lines_.has_failed();
     const auto terms = numbers(fields, "terms");
@@ -308,7 +307,7 @@ class Reader {
 }  // namespace
 
 std::optional<TrainingRecord> read_record(TrainingLines& lines) {
-  return Reader(lines).read();
+  return RecordReader(lines).read();
 }
 
 }  // namespace eagerx::gen

@@ -53,9 +53,9 @@ struct Case {
   }
 };
 
-class Reader {
+class SweepReader {
  public:
-  explicit Reader(TrainingLines& lines) : lines_(lines) {}
+  explicit SweepReader(TrainingLines& lines) : lines_(lines) {}
 
   std::optional<TrainingRecord> read() {
     while (const auto line = lines_.next()) {
@@ -122,16 +122,16 @@ class Reader {
                              [](const Case& a, const Case& b) { return a.is_better_than(b); });
     Json list = Json::list();
     for (const Case& one : cases)
-      list.push_back(Json{{"values", Json(one.values)},
-                          {"seeds", one.rows.size() + one.problems.size()},
-                          {"succeed", one.sum(&Row::succeeds)},
-                          {"successes", one.sum(&Row::successes)},
-                          {"episodes", one.sum(&Row::episodes)},
-                          {"return", one.rows.empty() ? Json(nullptr)
-                                                      : Json(one.mean(&Row::mean_return))},
-                          {"steps", one.mean(&Row::steps)},
-                          {"processor_s", one.mean(&Row::processor_s)},
-                          {"problems", Json(one.problems)}});
+      list.push_back(
+          Json{{"values", Json(one.values)},
+               {"seeds", one.rows.size() + one.problems.size()},
+               {"succeed", one.sum(&Row::succeeds)},
+               {"successes", one.sum(&Row::successes)},
+               {"episodes", one.sum(&Row::episodes)},
+               {"return", one.rows.empty() ? Json(nullptr) : Json(one.mean(&Row::mean_return))},
+               {"steps", one.mean(&Row::steps)},
+               {"processor_s", one.mean(&Row::processor_s)},
+               {"problems", Json(one.problems)}});
     return list;
   }
 
@@ -180,7 +180,7 @@ class Reader {
 }  // namespace
 
 std::optional<TrainingRecord> read_sweep(TrainingLines& lines) {
-  return Reader(lines).read();
+  return SweepReader(lines).read();
 }
 
 }  // namespace eagerx::gen

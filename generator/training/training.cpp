@@ -57,10 +57,11 @@ std::optional<TrainingRecord> read_training(const std::string& path, SourceMap& 
   LoadedFile loaded = load_file(path, kMostBytes);
   if (loaded.status != LoadedFile::Status::loaded) {
     diagnostics
-        .io_error("E0363", {},
-                  loaded.status == LoadedFile::Status::too_large
-                      ? fmt::format("`{}` is too large: more than {} MB", path, kMostBytes / 1'000'000)
-                      : fmt::format("cannot read `{}`: {}", path, loaded.reason))
+        .io_error(
+            "E0363", {},
+            loaded.status == LoadedFile::Status::too_large
+                ? fmt::format("`{}` is too large: more than {} MB", path, kMostBytes / 1'000'000)
+                : fmt::format("cannot read `{}`: {}", path, loaded.reason))
         .help = "give what `eagerx-gen train` wrote with `--record` or `--csv`";
     return std::nullopt;
   }
@@ -75,7 +76,8 @@ std::optional<TrainingRecord> read_training(const std::string& path, SourceMap& 
 }
 
 BestAndWorst best_and_worst(const std::vector<TrainingEpisode>& episodes) {
-  return {*std::ranges::max_element(episodes, is_worse), *std::ranges::min_element(episodes, is_worse)};
+  return {*std::ranges::max_element(episodes, is_worse),
+          *std::ranges::min_element(episodes, is_worse)};
 }
 
 }  // namespace eagerx::gen

@@ -3,7 +3,12 @@ import {colour, onFrame, prepare, shade} from "./canvas.mjs";
 import {el} from "./elements.mjs";
 import {count, short, stepOf} from "./numbers.mjs";
 
-const chartRoom = {left: 64, right: 14, top: 8, bottom: 22};
+const chartRoom = {
+  left: 64,
+  right: 14,
+  top: 8,
+  bottom: 22
+};
 
 /** {right, low, high} of all that a chart shows: from 0 on to the right. */
 export function chartRange({lines, labels, unit}) {
@@ -31,6 +36,12 @@ function chartPlaces({labels}, {right, low, high}, width, height) {
   };
 }
 
+/** 250000 as "250 k". */
+function largeNumber(value) {
+  const [size, unit] = value >= 1e6 ? [1e6, " M"] : value >= 1e4 ? [1e3, " k"] : [1, ""];
+  return short(value / size, 4) + unit;
+}
+
 export const chartNumber = (unit, value, digits = 4) =>
     unit === "%" ? `${short(value * 100, digits)} %` : short(value, digits);
 
@@ -53,7 +64,7 @@ function paintAxes(context, chart, range, {x, y}, width, height) {
   if (chart.labels) return chart.labels.forEach((label, i) => context.fillText(label, x(i), below));
   const stride = stepOf(range.right, (width - 80) / 110);
   for (let i = 0; i * stride <= range.right * (1 + 1e-9); ++i) {
-    const text = i ? short(i * stride, 4) : "0", half = context.measureText?.(text)?.width / 2 || 0;
+    const text = largeNumber(i * stride), half = context.measureText?.(text)?.width / 2 || 0;
     context.fillText(text, Math.min(x(i * stride), width - half - 2), below);
   }
 }
@@ -110,7 +121,8 @@ export function chartBox(chart, over, height = 190) {
   const marks = chart.lines.map((line, i) => {
     const mark = el("i.mark"), value = el("b");
     mark.style.background = shade(line.shade ?? i);
-    return {line, mark, value, element: el("span", {}, mark, line.name, " ", value)};
+    const name = line.name === chart.name ? "" : line.name;
+    return {line, mark, value, element: el("span", {}, mark, name, " ", value)};
   });
   const where = el("span");
   const readAt = () => {
@@ -118,9 +130,9 @@ export function chartBox(chart, over, height = 190) {
     for (const {line, value} of marks) {
       const i = cursor === null ? line.x.length - 1 : chartPointAt(line, cursor);
       value.textContent = line.dots ? "" :
-          line.low                  ? `${chartNumber(chart.unit, line.y[i])} (${
-                         chartNumber(chart.unit, line.low[i])} to ${chartNumber(chart.unit, line.high[i])})` :
-                                      chartNumber(chart.unit, line.y[i]);
+          line.low ? `${chartNumber(chart.unit, line.y[i])} (${chartNumber(chart.unit, line.low[i])} to ${
+                         chartNumber(chart.unit, line.high[i])})` :
+                     chartNumber(chart.unit, line.y[i]);
     }
   };
   const draw = onFrame(() => {
@@ -141,7 +153,7 @@ export function chartBox(chart, over, height = 190) {
   readAt();
   const element =
       el("article.plot.chart", {},
-         el("header", {}, el("span", {}, chart.name), el("span.values", {}, where, marks.map((m) => m.element))),
+         el("header", {}, el("span", {}, chart.name), el("span.values", {}, marks.map((m) => m.element), where)),
          el("div.cell", {}, canvas));
   return {element, draw};
 }

@@ -137,5 +137,9 @@ document.getElementById("summary").textContent = nodes.length ?
 new ResizeObserver(onFrame(() => state.view && state.view.parts.resized())).observe(document.getElementById("views"));
 addEventListener("hashchange", () => showView(location.hash.slice(1)));
 showTheme(prefersDark.matches);
-const firstView = data.served ? "edit" : data.live ? "live" : data.training ? "training" : data.module ? "simulation" : "graph";
+const firstView = data.served ? "edit" :
+    data.live                 ? "live" :
+    data.training             ? "training" :
+    data.module               ? "simulation" :
+                                "graph";
 showView(nodes.length ? location.hash.slice(1) || firstView : firstView);

@@ -28,11 +28,11 @@ function trainingCard(training) {
   const {evaluation} = best;
   const facts = [
     ["it ended", endingOf(best)], ["steps", count(best.steps), `of at most ${count(training.steps)}`],
-    best.seconds === undefined ? null : ["time", seconds(best.seconds)],
+    best.seconds === undefined ? null : ["time", `${short(best.seconds, 3)} s`],
     evaluation && training.has_success ?
         ["success", percent(evaluation.successes, evaluation.episodes), `of ${count(evaluation.episodes)} episodes`] :
         null,
-    evaluation ? ["return", short(evaluation.return), `${short(evaluation.lowest)} to ${short(evaluation.highest)}`] :
+    evaluation ? ["return", short(evaluation.return ), `${short(evaluation.lowest)} to ${short(evaluation.highest)}`] :
                  null
   ];
   const told = [
@@ -66,7 +66,7 @@ function seedsCard(training) {
               number: true,
               cell: (row) => (row.evaluation ? `${row.evaluation.successes} of ${row.evaluation.episodes}` : "–")
             },
-            {name: "return", number: true, cell: (row) => short(row.evaluation?.return)},
+            {name: "return", number: true, cell: (row) => short(row.evaluation?.return )},
             {name: "policy", cell: (row) => row.policy ?? "–"}
           ],
           training.trainings));
@@ -81,7 +81,7 @@ function evaluationCard(training) {
   return card(
       `The last evaluation: ${counted(evaluation.episodes, "episode")} that neither trained nor chose the policy`,
       tiles([
-        ["return", short(evaluation.return), `${short(evaluation.lowest)} to ${short(evaluation.highest)}`],
+        ["return", short(evaluation.return ), `${short(evaluation.lowest)} to ${short(evaluation.highest)}`],
         ["steps of an episode", short(evaluation.steps)], ["actions at their bounds", percent(evaluation.saturated, 1)]
       ]),
       table(
@@ -165,12 +165,10 @@ function settingsCard({settings}) {
   if (!settings) return null;
   const other = settings.filter((row) => row.differs), same = settings.filter((row) => !row.differs);
   return card(
-      "Settings",
-      other.length ? settingsTable(other) : el("p.note", {}, "All settings have their defaults."),
-      same.length ?
-          el("details", {}, el("summary", {}, `${counted(same.length, "setting")} with the default`),
-             settingsTable(same)) :
-          null);
+      "Settings", other.length ? settingsTable(other) : el("p.note", {}, "All settings have their defaults."),
+      same.length ? el("details", {}, el("summary", {}, `${counted(same.length, "setting")} with the default`),
+                       settingsTable(same)) :
+                    null);
 }
 
 function policyFacts() {
@@ -204,7 +202,7 @@ function sweepCard({names, cases}) {
             ...names.map((name, i) => ({name, number: true, cell: (row) => row.values[i]})),
             {name: "seeds", number: true, cell: (row) => `${row.succeed} of ${row.seeds}`},
             {name: "success", number: true, cell: (row) => percent(row.successes, row.episodes)},
-            {name: "return", number: true, cell: (row) => short(row.return)},
+            {name: "return", number: true, cell: (row) => short(row.return )},
             {name: "steps", number: true, cell: (row) => count(Math.round(row.steps))},
             {name: "processor", number: true, cell: (row) => seconds(row.processor_s)},
             {name: "", cell: (row) => row.problems.join("; ")}

@@ -5,7 +5,11 @@ import test from "node:test";
 import {become, Element, passFrames, smallData} from "./dom.mjs";
 
 const kNasty = "<img src=x onerror=alert(1)>";
-const line = {name: kNasty, x: [10, 20, 30], y: [-3, -2, -1]};
+const line = {
+  name: kNasty,
+  x: [10, 20, 30],
+  y: [-3, -2, -1]
+};
 const training = {
   ...{
     kind: "record",
@@ -33,7 +37,9 @@ const training = {
   ],
   charts: [{name: "Return", unit: "", lines: [line]}],
   returns: [[-3, 0], [0, 1]],
-  shown: [{what: "best", seed: "13835058055282163712", environment: 3, return: 0, steps: 9, success: true, command: kNasty}],
+  shown: [
+    {what: "best", seed: "13835058055282163712", environment: 3, return: 0, steps: 9, success: true, command: kNasty}
+  ],
   why_not: "",
   run: "eagerx-gen run small.yaml",
   next: [{about: "run it", command: kNasty}]
@@ -70,7 +76,7 @@ test("the view says what the record says, and all of it is text", () => {
   view.shown();
   passFrames(frames);
   const text = panel.textContent;
-  for (const words of ["the steps are used up", "25 %of 400 episodes", "What holds it", "The best"])
+  for (const words of ["the steps are used up", "25 % of 400 episodes", "What holds it", "The best"])
     assert.ok(text.includes(words), words);
   assert.ok(text.includes("eagerx-gen run small.yaml " + kNasty));
   assert.ok(text.split(kNasty).length > 8);

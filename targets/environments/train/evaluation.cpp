@@ -187,8 +187,7 @@ Evaluation Evaluator::sum(std::size_t inputs, std::uint64_t seed) const {
       result.far[i] += static_cast<double>(part.far[i]);
     for (const Episode& episode : part.episodes) {
       const auto environment = static_cast<std::uint32_t>(result.episodes);
-      result.outcomes.push_back(
-          {seed, environment, episode.steps, episode.sum, episode.success});
+      result.outcomes.push_back({seed, environment, episode.steps, episode.sum, episode.success});
       const bool is_first = result.episodes++ == 0;
       result.successes += episode.success ? 1 : 0;
       result.mean_return += episode.sum;

@@ -29,9 +29,9 @@ struct Evaluation {
   std::size_t successes = 0;  // `success:` of the task holds at the end of the episode
   double mean_return = 0.0, lowest_return = 0.0, highest_return = 0.0;
   double mean_steps = 0.0;
-  std::vector<double> terms;  // [terms] of the return, mean over the episodes
-  double saturated = 0.0;     // share of the actions' numbers that are at a bound
-  std::vector<double> far;    // [inputs] share of the steps beyond kFar deviations
+  std::vector<double> terms;      // [terms] of the return, mean over the episodes
+  double saturated = 0.0;         // share of the actions' numbers that are at a bound
+  std::vector<double> far;        // [inputs] share of the steps beyond kFar deviations
   std::vector<Outcome> outcomes;  // [episodes]
 
   bool passed() const { return successes * 100 >= episodes * 99; }

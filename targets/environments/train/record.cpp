@@ -64,10 +64,14 @@ std::string row_of(std::uint64_t seed, const CurvePoint& point, const std::vecto
 }
 
 ordered_json evaluation_of(const Evaluation& evaluation) {
-  return {{"episodes", evaluation.episodes},      {"successes", evaluation.successes},
-          {"return", evaluation.mean_return},     {"lowest", evaluation.lowest_return},
-          {"highest", evaluation.highest_return}, {"steps", evaluation.mean_steps},
-          {"terms", evaluation.terms},            {"saturated", evaluation.saturated}};
+  return {{"episodes", evaluation.episodes},
+          {"successes", evaluation.successes},
+          {"return", evaluation.mean_return},
+          {"lowest", evaluation.lowest_return},
+          {"highest", evaluation.highest_return},
+          {"steps", evaluation.mean_steps},
+          {"terms", evaluation.terms},
+          {"saturated", evaluation.saturated}};
 }
 
 /// [seed, environment, return, steps, success] each. The seed is a text: JSON's numbers of others
@@ -145,10 +149,8 @@ void Record::fail(std::uint64_t seed, const std::vector<CurvePoint>& curve,
   const std::lock_guard lock(mutex_);
   Training& training = trainings_[seed];
   append(training, seed, curve, {});
-  training.end = line_of({{"seed", seed},
-                          {"ended", "failed"},
-                          {"problem", problem.what()},
-                          {"help", problem.help}});
+  training.end = line_of(
+      {{"seed", seed}, {"ended", "failed"}, {"problem", problem.what()}, {"help", problem.help}});
   try {
     file_.write([&] { return text(); });
   } catch (const Problem&) {  // NOLINT(bugprone-empty-catch): the first problem is what is told

@@ -1,5 +1,5 @@
-// What a training leaves for `eagerx-gen report --training`: a file of JSON, an object a line, that is
-// whole at any time.
+// What a training leaves for `eagerx-gen report --training`: a file of JSON, an object a line, that
+// is whole at any time.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@
 namespace eagerx::train {
 
 /// First a line that says what is trained. Then, of each training, one for each iteration, with the
-/// names of curve_csv() for what there is, and `terms` of an evaluation; at last one with `ended`. A
-/// training without that one goes on, or was killed. By any thread.
+/// names of curve_csv() for what there is, and `terms` of an evaluation; at last one with `ended`.
+/// A training without that one goes on, or was killed. By any thread.
 class Record {
  public:
   /// Of one training, or of all `options.seeds`. Without `options.record` there is none.
   Record(const Options& options, const Description& description);
 
-  /// After an iteration, the last point of `curve`; `seen`: the last evaluation of this run. Returns
-  /// what CurveFile::grow() does.
+  /// After an iteration, the last point of `curve`; `seen`: the last evaluation of this run.
+  /// Returns what CurveFile::grow() does.
   std::string grow(std::uint64_t seed, double now_s, const std::vector<CurvePoint>& curve,
                    const Evaluation& seen);
   /// At the end of a training whose policy is written. Throws Problem.
@@ -47,7 +47,7 @@ class Record {
   bool is_wanted_;
   CurveFile file_;
   std::string head_;
-  std::mutex mutex_;                            // of
+  std::mutex mutex_;                             // of
   std::map<std::uint64_t, Training> trainings_;  // by seed
 };
 

@@ -41,9 +41,8 @@ void Showing::show(const std::vector<CurvePoint>& curve, const Evaluation& seen)
   // A disk that is full now may have room in a second; at the end it is an error.
   // Trainings beside each other have begun at different times.
   const std::chrono::duration<double> now_s = std::chrono::steady_clock::now().time_since_epoch();
-  for (const std::string& problem :
-       {table_.grow(now_s.count(), [&] { return table_text_(curve); }),
-        record_.grow(seed_, now_s.count(), curve, seen)}) {
+  for (const std::string& problem : {table_.grow(now_s.count(), [&] { return table_text_(curve); }),
+                                     record_.grow(seed_, now_s.count(), curve, seen)}) {
     if (!problem.empty()) warn(problem, "and tries again");
   }
   if (events_) show_events(curve.back(), seen);

@@ -110,8 +110,7 @@ void Training::tell_where(const Problem& problem) {
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
   }
-  if (ranks_.is_first())
-    showing_.record().fail(options_.settings.seed, progressed_.curve, problem);
+  if (ranks_.is_first()) showing_.record().fail(options_.settings.seed, progressed_.curve, problem);
   if (problem.code != kProblems && problem.code != kInterrupted) throw problem;
   throw Problem(problem.code,
                 fmt::format("{}\nnote: the training had made {} steps with `--seed {}`{}",

@@ -1,5 +1,5 @@
-// What a training leaves, as the page has it: records, tables of curves, results of sweeps; and files that
-// are none.
+// What a training leaves, as the page has it: records, tables of curves, results of sweeps; and
+// files that are none.
 #include "generator/training/training.hpp"
 
 #include <gtest/gtest.h>
@@ -16,19 +16,20 @@
 namespace eagerx::gen {
 namespace {
 
-const std::string kHead =
+const std::string kTrainingHead =
     R"({"eagerx_training":1,"graph":"arm","rate":30,"algorithm":"ppo","settings":"layers 8; clip 0.20; sac_batch 256","seed":1,"seeds":1,"steps":100,"has_success":true,"terms":["angle","effort"]})"
     "\n";
-const std::string kRow = R"({"seed":1,"steps":10,"return":-5.5})"
-                         "\n";
-const std::string kEnd =
+const std::string kTrainingRow = R"({"seed":1,"steps":10,"return":-5.5})"
+                                 "\n";
+const std::string kTrainingEnd =
     R"({"seed":1,"ended":"success","steps":10,"seconds":2.5,"kernels":"avx2","policy":"p.safetensors","policy_hash":"0x1","evaluation":{"episodes":3,"successes":2,"return":-2,"lowest":-4,"highest":1,"steps":7,"terms":[-3,1],"saturated":0.1},"signs":[],"episodes":[["13835058055282163712",0,-4,7,1],["13835058055282163712",1,1,7,0],["13835058055282163713",2,-3,7,1]]})"
     "\n";
 
 class Training : public testing::Test {
  protected:
   Training() {
-    std::string draft = (std::filesystem::temp_directory_path() / "eagerx_training_XXXXXX").string();
+    std::string draft =
+        (std::filesystem::temp_directory_path() / "eagerx_training_XXXXXX").string();
     folder_ = mkdtemp(draft.data());
   }
   ~Training() override { std::filesystem::remove_all(folder_); }
@@ -71,23 +72,24 @@ const Json& line(const Json& page, const std::string& chart, const std::string& 
 }
 
 using Numbers = std::vector<double>;
-constexpr const char* kNoisy = "last 100 episodes, with the noise of learning";
+constexpr const char* kNoisy = "last 100 episodes, with noise";
 constexpr const char* kEvaluated = "evaluation, without noise";
 
 TEST_F(Training, ARecord) {
   const auto record = read(
-      kHead + kRow +
+      kTrainingHead + kTrainingRow +
       R"({"seed":1,"steps":20,"return":-4,"evaluation_return":-3,"evaluation_success":0.5,"terms":[-4,1]})"
       "\n" +
-      kEnd);
+      kTrainingEnd);
   ASSERT_TRUE(record);
   EXPECT_EQ(record->graph, "arm");
   EXPECT_EQ(record->policy, "p.safetensors");
   EXPECT_EQ(record->policy_hash, "0x1");
   EXPECT_EQ(numbers(member(&line(record->page, "Return", kNoisy), "y")), Numbers({-5.5, -4}));
   EXPECT_EQ(numbers(member(&line(record->page, "Return", kEvaluated), "x")), Numbers({20}));
-  EXPECT_EQ(numbers(member(&line(record->page, "Terms of the return, in evaluations", "effort"), "y")),
-            Numbers({1}));
+  EXPECT_EQ(
+      numbers(member(&line(record->page, "Terms of the return, in evaluations", "effort"), "y")),
+      Numbers({1}));
   const Json& training = member(&record->page, "trainings")->as<Json::List>()->front();
   EXPECT_EQ(text_of(member(&training, "ended")), "success");
   ASSERT_EQ(record->episodes.size(), 3);
@@ -106,29 +108,30 @@ TEST_F(Training, BestAndWorstEpisode) {
 }
 
 TEST_F(Training, OneThatGoesOnHasNoEnd) {
-  const auto record = read(kHead + kRow);
+  const auto record = read(kTrainingHead + kTrainingRow);
   ASSERT_TRUE(record);
   EXPECT_TRUE(record->policy.empty());
   const Json& training = member(&record->page, "trainings")->as<Json::List>()->front();
   EXPECT_TRUE(member(&training, "ended")->is<std::monostate>());
   EXPECT_EQ(number_of(member(&training, "steps")), 10);
-  EXPECT_TRUE(read(kHead)) << "it has just begun";
+  EXPECT_TRUE(read(kTrainingHead)) << "it has just begun";
 }
 
 TEST_F(Training, OneThatFailedSaysWhy) {
-  const auto record =
-      read(kHead + kRow + R"({"seed":1,"ended":"failed","problem":"`task.x` is nan","help":"max()"})" "\n");
+  const auto record = read(
+      kTrainingHead + kTrainingRow +
+      "{\"seed\":1,\"ended\":\"failed\",\"problem\":\"`task.x` is nan\",\"help\":\"max()\"}\n");
   ASSERT_TRUE(record);
   const Json& training = member(&record->page, "trainings")->as<Json::List>()->front();
   EXPECT_EQ(text_of(member(&training, "problem")), "`task.x` is nan");
 }
 
 TEST_F(Training, TheBestSeedIsShown) {
-  std::string second = kEnd;
+  std::string second = kTrainingEnd;
   second.replace(second.find("\"seed\":1"), 8, "\"seed\":2");
   second.replace(second.find("\"successes\":2"), 13, "\"successes\":3");
   second.replace(second.find("p.safe"), 6, "q.safe");
-  const auto record = read(kHead + kEnd + second);
+  const auto record = read(kTrainingHead + kTrainingEnd + second);
   ASSERT_TRUE(record);
   EXPECT_EQ(number_of(member(&record->page, "best")), 1);
   EXPECT_EQ(record->policy, "q.safetensors");
@@ -138,21 +141,26 @@ TEST_F(Training, RecordsThatAreNone) {
   EXPECT_EQ(problem(""), "0: nothing that a training has written begins so");
   EXPECT_EQ(problem("{"), "1: the file is cut off");
   EXPECT_EQ(problem("{}\n"), "1: no record of a training begins so");
-  EXPECT_EQ(problem("{\"eagerx_training\":2}\n"), "1: another version of eagerx-gen has written it");
-  EXPECT_EQ(problem(kHead + kRow.substr(0, 20)), "2: the file is cut off");
-  EXPECT_EQ(problem(kHead + kRow.substr(0, 20) + "\n"), "2: it is no object of JSON");
-  EXPECT_EQ(problem(kHead + kRow + kRow), "3: its steps are not more than those before");
-  EXPECT_EQ(problem(kHead + kEnd + kRow), "3: this training had ended before");
-  EXPECT_EQ(problem(kHead + "{\"seed\":1,\"steps\":\"ten\"}\n"), "2: `steps` is no number");
-  EXPECT_EQ(problem(kHead + "{\"seed\":-1,\"steps\":1}\n"),
+  EXPECT_EQ(problem("{\"eagerx_training\":2}\n"),
+            "1: another version of eagerx-gen has written it");
+  EXPECT_EQ(problem(kTrainingHead + kTrainingRow.substr(0, 20)), "2: the file is cut off");
+  EXPECT_EQ(problem(kTrainingHead + kTrainingRow.substr(0, 20) + "\n"),
+            "2: it is no object of JSON");
+  EXPECT_EQ(problem(kTrainingHead + kTrainingRow + kTrainingRow),
+            "3: its steps are not more than those before");
+  EXPECT_EQ(problem(kTrainingHead + kTrainingEnd + kTrainingRow),
+            "3: this training had ended before");
+  EXPECT_EQ(problem(kTrainingHead + "{\"seed\":1,\"steps\":\"ten\"}\n"), "2: `steps` is no number");
+  EXPECT_EQ(problem(kTrainingHead + "{\"seed\":-1,\"steps\":1}\n"),
             "2: `seed` is no whole number from 0 to 4611686018427387904");
-  EXPECT_EQ(problem(kHead + "{\"seed\":1,\"steps\":1,\"terms\":[1]}\n"), "2: `terms` are not 2 numbers");
-  EXPECT_EQ(problem(kHead + "{\"seed\":1,\"ended\":\"well\"}\n"), "2: `ended`");
-  std::string bad = kEnd;
+  EXPECT_EQ(problem(kTrainingHead + "{\"seed\":1,\"steps\":1,\"terms\":[1]}\n"),
+            "2: `terms` are not 2 numbers");
+  EXPECT_EQ(problem(kTrainingHead + "{\"seed\":1,\"ended\":\"well\"}\n"), "2: `ended`");
+  std::string bad = kTrainingEnd;
   bad.replace(bad.find("13835058055282163713"), 20, "99999999999999999999");
-  EXPECT_EQ(problem(kHead + bad),
+  EXPECT_EQ(problem(kTrainingHead + bad),
             "2: an episode is not [seed, environment, return, steps, success]");
-  std::string many = kHead;
+  std::string many = kTrainingHead;
   for (int i = 0; i <= 1000; ++i) many += "{\"seed\":" + std::to_string(i) + ",\"steps\":1}\n";
   EXPECT_EQ(problem(many), "1002: there are more trainings than may be");
   EXPECT_FALSE(read("\xff\xfe{"));
@@ -160,7 +168,7 @@ TEST_F(Training, RecordsThatAreNone) {
 
 /// Cut anywhere, a record is one problem or a shorter record; nothing else.
 TEST_F(Training, CutAnywhere) {
-  const std::string whole = kHead + kRow + kEnd;
+  const std::string whole = kTrainingHead + kTrainingRow + kTrainingEnd;
   std::size_t good = 0;
   for (std::size_t length = 0; length < whole.size(); ++length) {
     const bool is_read = read(whole.substr(0, length)).has_value();
@@ -193,8 +201,7 @@ TEST_F(Training, TablesThatAreNone) {
 
 // One that has ended stays as it was: at 30 the first is still at -8.
 TEST_F(Training, SeveralSeedsHaveABand) {
-  const auto record =
-      read("seed,steps,return\n1,10,-10\n1,20,-8\n2,10,-20\n2,20,\n2,30,-6\n");
+  const auto record = read("seed,steps,return\n1,10,-10\n1,20,-8\n2,10,-20\n2,20,\n2,30,-6\n");
   ASSERT_TRUE(record);
   const Json& band = line(record->page, "Return", kNoisy);
   EXPECT_EQ(numbers(member(&band, "x")), Numbers({10, 20, 30}));
@@ -253,8 +260,9 @@ TEST_F(Training, SweepsThatAreNone) {
   EXPECT_EQ(problem(kSweep + "0,\"clip\",1,0,100,10,40,-9,1,\"\"\n"),
             "2: `settings` are not NAME=VALUE");
   EXPECT_EQ(problem(kSweep + "0,\"clip=1\",1,0,inf,10,40,-9,1,\"\"\n"), "2: `steps` is no number");
-  EXPECT_EQ(problem(kSweep + "0,\"clip=1\",1,0,1,10,40,-9,1,\"\"\n0,\"horizon=1\",1,0,1,1,1,1,1,\"\"\n"),
-            "3: it has other settings");
+  EXPECT_EQ(
+      problem(kSweep + "0,\"clip=1\",1,0,1,10,40,-9,1,\"\"\n0,\"horizon=1\",1,0,1,1,1,1,1,\"\"\n"),
+      "3: it has other settings");
 }
 
 }  // namespace
