@@ -45,6 +45,8 @@ class Training : public testing::Test {
     const auto record = read(text);
     if (record || diagnostics_.error_count() != 1) return "no problem, or several";
     const Diagnostic& first = diagnostics_.all().front();
+    EXPECT_EQ(first.code, "E0363");
+    EXPECT_TRUE(first.io);
     return std::to_string(first.span.line) + first.message.substr(first.message.rfind(": "));
   }
 
