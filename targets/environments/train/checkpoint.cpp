@@ -13,7 +13,7 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 5\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 6\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 /// The sizes of what it visits.
@@ -73,6 +73,7 @@ template <class Visitor, class SomeModel, class SomeProgress>
 void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.iteration);
   visitor(progressed.succeeded);
+  visitor(progressed.course);
   visitor(progressed.curve);
   visitor(progressed.recent);
   visitor(progressed.best.parameters);
@@ -144,6 +145,7 @@ void read_values(std::string_view values, const std::string& name, auto& model,
   const std::size_t best = progressed.best.parameters.size();
   const bool fits = sizes_of(model) == expected && progressed.recent.size() <= kRecent &&
                     progressed.curve.size() == progressed.iteration &&
+                    progressed.course.began <= progressed.iteration &&
                     (best == 0 || best == deployed_size(model));
   if (!reader.complete || !fits)
     throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);

@@ -147,7 +147,7 @@ TEST_F(TrainSac, TheTemperatureGrowsWhereEntropyIsMissing) {
 TEST_F(TrainSac, ChoicesAreRefused) {
   static const Library choices(EAGERX_TEST_CHOICES);
   EXPECT_EQ(said_by([&] { Training(options(1), choices); }),
-            "SAC learns real numbers, and the graph's action is a choice");
+            "SAC learns real numbers, and the graph's actions are whole ones");
 }
 
 }  // namespace
