@@ -43,13 +43,7 @@ StageSpec read_stage(const YamlValue& yaml, Diagnostics& diagnostics) {
     stage.is_as_written = states->entries.empty();
     for (const auto& entry : states->entries) {
       const std::optional<RandomSpec> random = read_random(entry.value, diagnostics);
-      if (random) {
-        stage.states.push_back({{entry.key, entry.key_span}, *random});
-      } else if (entry.value.entries.empty()) {
-        diagnostics
-            .error("E0202", entry.key_span, fmt::format("how is `{}` drawn?", entry.key))
-            .help = "write `uniform`, or a mapping such as `{uniform: {low: 0.0, high: 1.0}}`";
-      }
+      if (random) stage.states.push_back({{entry.key, entry.key_span}, *random});
     }
   }
   if (const YamlValue* weights = yaml.find("weights")) {
