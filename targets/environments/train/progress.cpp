@@ -52,7 +52,8 @@ void Progress::finish() {
   is_shown_ = false;
 }
 
-void Progress::say(const std::string& line) {
+void Progress::begin_stage(const std::string& line) {
+  last_return_ = std::numeric_limits<double>::quiet_NaN();
   if (is_quiet_) return;
   finish();
   fmt::print(stderr, "{}{}{}\n", name_, name_.empty() ? "" : ": ", line);

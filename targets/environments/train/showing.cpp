@@ -76,7 +76,7 @@ std::string Showing::stage_of(const std::vector<CurvePoint>& curve) const {
 
 void Showing::tell_stage(const std::vector<CurvePoint>& curve) {
   const CurvePoint& point = curve.back();
-  progress_.say(fmt::format("{} is passed after {} steps with {}; {} begins",
+  progress_.begin_stage(fmt::format("{} is passed after {} steps with {}; {} begins",
                             stage_name(description_, point.stage), rounded(point.steps),
                             reached(point), stage_name(description_, point.stage + 1.0)));
 }

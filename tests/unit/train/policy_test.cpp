@@ -288,7 +288,7 @@ TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoices) {
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
            {R"("choices":"3, 2, 4")", R"("choices":"3, 2, 5")"},
            {R"("choices":"3, 2, 4")", R"("choices":"3, 2, 0")"},
-           {R"("choices":"3, 2, 4")", R"("choices":"3, 2.5,4")"},
+           {R"("choices":"3, 2, 4")", R"("choices":"3,2.5,4")"},
            {R"("first_choice":"3, -1, 0")", R"("first_choice":"3, -1   ")"}}) {
     std::string wrong = bytes;
     ASSERT_NE(wrong.find(from), std::string::npos) << from;
