@@ -42,6 +42,7 @@ class TrainStages : public testing::TestWithParam<const char*> {
  protected:
   std::string path(const std::string& name) const { return folder_.path(name); }
 
+  static std::uint64_t iterations() { return GetParam() == std::string("ppo") ? 60 : 28; }
   Options options(std::uint64_t iterations) const {
     Options result;
     result.settings.algorithm = GetParam();
@@ -70,7 +71,7 @@ std::vector<double> stages_of(const std::vector<CurvePoint>& curve) {
 }
 
 TEST_P(TrainStages, EndWhereWhatTheyWaitForIsReached) {
-  const Options some = options(GetParam() == std::string("ppo") ? 60 : 40);
+  const Options some = options(iterations());
   Training training(some, with_stages());
   training.run(never);
   const std::vector<CurvePoint>& curve = training.curve();
@@ -92,7 +93,7 @@ TEST_P(TrainStages, EndWhereWhatTheyWaitForIsReached) {
 
 // Also where the next stage has just begun, and in the middle of its first era.
 TEST_P(TrainStages, GoOnFromACheckpointAsOneTraining) {
-  Options whole = options(GetParam() == std::string("ppo") ? 60 : 40);
+  Options whole = options(iterations());
   Training training(whole, with_stages());
   training.run(never);
   const std::string policy = read_file(whole.output), curve = read_file(whole.csv);
@@ -100,16 +101,16 @@ TEST_P(TrainStages, GoOnFromACheckpointAsOneTraining) {
   const auto second = static_cast<std::size_t>(
       std::find(stages.begin(), stages.end(), 2.0) - stages.begin());
   ASSERT_LT(second + 3, stages.size());
-  for (const std::size_t iterations : {std::size_t{2}, second, second + 3}) {
+  for (const std::size_t count : {second, second + 3}) {
     Options first = whole;
-    first.steps = whole.steps / (GetParam() == std::string("ppo") ? 60 : 40) * iterations;
+    first.steps = whole.steps / iterations() * count;
     first.checkpoint = path("checkpoint");
     Training(first, with_stages()).run(never);
     Options rest = whole;
     rest.resume = first.checkpoint;
     Training(rest, with_stages()).run(never);
-    EXPECT_EQ(read_file(rest.output), policy) << iterations;
-    EXPECT_EQ(read_file(rest.csv), curve) << iterations;
+    EXPECT_EQ(read_file(rest.output), policy) << count;
+    EXPECT_EQ(read_file(rest.csv), curve) << count;
   }
 }
 
