@@ -86,10 +86,10 @@ class ActionCheck {
       const std::int64_t first = network_.contract.first_choice(i);
       const bool same_start = ours[i].low == static_cast<double>(first);
       if (theirs.empty() || (same_start && count == theirs[i])) continue;
-      error("E0705", fmt::format("the policy `{}` chooses its number {} from {} to {}, but the "
-                                 "graph's goes from {:g} to {:g}",
-                                 use_.file, i, first, first + theirs[i] - 1, ours[i].low,
-                                 ours[i].high))
+      error("E0705",
+            fmt::format("the policy `{}` chooses its number {} from {} to {}, but the "
+                        "graph's goes from {:g} to {:g}",
+                        use_.file, i, first, first + theirs[i] - 1, ours[i].low, ours[i].high))
           .notes.push_back(
               {fmt::format("`{}{}`", use_.out, ours[i].action->name), ours[i].action->span, ""});
       return;
@@ -122,8 +122,7 @@ class ActionCheck {
             : fmt::format(
                   "give it `space: {{dtype: int64, shape: [{}], low: {}, high: [{}]}}` and "
                   "turn its numbers into commands with a node",
-                  theirs.size(),
-                  is_from_zero ? "0" : fmt::format("[{}]", fmt::join(lows, ", ")),
+                  theirs.size(), is_from_zero ? "0" : fmt::format("[{}]", fmt::join(lows, ", ")),
                   fmt::join(highs, ", "));
   }
 
@@ -175,13 +174,12 @@ class ActionCheck {
     const bool same_start = network_.contract.first_choices.empty() ||
                             low == static_cast<double>(network_.contract.first_choice());
     if (count == static_cast<double>(network_.outputs()) && same_start) return;
-    error(
-        "E0705",
-        fmt::format("the policy `{}` chooses from {} to {}, but the graph's action goes from {:g} "
-                    "to {:g}",
-                    use_.file, network_.contract.first_choice(),
-                    network_.contract.first_choice() + network_.outputs() - 1, low,
-                    low + count - 1.0))
+    error("E0705",
+          fmt::format(
+              "the policy `{}` chooses from {} to {}, but the graph's action goes from {:g} "
+              "to {:g}",
+              use_.file, network_.contract.first_choice(),
+              network_.contract.first_choice() + network_.outputs() - 1, low, low + count - 1.0))
         .notes.push_back({"the action", action.span, ""});
   }
 

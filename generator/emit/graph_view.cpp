@@ -193,8 +193,7 @@ class GraphView {
       const RandomSpec::Kind kind = state.random->kind;
       std::string constant;
       if (needs_range(*state.random)) {
-        View item =
-            space_view(field, range_of(*state.random, state.space), "State", constants_);
+        View item = space_view(field, range_of(*state.random, state.space), "State", constants_);
         constant = item.get("constant")->string_value();
         item.set("state", owner + "." + state.name);
         ranges.push_back(item);

@@ -57,7 +57,8 @@ View stages_view(const Plan& plan, const ProgramNames& names) {
     item.set("number", fmt::format("{}", draws.list_value().size()));
     item.set("stage", stage.name);
     View states = list();
-    for (const StageState& state : stage.states) states.push_back(drawn_in_stage(plan, names, state));
+    for (const StageState& state : stage.states)
+      states.push_back(drawn_in_stage(plan, names, state));
     item["states"] = std::move(states);
     draws.push_back(item);
   }

@@ -29,8 +29,9 @@ void read_until(const YamlValue& yaml, StageSpec& stage, Diagnostics& diagnostic
     diagnostics.error("E0202", yaml.span, "`until` says nothing").help =
         "write when the next stage begins, such as `{success: 0.9}` or `{return: 100}`";
   if (stage.success && !(*stage.success > 0.0 && *stage.success <= 1.0))
-    diagnostics.error("E0204", yaml.find("success")->span,
-                      "expected a share of the episodes, above 0 and at most 1")
+    diagnostics
+        .error("E0204", yaml.find("success")->span,
+               "expected a share of the episodes, above 0 and at most 1")
         .help = "0.9 are nine of ten episodes";
 }
 

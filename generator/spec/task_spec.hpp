@@ -72,8 +72,8 @@ struct TaskSpec {
 /// E0206 `over_last` without a condition, a name that `critic` or `stages` has twice.
 TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics);
 
-/// `stages:` of a task. Problems: E0202 `until` that says nothing, E0204 a share that is none, E0206
-/// a name twice.
+/// `stages:` of a task. Problems: E0202 `until` that says nothing, E0204 a share that is none,
+/// E0206 a name twice.
 FormatPtr stages_format();
 std::vector<StageSpec> read_stages(const YamlValue* yaml, Diagnostics& diagnostics);
 

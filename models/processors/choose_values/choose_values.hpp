@@ -19,8 +19,8 @@ struct ChooseValues {
       const Number number = element(in, i);
       Value value = static_cast<Value>(Io::Config::values[0]);
       for (std::size_t k = 1; k < kCount; ++k)
-        value = select(number >= static_cast<Number>(k),
-                       static_cast<Value>(Io::Config::values[k]), value);
+        value = select(number >= static_cast<Number>(k), static_cast<Value>(Io::Config::values[k]),
+                       value);
       element(out, i) = value;
     }
     return out;

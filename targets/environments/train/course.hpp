@@ -6,7 +6,8 @@
 namespace eagerx::train {
 
 /// Each stage begins with an era of its own, so that all its episodes are of the stage, and a
-/// checkpoint in it needs nothing of those before. Without stages there is one, which began at once.
+/// checkpoint in it needs nothing of those before. Without stages there is one, which began at
+/// once.
 struct Course {
   std::uint32_t stage = 0;  // of the task; behind the last one: the graph as it is written
   std::uint32_t began = 0;  // in this iteration

@@ -80,7 +80,8 @@ std::string grid(const Plane& plane) {
 }
 
 constexpr std::string_view kColumns =
-    "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence,stage,"
+    "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence,"
+    "stage,"
     "stage_success,stage_return";
 
 std::string row_of(const CurvePoint& point) {

@@ -77,8 +77,8 @@ std::string Showing::stage_of(const std::vector<CurvePoint>& curve) const {
 void Showing::tell_stage(const std::vector<CurvePoint>& curve) {
   const CurvePoint& point = curve.back();
   progress_.begin_stage(fmt::format("{} is passed after {} steps with {}; {} begins",
-                            stage_name(description_, point.stage), rounded(point.steps),
-                            reached(point), stage_name(description_, point.stage + 1.0)));
+                                    stage_name(description_, point.stage), rounded(point.steps),
+                                    reached(point), stage_name(description_, point.stage + 1.0)));
 }
 
 void Showing::show_events(const CurvePoint& point, const Evaluation& seen) {

@@ -35,18 +35,17 @@ void check_choices(const Description& description) {
     }
   }
   if (outputs <= kMost) return;
-  throw Problem(kProblems,
-                fmt::format("the actions have {} choices together, and a network can have 1000",
-                            outputs),
-                "give their spaces `low` and `high` nearer to each other, or a float dtype");
+  throw Problem(
+      kProblems,
+      fmt::format("the actions have {} choices together, and a network can have 1000", outputs),
+      "give their spaces `low` and `high` nearer to each other, or a float dtype");
 }
 
 /// What is neither all whole nor all real numbers.
 void check_real(const Description& description, const Space& action) {
   if (action.dtype.starts_with("float")) return;
-  const auto real = std::ranges::find_if(description.actions, [](const Space& other) {
-    return other.dtype.starts_with("float");
-  });
+  const auto real = std::ranges::find_if(
+      description.actions, [](const Space& other) { return other.dtype.starts_with("float"); });
   if (action.is_whole() && real != description.actions.end())
     throw Problem(kProblems,
                   fmt::format("the action `{}` is {}, and `{}` is {}: actions are whole numbers, "

@@ -3,9 +3,9 @@
 // EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V; with EAGERX_TEST_HIDDEN the speed
 // is not observed; with EAGERX_TEST_CRITIC the critic sees the angle's distance from upright, too,
 // and a number of the episode; with EAGERX_TEST_STAGES there are two stages, which begin nearer to
-// upright; with EAGERX_TEST_SEVERAL a second choice, -1 or 0, halves the voltage. In the environment of a process,
-// EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
-// EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
+// upright; with EAGERX_TEST_SEVERAL a second choice, -1 or 0, halves the voltage. In the
+// environment of a process, EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not
+// finite, and EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -45,7 +45,7 @@ constexpr std::size_t kActed = 1;
 #endif
 
 #ifdef EAGERX_TEST_STAGES
-#define STAGES                                               \
+#define STAGES                                                         \
   R"(, "stages": [{"name": "still", "success": 0.9, "return": null},)" \
   R"({"name": "moved", "success": null, "return": -60}])"
 #else
@@ -81,7 +81,7 @@ struct Pendulum {
   float end[2] = {};                 // what the critic saw last in the one that ended
   bool ended = false;
   float nearer[2] = {1.0F, 1.0F};  // share of the ranges: of this episode, of the next one
-  float next[2] = {NAN, NAN};  // angle and speed that the next episode begins with, if not NaN
+  float next[2] = {NAN, NAN};      // angle and speed that the next episode begins with, if not NaN
 
   void begin() {
     eagerx::Random random({seed, number, episode++}, eagerx::entity_id("pendulum"));
@@ -155,8 +155,8 @@ const char* eagerx_describe(void) {
     "actions": [{"name": "voltage", )" ACTION R"(, "first": 0}],
     "states": [{"name": "pendulum.model_state", "shape": [2], "dtype": "float32",
                 "low": [-4, -10], "high": [4, 10], "first": 0}],
-    "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150)" CRITIC STAGES
-         "}}";
+    "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150)" CRITIC
+      STAGES "}}";
 }
 const char* eagerx_error(void) {
   return failure.c_str();

@@ -98,8 +98,8 @@ TEST_P(TrainStages, GoOnFromACheckpointAsOneTraining) {
   training.run(never);
   const std::string policy = read_file(whole.output), curve = read_file(whole.csv);
   const std::vector<double> stages = stages_of(training.curve());
-  const auto second = static_cast<std::size_t>(
-      std::find(stages.begin(), stages.end(), 2.0) - stages.begin());
+  const auto second =
+      static_cast<std::size_t>(std::find(stages.begin(), stages.end(), 2.0) - stages.begin());
   ASSERT_LT(second + 3, stages.size());
   for (const std::size_t count : {second, second + 3}) {
     Options first = whole;
