@@ -49,6 +49,7 @@ template <class Visitor, class SomeModel>
 void visit_model(Visitor& visitor, SomeModel& model) {
   visitor(model.actor_parameters);
   if constexpr (requires { model.critics; }) {
+    visitor(model.averaged);
     visit_adam(visitor, model.actor_adam);
     for (auto& critic : model.critics) {
       visitor(critic.parameters);
@@ -261,6 +262,7 @@ void begin_from(const std::string& bytes, const std::string& name, const std::st
                 sac::Model& model) {
   sac::Model learnt = learnt_by(bytes, name, interface, model);
   model.actor_parameters = std::move(learnt.actor_parameters);
+  model.averaged = std::move(learnt.averaged);
   for (std::size_t c = 0; c < model.critics.size(); ++c) {
     model.critics[c].parameters = std::move(learnt.critics[c].parameters);
     model.critics[c].target = std::move(learnt.critics[c].target);

@@ -75,10 +75,11 @@ void keep_answers(const Network& network, std::vector<float>& parameters, const 
                   const Statistics& after) {
   const Cell::Product first = network.first();
   const std::size_t inputs = first.sizes.inputs;
+  const std::size_t normalised = std::min(inputs, before.mean.size());
   for (std::size_t j = 0; j < first.sizes.outputs; ++j) {
     float* weights = &parameters[first.weights + j * inputs];
     double bias = parameters[first.bias + j];
-    for (std::size_t i = 0; i < inputs; ++i) {
+    for (std::size_t i = 0; i < normalised; ++i) {
       const double weight = weights[i] * before.scale(i);
       bias += weight * (after.mean[i] - before.mean[i]);
       weights[i] = static_cast<float>(weight / after.scale(i));

@@ -125,6 +125,30 @@ TEST(TrainPolicy, AnswersDoNotMoveWithTheStatistics) {
   }
 }
 
+// SAC's critics have actions there, which are not normalised.
+TEST(TrainPolicy, AnswersStayWithInputsBehindTheObservations) {
+  const Kernels& kernels = *kernels_here().back();
+  const Network critic(4, {8}, 1, Activation::tanh);
+  Statistics wider = seen();
+  Sums more(3);
+  for (std::size_t i = 0; i < 3; ++i) more.add(i, 40.0);
+  more.count = 1;
+  wider.add(more);
+  const std::vector<float> before = critic.drawn(Random({5, 0, 0}, 1), 1.0F);
+  std::vector<float> after = before;
+  keep_answers(critic, after, seen(), wider);
+  const auto answers = [&](const std::vector<float>& parameters, const Statistics& statistics) {
+    Packs row(critic.row());
+    Normaliser(statistics).load(rows().data(), row.data());
+    for (std::size_t l = 0; l < kLanes; ++l) row[3].lane[l] = 0.1F * static_cast<float>(l);
+    critic.forward(kernels, parameters.data(), row.data());
+    return row[critic.output()];
+  };
+  const Pack old = answers(before, seen()), now = answers(after, wider);
+  for (std::size_t l = 0; l < kLanes; ++l) EXPECT_NEAR(old.lane[l], now.lane[l], 1e-4);
+  EXPECT_NE(before, after);
+}
+
 TEST(TrainPolicy, WhatDoesNotChangeIsNotScaled) {
   EXPECT_EQ(seen().scale(1), 1.0);
   EXPECT_NEAR(seen().scale(0), 10.0, 1.0);

@@ -69,10 +69,39 @@ Algorithm::Result Sac::iterate() {
                static_cast<std::uint32_t>(iteration * settings_.sac.horizon + t));
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
   }
-  if (settings_.normalise) model_.observations.add(walk_.observation_sums);
-  model_.returns.add(walk_.return_sums);
+  see();
   ++iteration;
   return {walk_.episodes, 0.0, model_.actor_adam.steps - updates};
+}
+
+/// What the networks have learnt is of the scales of before: they change with them. Rewards have
+/// another scale, and so have the critics' answers and the weight of the entropy.
+void Sac::see() {
+  const double scale = model_.returns.scale(0);
+  model_.returns.add(walk_.return_sums);
+  const Statistics before = model_.observations;
+  if (settings_.normalise) model_.observations.add(walk_.observation_sums);
+  if (model_.actor_adam.steps == 0) return;
+  const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
+  const Network::Layer& last = model_.critic.layers().back();
+  for (Critic& critic : model_.critics) {
+    for (auto* parameters : {&critic.parameters, &critic.target}) {
+      for (std::size_t i = last.weights; i < last.bias + last.sizes.outputs; ++i)
+        (*parameters)[i] *= ratio;
+      keep_answers(model_.critic, *parameters, before, model_.observations);
+    }
+  }
+  for (auto* parameters : {&model_.actor_parameters, &model_.averaged})
+    keep_answers(model_.actor, *parameters, before, model_.observations);
+  model_.log_temperature.front() += log(ratio);
+}
+
+/// At first the mean of all so far: the first actor knows nothing and is forgotten soon.
+void Sac::average() {
+  const float share =
+      max(settings_.sac.averaging, 2.0F / (static_cast<float>(model_.actor_adam.steps) + 1.0F));
+  kernels_.approach(min(share, 1.0F), model_.actor_parameters.data(), model_.averaged.data(),
+                    model_.averaged.size());
 }
 
 void Sac::update(const Normaliser& normaliser) {
@@ -89,16 +118,17 @@ void Sac::update(const Normaliser& normaliser) {
     learners_[part]->learn(frozen, random);
   });
   Gradient& sum = learners_.front()->gradient;
-  for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
+  for (std::size_t part = 1; part < kParts; ++part) sum.add(kernels_, learners_[part]->gradient);
   const auto count = static_cast<double>(settings_.sac.batch);
   const auto scale = static_cast<float>(1.0 / count);
   const float step_size = settings_.learning_rate;
   model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, step_size, scale);
+  average();
   for (std::size_t c = 0; c < 2; ++c) {
     Critic& critic = model_.critics[c];
     critic.adam.step(kernels_, critic.parameters, sum.critics[c], step_size, scale);
-    for (std::size_t i = 0; i < critic.target.size(); ++i)
-      critic.target[i] += settings_.sac.target_share * (critic.parameters[i] - critic.target[i]);
+    kernels_.approach(settings_.sac.target_share, critic.parameters.data(), critic.target.data(),
+                      critic.target.size());
   }
   const auto numbers = static_cast<double>(deployed_.outputs());
   const double surplus = -sum.log_probability / count - numbers * settings_.sac.entropy;

@@ -45,6 +45,8 @@ class Sac : public Algorithm {
  private:
   std::uint64_t first_seed(std::uint32_t era) const;
   void update(const Normaliser& normaliser);
+  void average();
+  void see();
 
   const train::Settings settings_;
   const Description& description_;
