@@ -162,6 +162,8 @@ View loop_view(const Plan& plan, bool has_policy, bool has_memory);
 /// The class of the graph's task, and what other files say of its outputs: false without one.
 View task_view(const Plan& plan);
 View outcome_view(const Plan& plan, const ProgramNames& names);
+/// `stages:` of the task: false without them.
+View stages_view(const Plan& plan, const ProgramNames& names);
 /// `telemetry:` in graph.hpp and in telemetry.json: false without it.
 View telemetry_view(const Plan& plan);
 View program_view(const Plan& plan, const ProgramNames& names);
