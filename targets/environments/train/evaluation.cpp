@@ -70,11 +70,12 @@ class Evaluator::Part {
   std::size_t count() const { return count_; }
 
   Result run(const Kernels& kernels, const Policy& policy, std::uint64_t seed,
-             const Statistics& observations) {
+             const Statistics& observations, const std::string& stage) {
     result_ = {.episodes = std::vector(count_, Episode{0.0, std::vector<double>(terms_), 0, false}),
                .far = std::vector<std::uint64_t>(policy.network.inputs())};
     row_.assign(policy.network.row(), Pack{});  // nothing is remembered
     std::vector<bool> ended(count_);
+    environments_.set_stage(stage);
     environments_.reset(seed, rows_.observation.data());
     while (std::count(ended.begin(), ended.end(), false) != 0) {
       act(kernels, policy);
@@ -144,10 +145,10 @@ Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
 
 Evaluator::~Evaluator() = default;
 
-Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed,
-                          const Statistics& observations) {
+Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed, const Statistics& observations,
+                          const std::string& stage) {
   const auto work = [&](std::size_t i) {
-    results_[own_.first + i] = parts_[i]->run(kernels_, policy, seed, observations);
+    results_[own_.first + i] = parts_[i]->run(kernels_, policy, seed, observations, stage);
   };
   const auto all = together(
       ranks_,

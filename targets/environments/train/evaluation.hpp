@@ -47,8 +47,9 @@ class Evaluator {
   ~Evaluator();
 
   /// One episode in each of `episodes` environments, the first of `seed`. Nothing is drawn.
-  /// `observations`: what is far from it is counted.
-  Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations);
+  /// `observations`: what is far from it is counted. `stage` of the task; empty: as it is written.
+  Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations,
+                 const std::string& stage = {});
 
  private:
   struct Episode;

@@ -2,12 +2,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
 namespace eagerx::train {
+
+namespace {
+
+/// `number`: from 1.
+std::string stage_name(const Description& description, double number) {
+  const auto i = static_cast<std::size_t>(number) - 1;
+  return i < description.stages.size() ? fmt::format("stage `{}`", description.stages[i].name)
+                                       : "the graph as written";
+}
+
+/// "success 45 %, return 12.3"
+std::string reached(const CurvePoint& point) {
+  const std::string success = std::isnan(point.stage_success)
+                                  ? std::string()
+                                  : fmt::format("success {:.0f} %, ", 100.0 * point.stage_success);
+  return fmt::format("{}return {:.4g}", success, point.stage_return);
+}
+
+}  // namespace
 
 Showing::Showing(const Options& options, const Description& description, std::uint64_t first_step,
                  SharedTable table)
@@ -37,7 +57,7 @@ void Showing::write_table(const std::vector<CurvePoint>& curve) {
 }
 
 void Showing::show(const std::vector<CurvePoint>& curve, const Evaluation& seen) {
-  progress_.show(curve.back());
+  progress_.show(curve.back(), stage_of(curve));
   // A disk that is full now may have room in a second; at the end it is an error.
   // Trainings beside each other have begun at different times.
   const std::chrono::duration<double> now_s = std::chrono::steady_clock::now().time_since_epoch();
@@ -46,6 +66,24 @@ void Showing::show(const std::vector<CurvePoint>& curve, const Evaluation& seen)
     if (!problem.empty()) warn(problem, "and tries again");
   }
   if (events_) show_events(curve.back(), seen);
+}
+
+/// "stage near: success 45 %"
+std::string Showing::stage_of(const std::vector<CurvePoint>& curve) const {
+  if (std::isnan(curve.back().stage)) return {};
+  std::string text = stage_name(description_, curve.back().stage);
+  const auto seen = std::find_if(curve.rbegin(), curve.rend(), [&](const CurvePoint& point) {
+    return point.stage != curve.back().stage || !std::isnan(point.stage_return);
+  });
+  if (seen == curve.rend() || seen->stage != curve.back().stage) return text;
+  return text + ": " + reached(*seen);
+}
+
+void Showing::tell_stage(const std::vector<CurvePoint>& curve) {
+  const CurvePoint& point = curve.back();
+  progress_.begin_stage(fmt::format("{} is passed after {} steps with {}; {} begins",
+                                    stage_name(description_, point.stage), rounded(point.steps),
+                                    reached(point), stage_name(description_, point.stage + 1.0)));
 }
 
 void Showing::show_events(const CurvePoint& point, const Evaluation& seen) {

@@ -36,6 +36,8 @@ class Showing {
   void show(const std::vector<CurvePoint>& curve, const Evaluation& seen);
   /// Removes the line of a terminal.
   void finish() { progress_.finish(); }
+  /// The last point of `curve` has passed its stage.
+  void tell_stage(const std::vector<CurvePoint>& curve);
   /// "warning: …; the training goes on …"
   void warn(const std::string& problem, const char* goes_on);
   /// The table at the end. Throws Problem.
@@ -46,6 +48,8 @@ class Showing {
 
  private:
   void show_events(const CurvePoint& point, const Evaluation& seen);
+
+  std::string stage_of(const std::vector<CurvePoint>& curve) const;
 
   const Description& description_;
   const std::uint64_t seed_;
