@@ -140,12 +140,14 @@ Json curve_charts(const std::vector<LearningCurve>& curves, const std::vector<st
   Json charts = Json::list();
   constexpr const char* kNoisy = "last 100 episodes, with noise";
   constexpr const char* kEvaluated = "evaluation, without noise";
-  for (const auto& [name, unit, noisy, evaluated] :
-       {std::tuple("Return", "", "return", "evaluation_return"),
-        std::tuple("Success", "%", "success", "evaluation_success")}) {
+  constexpr const char* kInStage = "in its stage, without noise";
+  for (const auto& [name, unit, noisy, evaluated, in_stage] :
+       {std::tuple("Return", "", "return", "evaluation_return", "stage_return"),
+        std::tuple("Success", "%", "success", "evaluation_success", "stage_success")}) {
     Chart chart(curves, name, unit);
     chart.add_column(kNoisy, noisy);
     chart.add_column(kEvaluated, evaluated, 1);
+    chart.add_column(kInStage, in_stage, 2);
     chart.put(charts);
   }
   Chart of_terms(curves, "Terms of the return, in evaluations", "");
@@ -155,9 +157,10 @@ Json curve_charts(const std::vector<LearningCurve>& curves, const std::vector<st
     });
   of_terms.put(charts);
   for (const auto& [name, column] :
-       {std::pair("Divergence of an iteration", "divergence"),
-        std::pair("Learning rate", "step_size"),
-        std::pair("Deviation of the actions, whose range is −1 to 1", "deviation")}) {
+       {std::pair("Stage of the task, from 1", "stage"),
+        {"Divergence of an iteration", "divergence"},
+        {"Learning rate", "step_size"},
+        {"Deviation of the actions, whose range is −1 to 1", "deviation"}}) {
     Chart chart(curves, name, "");
     chart.add_column(name, column);
     chart.put(charts);
