@@ -196,7 +196,7 @@ TEST_F(TrainSac, WhatIsLearntStaysWhenScalesChange) {
 TEST_F(TrainSac, ChoicesAreRefused) {
   static const Library choices(EAGERX_TEST_CHOICES);
   EXPECT_EQ(said_by([&] { Training(options(1), choices); }),
-            "SAC learns real numbers, and the graph's action is a choice");
+            "SAC learns real numbers, and the graph's actions are whole ones");
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 /// The description, if its actions are real numbers.
 const Library& real_numbers(const Library& library) {
   if (!library.description().chooses()) return library;
-  throw Problem(kProblems, "SAC learns real numbers, and the graph's action is a choice",
-                "train it with `--algorithm ppo`, or give the action a float space");
+  throw Problem(kProblems, "SAC learns real numbers, and the graph's actions are whole ones",
+                "train it with `--algorithm ppo`, or give them float spaces");
 }
 
 }  // namespace
@@ -37,6 +37,10 @@ Sac::Sac(const train::Settings& settings, const Library& library, const Kernels&
 
 std::uint64_t Sac::first_seed(std::uint32_t era) const {
   return settings_.seed + (std::uint64_t{era} << 32U);
+}
+
+void Sac::set_stage(const std::string& name) {
+  walk_.set_stage(name);
 }
 
 void Sac::begin_era(std::uint32_t era) {
@@ -146,7 +150,7 @@ void Sac::restore(const std::string& bytes, const std::string& name, const std::
                   Progressed& progressed, std::uint32_t era) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
   iteration = progressed.iteration;
-  since_era_ = iteration % era;
+  since_era_ = progressed.course.in_era(iteration, era);
 }
 
 void Sac::begin_from(const std::string& bytes, const std::string& name,
