@@ -8,7 +8,7 @@ import bisect
 import collections
 import hashlib
 
-COLUMNS = range(-10, 11)
+COLUMNS = range(-11, 12)
 STARTS = 2  # orders to begin with; the best result counts
 CROSSING, BESIDE = 6.0, 0.05  # costs, of a crossing, and of a column away from the middle; one column sideways costs 1
 

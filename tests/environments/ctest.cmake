@@ -37,6 +37,7 @@ foreach(graph blocks rates phases estimates classics policies)
   list(APPEND environments_packs $<TARGET_FILE:environments_${graph}>)
 endforeach()
 add_test(NAME environments.packs COMMAND ${CMAKE_CURRENT_LIST_DIR}/packs ${environments_packs})
+add_test(NAME environments.stages COMMAND ${CMAKE_CURRENT_LIST_DIR}/stages $<TARGET_FILE:environments_swing>)
 add_test(NAME environments COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen> ${environments_programs})
 # A graph without an engine, whose outputs have a guard.
 eagerx_add_graph(TARGET environments_controller GRAPH ${PROJECT_SOURCE_DIR}/tests/own_loop/arm.yaml BOARD environments)
