@@ -85,7 +85,12 @@ function(_eagerx_add_packs library)
     # Vectors are passed between functions of the object alone.
     target_compile_options(${object} PRIVATE -Wall -Wextra -Wno-psabi -fno-exceptions -fno-rtti ${flags_${kind}})
     # Loops over registers are only registers once they are unrolled and in one function: -O2 makes half of the speed.
-    target_compile_options(${object} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O3> $<$<CXX_COMPILER_ID:GNU>:${inline_flags}>)
+    # EAGERX_PACKS_LEVEL is for those who look at bits alone.
+    set(level -O3)
+    if(DEFINED EAGERX_PACKS_LEVEL)
+      set(level ${EAGERX_PACKS_LEVEL})
+    endif()
+    target_compile_options(${object} PRIVATE $<$<NOT:$<CONFIG:Debug>>:${level}> $<$<CXX_COMPILER_ID:GNU>:${inline_flags}>)
     set(hidden ${CMAKE_CURRENT_BINARY_DIR}/${object}.o)
     if(kind STREQUAL plain)
       target_link_libraries(${library} PRIVATE $<TARGET_OBJECTS:${object}>)

@@ -17,6 +17,7 @@ void Evaluation::add(const Evaluation& more) {
   highest_return = std::max(highest_return, more.highest_return);
   successes += more.successes;
   episodes += more.episodes;
+  outcomes.insert(outcomes.end(), more.outcomes.begin(), more.outcomes.end());
 }
 
 struct Evaluator::Episode {
@@ -159,7 +160,7 @@ Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed, const Statis
   for (std::uint32_t rank = 0; rank < ranks_.size(); ++rank) {
     if (rank != ranks_.rank()) take(rank, all[rank]);
   }
-  return sum(policy.network.inputs());
+  return sum(policy.network.inputs(), seed);
 }
 
 std::string Evaluator::bytes_of_own() {
@@ -176,7 +177,7 @@ void Evaluator::take(std::uint32_t rank, const std::string& bytes) {
   if (!reader.complete) throw Problem(kInputOutput, "a rank has sent damaged results");
 }
 
-Evaluation Evaluator::sum(std::size_t inputs) const {
+Evaluation Evaluator::sum(std::size_t inputs, std::uint64_t seed) const {
   Evaluation result;
   result.far.resize(inputs);
   double numbers = 0.0;
@@ -186,6 +187,8 @@ Evaluation Evaluator::sum(std::size_t inputs) const {
     for (std::size_t i = 0; i < result.far.size(); ++i)
       result.far[i] += static_cast<double>(part.far[i]);
     for (const Episode& episode : part.episodes) {
+      const auto environment = static_cast<std::uint32_t>(result.episodes);
+      result.outcomes.push_back({seed, environment, episode.steps, episode.sum, episode.success});
       const bool is_first = result.episodes++ == 0;
       result.successes += episode.success ? 1 : 0;
       result.mean_return += episode.sum;

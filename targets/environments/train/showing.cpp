@@ -32,11 +32,14 @@ std::string reached(const CurvePoint& point) {
 Showing::Showing(const Options& options, const Description& description, std::uint64_t first_step,
                  SharedTable table)
     : description_(description),
+      seed_(options.settings.seed),
       folder_(options.tensorboard),
       progress_(first_step, options.steps, description.has_success, options.is_quiet, options.name),
       own_table_(options.csv),
       table_(table.file != nullptr ? *table.file : own_table_),
-      table_text_(std::move(table.text)) {}
+      table_text_(std::move(table.text)),
+      own_record_(options, description),
+      record_(table.record != nullptr ? *table.record : own_record_) {}
 
 void Showing::open_events(const std::vector<CurvePoint>& curve) {
   if (folder_.empty()) return;
@@ -58,8 +61,10 @@ void Showing::show(const std::vector<CurvePoint>& curve, const Evaluation& seen)
   // A disk that is full now may have room in a second; at the end it is an error.
   // Trainings beside each other have begun at different times.
   const std::chrono::duration<double> now_s = std::chrono::steady_clock::now().time_since_epoch();
-  const std::string problem = table_.grow(now_s.count(), [&] { return table_text_(curve); });
-  if (!problem.empty()) warn(problem, "and tries again");
+  for (const std::string& problem : {table_.grow(now_s.count(), [&] { return table_text_(curve); }),
+                                     record_.grow(seed_, now_s.count(), curve, seen)}) {
+    if (!problem.empty()) warn(problem, "and tries again");
+  }
   if (events_) show_events(curve.back(), seen);
 }
 

@@ -86,7 +86,7 @@ void check_trainable(const Description& description) {
 void check_files(const Options& options) {
   check_writable(options.output);
   check_writable(golden_path(options.output));
-  for (const std::string* path : {&options.csv, &options.curve}) {
+  for (const std::string* path : {&options.csv, &options.curve, &options.record}) {
     if (!path->empty()) check_writable(*path);
   }
   if (options.seeds > 1) {

@@ -93,9 +93,10 @@ int Training::run(const Stop& stop) {
   if (ranks_.is_first()) {
     if (!options_.output.empty()) write_policy(options_.output);
     write_curves();
+    if (!options_.output.empty()) showing_.record().end(ended(ending), last_);
   }
   if (!options_.is_quiet)
-    print((options_.name.empty() ? "" : options_.name + "\n") + report(last_, ending));
+    print((options_.name.empty() ? "" : options_.name + "\n") + summary(ended(ending), last_));
   if (unsaved) throw *unsaved;
   if (ending == Ending::interrupted) return kInterrupted;
   return ending == Ending::success || !judge_.has_aim() ? kDone : kProblems;
@@ -110,6 +111,7 @@ void Training::tell_where(const Problem& problem) {
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
   }
+  if (ranks_.is_first()) showing_.record().fail(options_.settings.seed, progressed_.curve, problem);
   if (problem.code != kProblems && problem.code != kInterrupted) throw problem;
   throw Problem(problem.code,
                 fmt::format("{}\nnote: the training had made {} steps with `--seed {}`{}",
@@ -227,16 +229,15 @@ CurvePoint Training::note(const Algorithm::Result& result) {
           has_stages ? static_cast<double>(progressed_.course.stage) + 1.0 : kNothing};
 }
 
-std::string Training::report(const Evaluation& evaluation, Ending ending) const {
-  return summary({.options = options_,
-                  .description = library_.description(),
-                  .curve = progressed_.curve,
-                  .kernels = kernels_.name,
-                  .steps = steps(),
-                  .seconds = showing_.seconds(),
-                  .ending = ending,
-                  .has_aim = judge_.has_aim()},
-                 evaluation);
+Ended Training::ended(Ending ending) const {
+  return {.options = options_,
+          .description = library_.description(),
+          .curve = progressed_.curve,
+          .kernels = kernels_.name,
+          .steps = steps(),
+          .seconds = showing_.seconds(),
+          .ending = ending,
+          .has_aim = judge_.has_aim()};
 }
 
 void Training::write_policy(const std::string& path) const {

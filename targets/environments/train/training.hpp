@@ -50,7 +50,7 @@ class Training {
   [[noreturn]] void tell_where(const Problem& problem);
   CurvePoint note(const Algorithm::Result& result);
   std::string checkpoint();
-  std::string report(const Evaluation& evaluation, Ending ending) const;
+  Ended ended(Ending ending) const;
   void write_curves();
   std::uint64_t steps() const;
 
