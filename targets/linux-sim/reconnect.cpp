@@ -13,15 +13,15 @@
 namespace eagerx::linux_sim {
 namespace {
 
-constexpr std::uint64_t kNsInSecond = 1'000'000'000;
+constexpr std::uint64_t kWholeSecondNs = 1'000'000'000;
 constexpr std::chrono::milliseconds kBetweenTries(50);
 
 std::uint64_t ns_of(double seconds) {
-  return static_cast<std::uint64_t>(seconds * static_cast<double>(kNsInSecond));
+  return static_cast<std::uint64_t>(seconds * static_cast<double>(kWholeSecondNs));
 }
 double seconds_from(std::uint64_t begin_ns, std::uint64_t end_ns) {
   const std::uint64_t ns = end_ns > begin_ns ? end_ns - begin_ns : 0;
-  return static_cast<double>(ns) / static_cast<double>(kNsInSecond);
+  return static_cast<double>(ns) / static_cast<double>(kWholeSecondNs);
 }
 double seconds_until(std::uint64_t ns) {
   return seconds_from(LinkPort::now_ns(), ns);

@@ -89,7 +89,8 @@ TEST_F(Kept, OneThatIsStoppedIsEndedAndMadeSafe) {
 TEST_F(Kept, OneThatHangsIsEndedAndMadeSafe) {
   start([] {
     say_alive(1, 1);
-    for (volatile int i = 0;; i = i + 1) {
+    const volatile bool hangs = true;
+    while (hangs) {
     }
   });
   EXPECT_TRUE(heard(kLongMs).starts_with("serror: "));
