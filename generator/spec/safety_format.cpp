@@ -6,7 +6,8 @@ namespace eagerx::gen {
 const std::vector<SafetyDefault>& safety_defaults() {
   static const std::vector<SafetyDefault> kDefaults = {
       {"late", "1"},      {"max_lateness", "0"},  {"missed", "2"},          {"recover", "3"},
-      {"limits", "clip"}, {"not_finite", "safe"}, {"link_timeout", "0.01"}, {"hang", "0.5"}, {"nodes", "reset"}};
+      {"limits", "clip"}, {"not_finite", "safe"}, {"link_timeout", "0.01"}, {"hang", "0.5"},
+      {"nodes", "reset"}};
   return kDefaults;
 }
 

@@ -237,9 +237,10 @@ typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
 /// false from `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an
 /// episode; if it has `key(key)`, that is the key of the episode; if it has `late_in_a_row()`, that
 /// is how many steps up to now were too late; if it has `states(key)`, that is what an episode
-/// begins with; if it has `is_over()`, an episode ends when that is true. An episode of a program with
-/// a link to another one ends when the link does, and `watch` does not see that step. The run ends
-/// then, too, unless `watch` has `link_again()` and that is true: then the next episode begins.
+/// begins with; if it has `is_over()`, an episode ends when that is true. An episode of a program
+/// with a link to another one ends when the link does, and `watch` does not see that step. The run
+/// ends then, too, unless `watch` has `link_again()` and that is true: then the next episode
+/// begins.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {

@@ -159,7 +159,8 @@ int run_with(const Options& options, GraphProgram& program) {
   std::optional<RemoteAgent> agent;
   if (options.agent == target::Agent::dds)
     agent.emplace(options, facts, fields, zero.data(), program.action_bytes());
-  return run_told({options, fields, table, settings, faults, reconnection}, program, agent ? &*agent : nullptr);
+  return run_told({options, fields, table, settings, faults, reconnection}, program,
+                  agent ? &*agent : nullptr);
 }
 
 }  // namespace

@@ -57,8 +57,9 @@ inline bool open_line(LinkPort& port, const PartArguments& arguments, bool is_ag
                                std::fputs((text + "\n").c_str(), stderr);
                              });
   if (!is_open)
-    std::fprintf(stderr, is_again ? "error: the hub has not come back to `%s`: %s\n"
-                                  : "error: cannot open `%s`: %s\n",
+    std::fprintf(stderr,
+                 is_again ? "error: the hub has not come back to `%s`: %s\n"
+                          : "error: cannot open `%s`: %s\n",
                  line.c_str(), port.error().c_str());
   return is_open;
 }

@@ -95,8 +95,8 @@ void Reconnection::note_losses(std::uint64_t steps) {
     parts_[part].is_away = !link.ok();
     if (link.ok()) continue;
     say(as_note(why_over(link, program_.facts())) + "\nnote: the episode ended after step " +
-        std::to_string(steps) + " of the run; waits " +
-        host::number_text(options_.reconnect_s) + " s for " + name_of_part(link.part()));
+        std::to_string(steps) + " of the run; waits " + host::number_text(options_.reconnect_s) +
+        " s for " + name_of_part(link.part()));
     note_loss(part);
   }
 }
@@ -136,11 +136,10 @@ bool Reconnection::try_part(std::size_t part, std::uint64_t until_ns) {
   SplitLink& link = *program_.link(part);
   Part& state = parts_[part];
   const GraphFacts& facts = program_.facts();
-  state.problem = state.is_away ? connect_part(link, where_.lines[part], where_.keys[part], facts,
-                                               options_,
-                                               std::min(options_.link_timeout_s,
-                                                        seconds_until(until_ns)))
-                                : greet_part(link, facts, options_.link_timeout_s);
+  state.problem = state.is_away
+                      ? connect_part(link, where_.lines[part], where_.keys[part], facts, options_,
+                                     std::min(options_.link_timeout_s, seconds_until(until_ns)))
+                      : greet_part(link, facts, options_.link_timeout_s);
   if (!state.problem.empty() && !state.is_away) note_loss(part);
   if (!state.problem.empty()) link.port().close();
   if (state.problem.empty()) state.is_away = false;
@@ -162,8 +161,8 @@ void Reconnection::give_up(std::size_t part) {
     return;
   }
   given_up_ = "error: " + name_of_part(program_.facts().parts[part]) +
-              " was lost, and is not there again after " +
-              host::number_text(options_.reconnect_s) + " s\n" + as_note(problem) +
+              " was lost, and is not there again after " + host::number_text(options_.reconnect_s) +
+              " s\n" + as_note(problem) +
               "\nhelp: start it again; `--reconnect` says how long it is waited for";
 }
 

@@ -11,8 +11,8 @@
 #include <eagerx/version.hpp>
 #include <limits>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
 #include <runtime/host/base/json.hpp>
+#include <runtime/host/base/keeper.hpp>
 #include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>

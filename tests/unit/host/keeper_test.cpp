@@ -32,9 +32,8 @@ class Kept : public ::testing::Test {
     if (program != 0) return;
     dup2(ends[1], STDERR_FILENO);
     {
-      const Keeper keeper(
-          [](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; }, &ends[1],
-          most_silent_ns);
+      const Keeper keeper([](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; },
+                          &ends[1], most_silent_ns);
       life();
     }
     static_cast<void>(!write(ends[1], "e", 1));
@@ -45,7 +44,8 @@ class Kept : public ::testing::Test {
     std::string text;
     std::array<char, 1024> bytes{};
     for (pollfd item{ends[0], POLLIN, 0}; poll(&item, 1, text.empty() ? ms : 500) > 0;)
-      text.append(bytes.data(), static_cast<std::size_t>(read(ends[0], bytes.data(), bytes.size())));
+      text.append(bytes.data(),
+                  static_cast<std::size_t>(read(ends[0], bytes.data(), bytes.size())));
     return text;
   }
   /// The signal that ended the program, 0 if none.
