@@ -110,10 +110,11 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
   // Those that the program ends well after, and tells us.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGPIPE})
     static_cast<void>(std::signal(signal, SIG_IGN));
-  // If it may: a program with real-time priority that hangs leaves others no time.
+  // If it may: a program with real-time priority that hangs leaves others no time. Not by the
+  // function of the library, which an emulator may have replaced.
   sched_param first{};
   first.sched_priority = sched_get_priority_max(SCHED_FIFO);
-  static_cast<void>(sched_setscheduler(0, SCHED_FIFO, &first));
+  syscall(SYS_sched_setscheduler, 0, SCHED_FIFO, &first);
   const Seen seen = watch(line, most_silent_ns);
   if (seen != Seen::dismissed) {
     // A program that is stopped has its hardware for itself as long as it lives.
