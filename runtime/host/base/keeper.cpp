@@ -10,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cinttypes>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -86,20 +87,19 @@ void wait_for_its_end(pid_t program) {
 void tell(bool is_safe, std::int64_t most_silent_ns) {
   constexpr std::size_t kLongest = 640;
   std::array<char, kLongest> text{};
-  const auto episode = static_cast<unsigned long long>(signs->episode);
-  const auto steps = static_cast<unsigned long long>(signs->steps);
   const int size = std::snprintf(
       text.data(), text.size(),
       "error: the program gave no sign of life for %g s, as it was stopped or hangs, and was "
       "killed: %s\n"
-      "note: that was after step %llu, in episode %llu, counted from 1; files are right up to a "
+      "note: that was after step %" PRIu64 ", in episode %" PRIu64
+      ", counted from 1; files are right up to a "
       "second before\n"
       "help: `hang:` of the graph's `safety:` says how long that may be. Ctrl-Z stops a program "
       "safely, which SIGSTOP and debuggers do not\n",
       static_cast<double>(most_silent_ns) / static_cast<double>(kNsPerSecond),
       is_safe ? "its hardware has the safe values now"
               : "its hardware could NOT be made safe, as it does not answer",
-      steps, episode);
+      signs->steps.load(), signs->episode.load());
   // Whoever does not read it keeps nobody.
   if (size > 0 && write(STDERR_FILENO, text.data(), static_cast<std::size_t>(size)) < 0) return;
 }
