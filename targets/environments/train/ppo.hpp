@@ -23,6 +23,7 @@ class Ppo : public Algorithm {
   std::size_t environments() const override { return settings_.environments; }
   std::size_t steps() const override { return settings_.environments * settings_.horizon; }
   std::string stepping() const override { return rollout(own_.first).stepping(); }
+  void set_stage(const std::string& name) override;
   void begin_era(std::uint32_t era) override;
   void remember_actions() override;
   void go_on(std::uint32_t era) override;

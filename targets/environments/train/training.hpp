@@ -41,10 +41,16 @@ class Training {
   void start_iteration();
   bool is_evaluation_due() const;
   bool evaluate(CurvePoint& point);
+  void evaluate_all(CurvePoint& point);
+  void set_stage();
+  std::uint32_t in_era() const { return progressed_.course.in_era(algorithm_->iteration, era_); }
+  std::uint32_t era_number() const {
+    return progressed_.course.number(algorithm_->iteration, era_);
+  }
   [[noreturn]] void tell_where(const Problem& problem);
   CurvePoint note(const Algorithm::Result& result);
   std::string checkpoint();
-  std::string report(const Evaluation& evaluation, Ending ending) const;
+  Ended ended(Ending ending) const;
   void write_curves();
   std::uint64_t steps() const;
 

@@ -13,8 +13,8 @@ namespace {
 /// The description, if its actions are real numbers.
 const Library& real_numbers(const Library& library) {
   if (!library.description().chooses()) return library;
-  throw Problem(kProblems, "SAC learns real numbers, and the graph's action is a choice",
-                "train it with `--algorithm ppo`, or give the action a float space");
+  throw Problem(kProblems, "SAC learns real numbers, and the graph's actions are whole ones",
+                "train it with `--algorithm ppo`, or give them float spaces");
 }
 
 }  // namespace
@@ -37,6 +37,10 @@ Sac::Sac(const train::Settings& settings, const Library& library, const Kernels&
 
 std::uint64_t Sac::first_seed(std::uint32_t era) const {
   return settings_.seed + (std::uint64_t{era} << 32U);
+}
+
+void Sac::set_stage(const std::string& name) {
+  walk_.set_stage(name);
 }
 
 void Sac::begin_era(std::uint32_t era) {
@@ -65,10 +69,39 @@ Algorithm::Result Sac::iterate() {
                static_cast<std::uint32_t>(iteration * settings_.sac.horizon + t));
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
   }
-  if (settings_.normalise) model_.observations.add(walk_.observation_sums);
-  model_.returns.add(walk_.return_sums);
+  see();
   ++iteration;
   return {walk_.episodes, 0.0, model_.actor_adam.steps - updates};
+}
+
+/// What the networks have learnt is of the scales of before: they change with them. Rewards have
+/// another scale, and so have the critics' answers and the weight of the entropy.
+void Sac::see() {
+  const double scale = model_.returns.scale(0);
+  model_.returns.add(walk_.return_sums);
+  const Statistics before = model_.observations;
+  if (settings_.normalise) model_.observations.add(walk_.observation_sums);
+  if (model_.actor_adam.steps == 0) return;
+  const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
+  const Network::Layer& last = model_.critic.layers().back();
+  for (Critic& critic : model_.critics) {
+    for (auto* parameters : {&critic.parameters, &critic.target}) {
+      for (std::size_t i = last.weights; i < last.bias + last.sizes.outputs; ++i)
+        (*parameters)[i] *= ratio;
+      keep_answers(model_.critic, *parameters, before, model_.observations);
+    }
+  }
+  for (auto* parameters : {&model_.actor_parameters, &model_.averaged})
+    keep_answers(model_.actor, *parameters, before, model_.observations);
+  model_.log_temperature.front() += log(ratio);
+}
+
+/// At first the mean of all so far: the first actor knows nothing and is forgotten soon.
+void Sac::average() {
+  const float share =
+      max(settings_.sac.averaging, 2.0F / (static_cast<float>(model_.actor_adam.steps) + 1.0F));
+  kernels_.approach(min(share, 1.0F), model_.actor_parameters.data(), model_.averaged.data(),
+                    model_.averaged.size());
 }
 
 void Sac::update(const Normaliser& normaliser) {
@@ -85,16 +118,17 @@ void Sac::update(const Normaliser& normaliser) {
     learners_[part]->learn(frozen, random);
   });
   Gradient& sum = learners_.front()->gradient;
-  for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
+  for (std::size_t part = 1; part < kParts; ++part) sum.add(kernels_, learners_[part]->gradient);
   const auto count = static_cast<double>(settings_.sac.batch);
   const auto scale = static_cast<float>(1.0 / count);
   const float step_size = settings_.learning_rate;
   model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, step_size, scale);
+  average();
   for (std::size_t c = 0; c < 2; ++c) {
     Critic& critic = model_.critics[c];
     critic.adam.step(kernels_, critic.parameters, sum.critics[c], step_size, scale);
-    for (std::size_t i = 0; i < critic.target.size(); ++i)
-      critic.target[i] += settings_.sac.target_share * (critic.parameters[i] - critic.target[i]);
+    kernels_.approach(settings_.sac.target_share, critic.parameters.data(), critic.target.data(),
+                      critic.target.size());
   }
   const auto numbers = static_cast<double>(deployed_.outputs());
   const double surplus = -sum.log_probability / count - numbers * settings_.sac.entropy;
@@ -116,7 +150,7 @@ void Sac::restore(const std::string& bytes, const std::string& name, const std::
                   Progressed& progressed, std::uint32_t era) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
   iteration = progressed.iteration;
-  since_era_ = iteration % era;
+  since_era_ = progressed.course.in_era(iteration, era);
 }
 
 void Sac::begin_from(const std::string& bytes, const std::string& name,

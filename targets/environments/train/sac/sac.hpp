@@ -24,6 +24,7 @@ class Sac : public Algorithm {
   std::size_t environments() const override { return settings_.sac.environments; }
   std::size_t steps() const override { return environments() * settings_.sac.horizon; }
   std::string stepping() const override { return walk_.stepping(); }
+  void set_stage(const std::string& name) override;
   void begin_era(std::uint32_t era) override;
   void remember_actions() override {}  // the memory has them
   void go_on(std::uint32_t era) override;
@@ -44,6 +45,8 @@ class Sac : public Algorithm {
  private:
   std::uint64_t first_seed(std::uint32_t era) const;
   void update(const Normaliser& normaliser);
+  void average();
+  void see();
 
   const train::Settings settings_;
   const Description& description_;
