@@ -156,10 +156,13 @@ class Finder {
                                   : "`delay: " + input.delay_s.to_string() + "`";
     const Rational& sent_hz = graph_.nodes[input.source_node].rate_hz;
     if (part_of_[n] != Placement::kHub) {
+      const PlacedPart& part = graph_.placement->parts[part_of_[n]];
+      if (!part.target->language.empty())
+        return {Rational(), fmt::format("part `{}`, in another language, takes it where it is sent",
+                                        part.name)};
       const std::uint64_t lag = split_.links[part_of_[n]].lags[input.source_node];
       return {Rational(static_cast<std::int64_t>(lag)) / sent_hz,
-              fmt::format("part `{}` reads it with {}", graph_.placement->parts[part_of_[n]].name,
-                          delay)};
+              fmt::format("part `{}` reads it with {}", part.name, delay)};
     }
     Rational seconds = least_delay(input);
     if (input.skip) seconds = seconds + shortest_gap(sent_hz, graph_.nodes[n].rate_hz);
