@@ -53,7 +53,6 @@ class Training {
   const Kernels& kernels_;
   Ranks& ranks_;
   const Settings settings_;  // with what its files say
-  const std::uint32_t era_;  // iterations between two starts of all environments
   const std::string conditions_, interface_;
   Team team_;
   const std::unique_ptr<Algorithm> algorithm_;

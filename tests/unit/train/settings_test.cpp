@@ -83,9 +83,12 @@ TEST(TrainSettings, WhatDoesNotGoTogetherIsRefused) {
     return {};
   };
   EXPECT_EQ(checked("clip", "0.3"), "");
-  EXPECT_EQ(checked("environments", "200"), "environments: 200 is no multiple of 128");
+  EXPECT_EQ(checked("environments", "200"),
+            "environments: 200 is neither 8, 16, 32, 64 nor a multiple of 128");
+  EXPECT_EQ(checked("environments", "24"),
+            "environments: 24 is neither 8, 16, 32, 64 nor a multiple of 128");
   EXPECT_EQ(checked("minibatches", "65"),
-            "minibatches: 65 are more than 64, environments / 128 * horizon");
+            "minibatches: 65 are more than 64, environments * horizon / 128");
   EXPECT_EQ(checked("memory", "gru"), "");
   EXPECT_EQ(checked("memory_steps", "5"), "") << "without a memory";
   EXPECT_EQ(checked("least_deviation", "5"), "least_deviation is more than most_deviation");
@@ -110,7 +113,7 @@ TEST(TrainSettings, SequencesOfAMemoryFitIntoTheHorizon) {
   EXPECT_EQ(checked("16", 4), "");
   EXPECT_EQ(checked("32", 2), "");
   EXPECT_EQ(checked("16", 8),
-            "minibatches: 8 are more than 4, environments / 128 * horizon / memory_steps");
+            "minibatches: 8 are more than 4, environments * horizon / 128 / memory_steps");
   EXPECT_EQ(checked("5", 1), "horizon: 32 is no multiple of memory_steps, 5");
 }
 
