@@ -77,7 +77,7 @@ inline constexpr Setting kTrainSettings[] = {
      .algorithm = "ppo"},
     {.name = "environments",
      .kind = SettingKind::whole,
-     .otherwise = "256",
+     .otherwise = "64",
      .about = "how many run beside each other: 8, 16, 32, 64 or a multiple of 128",
      .low = 8,
      .high = 65536,
@@ -97,7 +97,7 @@ inline constexpr Setting kTrainSettings[] = {
      .algorithm = "ppo"},
     {.name = "most_horizon",
      .kind = SettingKind::whole,
-     .otherwise = "32",
+     .otherwise = "128",
      .about = "later: a fortieth of all steps so far, as a multiple of `horizon`, and at most so "
               "many",
      .low = 1,
@@ -106,8 +106,8 @@ inline constexpr Setting kTrainSettings[] = {
     {.name = "minibatches",
      .kind = SettingKind::whole,
      .otherwise = "8",
-     .about = "parts of these steps, each with an update of its own; at most environments * "
-              "horizon / 128, with a memory / memory_steps",
+     .about = "parts of these steps, each with an update of its own; fewer where one would have "
+              "less than 128 steps, with a memory 128 * memory_steps",
      .low = 1,
      .high = 4096,
      .algorithm = "ppo"},
@@ -175,7 +175,7 @@ inline constexpr Setting kTrainSettings[] = {
      .algorithm = "ppo"},
     {.name = "stop_divergence",
      .kind = SettingKind::number,
-     .otherwise = "0",
+     .otherwise = "2",
      .about = "an iteration ends once it has moved the policy so many times `divergence`; 0: never",
      .low = 0,
      .high = 100,

@@ -32,8 +32,7 @@ struct Pace {
   std::uint32_t horizon() const {
     constexpr std::uint64_t kShare = 40;
     const std::uint64_t steps = time / kShare / least * least;
-    return static_cast<std::uint32_t>(
-        std::clamp(steps, std::uint64_t{least}, std::uint64_t{most}));
+    return static_cast<std::uint32_t>(std::clamp(steps, std::uint64_t{least}, std::uint64_t{most}));
   }
   void next() {
     const std::uint32_t steps = horizon();

@@ -44,7 +44,7 @@ class Ppo::Learner {
     const std::size_t steps = model.actor.memory() == nullptr ? 1 : block_;
     const std::size_t sequences = rollout.packs() / steps;
     std::size_t tiles = 0;
-    for (std::size_t s = first; s < sequences; s += ppo.settings_.minibatches) {
+    for (std::size_t s = first; s < sequences; s += ppo.minibatches()) {
       for (std::size_t t = 0; t < steps; ++t) {
         if (model.actor.memory() != nullptr) recall(model, rollout, s, t);
         evaluate(ppo, rollout, s * steps + t, tiles);
@@ -288,16 +288,16 @@ void Ppo::see() {
 }
 
 bool Ppo::is_frozen() const {
-  return settings_.freeze_after > 0.0 &&
-         static_cast<double>(steps()) >= settings_.freeze_after;
+  return settings_.freeze_after > 0.0 && static_cast<double>(steps()) >= settings_.freeze_after;
 }
 
 float Ppo::decay() const {
   if (settings_.decay_steps <= 0.0) return 1.0F;
-  return static_cast<float>(
-      1.0 / (1.0 + static_cast<double>(steps()) / settings_.decay_steps));
+  return static_cast<float>(1.0 / (1.0 + static_cast<double>(steps()) / settings_.decay_steps));
 }
 
+/// Once an iteration: the first minibatches do not diverge whatever the step is, and a step that
+/// followed each of them would swing between its bounds.
 void Ppo::adapt_step_size() {
   if (settings_.schedule == Schedule::constant) {
     model_.step_size = settings_.learning_rate * decay();
@@ -334,7 +334,6 @@ bool Ppo::update(std::size_t minibatch) {
   for (const auto& learner : learners_) own.push_back(&learner->gradient);
   const Gradient& sum = gradient_sum_.of(own);
   divergence_ = sum.divergence / sum.count;
-  adapt_step_size();
   if (settings_.stop_divergence > 0.0F &&
       divergence_ > double{settings_.stop_divergence} * settings_.divergence * decay())
     return false;
@@ -350,14 +349,20 @@ bool Ppo::update(std::size_t minibatch) {
   return true;
 }
 
+/// Of this iteration: each has a pack of each part, or sixteen sequences.
+std::size_t Ppo::minibatches() const {
+  const std::size_t steps = model_.actor.memory() == nullptr ? 1 : settings_.memory_steps;
+  const std::size_t samples = settings_.environments * pace.horizon();
+  return std::min(settings_.minibatches, samples / (kParts * kLanes * steps));
+}
+
 std::size_t Ppo::learn() {
   constexpr std::size_t kShift = 7;  // the minibatches of an epoch do not begin with the same one
-  const std::size_t most = settings_.epochs * settings_.minibatches;
+  const std::size_t count = minibatches(), most = settings_.epochs * count;
   std::size_t updates = 0;
   for (; updates < most; ++updates) {
-    const std::size_t epoch = updates / settings_.minibatches;
-    const std::size_t m = updates % settings_.minibatches;
-    if (!update((epoch * kShift + m) % settings_.minibatches)) break;
+    const std::size_t epoch = updates / count, m = updates % count;
+    if (!update((epoch * kShift + m) % count)) break;
   }
   return updates;
 }
@@ -367,6 +372,7 @@ Algorithm::Result Ppo::iterate() {
   const std::optional<Model> before = ranks_.size() > 1 ? std::optional(model_) : std::nullopt;
   try {
     result.updates = learn();
+    adapt_step_size();
   } catch (const Problem&) {  // another rank is gone: there is a checkpoint to be written
     if (before) model_ = *before;
     throw;

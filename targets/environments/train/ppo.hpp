@@ -48,6 +48,7 @@ class Ppo : public Algorithm {
   /// all have.
   void in_parts(const std::function<void(std::size_t part)>& work);
   std::vector<Episode> collect();
+  std::size_t minibatches() const;
   /// Returns how often it has learnt from the rollouts.
   std::size_t learn();
   /// False if the policy has moved far enough.

@@ -31,9 +31,9 @@ struct Frozen {
 };
 
 /// One of kParts parts of the environments: some tiles of sixteen, or one of fewer. What is learnt
-/// from is in sequences, of memory_steps or without a memory of one step, sixteen beside each other,
-/// in order of time: those of a tile, or of a smaller one several in a row of time. So [packs] is
-/// [sequences / 16][steps of a sequence].
+/// from is in sequences, of memory_steps or without a memory of one step, sixteen beside each
+/// other, in order of time: those of a tile, or of a smaller one several in a row of time. So
+/// [packs] is [sequences / 16][steps of a sequence].
 class Rollout final : public Seen {
  public:
   Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
@@ -55,8 +55,8 @@ class Rollout final : public Seen {
   /// What is learnt from, after collect().
   std::size_t packs() const { return horizon_ * count_ / kLanes; }
 
-  Packs inputs;   // [packs][inputs of the critic] normalised observations
-  Packs actions;  // [packs][numbers] as drawn, in -1…1 or beyond; or the choice
+  Packs inputs;             // [packs][inputs of the critic] normalised observations
+  Packs actions;            // [packs][numbers] as drawn, in -1…1 or beyond; or the choice
   Packs log_probability;    // [packs] of the actions
   Packs advantage, target;  // [packs] target of the critic
   Packs goes_on;            // [packs] 1 where the episode went on behind the step, 0 where it ended
@@ -101,14 +101,14 @@ class Rollout final : public Seen {
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
   HardEnvironments hard_;
-  Rows rows_;                        // [count] of the last step
-  Sight sight_;                      // with what only the critic sees, [count][width]
-  std::vector<float> action_;        // [count][numbers]
-  std::vector<double> return_;       // [count] of the episode so far
-  std::vector<float> discounted_;    // [count] of the episode so far
-  std::vector<float> value_;         // [horizon + 1][count]
-  std::vector<float> rewards_;       // [horizon][count] scaled
-  Packs actor_row_, critic_row_;     // scratch
+  Rows rows_;                      // [count] of the last step
+  Sight sight_;                    // with what only the critic sees, [count][width]
+  std::vector<float> action_;      // [count][numbers]
+  std::vector<double> return_;     // [count] of the episode so far
+  std::vector<float> discounted_;  // [count] of the episode so far
+  std::vector<float> value_;       // [horizon + 1][count]
+  std::vector<float> rewards_;     // [horizon][count] scaled
+  Packs actor_row_, critic_row_;   // scratch
   States actor_states_, critic_states_;
 };
 

@@ -183,10 +183,6 @@ void check(const Settings& settings) {
     refuse(fmt::format("horizon: {} of {} environments are {} steps, no multiple of {}{}",
                        settings.horizon, settings.environments, samples, kRow,
                        remembers ? " * memory_steps" : ""));
-  const std::size_t most = samples / kRow / steps;
-  if (settings.minibatches > most)
-    refuse(fmt::format("minibatches: {} are more than {}, environments * horizon / {}{}",
-                       settings.minibatches, most, kRow, remembers ? " / memory_steps" : ""));
   if (settings.least_deviation > settings.most_deviation)
     refuse("least_deviation is more than most_deviation");
   if (settings.least_learning_rate > settings.most_learning_rate)

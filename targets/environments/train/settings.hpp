@@ -42,7 +42,7 @@ struct Settings {
 
   std::size_t environments{};  // a multiple of kParts * kLanes, or a part of that
   bool stagger{};
-  std::size_t horizon{};  // steps of each between two updates, at first
+  std::size_t horizon{};       // steps of each between two updates, at first
   std::size_t most_horizon{};  // later
   std::size_t minibatches{};
   std::size_t epochs{};

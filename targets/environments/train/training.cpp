@@ -131,7 +131,8 @@ Ending Training::iterate(const Stop& stop) {
       showing_.show(progressed_.curve, judge_.seen());
       break;
     }
-    if (algorithm_->pace.iteration > first_iteration_) showing_.show(progressed_.curve, judge_.seen());
+    if (algorithm_->pace.iteration > first_iteration_)
+      showing_.show(progressed_.curve, judge_.seen());
     if (steps() >= options_.steps) return Ending::steps;
     if (ranks_.is_any(static_cast<bool>(stop))) return Ending::interrupted;
     start_iteration();

@@ -34,6 +34,7 @@ class TrainMemory : public testing::Test {
   /// Quick, and does not succeed so soon.
   Options small(std::uint64_t iterations, const char* memory = "gru") const {
     Options result;
+    result.settings = even_settings();
     result.library = EAGERX_TEST_HIDDEN;
     result.output = path("policy.safetensors");
     result.threads = 2;

@@ -133,7 +133,7 @@ float temperature_for(float entropy, const Library& library) {
   settings.sac.entropy = entropy;
   Team team(1);
   sac::Sac sac(settings, library, *kernels_here().back(), team, 0);
-  sac.begin_era(0);
+  sac.begin_era();
   sac.iterate();
   return exp(sac.model().log_temperature.front());
 }

@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kIteration = 256 * 32;  // steps
-
 /// The same pendulum with three voltages to choose from.
 const Library& choices() {
   static const Library library(EAGERX_TEST_CHOICES);
@@ -48,6 +46,7 @@ class TrainTraining : public testing::Test {
 
   Options options(std::uint64_t iterations) const {
     Options result;
+    result.settings = even_settings();
     result.library = EAGERX_TEST_PENDULUM;
     result.output = path("policy.safetensors");
     result.steps = iterations * kIteration;
@@ -91,6 +90,7 @@ TEST_F(TrainTraining, FewEnvironmentsLearnTheSameBits) {
   for (const std::size_t environments : {8, 16, 64}) {
     Options one = options(2);
     one.settings.environments = environments;
+    one.settings.minibatches = 100;  // there are fewer
     one.kernels = "plain";
     one.threads = 1;
     const std::string policy = trained(one);

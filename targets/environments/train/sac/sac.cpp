@@ -58,8 +58,7 @@ Algorithm::Result Sac::iterate() {
   const std::uint64_t updates = model_.actor_adam.steps;
   for (std::size_t t = 0; t < settings_.sac.horizon; ++t) {
     const bool is_random = !model_.was_taught && model_.memory.added < settings_.sac.random_steps;
-    walk_.step(model_, normaliser, kernels_, is_random,
-               static_cast<std::uint32_t>(pace.time + t));
+    walk_.step(model_, normaliser, kernels_, is_random, static_cast<std::uint32_t>(pace.time + t));
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
   }
   if (settings_.normalise) model_.observations.add(walk_.observation_sums);
