@@ -29,9 +29,11 @@ struct Bounds {
 Bounds bounds_of(const Network& network, const std::string& kind) {
   if (kind == "binary") return {{0.0}, {1.0}};
   if (kind != "argmax") return {network.contract.action_low, network.contract.action_high};
-  const double first = static_cast<double>(network.contract.first_choice.value_or(0));
-  Bounds bounds{{first}, {}};
-  for (const std::uint32_t count : network.groups()) bounds.high.push_back(first + count - 1.0);
+  Bounds bounds;
+  for (const std::uint32_t count : network.groups()) {
+    bounds.low.push_back(static_cast<double>(network.contract.first_choice(bounds.low.size())));
+    bounds.high.push_back(bounds.low.back() + count - 1.0);
+  }
   return bounds;
 }
 

@@ -83,10 +83,13 @@ class ActionCheck {
     for (std::size_t i = 0; i < ours.size(); ++i) {
       const double count = ours[i].high - ours[i].low + 1.0;
       sum += count;
-      if (theirs.empty() || (ours[i].low == 0.0 && count == theirs[i])) continue;
-      error("E0705", fmt::format("the policy `{}` chooses its number {} from 0 to {}, but the "
-                                 "graph's goes from {:g} to {:g}",
-                                 use_.file, i, theirs[i] - 1, ours[i].low, ours[i].high))
+      const std::int64_t first = network_.contract.first_choice(i);
+      const bool same_start = ours[i].low == static_cast<double>(first);
+      if (theirs.empty() || (same_start && count == theirs[i])) continue;
+      error("E0705",
+            fmt::format("the policy `{}` chooses its number {} from {} to {}, but the "
+                        "graph's goes from {:g} to {:g}",
+                        use_.file, i, first, first + theirs[i] - 1, ours[i].low, ours[i].high))
           .notes.push_back(
               {fmt::format("`{}{}`", use_.out, ours[i].action->name), ours[i].action->span, ""});
       return;
@@ -107,16 +110,20 @@ class ActionCheck {
     problem.notes.push_back(
         {fmt::format("`{}{}` is {}", use_.out, action.name, action.raw.describe()), action.span,
          ""});
-    std::vector<std::uint32_t> highs;
-    highs.reserve(theirs.size());
-    for (const std::uint32_t count : theirs) highs.push_back(count - 1);
+    std::vector<std::int64_t> lows, highs;
+    for (const std::uint32_t count : theirs) {
+      lows.push_back(network_.contract.first_choice(lows.size()));
+      highs.push_back(lows.back() + count - 1);
+    }
+    const bool is_from_zero = std::ranges::count(lows, 0) == std::ssize(lows);
     problem.help =
         theirs.empty()
             ? "give them `dtype: int64`, and as many values together as the policy has outputs"
             : fmt::format(
-                  "give it `space: {{dtype: int64, shape: [{}], low: 0, high: [{}]}}` and "
+                  "give it `space: {{dtype: int64, shape: [{}], low: {}, high: [{}]}}` and "
                   "turn its numbers into commands with a node",
-                  theirs.size(), fmt::join(highs, ", "));
+                  theirs.size(), is_from_zero ? "0" : fmt::format("[{}]", fmt::join(lows, ", ")),
+                  fmt::join(highs, ", "));
   }
 
   /// Whole numbers from 0 to 1, as many as outputs: E0702 says so if not.
@@ -164,16 +171,15 @@ class ActionCheck {
     }
     const double low = action.raw.low.front();
     const double count = action.raw.high.front() - low + 1.0;
-    const bool same_start = !network_.contract.first_choice ||
-                            low == static_cast<double>(*network_.contract.first_choice);
+    const bool same_start = network_.contract.first_choices.empty() ||
+                            low == static_cast<double>(network_.contract.first_choice());
     if (count == static_cast<double>(network_.outputs()) && same_start) return;
-    error(
-        "E0705",
-        fmt::format("the policy `{}` chooses from {} to {}, but the graph's action goes from {:g} "
-                    "to {:g}",
-                    use_.file, network_.contract.first_choice.value_or(0),
-                    network_.contract.first_choice.value_or(0) + network_.outputs() - 1, low,
-                    low + count - 1.0))
+    error("E0705",
+          fmt::format(
+              "the policy `{}` chooses from {} to {}, but the graph's action goes from {:g} "
+              "to {:g}",
+              use_.file, network_.contract.first_choice(),
+              network_.contract.first_choice() + network_.outputs() - 1, low, low + count - 1.0))
         .notes.push_back({"the action", action.span, ""});
   }
 

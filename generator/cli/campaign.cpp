@@ -1,40 +1,14 @@
 // eagerx-gen campaign: many runs are the work of eagerx-campaign (targets/environments/campaign).
 #include "targets/environments/options/campaign.hpp"
 
-#include <string_view>
-
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
+#include "generator/cli/one_run.hpp"
 #include "generator/cli/ranks.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-/// As a shell reads it back.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+:,=@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
-/// What runs one episode of the same graph in its program for Linux.
-std::string command_of_one_run(const GenerateOptions& options) {
-  std::string text = "eagerx-gen run " + quoted(options.graph);
-  const auto add = [&](const char* name, const std::string& value) {
-    if (!value.empty()) text += std::string(" ") + name + " " + quoted(value);
-  };
-  add("--policy", options.agent_policy);
-  add("--variant", options.variant);
-  add("--engine", options.engine);
-  add("--rate", options.rate_hz ? options.rate_hz->to_string() : "");
-  add("--engine-rate", options.engine_rate_hz ? options.engine_rate_hz->to_string() : "");
-  for (const std::string& path : options.paths) add("--path", path);
-  return text;
-}
 
 struct CampaignOptions : EnvironmentsOptions {};
 
@@ -43,7 +17,7 @@ int perform(const CampaignOptions& options) {
   campaign.purpose = Purpose::campaign;
   return become_in_ranks("eagerx-campaign", campaign, [&](std::vector<std::string>& words) {
     words = options.of_program;
-    words.insert(words.end(), {"--replay", command_of_one_run(options)});
+    words.insert(words.end(), {"--replay", command_on_graph(options)});
     return int{kDone};
   });
 }

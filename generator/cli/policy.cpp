@@ -86,13 +86,14 @@ void print_contract(const Network& network) {
       break;
     case ActionKind::argmax:
       if (contract.groups.size() > 1) {
+        std::vector<std::int64_t> firsts = contract.first_choices;
+        if (firsts.empty()) firsts = {0};
         say("  action         {} choices: of {} outputs the index of the largest, from {} on\n",
-            contract.groups.size(), fmt::join(contract.groups, ", "),
-            contract.first_choice.value_or(0));
+            contract.groups.size(), fmt::join(contract.groups, ", "), fmt::join(firsts, ", "));
         break;
       }
       say("  action         the index of the largest of {} outputs, from {} on\n",
-          network.outputs(), contract.first_choice.value_or(0));
+          network.outputs(), contract.first_choice());
       break;
     case ActionKind::binary:
       say("  action         {}, 1 where an output is above 0, else 0\n", network.outputs());

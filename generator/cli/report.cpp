@@ -11,6 +11,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/report_training.hpp"
 #include "generator/cli/targets.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/monitor/live.hpp"
@@ -28,7 +29,9 @@ struct ReportOptions : GenerateOptions {
   std::string build;                    // the images' folder; empty: that of each
   std::optional<std::uint64_t> points;  // of a plot; without: as many as fit
   bool simulate = false;
-  std::string live;  // a source; empty: a page is written
+  std::string live;      // a source; empty: a page is written
+  std::string training;  // what a training left; empty: there is none
+  bool no_episodes = false;
 };
 
 std::vector<PageImage> read_images(Run& run, const ReportOptions& options) {
@@ -69,20 +72,52 @@ int show_live(Run& run, const ReportOptions& options, const std::string& page) {
                     {&*run.plan, options.graph, facts->hash});
 }
 
-int perform(const ReportOptions& options) {
+/// Reads what a training left, and the graph with its policy, which `options` then name. False with
+/// a problem.
+bool make_with_training(Run& run, ReportOptions& options,
+                        std::optional<ReportedTraining>& training) {
+  if (options.training.empty()) return make(run, options);
+  training = ReportedTraining::read(options.training, run.sources, run.diagnostics);
+  if (!training) return false;
+  training->choose_policy(options);
+  return make(run, options) && training->check(*run.graph, run.diagnostics);
+}
+
+/// Traces that were given, and those of episodes of a training. Nothing if there is a problem,
+/// which has been told.
+std::optional<Json> traces_of(Run& run, const ReportOptions& options,
+                              std::optional<ReportedTraining>& training, int& code) {
+  const std::size_t points = options.points.value_or(0);
+  Json logs = read_logs(options.logs, *run.plan, points, run.diagnostics);
+  if (!training || run.diagnostics.has_errors()) return logs;
+  if (options.no_episodes) {
+    training->leave_episodes_out("`--no-episodes` leaves them out");
+    return logs;
+  }
+  const auto episodes = training->run_episodes(run, options, points, code);
+  if (!episodes) return std::nullopt;
+  for (const Json& log : *episodes->as<Json::List>()) logs.push_back(log);
+  return logs;
+}
+
+int perform(const ReportOptions& given) {
+  ReportOptions options = given;
   Run run;
-  if (!make(run, options)) return finish(run, options);
+  std::optional<ReportedTraining> training;
+  if (!make_with_training(run, options, training)) return finish(run, options);
   std::vector<PageImage> images = read_images(run, options);
-  Json logs = read_logs(options.logs, *run.plan, options.points.value_or(0), run.diagnostics);
+  int code = kDone;
+  std::optional<Json> logs = traces_of(run, options, training, code);
+  if (!logs) return code;
   if (run.diagnostics.has_errors()) return finish(run, options);
   PageContents contents;
+  if (training) contents.training = training->page(*run.graph, options);
   const std::vector<const Target*> no_targets;
   check_plausibility({*run.spec, *run.graph, *run.plan, no_targets}, run.diagnostics);
   const PlanInfo info = info_of(*run.plan, run.spec->budget, run.diagnostics);
   allow_warnings(run.spec->allow, false, run.diagnostics);
   if (run.diagnostics.has_errors()) return finish(run, options);
   if (options.simulate) {
-    int code = kDone;
     contents.module = build_module(options, code);
     if (!contents.module) return code;
   }
@@ -93,7 +128,7 @@ int perform(const ReportOptions& options) {
   contents.sources = &run.sources;
   contents.diagnostics = &run.diagnostics;
   contents.images = std::move(images);
-  contents.logs = std::move(logs);
+  contents.logs = std::move(*logs);
   contents.is_live = !options.live.empty();
   const std::uint64_t warnings = warnings_in(run.diagnostics);
   Diagnostics problems;  // those that were found are on the page
@@ -105,6 +140,8 @@ int perform(const ReportOptions& options) {
   if (text && write_file(path, *text, run.diagnostics) && !options.quiet)
     say("{}: {} kB{}\n", path, (text->size() + 999) / 1000,
         warnings == 0 ? "" : ", " + counted(warnings, "warning"));
+  if (text && training && !training->why_not().empty() && !options.quiet)
+    complain("note: the page has no episodes: {}\n", training->why_not());
   return finish(run, options);
 }
 
@@ -113,15 +150,18 @@ Command table(ReportOptions& options) {
   return {
       .name = "report",
       .about = "show everything about a graph on one page for a browser",
-      .examples = {{"drawing, timetable, memory and ages, in pendulum.html",
-                    "eagerx-gen report pendulum.yaml"},
-                   {"with a run as plots, and the flash and RAM of an image",
-                    "eagerx-gen report pendulum.yaml --trace run.log --image build/pendulum.elf -o "
-                    "run.html"},
-                   {"with the simulation, which runs in the browser; needs Emscripten",
-                    "eagerx-gen report pendulum.yaml --simulate"},
-                   {"of a program that was started with --publish foxglove:8765, while it runs",
-                    "eagerx-gen report pendulum.yaml --live foxglove:8765"}},
+      .examples =
+          {{"drawing, timetable, memory and ages, in pendulum.html",
+            "eagerx-gen report pendulum.yaml"},
+           {"with a run as plots, and the flash and RAM of an image",
+            "eagerx-gen report pendulum.yaml --trace run.log --image build/pendulum.elf -o "
+            "run.html"},
+           {"with the simulation, which runs in the browser; needs Emscripten",
+            "eagerx-gen report pendulum.yaml --simulate"},
+           {"of a training: curves, settings, what holds it, its best and its worst episode",
+            "eagerx-gen report pendulum.yaml --training training.json"},
+           {"of a program that was started with --publish foxglove:8765, while it runs",
+            "eagerx-gen report pendulum.yaml --live foxglove:8765"}},
       .arguments = joined(
           {{graph(options),
             writes(text("-o,--output", options.output, "the page (default: <graph name>.html)",
@@ -141,6 +181,13 @@ Command table(ReportOptions& options) {
                        "running program sends: udp:[HOST:]PORT, foxglove:[HOST:]PORT, "
                        "serial:DEVICE, or a trace that grows",
                        "SOURCE")),
+            reads(text("--training", options.training,
+                       "what `train` has written with --record, or its table of --csv, or of a "
+                       "sweep that of --results: curves, settings, the last evaluation, and its "
+                       "best and worst episode, run again by the graph's program, which is built",
+                       "FILE")),
+            flag("--no-episodes", options.no_episodes,
+                 "with --training: build nothing and run no episodes"),
             flag("--simulate", options.simulate,
                  "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
                  "into "

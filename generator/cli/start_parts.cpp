@@ -82,28 +82,24 @@ std::pair<std::string, std::string> to_copy(const Run& run, const BuiltProgram& 
   return {folder.string(), command.front() + " " + shell_word(folder.filename().string())};
 }
 
-/// What is typed on the other machine, and what here. Parts in other languages take no keys.
+/// What is typed on the other machine, and what here.
 std::string how_elsewhere(const Run& run, const BuiltProgram& program, const std::string& key) {
   const PlacedPart& part = *program.part;
   const std::uint32_t port = port_of(run, part);
   const auto [what, there] = to_copy(run, program);
   const std::string host = shell_word(part.host);
-  const bool takes_keys = program.target->language.empty();
-  if (!key.empty() && takes_keys)
+  if (!key.empty())
     return fmt::format(
         "copy {} and {} there and type `{} --listen 0.0.0.0:{} --key {}`; then add "
         "`--link {}={}:{}`",
         shell_word(what), shell_word(key), there, port,
         shell_word(fs::path(key).filename().string()), part.name, host, port);
-  const std::string text = fmt::format(
+  return fmt::format(
       "copy {} there and type `{} --listen :{}`; here `ssh -N -L {}:localhost:{} {}`; then add "
-      "`--link {}=localhost:{}`",
-      shell_word(what), there, port, port, port, host, part.name, port);
-  if (!takes_keys) return text;
-  return text + fmt::format(
-                    ". Without ssh it takes a key: `eagerx-gen key new {}.key`, then this command "
-                    "with `--key {}.key`",
-                    part.name, part.name);
+      "`--link {}=localhost:{}`. Without ssh it takes a key: `eagerx-gen key new {}.key`, then "
+      "this "
+      "command with `--key {}.key`",
+      shell_word(what), there, port, port, port, host, part.name, port, part.name, part.name);
 }
 
 void tell_elsewhere(Run& run, const BuiltProgram& program, const std::vector<std::string>& words) {

@@ -47,6 +47,8 @@ Command table(TrainOptions& options) {
           {{"until it succeeds: writes policy.safetensors", "eagerx-gen train pendulum.yaml"},
            {"with another seed, and a picture of the learning curve",
             "eagerx-gen train pendulum.yaml --seed 2 --curve curve.svg -o swing_up.safetensors"},
+           {"with a record of all of it, which `report` shows on a page for a browser",
+            "eagerx-gen train pendulum.yaml --record training.json"},
            {"a long one that can be interrupted",
             "eagerx-gen train robot.yaml --steps 50000000 --checkpoint robot.checkpoint"},
            {"and goes on",

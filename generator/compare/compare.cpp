@@ -22,20 +22,7 @@ std::string text_of(const ConfigValue& value) {
 }
 
 std::string text_of(const std::optional<Random>& random) {
-  if (!random) return "set by the program's interface";
-  switch (random->kind) {
-    case RandomSpec::Kind::value:
-      return fmt::format("{}", random->first);
-    case RandomSpec::Kind::uniform:
-      return fmt::format("uniform from {} to {}", random->first, random->second);
-    case RandomSpec::Kind::normal:
-      return fmt::format("normal with mean {}, deviation {}", random->first, random->second);
-    case RandomSpec::Kind::log_uniform:
-      return fmt::format("log-uniform from {} to {}", random->first, random->second);
-    case RandomSpec::Kind::choice:
-      break;
-  }
-  return fmt::format("one of {}", random->choices);
+  return random ? random->describe() : "set by the program's interface";
 }
 
 std::string text_of(const Processor& processor) {
@@ -153,6 +140,9 @@ class FactCollector {
     for (const ObservationNoise& each : task.noise)
       facts_["task.noise." + each.observation] = each.text;
     for (const CriticInput& each : task.critic) facts_["task.critic." + each.name] = "seen";
+    for (std::size_t i = 0; i < task.stages.size(); ++i)
+      facts_["task.stages." + task.stages[i].name] =
+          fmt::format("number {}: {}", i + 1, task.describe(task.stages[i]));
     if (task.after > 0) facts_["task.truncated.after"] = fmt::format("{} steps", task.after);
   }
 

@@ -22,7 +22,9 @@ class BlockView {
         node_(graph_.nodes[n]),
         names_(names),
         n_(n),
-        seq_(names.sent[n].empty() ? "n" : names.sent[n] + ".count()") {}
+        seq_(!names.sent[n].empty() ? names.sent[n] + ".count()"
+             : names.lag(n) > 0     ? "sent"
+                                    : "n") {}
 
   View make() {
     const bool is_engine = node_.role == NodeRole::engine;
@@ -50,6 +52,13 @@ class BlockView {
     } else {
       add_remote();
     }
+    add_waiting();
+    return std::move(view_);
+  }
+  /// The same of what it sends elsewhere, where that is taken.
+  View make_take() {
+    view_.set("node", node_.name);
+    add_remote();
     add_waiting();
     return std::move(view_);
   }
@@ -92,18 +101,29 @@ class BlockView {
     view_.set("taken", fmt::format("taken_[{}]", names_.place_in_taken(n_)));
     view_.set("part", names_.link_argument(graph_.placement->part_of[n_]));
     View awaited = list();
-    bool sends = false;
     for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
-      const LinkUse use = names_.links(n_, o);
-      if (!use.any()) continue;
-      sends = sends || !use.to.empty();
+      if (!names_.crosses(n_, o)) continue;
       View item = object();
       item.set("type", names_.message(node_.outputs[o].space));
       item.set("channel", channel(o));
       awaited.push_back(item);
     }
     view_["awaited"] = std::move(awaited);
-    view_.set("hands_on", sends);
+    add_handing_on();
+  }
+  /// What another part reads.
+  void add_handing_on() {
+    View hands_on = list();
+    for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
+      for (const std::size_t part : names_.links(n_, o).to) {
+        View item = object();
+        item.set("to", names_.link_argument(part));
+        item.set("lag", fmt::format("{}", plan_.split->links[part].lags[n_]));
+        item.set("sent", names_.ring_member[plan_.nodes[n_].rings[o]]);
+        hands_on.push_back(item);
+      }
+    }
+    view_["hands_on"] = std::move(hands_on);
   }
 
   bool is_render(std::size_t n) const { return graph_.render && graph_.render->node == n; }
@@ -133,6 +153,7 @@ class BlockView {
     }
     view_["slots"] = slots_view(places);
     view_["received"] = std::move(received);
+    add_lag(names_, n_, view_);
   }
 
   void add_engine() {
@@ -320,8 +341,17 @@ View groups_view(const Plan& plan, const ProgramNames& names,
 View takes_view(const Plan& plan, const ProgramNames& names) {
   View takes = list();
   for (std::size_t n = 0; n < plan.graph->nodes.size(); ++n)
-    if (names.posts(n)) takes.push_back(BlockView(plan, names, n).make());
+    if (names.posts(n)) takes.push_back(BlockView(plan, names, n).make_take());
   return takes;
+}
+
+void add_lag(const ProgramNames& names, std::size_t node, View& view) {
+  const std::uint64_t lag = names.lag(node);
+  view.set("lag", text_or_false(lag > 0 ? fmt::format("{}", lag) : ""));
+}
+
+View ask_view(const Plan& plan, const ProgramNames& names, std::size_t node) {
+  return names.posts(node) ? BlockView(plan, names, node).make_take() : View(false);
 }
 
 MessagePlace message_place(const Plan& plan, const ProgramNames& names, std::size_t ring,
@@ -345,6 +375,12 @@ View slots_view(const std::vector<MessagePlace>& places) {
   return slots;
 }
 
+bool is_kept_within(const Plan& plan, const Ring& ring) {
+  if (ring.node != Graph::kEnvironment || !ring.reader_node) return false;
+  const Input& input = plan.graph->nodes[*ring.reader_node].inputs[*ring.reader_input];
+  return input.actuator && (!input.space.low.empty() || !input.space.high.empty());
+}
+
 View conversions_view(const Plan& plan, const ProgramNames& names, const WrittenMessage& message) {
   View views = list();
   const Ring& written = plan.rings[message.ring];
@@ -363,9 +399,8 @@ View conversions_view(const Plan& plan, const ProgramNames& names, const Written
                  ? fmt::format("{}::convert({})",
                                names.input_processor[*ring.reader_node][*ring.reader_input], source)
                  : source);
-    const bool action = ring.node == Graph::kEnvironment && names.runs(Graph::kEnvironment);
-    view.set("space", text_or_false(action && input.actuator &&
-                                            (!input.space.low.empty() || !input.space.high.empty())
+    view.set("bounds", names.runs(Graph::kEnvironment) ? "guard" : "actuators");
+    view.set("space", text_or_false(is_kept_within(plan, ring)
                                         ? "eagerx::Space<" + names.message(input.space) + ">" +
                                               space_literal(input.space)
                                         : ""));

@@ -15,6 +15,13 @@ View groups_view(const Plan& plan, const ProgramNames& names,
 /// How a hub takes what nodes of its parts send, of those that it asks for before it needs them.
 View takes_view(const Plan& plan, const ProgramNames& names);
 
+/// Into `view`: `lag`, how many ticks later the messages of `node` come into this program, or
+/// false.
+void add_lag(const ProgramNames& names, std::size_t node, View& view);
+
+/// How the hub asks for what `node` sends, without waiting for it; false if it waits.
+View ask_view(const Plan& plan, const ProgramNames& names, std::size_t node);
+
 /// Where a message is written, by an expression that is cheap to repeat.
 struct MessagePlace {
   std::string expression;  // "smooth_filtered_[0]", "new_filtered"
@@ -32,6 +39,9 @@ struct WrittenMessage {
   std::size_t ring = 0;
   std::string seq, value, raw = {};
 };
+/// Whether this is of an action that has to be moved into the space of its actuator.
+bool is_kept_within(const Plan& plan, const Ring& ring);
+
 /// Other rings that take it as the processor of one of its readers converts it, or as it was
 /// before its own.
 View conversions_view(const Plan& plan, const ProgramNames& names, const WrittenMessage& message);

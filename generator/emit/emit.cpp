@@ -273,6 +273,7 @@ class Emitter {
       view.set("packs", has_packs_);
       view.set("acts_in_packs", acts_in_packs());
       view.set("why_no_packs", why_no_packs_);
+      view["stages"] = stages_view(plan_, names_);
       add_rendered(target.id.value + "/" + output, file, std::move(view));
     }
   }

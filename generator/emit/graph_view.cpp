@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "generator/emit/draws.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/policy_answers.hpp"
 #include "generator/quote/quote.hpp"
@@ -146,50 +147,6 @@ class GraphView {
     view_["channels"] = std::move(channels);
   }
 
-  /// The lines that set one state from `random`.
-  View draw_lines(const Random& random, const Space& space, const std::string& field,
-                  const std::string& constant) const {
-    const std::string type = message_type(space);
-    std::vector<std::string> text;
-    switch (random.kind) {
-      case RandomSpec::Kind::value:
-        text = {fmt::format("states.{} = {}{};", field, type, initializer(random.first, space))};
-        break;
-      case RandomSpec::Kind::uniform:
-        text = {fmt::format("states.{} = {}.sample(random);", field, constant)};
-        break;
-      case RandomSpec::Kind::log_uniform:
-        text = {fmt::format("states.{} = eagerx::draw_log_uniform(random, {}.low, {}.high);", field,
-                            constant, constant)};
-        break;
-      case RandomSpec::Kind::normal:
-        text = {fmt::format("constexpr {} kMean{};", type, initializer(random.first, space)),
-                fmt::format("constexpr {} kStd{};", type, initializer(random.second, space)),
-                fmt::format("states.{} = {}.clipped(eagerx::draw_normal(random, kMean, kStd));",
-                            field, constant)};
-        break;
-      case RandomSpec::Kind::choice:
-        text = {fmt::format("constexpr {} kChoices[] = {{", type)};
-        for (const auto& choice : random.choices)
-          text.push_back(fmt::format("    {},", message_literal(choice, space)));
-        text.push_back("};");
-        text.push_back(fmt::format("states.{} = eagerx::draw_choice(random, kChoices);", field));
-        break;
-    }
-    View lines = list();
-    for (const auto& line : text) {
-      View item = object();
-      item.set("line", line);
-      lines.push_back(item);
-    }
-    return lines;
-  }
-
-  static std::string initializer(const std::vector<double>& values, const Space& space) {
-    const std::string text = message_literal(values, space);
-    return space.shape.empty() ? "{" + text + "}" : text;
-  }
-
   /// Whether a reset node brings this state about: then both programs ask for it.
   bool is_target(std::size_t owner, std::size_t state, bool object) const {
     for (const auto& node : graph_.nodes) {
@@ -234,14 +191,9 @@ class GraphView {
     const auto add = [&](const std::string& owner, const State& state, const std::string& field) {
       if (!state.random) return;
       const RandomSpec::Kind kind = state.random->kind;
-      Space range = state.space;
-      if (kind == RandomSpec::Kind::uniform || kind == RandomSpec::Kind::log_uniform) {
-        range.low = state.random->first;
-        range.high = state.random->second;
-      }
       std::string constant;
-      if (kind != RandomSpec::Kind::value && kind != RandomSpec::Kind::choice) {
-        View item = space_view(field, range, "State", constants_);
+      if (needs_range(*state.random)) {
+        View item = space_view(field, range_of(*state.random, state.space), "State", constants_);
         constant = item.get("constant")->string_value();
         item.set("state", owner + "." + state.name);
         ranges.push_back(item);

@@ -5,6 +5,7 @@
 
 #include "generator/emit/names.hpp"
 #include "generator/emit/types.hpp"
+#include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -115,6 +115,11 @@ struct ProgramNames {
   /// for those of any node.
   [[nodiscard]] bool posts(std::size_t node) const;
   [[nodiscard]] bool posts() const;
+  /// How many ticks later than `node` sends them its messages come into this program, the first
+  /// aside.
+  [[nodiscard]] std::uint64_t lag(std::size_t node) const {
+    return part_.is_placed() ? plan_.split->links[part_.index()].lags[node] : 0;
+  }
   /// How many of the nodes before this one it asks for: the node's place in `taken_`.
   [[nodiscard]] std::size_t place_in_taken(std::size_t node) const;
   /// `count` messages of a node, once so many are there where they may be on their way.
@@ -157,6 +162,8 @@ View loop_view(const Plan& plan, bool has_policy, bool has_memory);
 /// The class of the graph's task, and what other files say of its outputs: false without one.
 View task_view(const Plan& plan);
 View outcome_view(const Plan& plan, const ProgramNames& names);
+/// `stages:` of the task: false without them.
+View stages_view(const Plan& plan, const ProgramNames& names);
 /// `telemetry:` in graph.hpp and in telemetry.json: false without it.
 View telemetry_view(const Plan& plan);
 View program_view(const Plan& plan, const ProgramNames& names);

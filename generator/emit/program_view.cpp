@@ -75,20 +75,39 @@ class ProgramView {
     add_ahead();
     view_.set("is_host", names_.is_hub());
     view_.set("link_parameter", names_.is_split() ? ", class Link = eagerx::link::NoLink" : "");
-    // What the other program decides is given back.
-    const bool nothing = decides && graph_.environment().outputs.empty();
-    const bool unnamed = nothing || (!decides && names_.is_placed());
-    view_.set("step_parameter", unnamed   ? "const Action& /*action*/"
-                                : decides ? "const Action& action"
-                                          : "Action& action");
-    view_.set("guards", decides && !graph_.environment().outputs.empty());
+    const bool acts = !graph_.environment().outputs.empty();
+    view_.set("step_parameter",
+              decides && acts ? "const Action& action" : "const Action& /*action*/");
+    view_.set("guards", decides && acts);
+    const bool has_actuators =
+        !decides && names_.is_hub() && std::ranges::any_of(plan_.rings, [&](const Ring& ring) {
+          return is_kept_within(plan_, ring);
+        });
+    view_.set("has_actuators", has_actuators);
+    view_.set("needs_limits", (decides && acts) || has_actuators);
     const bool outputs = guards_outputs(plan_, names_);
     view_.set("guards_outputs", outputs);
     view_.set("guard_type", outputs ? "OutputGuard" : "Guard");
     view_.set("guard_header", outputs ? "output_guard" : "guard");
     // Without an engine, actions are what a main loop measures: no answer to what it is given.
-    view_.set("answers", decides && graph_.has_engine() && !graph_.environment().outputs.empty());
-    view_.set("gives_action_back", !decides && !names_.is_placed());
+    view_.set("answers", decides && graph_.has_engine() && acts);
+    add_applied(!decides && names_.is_hub() && acts);
+  }
+
+  /// What the other program has decided.
+  void add_applied(bool is_elsewhere) {
+    constexpr std::size_t kEnvironment = Graph::kEnvironment;
+    view_["asks_for_action"] = is_elsewhere ? ask_view(plan_, names_, kEnvironment) : View(false);
+    view_.set("has_applied", is_elsewhere);
+    if (!is_elsewhere) return;
+    std::vector<FieldValue> values;
+    const auto& outputs = graph_.environment().outputs;
+    // The tick of the observation that followed has been counted.
+    for (std::size_t a = 0; a < outputs.size(); ++a)
+      values.push_back(
+          {outputs[a].name, ring_place(plan_, names_, plan_.nodes[kEnvironment].rings[a],
+                                       names_.seq_of(kEnvironment) + " - 1")});
+    view_.set("applied", designated(values));
   }
 
   [[nodiscard]] std::string what_runs() const {
@@ -128,7 +147,8 @@ class ProgramView {
     constexpr std::size_t kEnvironment = Graph::kEnvironment;
     View actions = list();
     const bool here = names_.runs(kEnvironment);
-    const std::string seq = names_.seq_of(kEnvironment);
+    add_lag(names_, kEnvironment, view_);
+    const std::string seq = names_.lag(kEnvironment) > 0 ? "sent" : names_.seq_of(kEnvironment);
     for (std::size_t a = 0; a < graph_.environment().outputs.size(); ++a) {
       const Output& output = graph_.environment().outputs[a];
       const std::size_t ring = plan_.nodes[kEnvironment].rings[a];

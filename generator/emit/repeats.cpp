@@ -4,6 +4,8 @@
 #include <optional>
 #include <set>
 
+#include "generator/plan/split.hpp"
+
 namespace eagerx::gen {
 namespace {
 

@@ -49,7 +49,8 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
                          names.cursor[node][input], port.window == 0 ? "take_new" : "take",
                          names.sent[port.source_node]);
   }
-  total = names.awaited(port.source_node, total);
+  // A hub whose agent is elsewhere only shows what that sees, once all is there.
+  if (names.runs(node)) total = names.awaited(port.source_node, total);
   if (port.window == 0) total = fmt::format("{}.take({})", names.fresh[node][input], total);
   return fmt::format("{{{}, {}}}", names.ring_member[reception.ring], total);
 }

@@ -32,12 +32,13 @@ std::string messages_text(const Plan& plan, const std::vector<bool>& crosses) {
   return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// "goes on while up to 3 exchanges are on their way"
+/// "goes on while up to 4 exchanges are on their way: `arm.u` reads it with `delay: 0.1`"
 std::string ahead_text(const PartLink& link) {
-  if (link.depth > 1)
-    return fmt::format("goes on while up to {} exchanges are on their way", link.depth);
-  return fmt::format("waits for a message where it is {}: {}", link.posts ? "read" : "sent",
-                     link.why_not_ahead);
+  const std::string what =
+      link.depth > 1
+          ? fmt::format("goes on while up to {} exchanges are on their way", link.depth)
+          : fmt::format("waits for a message where it is {}", link.posts ? "read" : "sent");
+  return fmt::format("{}: {}", what, link.why_no_more);
 }
 
 Json names_json(const Plan& plan, const std::vector<bool>& crosses) {
@@ -125,17 +126,16 @@ Json parts_json(const Plan& plan) {
     const PartLink& link = plan.split->links[part];
     const PlacedPart& placed = plan.graph->placement->parts[part];
     const bool known = link.exchanges > 0.0;
-    parts.push_back(
-        Json{{"name", placed.name},
-             {"target", placed.target->id.value},
-             {"host", placed.host.empty() ? Json(nullptr) : Json(placed.host)},
-             {"to_part", names_json(plan, link.to_part)},
-             {"to_hub", names_json(plan, link.to_hub)},
-             {"exchanges_a_step", known ? Json(link.exchanges) : Json(nullptr)},
-             {"bytes_a_step", known ? Json(bytes_on_line(link)) : Json(nullptr)},
-             {"exchanges_on_their_way", Json(static_cast<double>(link.depth))},
-             {"why_not_more", link.depth > 1 ? Json(nullptr) : Json(link.why_not_ahead)},
-             {"baud", known ? Json(baud_of(plan, link)) : Json(nullptr)}});
+    parts.push_back(Json{{"name", placed.name},
+                         {"target", placed.target->id.value},
+                         {"host", placed.host.empty() ? Json(nullptr) : Json(placed.host)},
+                         {"to_part", names_json(plan, link.to_part)},
+                         {"to_hub", names_json(plan, link.to_hub)},
+                         {"exchanges_a_step", known ? Json(link.exchanges) : Json(nullptr)},
+                         {"bytes_a_step", known ? Json(bytes_on_line(link)) : Json(nullptr)},
+                         {"exchanges_on_their_way", Json(static_cast<double>(link.depth))},
+                         {"why_not_more", Json(link.why_no_more)},
+                         {"baud", known ? Json(baud_of(plan, link)) : Json(nullptr)}});
   }
   return parts;
 }

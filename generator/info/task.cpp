@@ -67,6 +67,11 @@ std::string task_text(const Graph& graph) {
     text += fmt::format("  {:<11} {}: {}\n", what, seen.name, seen.space.describe());
     what = "";
   }
+  what = "stages";
+  for (const Stage& stage : task.stages) {
+    text += fmt::format("  {:<11} {}: {}\n", what, stage.name, task.describe(stage));
+    what = "";
+  }
   return text;
 }
 
@@ -86,6 +91,9 @@ Json task_json(const Graph& graph) {
   for (const ObservationNoise& noise : task.noise) json["noise"][noise.observation] = noise.text;
   json["critic"] = Json::list();
   for (const CriticInput& seen : task.critic) json["critic"].push_back(seen.name);
+  json["stages"] = Json::list();
+  for (const Stage& stage : task.stages)
+    json["stages"].push_back(Json{{"name", stage.name}, {"what", task.describe(stage)}});
   json["episode_steps"] = task.after;
   json["success_steps"] = task.over_last;
   return json;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/languages/layout.hpp"
 
 namespace eagerx::gen {
@@ -66,6 +68,7 @@ class LayoutWriter {
               {"before", turns(layout_.before)},
               {"after", turns(layout_.after)},
               {"nodes", nodes()}};
+    add_late(link, json);
     return json;
   }
 
@@ -75,6 +78,15 @@ class LayoutWriter {
     for (const RateClass& rate : plan_.rates)
       list.push_back(Json{{"rate", fraction(rate.rate_hz)}, {"period", rate.period}});
     return list;
+  }
+
+  /// What other parts send and the hub hands on later.
+  void add_late(const PartLink& link, Json& json) const {
+    if (std::ranges::all_of(link.lags, [](std::uint64_t lag) { return lag == 0; })) return;
+    Json late = Json::object();
+    for (std::size_t n = 0; n < link.lags.size(); ++n)
+      if (link.lags[n] > 0) late[graph_.nodes[n].name] = link.lags[n];
+    json["late"] = std::move(late);
   }
 
   Json messages() const {

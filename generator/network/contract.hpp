@@ -46,11 +46,17 @@ struct PolicyContract {
   std::vector<double> observation_low, observation_high;  // one for each input, or empty
   /// How many whole numbers from 0 on an input may be, 0 for any number; one for each, or empty.
   std::vector<std::uint32_t> choices{};
-  std::optional<std::int64_t> first_choice;  // argmax: the action of output 0
+  /// argmax: what the first output of each choice stands for; one: of all. Empty: not known.
+  std::vector<std::int64_t> first_choices{};
   /// argmax: how many outputs each choice is among, in order: two or more of a MultiDiscrete.
   /// Empty: not known.
   std::vector<std::uint32_t> groups{};
   std::optional<double> rate_hz;  // steps a second in training
+
+  /// Of choice `i`: 0 where it is not known.
+  [[nodiscard]] std::int64_t first_choice(std::size_t i = 0) const {
+    return first_choices.empty() ? 0 : first_choices[first_choices.size() == 1 ? 0 : i];
+  }
 };
 
 }  // namespace eagerx::gen

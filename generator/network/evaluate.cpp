@@ -170,11 +170,11 @@ namespace {
 
 /// The index of the largest output of each group.
 std::vector<double> choices_among(const Network& network, const std::vector<double>& outputs) {
-  const std::int64_t lowest = network.contract.first_choice.value_or(0);
   std::vector<double> choices;
   auto first = outputs.begin();
   for (const std::uint32_t count : network.groups()) {
     const auto last = first + static_cast<std::ptrdiff_t>(count);
+    const std::int64_t lowest = network.contract.first_choice(choices.size());
     choices.push_back(static_cast<double>(lowest + (std::max_element(first, last) - first)));
     first = last;
   }

@@ -88,11 +88,11 @@ class Judge {
   void add_choices(std::size_t row, const Network& network, const std::vector<double>& ours,
                    const std::vector<double>& scores, const std::vector<double>& known) {
     if (network.action_kind() == ActionKind::binary) return add_bits(row, ours, scores, known);
-    const double lowest = static_cast<double>(network.contract.first_choice.value_or(0));
     const std::vector<std::uint32_t> groups = network.groups();
     std::size_t first = 0;
     for (std::size_t i = 0; i < groups.size(); first += groups[i++]) {
       if (ours[i] == known[i]) continue;
+      const auto lowest = static_cast<double>(network.contract.first_choice(i));
       const double index = known[i] - lowest;
       errors_.off = std::max(difference(ours[i], known[i]), errors_.off);
       if (!(index >= 0.0 && index < static_cast<double>(groups[i]))) {

@@ -20,6 +20,7 @@ std::vector<std::string> entries_of(const PageContents& contents) {
   std::vector<std::string> entries;
   if (contents.module) entries.emplace_back("simulation_view.mjs");
   if (contents.is_live) entries.emplace_back("stream_view.mjs");
+  if (contents.training) entries.emplace_back("training_view.mjs");
   entries.emplace_back("main.mjs");
   return entries;
 }

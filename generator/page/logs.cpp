@@ -230,7 +230,7 @@ Json head_json(const Log& log) {
   Json json{{"name", log.path},
             {"agent", log.agent},
             {"engine", log.engine},
-            {"seed", static_cast<double>(log.seed)},
+            {"seed", std::to_string(log.seed)},  // numbers of JSON are doubles
             {"environment", log.environment},
             {"messages", log.rows.size()},
             {"all_episodes", log.episodes()},

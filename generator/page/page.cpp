@@ -84,6 +84,7 @@ Json page_json(const PageContents& contents) {
   page["images"] = images_json(contents.images);
   page["logs"] = contents.logs;
   page["shows"] = shown_by(*plan.graph);
+  if (contents.training) page["training"] = *contents.training;
   if (contents.is_live) page["live"] = true;
   if (contents.module) page["module"] = base64(*contents.module);
   return page;

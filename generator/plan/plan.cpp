@@ -110,15 +110,27 @@ class Planner {
       reception->ring = input.processor || input.original
                             ? add_own_ring(n, i)
                             : plan_.nodes[input.source_node].rings[input.source_output];
-      Ring& ring = plan_.rings[reception->ring];
-      if (reception->keep > ring.needed || ring.why.empty()) {
-        ring.needed = std::max(ring.needed, reception->keep);
-        ring.why = input.written;
-        why_.resize(std::max(why_.size(), reception->ring + 1));
-        why_[reception->ring] = input.span;
-      }
+      keep(reception->ring, reception->keep, input);
+      // The hub hands it on late, as it was sent.
+      if (reception->ring != plan_.nodes[input.source_node].rings[input.source_output] &&
+          goes_from_part_to_part(n, input))
+        keep(plan_.nodes[input.source_node].rings[input.source_output], reception->keep, input);
       plan_.nodes[n].receptions.push_back(*reception);
     }
+  }
+  void keep(std::size_t place, std::uint64_t count, const Input& input) {
+    Ring& ring = plan_.rings[place];
+    if (count <= ring.needed && !ring.why.empty()) return;
+    ring.needed = std::max(ring.needed, count);
+    ring.why = input.written;
+    why_.resize(std::max(why_.size(), place + 1));
+    why_[place] = input.span;
+  }
+  [[nodiscard]] bool goes_from_part_to_part(std::size_t n, const Input& input) const {
+    if (!graph_.placement) return false;
+    const std::size_t from = graph_.placement->part_of[input.source_node];
+    const std::size_t to = graph_.placement->part_of[n];
+    return from != to && from != Placement::kHub && to != Placement::kHub;
   }
 
   /// Every receiver has its own processor, so a converted message needs a place of its own.

@@ -105,7 +105,10 @@ struct PartLink {
   bool posts = false;           // the hub asks for messages where they are sent, and takes them
                                 // where they are read
   std::size_t depth = 1;        // exchanges on their way at most
-  std::string why_not_ahead;    // why no more than one
+  std::string why_no_more;      // what keeps the hub from going further
+  /// By node: so many of its ticks after it has sent a message, the hub hands that on to this part,
+  /// and the part expects it; message 0 at once.
+  std::vector<std::uint64_t> lags;
 };
 struct Split {
   std::vector<PartLink> links;   // of each part

@@ -187,7 +187,7 @@ LinkUse link_use_of_flags(const Graph& graph, Part part, std::size_t node) {
 }
 
 bool posts(const Plan& plan, Part part, std::size_t node) {
-  if (part != Part::hub || node == Graph::kEnvironment) return false;
+  if (part != Part::hub || plan.graph->nodes[node].outputs.empty()) return false;
   const std::size_t owner = plan.graph->placement->part_of[node];
   return owner != Placement::kHub && plan.split->links[owner].posts;
 }

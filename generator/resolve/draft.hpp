@@ -210,6 +210,9 @@ void resolve_task(Draft& draft);
 void add_noise(Draft& draft);
 void add_critic_outputs(Draft& draft, DraftNode& task);
 void resolve_critic(Draft& draft);
+/// What a training draws and weighs otherwise at first (E0307 names, E0327 ranges, E0352 what no
+/// stage can be).
+void resolve_stages(Draft& draft);
 /// Whether the source of `render:` can be shown (E0360), and which nodes only pictures need.
 void resolve_render(Draft& draft);
 void resolve_states(Draft& draft);         // how states are drawn

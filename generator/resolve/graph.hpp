@@ -76,6 +76,8 @@ struct Random {
   std::vector<double> first, second;         // value; low, high; mean, std
   std::vector<std::vector<double>> choices;  // choice
   Span span;
+  /// "uniform from [0] to [1]"
+  [[nodiscard]] std::string describe() const;
 };
 
 /// An input and the connection that feeds it.
@@ -241,6 +243,24 @@ struct ObservationNoise {
   std::optional<std::size_t> node;  // that adds it; without: real sensors have noise of their own
 };
 
+/// A state that a stage draws otherwise.
+struct StageState {
+  std::string name;                   // "pendulum.model_state"
+  std::optional<std::size_t> object;  // its owner
+  std::size_t node = 0;               // the same, if it is no object
+  std::size_t state = 0;
+  Random random;
+};
+
+/// A part of a training, before the graph as it is written. No program knows of it.
+struct Stage {
+  std::string name;
+  std::vector<StageState> states;
+  std::vector<double> weights;                 // of all terms of the reward
+  std::optional<double> success, mean_return;  // that end it
+  Span span;
+};
+
 /// Reward and end of a step: a node at the rate of the environment, whose class is generated.
 struct Task {
   std::size_t node = 0;
@@ -248,10 +268,13 @@ struct Task {
   std::vector<TaskExpression> terminated, truncated, success;
   std::vector<ObservationNoise> noise;
   std::vector<CriticInput> critic;  // inputs in the order of their outputs, behind the terms
+  std::vector<Stage> stages;        // of a training
   std::uint64_t after = 0;          // steps of an episode that is cut off; 0: none is
   std::uint64_t over_last = 1;      // steps in a row in which success must hold
   std::shared_ptr<const Entity> entity;
   Span span;
+  /// "pendulum.model_state uniform from [0] to [1]; effort times -0.1; until success 0.9"
+  [[nodiscard]] std::string describe(const Stage& stage) const;
   /// The first outputs of its node; those after them are the terms, then what the critic
   /// sees.
   enum Output : std::uint8_t { reward, terminated_output, truncated_output, success_output, term };

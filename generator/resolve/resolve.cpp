@@ -159,7 +159,12 @@ void drop_engine(Graph& graph) {
     for (auto& input : node.inputs) moved(input.source_node);
     for (auto& target : node.reset_targets) moved(target.node);
   }
-  if (graph.task) moved(graph.task->node);
+  if (graph.task) {
+    moved(graph.task->node);
+    for (Stage& stage : graph.task->stages) {
+      for (StageState& state : stage.states) moved(state.node);
+    }
+  }
   if (graph.render) moved(graph.render->node);
   if (graph.telemetry) {
     for (auto& channel : graph.telemetry->channels) moved(channel.node);
@@ -207,6 +212,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   resolve_spaces(draft);
   resolve_task(draft);
   resolve_critic(draft);
+  resolve_stages(draft);
   resolve_render(draft);
   resolve_telemetry(draft);
   resolve_safety(draft);

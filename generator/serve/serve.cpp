@@ -12,6 +12,9 @@
 #include "generator/command_line/command_line.hpp"
 #include "generator/command_line/output.hpp"
 #include "generator/serve/http.hpp"
+#include "generator/serve/programs.hpp"
+#include "generator/serve/router.hpp"
+#include "generator/serve/session.hpp"
 
 namespace eagerx::gen::serve {
 namespace {

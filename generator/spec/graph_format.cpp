@@ -88,13 +88,15 @@ Field space_field() {
           "dtype, shape and bounds of its messages"};
 }
 
+FormatPtr state_format(const std::vector<Field>& more) {
+  const FormatPtr drawn = format::record("how a state gets its value",
+                                         with(random_fields(format::number("a number")), more));
+  return format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
+                        {drawn, format::keyword({"uniform"})});
+}
+
 FormatPtr states_format() {
-  const FormatPtr drawn = format::record(
-      "how a state gets its value",
-      with(random_fields(format::number("a number")), {space_field(), processor_field()}));
-  Format states =
-      *format::map("states", format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
-                                            {drawn, format::keyword({"uniform"})}));
+  Format states = *format::map("states", state_format({space_field(), processor_field()}));
   states.dotted_names = true;  // of a composite: `position.integral`
   return std::make_shared<const Format>(std::move(states));
 }
@@ -192,6 +194,10 @@ FormatPtr agent_format() {
 }
 
 }  // namespace
+
+FormatPtr drawn_format() {
+  return state_format({});
+}
 
 FormatPtr object_format() {
   return format::record(

@@ -190,6 +190,8 @@ FormatPtr connections_format();
 FormatPtr engine_nodes_format();
 FormatPtr safety_format();
 FormatPtr task_format();
+/// How a state is drawn, and nothing else of it.
+FormatPtr drawn_format();
 FormatPtr telemetry_format();
 FormatPtr budget_format();
 FormatPtr config_format();

@@ -127,7 +127,9 @@ FormatPtr task_format() {
        {"critic",
         format::list("a list of inputs of the task and states",
                      format::text("an input of the task, or a state such as `pendulum.mass`")),
-        false, "what the critic of a training sees besides the observations"}});
+        false, "what the critic of a training sees besides the observations"},
+       {"stages", stages_format(), false,
+        "what a training begins with, one after the other, before the graph as it is written"}});
 }
 
 TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics) {
@@ -148,6 +150,7 @@ TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics) {
     for (const auto& entry : noise->entries) spec.noise.push_back(read_noise(entry));
   }
   spec.critic = read_critic(yaml.find("critic"), diagnostics);
+  spec.stages = read_stages(yaml.find("stages"), diagnostics);
   if (spec.over_last_s && spec.success.empty())
     diagnostics.error("E0206", spec.over_last_s->span, "`over_last` goes with a condition").help =
         "write what must hold for so long, such as `upright: abs(theta) < 0.1`";

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/actuator_bounds.hpp>
 #include <eagerx/channel_counts.hpp>
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
@@ -158,10 +159,7 @@ class Guard {
   /// An action on its way to an actuator, after a processor.
   template <class Message>
   Message within(std::size_t channel, const Space<Message>& space, const Message& message) {
-    const bool finite = is_finite(message);
-    if (finite && space.contains(message)) return message;
-    beyond_.add(channel);
-    return space.clipped(finite ? message : Message{});
+    return beyond_.within(channel, space, message);
   }
 
   /// f(name, count) for each.
@@ -170,7 +168,7 @@ class Guard {
     if constexpr (kTakesOver) takeover_.for_each_count(f);
     not_finite_.for_each(f, kTakesOver ? "safe: safe action not finite" : "safe: action not finite",
                          Limits::kActionNames);
-    beyond_.for_each(f, "safe: action beyond its actuator", Limits::kActionNames);
+    beyond_.for_each_count(f, Limits::kActionNames);
     if constexpr (!kTakesOver)
       limits_.for_each(f, "safe: action out of limits", Limits::kActionNames);
   }
@@ -223,7 +221,7 @@ class Guard {
   static constexpr std::size_t kActions = Limits::kActionNames.size();
   ChannelCounts<kActions> not_finite_;
   ChannelCounts<kActions> limits_;
-  ChannelCounts<kActions> beyond_;
+  ActuatorBounds<kActions> beyond_;
 };
 
 }  // namespace eagerx

@@ -1,4 +1,4 @@
-/* A part of a graph in C: the timetable and the line to the hub, as targets/PROTOCOL.md says them. */
+/* A part of a graph in C: its tables, as targets/PROTOCOL.md says them. */
 #ifndef EAGERX_PART_H
 #define EAGERX_PART_H
 
@@ -52,7 +52,9 @@ struct eagerx_part {
 uint32_t eagerx_take(struct eagerx_input* input, uint64_t n);
 /* Sends message n of an output to the hub, and keeps it. */
 void eagerx_put(const struct eagerx_message* message, uint64_t n, const void* bytes);
-/* The program: `--listen unix:PATH` or `--listen :PORT`. Serves one hub; returns the exit code. */
+/* The program: `--listen ADDRESS` or `--link TTY`, and `--key FILE`. Serves one hub; returns the exit code. */
 int eagerx_serve(int argc, char** argv, const struct eagerx_part* part);
+/* The same over a line that is open: eagerx_line.h. */
+int eagerx_run(const struct eagerx_part* part);
 
 #endif

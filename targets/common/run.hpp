@@ -123,6 +123,21 @@ void settle(Program& program) {
   if constexpr (requires { program.settle(); }) program.settle();
 }
 
+/// The same where `watch` looks at the messages of each step, if it says so.
+template <class Program, class Watch>
+void catch_up(Program& program, [[maybe_unused]] Watch& watch) {
+  if constexpr (requires { watch.looks(); }) {
+    if (!watch.looks()) return;
+  }
+  settle(program);
+}
+
+/// What was applied in the last step: what another program has decided, once that is there.
+template <class Program, class Action>
+void find_applied([[maybe_unused]] const Program& program, [[maybe_unused]] Action& action) {
+  if constexpr (requires { program.applied(); }) action = program.applied();
+}
+
 /// What is applied in place of what the agent wants. In a split graph, the program that has the
 /// agent has the guard.
 template <class Program, class Action>
@@ -228,8 +243,10 @@ typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
 /// false from `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an
 /// episode; if it has `key(key)`, that is the key of the episode; if it has `late_in_a_row()`, that
 /// is how many steps up to now were too late; if it has `states(key)`, that is what an episode
-/// begins with; if it has `is_over()`, an episode ends when that is true. The run of a program with
-/// a link to another one ends when the link does, and `watch` does not see that step.
+/// begins with; if it has `is_over()`, an episode ends when that is true; if it has `looks()` and
+/// that is false, it sees no message that a part has sent, nor what a part has decided. The run of
+/// a program with a link to another one ends when the link does, and `watch` does not see that
+/// step.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
@@ -240,6 +257,7 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
     if constexpr (requires { watch.begin(key); }) watch.begin(key);
     program.trace.episode(episode);
     typename Graph::Observation observation = program.reset(states_of<Graph>(watch, key));
+    catch_up(program, watch);
     if (!is_linked(program)) return;
     watch.reset(episode, observation);
     for (std::uint64_t step = 0; step < plan.steps; ++step) {
@@ -252,7 +270,9 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
       if constexpr (requires { watch.late_in_a_row(); }) late = watch.late_in_a_row();
       typename Graph::Action action = guarded(program, wanted, late);
       observation = apply(program, action);
+      catch_up(program, watch);
       if (!is_linked(program)) return;
+      find_applied(program, action);
       const auto outcome = outcome_of<Graph>(program);
       if constexpr (requires { watch.step(episode, step, action, observation, outcome); }) {
         watch.step(episode, step + 1, action, observation, outcome);

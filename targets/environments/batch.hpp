@@ -13,6 +13,7 @@
 #include <memory>
 #include <runtime/host/base/team.hpp>
 #include <string>
+#include <string_view>
 #include <targets/common/run.hpp>
 #include <targets/environments/agent.hpp>
 #include <targets/environments/critic.hpp>
@@ -23,6 +24,7 @@
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
 #include <targets/environments/set_states.hpp>
+#include <targets/environments/stages.hpp>
 #include <targets/environments/task.hpp>
 #include <targets/environments/traced.hpp>
 #include <targets/environments/tuning.hpp>
@@ -50,6 +52,7 @@ class Batch {
         programs_(std::make_unique<Program[]>(plain_programs())),
         packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
         agents_(kernel),
+        staging_(size_),
         critic_(size_),
         team_(std::min(options.threads != 0 ? options.threads : host::usable_cores(), blocks())) {
     packs_.make_room(team_.size());
@@ -136,6 +139,9 @@ class Batch {
   void set_states(const std::uint8_t* mask, const float* states) {
     set_states_.set(size_, mask, states);
   }
+
+  /// Of the next episodes; empty: the graph as it is written. Throws Problem, with nothing changed.
+  void set_stage(const std::uint8_t* mask, std::string_view stage) { staging_.set(mask, stage); }
 
   /// Parameters of episodes that go on; NaN: as it is. Throws Problem, with nothing changed.
   void tune(const std::uint8_t* mask, const float* states) {
@@ -267,6 +273,7 @@ class Batch {
       const PackColumn column = packs_.column(member, k, k - first);
       packs_.show_guard(column, programs_[k]);
       write_outcome<Graph>(column, k, rows);
+      weigh(k, column, rows);
       critic_.step(k, column);
       end_pack_step(k, column, rows);
     }
@@ -294,8 +301,12 @@ class Batch {
           packs_.show_guard(packs_.column(member, first, lane), programs_[first + lane]);
       }
     }
-    for (std::uint32_t lane = 0; seen_of < Graph >> 0 && lane < packs_.lanes(); ++lane) {
-      if ((alone >> lane & 1U) == 0) critic_.step(first + lane, packs_.column(member, first, lane));
+    constexpr bool kLooks = seen_of<Graph> + Staging<Graph>::kStages > 0;
+    for (std::uint32_t lane = 0; kLooks && lane < packs_.lanes(); ++lane) {
+      if ((alone >> lane & 1U) != 0) continue;
+      const PackColumn column = packs_.column(member, first, lane);
+      critic_.step(first + lane, column);
+      weigh(first + lane, column, rows);
     }
     for (; notable != 0; notable &= notable - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(notable));
@@ -319,6 +330,10 @@ class Batch {
     if (steps_[k] >= packs_.most_steps()) take_out(k);
   }
 
+  void weigh(std::uint32_t k, const PackColumn& column, const eagerx_rows& rows) const {
+    staging_.weigh(k, rows, [&](std::size_t i) { return column.end(kTerms + i); });
+  }
+
   void step_alone(std::uint32_t k, const float* actions, const eagerx_rows& rows) {
     if (episodes_[k].ended) {
       stay_or_begin(k, rows);
@@ -334,6 +349,11 @@ class Batch {
     const auto observation = program.step(layout_.action(actions + k * acted));
     const Ends ends = write_outcome<Graph>(program, k, rows);
     critic_.step(k, program);
+    if constexpr (Staging<Graph>::kStages > 0) {
+      staging_.weigh(k, rows, [&](std::size_t i) {
+        return static_cast<float>(element(program.outcome().terms, i));
+      });
+    }
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
         not_finite_.note(episodes_[k].place(k, steps_[k]), program.outcome());
@@ -377,6 +397,7 @@ class Batch {
   void begin(std::uint32_t k, float* observations) {
     Episode& episode = episodes_[k];
     set_states_.begin(k);
+    staging_.begin(k);
     take_out(k);
     const EpisodeKey key = episode.key();
     const auto states = states_of(k);
@@ -431,6 +452,7 @@ class Batch {
   /// That the current episode begins with.
   typename Graph::States states_of(std::uint32_t k) const {
     typename Graph::States states = Graph::draw(episodes_[k].key());
+    staging_.draw(k, episodes_[k].key(), states);
     set_states_.read(k, states);
     return states;
   }
@@ -454,6 +476,7 @@ class Batch {
   PackMemory<Graph> packs_;
   Agents<Graph> agents_;
   SetStates<Graph> set_states_;
+  Staging<Graph> staging_;
   CriticRows<Graph> critic_;
   std::map<std::uint32_t, Traces<Graph>> traces_;
   NotFinite<Graph> not_finite_;

@@ -12,6 +12,7 @@
 #include <targets/environments/critic.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/stages.hpp>
 #include <targets/environments/task.hpp>
 #include <targets/environments/tuning.hpp>
 #include <type_traits>
@@ -169,7 +170,8 @@ std::string describe_task() {
     for (const char* name : Graph::kTermNames) json.text(name);
     json.end_list().key("success").boolean(requires { Graph::kSuccessNames; });
     json.key("episode_steps").whole(Graph::kEpisodeSteps);
-    return json.str() + ", \"critic\": " + describe_critic<Graph>() + "}";
+    return json.str() + ", \"critic\": " + describe_critic<Graph>() +
+           ", \"stages\": " + describe_stages<Graph>() + "}";
   } else {
     return "null";
   }

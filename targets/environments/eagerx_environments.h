@@ -77,9 +77,11 @@ uint32_t eagerx_version(void);
     "tunable": ["controller.kp", …],   states that eagerx_tune() sets
     "agent": "policy", "zero", "random" or "csv", which is what eagerx_act() does,
     "task": null or {"terms": ["angle", …], "success": true, "episode_steps": 150,
-                     "critic": [as observations, without bounds]},
+                     "critic": [as observations, without bounds],
+                     "stages": [{"name": "near", "success": 0.9, "return": null}, …]},
     "render": null or {"rate_hz": 30}}
-   `hash`: of what a policy must agree with; `episode_steps`: 0 where the task says none. */
+   `hash`: of what a policy must agree with; `episode_steps`: 0 where the task says none; a stage's `success` and `return`:
+   what must be reached in it, null if it is not asked. */
 const char* eagerx_describe(void);
 
 /* Why this thread's last call did not return 0; valid until the next one that does not. "" if all did. Whose call was right
@@ -127,6 +129,12 @@ int eagerx_tune(eagerx_environments* environments, const uint8_t* mask, const fl
 
 /* states  [environments][numbers of the states] what the episodes began with; NaN where nothing was set or drawn */
 int eagerx_get_states(eagerx_environments* environments, float* states);
+
+/* From their next reset on, episodes are those of a stage of the graph's task, for environments where `mask` is not 0
+   (null: all): states that it draws otherwise, and reward and terms with its weights. What a trace says of the reward stays
+   as the graph is written.
+   stage  its name; null or "": the graph as it is written, as at first */
+int eagerx_set_stage(eagerx_environments* environments, const uint8_t* mask, const char* stage);
 
 /* What the critic of a training sees besides the observations, as of the last step or reset: `critic:` of the graph's task.
    critic        [environments][numbers of the critic], or null

@@ -140,6 +140,11 @@ class Library {
     });
   }
 
+  static int set_stage(Environments* environments, const std::uint8_t* mask, const char* stage) {
+    return call(environments,
+                [&](Batch<Graph>& batch) { batch.set_stage(mask, stage != nullptr ? stage : ""); });
+  }
+
   static int critic(Environments* environments, float* rows, float* final_rows) {
     return call(environments, [&](Batch<Graph>& batch) { batch.critic(rows, final_rows); });
   }

@@ -11,7 +11,7 @@ function(eagerx_configure_target library)
   # Without a build type CMake would not optimise at all.
   target_compile_options(${library} PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
   set(visible ${CMAKE_CURRENT_BINARY_DIR}/eagerx_environments.map)
-  set(functions version describe error create destroy reset step act set_states tune get_states critic trace hash counts
+  set(functions version describe error create destroy reset step act set_states tune get_states set_stage critic trace hash counts
                 picture stepping)
   list(TRANSFORM functions PREPEND "eagerx_")
   file(CONFIGURE OUTPUT ${visible} CONTENT "{ global: @functions@; local: *; };\n" @ONLY)
@@ -85,7 +85,12 @@ function(_eagerx_add_packs library)
     # Vectors are passed between functions of the object alone.
     target_compile_options(${object} PRIVATE -Wall -Wextra -Wno-psabi -fno-exceptions -fno-rtti ${flags_${kind}})
     # Loops over registers are only registers once they are unrolled and in one function: -O2 makes half of the speed.
-    target_compile_options(${object} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O3> $<$<CXX_COMPILER_ID:GNU>:${inline_flags}>)
+    # EAGERX_PACKS_LEVEL is for those who look at bits alone.
+    set(level -O3)
+    if(DEFINED EAGERX_PACKS_LEVEL)
+      set(level ${EAGERX_PACKS_LEVEL})
+    endif()
+    target_compile_options(${object} PRIVATE $<$<NOT:$<CONFIG:Debug>>:${level}> $<$<CXX_COMPILER_ID:GNU>:${inline_flags}>)
     set(hidden ${CMAKE_CURRENT_BINARY_DIR}/${object}.o)
     if(kind STREQUAL plain)
       target_link_libraries(${library} PRIVATE $<TARGET_OBJECTS:${object}>)

@@ -53,6 +53,7 @@ class GraphWatch {
 
   bool go_on() { return watch_.go_on(); }
   bool is_over() const { return watch_.is_over(); }
+  bool looks() const { return watch_.looks(); }
   std::uint64_t late_in_a_row() const { return watch_.late_in_a_row(); }
 
   EpisodeKey key(EpisodeKey planned) { return watch_.key(planned); }
@@ -149,7 +150,7 @@ void run_program(Watch& watch, Program& program) {
   GraphWatch<Graph> seen(watch);
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if constexpr (LinkOf<Graph>::kPartDecides) {
-      // That part has agent and guard, and the program gives back what they did.
+      // That part has agent and guard.
       program.link().set_late(watch.late_in_a_row());
       return Graph::zero();
     } else {

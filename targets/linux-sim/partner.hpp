@@ -39,7 +39,7 @@ int serve(int argc, char** argv) {
     std::fprintf(stderr,
                  "error: wrong usage\nhelp: %s --link TTY, or --listen unix:PATH, :PORT (for this "
                  "machine only) or HOST:PORT, which beyond this machine needs --key FILE; serves "
-                 "the part of `%s` that the host's program was split from\n",
+                 "the part of `%s` that the hub's program leaves out\n",
                  argv[0], Graph::kName);
     return kBadUsage;
   }

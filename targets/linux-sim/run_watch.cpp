@@ -24,6 +24,9 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
       progress_(plan_.episodes * plan_.steps, !told.options.quiet) {
   writes_ = csv.is_open();
   paces_ = pacer_.paces();
+  // A row of the table has the action.
+  looks_ = measures_of_run.reads_messages() || told.options.strict_spaces ||
+           (facts_.part_decides && writes_);
   has_faults_ = !told.faults.empty();
   tunes_ = told.settings.tunes();
 }

@@ -143,30 +143,39 @@ std::string find_lines(const std::vector<std::string>& given, const GraphFacts& 
   return {};
 }
 
-void describe_link(Summary& summary, SplitLink& link, const link::Report& report,
-                   const std::string& prefix) {
+/// Where the part is, for what is said of one part alone or of each by its name.
+std::string at_part(const link::PartFacts& part) {
+  return is_board(part) ? std::string("on the board") : "in " + name_of_part(part);
+}
+
+void describe_link(Summary& summary, SplitLink& link, const link::Report& report, bool is_one) {
   constexpr double kNanosecondsPerMs = 1e6;
   const link::Statistics& statistics = link.statistics();
+  const link::PartFacts& part = link.part();
+  const std::string prefix = is_one ? "" : std::string(part.name) + ": ";
   const double steps = summary.steps > 0 ? static_cast<double>(summary.steps) : 1.0;
   const auto per_step = [&](std::uint64_t count) {
     return fixed(static_cast<double>(count) / steps, 2);
   };
-  const auto add = [&](const char* name, const std::string& value) {
+  const auto add = [&](const std::string& name, const std::string& value) {
     summary.more.emplace_back(prefix + name, value);
   };
-  add(prefix.empty() ? "board" : "target", link.part().target);
+  add(!is_one          ? std::string("target")
+      : is_board(part) ? std::string("board")
+                       : name_of_part(part),
+      part.target);
   add("exchanges a step", per_step(statistics.exchanges));
   add("bytes a step", per_step(statistics.bytes_out) + " to " +
-                          (prefix.empty() ? "the board, " : "it, ") +
+                          (is_one ? name_of_part(part) : std::string("it")) + ", " +
                           per_step(statistics.bytes_in) + " back");
   add("frames sent again", std::to_string(statistics.repeated));
   add("frames ignored", std::to_string(statistics.ignored) + " here, " +
-                            std::to_string(report.damaged) +
-                            (prefix.empty() ? " on the board" : " there"));
+                            std::to_string(report.damaged) + " " +
+                            (is_one ? at_part(part) : std::string("there")));
   add("slowest exchange",
       fixed(static_cast<double>(statistics.slowest_ns) / kNanosecondsPerMs, 3) + " ms");
   if (report.stack_bytes > 0)
-    add(prefix.empty() ? "stack of the board" : "stack",
+    add(is_one ? "stack of " + name_of_part(part) : std::string("stack"),
         std::to_string(report.stack_bytes) + " bytes");
 }
 
@@ -213,7 +222,9 @@ std::string name_of_part(const link::PartFacts& part) {
 
 std::string parts_elsewhere(const GraphFacts& facts) {
   if (facts.part_count > 1) return "parts of this graph are programs of their own";
-  return "a part of this graph runs on " + std::string(facts.parts[0].target);
+  const link::PartFacts& part = facts.parts[0];
+  if (!is_board(part)) return name_of_part(part) + " of this graph is a program of its own";
+  return "a part of this graph runs on " + std::string(part.target);
 }
 
 bool part_knows(const GraphFacts& facts, target::Agent agent) {
@@ -251,12 +262,12 @@ std::string end_links(const GraphProgram& program, Summary& summary) {
     const std::string name = facts.parts[part].name;
     const bool is_one = facts.part_count == 1;
     link::Report report;
-    PartFaults faults(summary, is_one ? " on the board" : " in `" + name + "`");
+    PartFaults faults(summary, " " + (is_one ? at_part(facts.parts[part]) : "in `" + name + "`"));
     link->forget_silence();  // the engine has stopped, and its hardware is given back
     // Where one is gone, nobody waits for the others to tell what they counted.
     if (link->ok() && links_are_whole(program)) link->finish(report, faults);
     if (broken.empty() && !link->ok()) broken = problem_of(*link, facts);
-    describe_link(summary, *link, report, is_one ? "" : name + ": ");
+    describe_link(summary, *link, report, is_one);
   }
   return broken;
 }

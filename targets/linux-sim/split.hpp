@@ -36,7 +36,8 @@ class SplitLink {
 /// False if a part decides and does not know this agent.
 bool part_knows(const GraphFacts& facts, target::Agent agent);
 
-/// "a part of this graph runs on mps2-an386", for what goes together with no part.
+/// "a part of this graph runs on mps2-an386", "part `vision` of this graph is a program of its
+/// own": for what goes together with no part.
 std::string parts_elsewhere(const GraphFacts& facts);
 /// "the board", "part `vision`"
 std::string name_of_part(const link::PartFacts& part);

@@ -213,7 +213,9 @@ bool StateSettings::apply_at(Seq step, StateRow states) const {
   for (const auto& [state, setting] : running_) {
     if (setting.step != step) continue;
     with_elements(states_[state].type.scalar, states.messages[state],
-                  [&](auto* elements) { draw(setting, {}, states_[state], elements); });
+                  [&, state = state, &setting = setting](auto* elements) {
+                    draw(setting, {}, states_[state], elements);
+                  });
     states.has_value[state] = any = true;
   }
   return any;

@@ -33,6 +33,8 @@ class Watch {
   virtual void step(Seq step, bool has_ended, const OutcomeView& outcome) = 0;
   /// Whether an episode is over before its last step.
   bool is_over() const { return is_over_; }
+  /// Whether messages of a step are looked at before the next step, so that all must be there.
+  bool looks() const { return looks_; }
   std::uint64_t late_in_a_row() const { return paces_ ? lateness() : 0; }
 
   /// Null: there is no table. Its rows are written before reset() and step().
@@ -71,6 +73,7 @@ class Watch {
   TableWriter writer_;
   bool writes_ = false;
   bool is_over_ = false;
+  bool looks_ = false;
   bool paces_ = false;
   bool has_faults_ = false;
   bool tunes_ = false;

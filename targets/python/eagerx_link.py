@@ -1,25 +1,17 @@
 """The line from a part to the hub of its graph: frames, checksums and sessions, as targets/PROTOCOL.md says them.
 
-Nothing in here knows a graph. What is wrong with a frame is a FrameError; a line that is over is a LinkClosed.
+Nothing in here knows a graph. What is wrong with a frame is a FrameError.
 """
-import errno
-import fcntl
-import os
-import select
-import socket
-import stat
 import struct
-import sys
-import termios
-import time
 
 import numpy as np
+
+from eagerx_line import say
 
 PROTOCOL = 1
 HELLO, WELCOME, REQUEST, ANSWER = 1, 2, 3, 4
 FRAME_BYTES = 9  # of a frame, besides its payload: kind, number, CRC
 GREETING_BYTES = 16
-GREETING_S = 5  # that a peer has to say something
 MOST_BEFORE_GREETING = 65536  # bytes of a socket that are no greeting
 _RUN = 254  # most bytes after one length byte of COBS
 _HEADER = struct.Struct("<BI")
@@ -29,10 +21,6 @@ _GREETING = struct.Struct("<BBHQI")
 
 class FrameError(Exception):
     """Bytes that are no frame of this session."""
-
-
-class LinkClosed(Exception):
-    """The line is over."""
 
 
 class SessionOver(Exception):
@@ -135,139 +123,6 @@ def crc_start_of(graph, runtime, session):
     return crc32c(greeting(graph, runtime, session))
 
 
-class Port:
-    """A line of bytes: a socket or a serial line."""
-
-    def __init__(self, file, is_socket, keep=None):
-        self.file, self.is_socket, self._keep = file, is_socket, keep
-        os.set_blocking(file, False)
-
-    def read(self):
-        """Some bytes; waits for them."""
-        while True:
-            select.select([self.file], [], [])
-            try:
-                data = os.read(self.file, 65536)
-            except BlockingIOError:
-                continue
-            except OSError as error:
-                raise LinkClosed(error.strerror) from None
-            if not data:
-                raise LinkClosed("the other end hung up")
-            return data
-
-    def write(self, data):
-        """What nobody takes within a second is dropped: the hub asks again."""
-        until = time.monotonic() + 1.0
-        while data:
-            try:
-                data = data[os.write(self.file, data):]
-            except BlockingIOError:
-                left = until - time.monotonic()
-                if left <= 0:
-                    return
-                select.select([], [self.file], [], left)
-            except OSError as error:
-                raise LinkClosed(error.strerror) from None
-
-
-def _say(text):
-    print(text, file=sys.stderr, flush=True)
-
-
-def _first_that_speaks(listener):
-    """The peer that says something first; others are refused from then on."""
-    while True:
-        peer, _ = listener.accept()
-        ready, _, _ = select.select([peer], [], [], GREETING_S)
-        try:
-            if ready and peer.recv(1, socket.MSG_PEEK):
-                listener.close()
-                return Port(peer.fileno(), True, peer)
-        except OSError:
-            pass
-        _say("note: a peer hung up without a word" if ready else
-             f"note: a peer said nothing for {GREETING_S} s and was dropped")
-        peer.close()
-
-
-def _is_alive(path):
-    """Whether a program listens on this socket: a stream takes no datagrams, but only a living one says so."""
-    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as probe:
-        try:
-            probe.connect(path)
-        except ConnectionRefusedError:
-            return False
-        except OSError:
-            return True
-        return True
-
-
-def _listen_unix(path):
-    listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-    folder = os.open(os.path.dirname(path) or ".", os.O_RDONLY | os.O_DIRECTORY)
-    try:
-        fcntl.flock(folder, fcntl.LOCK_EX)  # two programs must not remove each other's socket
-        if os.path.lexists(path):
-            if not stat.S_ISSOCK(os.lstat(path).st_mode) or _is_alive(path):
-                raise OSError(errno.EADDRINUSE, "another program listens on it, or it is no socket")
-            os.unlink(path)
-        if os.path.lexists(path + "~") and stat.S_ISSOCK(os.lstat(path + "~").st_mode):
-            os.unlink(path + "~")
-        os.fchmod(listener.fileno(), 0o600)  # only its owner may connect, from the first moment on
-        listener.bind(path + "~")
-        listener.listen(1)
-        os.rename(path + "~", path)  # whoever sees the socket can connect
-    finally:
-        os.close(folder)
-    _say(f"listens on unix:{path}")
-    return _first_that_speaks(listener)
-
-
-def _listen_tcp(address):
-    host, _, port = address.rpartition(":")
-    if not port.isdecimal() or int(port) > 65535:
-        raise OSError(errno.EINVAL, "it is neither unix:PATH nor HOST:PORT")
-    found = socket.getaddrinfo(host.strip("[]") or "localhost", int(port), type=socket.SOCK_STREAM)
-    family, kind, protocol, _, where = found[0]
-    if not where[0].startswith("127.") and where[0] != "::1":
-        raise OSError(errno.EACCES, "nothing keeps strangers out: listen on `:PORT`, and let `ssh -L` bring the hub here")
-    listener = socket.socket(family, kind, protocol)
-    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    listener.bind(where)
-    listener.listen(1)
-    at = listener.getsockname()
-    _say(f"listens on {at[0]}:{at[1]}, for this machine only")
-    port = _first_that_speaks(listener)
-    port._keep.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-    return port
-
-
-def listen(address):
-    """A Port to the one peer that comes: `unix:PATH`, or `:PORT` of this machine."""
-    return _listen_unix(address[5:]) if address.startswith("unix:") else _listen_tcp(address)
-
-
-def open_serial(path, baud):
-    """A Port over a serial line, which is ours alone."""
-    speed = getattr(termios, f"B{baud}", None)
-    if speed is None:
-        raise OSError(errno.EINVAL, "Linux has no such baud rate")
-    file = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
-    try:
-        settings = termios.tcgetattr(file)
-    except termios.error:
-        raise OSError(errno.ENOTTY, "it is no serial line") from None
-    fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    fcntl.ioctl(file, termios.TIOCEXCL)
-    settings[0] = settings[1] = settings[3] = 0
-    settings[2] = termios.CS8 | termios.CLOCAL | termios.CREAD
-    settings[4] = settings[5] = speed
-    termios.tcsetattr(file, termios.TCSANOW, settings)
-    termios.tcflush(file, termios.TCIOFLUSH)
-    return Port(file, False)
-
-
 class PartLink:
     """A part's end of the line. It never speaks unasked: it answers a request once it needs more than it has, and a
     duplicate with the answer that it had."""
@@ -352,7 +207,7 @@ class PartLink:
                 self._incoming.clear()
                 self._skipping = True
             data = self.port.read()
-            if self._session is None and self.port.is_socket:
+            if self._session is None and not self.port.knows_peer:
                 self._before_greeting += len(data)
                 if self._before_greeting > MOST_BEFORE_GREETING:
                     raise ProtocolError(f"{self._before_greeting} bytes came, and no greeting of a hub is among them")
@@ -395,7 +250,7 @@ class PartLink:
         self._session = None
         self._before_greeting = 0
         if (protocol, runtime, graph) != (PROTOCOL, self.runtime, self.graph):
-            _say(f"note: a hub of another graph or version was refused: {graph:#018x}, this part {self.graph:#018x}")
+            say(f"note: a hub of another graph or version was refused: {graph:#018x}, this part {self.graph:#018x}")
             return
         self._session = session
         self._crc_start = crc_start_of(self.graph, self.runtime, session)

@@ -14,7 +14,9 @@ try:
 except ImportError:
     sys.exit("error: there is no numpy\nhelp: install it with `apt install python3-numpy`")
 
-from eagerx_link import LinkClosed, PartLink, ProtocolError, SessionOver, listen, open_serial
+from eagerx_key import Key, KeyProblem
+from eagerx_line import LinkClosed, LinkForged, is_tcp_address, listen, open_serial
+from eagerx_link import PartLink, ProtocolError, SessionOver
 
 STEP, RESET, FINISH, SAFE_STEP = 1, 2, 3, 4
 EPISODE = struct.Struct("<QIIB")  # seed, environment, episode, agent
@@ -223,28 +225,58 @@ def read_layout(folder):
         return json.load(file)
 
 
-def main(classes, folder):
-    """The program of a part: nodes by name → their classes, and the folder of part.json. Returns the exit code."""
-    layout = read_layout(folder)
+def read_options(layout, folder):
     parser = argparse.ArgumentParser(prog=f"python3 {folder}", allow_abbrev=False,
                                      description=f"serves part `{layout['part']}` of graph `{layout['graph']}`")
     line = parser.add_mutually_exclusive_group(required=True)
-    line.add_argument("--listen", metavar="ADDRESS", help="unix:PATH, or :PORT for this machine only")
+    line.add_argument("--listen", metavar="ADDRESS",
+                      help="unix:PATH, :PORT for this machine only, or HOST:PORT, which beyond this machine needs --key")
     line.add_argument("--link", metavar="TTY", help="a serial line to the hub")
     parser.add_argument("--baud", type=int, default=115200, help="of the serial line (default: 115200)")
-    options = parser.parse_args()
-    address = options.listen or options.link
-    try:
-        port = listen(address) if options.listen else open_serial(address, options.baud)
-    except OSError as error:
-        print(f"error: cannot open `{address}`: {error.strerror or error}", file=sys.stderr)
-        return 3
+    parser.add_argument("--key", metavar="FILE", help="of TCP: only a hub that has the same key is let in")
+    return parser.parse_args()
+
+
+def open_line(options):
+    """The line that the options say; an OSError or a KeyProblem if there is none."""
+    if options.key is not None and not is_tcp_address(options.listen or "unix:"):
+        raise KeyProblem(f"`--key {options.key}` does nothing: it is for TCP, and serial lines and unix sockets need "
+                         "none\nhelp: leave it out")
+    if options.listen is None:
+        return open_serial(options.link, options.baud)
+    return listen(options.listen, None if options.key is None else Key(options.key))
+
+
+def run(port, address, layout, classes):
+    """Serves until the line is over. Returns the exit code."""
     try:
         serve(port, layout, classes)
+    except LinkForged as problem:
+        print(f"error: the line `{address}` is closed: {problem}", file=sys.stderr)
+        return 3
     except LinkClosed:
         return 0
     except (PartError, ProtocolError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
+    finally:
+        port.close()
+
+
+def main(classes, folder):
+    """The program of a part: nodes by name → their classes, and the folder of part.json. Returns the exit code."""
+    layout = read_layout(folder)
+    options = read_options(layout, folder)
+    address = options.listen or options.link
+    try:
+        try:
+            port = open_line(options)
+        except KeyProblem as problem:
+            print(f"error: {problem}", file=sys.stderr)
+            return 3
+        except OSError as error:
+            print(f"error: cannot open `{address}`: {error.strerror or error}", file=sys.stderr)
+            return 3
+        return run(port, address, layout, classes)
     except KeyboardInterrupt:
         return 130

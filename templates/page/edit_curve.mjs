@@ -1,7 +1,7 @@
 // The learning curve of a training while it grows.
-import {colour, prepare} from "./canvas.mjs";
+import {prepare} from "./canvas.mjs";
+import {paintChart} from "./charts.mjs";
 import {el} from "./elements.mjs";
-import {short, stepOf} from "./numbers.mjs";
 
 /** [steps, value] of a column of the curve that can be plotted, by the first of `names` that there is. */
 export function curveOf(columns, rows, names) {
@@ -19,35 +19,11 @@ export const curveBox =
 /** Return over steps of what trains, of its table as it grows. */
 export function drawCurve(run) {
   const {columns, rows} = run;
-  const lines = [["c0", curveOf(columns, rows, ["return"])], ["c1", curveOf(columns, rows, ["evaluation_return"])]];
-  const points = lines.flatMap(([, line]) => line);
-  curveBox.hidden = run.kind !== "train" || points.length < 1;
+  const lines = [curveOf(columns, rows, ["return"]), curveOf(columns, rows, ["evaluation_return"])];
+  curveBox.hidden = run.kind !== "train" || lines.every((line) => !line.length);
   if (curveBox.hidden) return;
   const width = curveBox.clientWidth - 8, height = 140, context = prepare(curveCanvas, width, height);
   if (!context) return;
-  const right = Math.max(1, ...points.map(([x]) => x)), ys = points.map(([, y]) => y);
-  let low = Math.min(...ys), high = Math.max(...ys);
-  if (high - low < 1e-9) [low, high] = [low - 1, high + 1];
-  const left = 64, top = 8, bottom = height - 20;
-  const px = (x) => left + (x / right) * (width - left - 12),
-        py = (y) => bottom - ((y - low) / (high - low)) * (bottom - top);
-  context.fillStyle = colour("faint");
-  context.strokeStyle = colour("grid");
-  const step = stepOf(high - low, 4);
-  for (let y = Math.ceil(low / step) * step; y <= high; y += step) {
-    context.fillText(short(y, 3), 4, py(y));
-    context.beginPath();
-    context.moveTo(left, py(y));
-    context.lineTo(width - 12, py(y));
-    context.stroke();
-  }
-  context.fillText("0", left, height - 8);
-  context.fillText(`${short(right, 3)} steps`, width - 90, height - 8);
-  for (const [name, line] of lines) {
-    context.strokeStyle = colour(name);
-    context.lineWidth = 2;
-    context.beginPath();
-    line.forEach(([x, y], i) => context[i ? "lineTo" : "moveTo"](px(x), py(y)));
-    context.stroke();
-  }
+  const of = (line) => ({x: line.map(([x]) => x), y: line.map(([, y]) => y)});
+  paintChart(context, {unit: "", lines: lines.map(of)}, width, height);
 }

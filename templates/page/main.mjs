@@ -20,6 +20,7 @@ import {moreViews, showView, views} from "./views.mjs";
 const allViews = [
   {id: "edit", name: "Edit", make: moreViews.get("edit"), there: moreViews.has("edit")},
   {id: "live", name: "Live", make: moreViews.get("live"), there: moreViews.has("live")},
+  {id: "training", name: "Training", make: moreViews.get("training"), there: moreViews.has("training")},
   {id: "graph", name: "Graph", make: makeGraphView, there: true},
   {id: "timetable", name: "Timetable", make: makeTimetableView, there: true},
   {id: "memory", name: "Memory", make: makeMemoryView, there: true},
@@ -136,5 +137,9 @@ document.getElementById("summary").textContent = nodes.length ?
 new ResizeObserver(onFrame(() => state.view && state.view.parts.resized())).observe(document.getElementById("views"));
 addEventListener("hashchange", () => showView(location.hash.slice(1)));
 showTheme(prefersDark.matches);
-const firstView = data.served ? "edit" : data.live ? "live" : data.module ? "simulation" : "graph";
+const firstView = data.served ? "edit" :
+    data.live                 ? "live" :
+    data.training             ? "training" :
+    data.module               ? "simulation" :
+                                "graph";
 showView(nodes.length ? location.hash.slice(1) || firstView : firstView);

@@ -2,13 +2,14 @@
 import {data, nodes, outputName} from "./data.mjs";
 import {floats} from "./numbers.mjs";
 
-export const runs = data.logs.flatMap(
-    (log, l) => log.episodes.map(
-        (episode) => ({
-          log,
-          episode,
-          name: data.logs.length > 1 ? `${l + 1}: episode ${episode.number}` : `episode ${episode.number}`
-        })));
+export const runs =
+    data.logs.flatMap((log, l) => log.episodes.map((episode) => ({
+                                                     log,
+                                                     episode,
+                                                     name: log.title          ? log.title :
+                                                         data.logs.length > 1 ? `${l + 1}: episode ${episode.number}` :
+                                                                                `episode ${episode.number}`
+                                                   })));
 runs.forEach((run, number) => {
   run.number = number;
 });

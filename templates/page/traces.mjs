@@ -65,6 +65,15 @@ export function plotNode(number) {
   layOutPlots();
 }
 
+/** Shows these runs, beside each other if they are several. */
+export function plotRuns(chosen) {
+  showView("traces");
+  plots.runs = new Set(chosen.map((run) => run.number));
+  for (const run of runs) run.chip.setAttribute("aria-pressed", plots.runs.has(run.number));
+  layOutPlots();
+  fitPlots();
+}
+
 let showChoices = () => {};
 function seriesChooser() {
   const box = el("div.channels"),

@@ -4,10 +4,11 @@ Follows Sugiyama, Tagawa, Toda, "Methods for visual understanding of hierarchica
 over several rows has a bend in each of them; edges to the same box share theirs. All choices are by name where two are
 equally good, so that the drawing is the same everywhere.
 """
+import bisect
 import collections
 import hashlib
 
-COLUMNS = range(-10, 11)
+COLUMNS = range(-11, 12)
 STARTS = 2  # orders to begin with; the best result counts
 CROSSING, BESIDE = 6.0, 0.05  # costs, of a crossing, and of a column away from the middle; one column sideways costs 1
 
@@ -52,12 +53,21 @@ def shuffled(start, item):
 
 def cost_of_gap(lines):
     """Of lines from a column to one in the row below."""
-    total = 0.0
-    for i, (a, b) in enumerate(lines):
+    total, crossings = 0.0, 0
+    before = []  # where the lines end that begin further left, in order
+    beginning = []  # and those that begin in this column, which cross none of each other
+    column = None
+    for a, b in sorted(lines):
+        if a != column:
+            for end in beginning:
+                bisect.insort(before, end)
+            beginning.clear()
+            column = a
+        beginning.append(b)
+        crossings += len(before) - bisect.bisect_right(before, b)
         distance = abs(a - b)
         total += distance + 0.3 * distance * distance
-        total += CROSSING * sum((a - c) * (b - d) < 0 for c, d in lines[:i])
-    return total
+    return total + CROSSING * crossings
 
 
 class Search:

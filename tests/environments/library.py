@@ -48,6 +48,7 @@ class Library:
         task = self.description["task"]
         self.terms = len(task["terms"]) if task else 0
         self.seen = numbers(task["critic"]) if task else 0
+        self.stages = [stage["name"] for stage in task["stages"]] if task else []
 
 
 class Batch:
@@ -59,7 +60,8 @@ class Batch:
         self.observation = (c_float * (environments * library.observed))()
         self.reward = (c_float * environments)()
         self.terminated, self.truncated = (c_uint8 * environments)(), (c_uint8 * environments)()
-        self.rows = Rows(ctypes.sizeof(Rows), self.observation, self.reward, self.terminated, self.truncated)
+        self.terms = (c_float * (environments * library.terms))()
+        self.rows = Rows(ctypes.sizeof(Rows), self.observation, self.reward, self.terminated, self.truncated, None, self.terms)
 
     def check(self, result):
         if result != 0:
@@ -73,6 +75,10 @@ class Batch:
         if isinstance(actions, list):
             actions = floats(actions * self.environments)
         self.check(self.library.c.eagerx_step(self.handle, actions, ctypes.byref(self.rows)))
+
+    def stage(self, name, mask=None):
+        """From their next reset on."""
+        self.check(self.library.c.eagerx_set_stage(self.handle, mask, None if name is None else name.encode()))
 
     def critic(self):
         """What only the critic of a training sees: rows of now, and of the ends of episodes."""

@@ -11,6 +11,7 @@ import threading
 FOLDER = sys.argv[1]
 sys.path.insert(0, FOLDER)
 
+import eagerx_line as line  # noqa: E402
 import eagerx_link as link  # noqa: E402
 import eagerx_part  # noqa: E402
 import nodes  # noqa: E402
@@ -42,7 +43,7 @@ class Served:
     def _serve(self):
         try:
             with contextlib.redirect_stderr(io.StringIO()):
-                eagerx_part.serve(link.Port(self._part.fileno(), True, self._part), LAYOUT, nodes.NODES)
+                eagerx_part.serve(line.Port(self._part.fileno(), False, self._part), LAYOUT, nodes.NODES)
         except Exception as error:  # noqa: BLE001  what ended it is what is asked
             self.end = error
         self._part.close()
@@ -120,7 +121,7 @@ def hostile_frames():
     kind, number, _, _ = served.frame()
     expect("10,000 hostile frames, and the first request is still number 1", (kind, number) == (link.ANSWER, 1), (kind, number))
     end = served.over()
-    expect("and the line ends as any", isinstance(end, link.LinkClosed), repr(end))
+    expect("and the line ends as any", isinstance(end, line.LinkClosed), repr(end))
 
 
 def refused():
@@ -134,7 +135,7 @@ def refused():
     expect("a hub of another graph is told which one this is", told == GRAPH, hex(told))
     served.request(1, b"\2" + bytes(17))
     end = served.over()
-    expect("and nothing that it sends is applied", isinstance(end, link.LinkClosed), repr(end))
+    expect("and nothing that it sends is applied", isinstance(end, line.LinkClosed), repr(end))
     served = Served()
     served.greet()
     served.request(1, b"\x63")
@@ -179,19 +180,19 @@ def on_the_line():
     served.request(1, b"\3")
     expect("a duplicate gets the same answer", first == served.frame())
     end = served.over()
-    expect("and is not carried out", isinstance(end, link.LinkClosed), repr(end))
+    expect("and is not carried out", isinstance(end, line.LinkClosed), repr(end))
 
 
 def addresses():
     for address in ("0.0.0.0:0", "nonsense", ":x"):
         try:
-            link.listen(address)
+            line.listen(address)
             expect(f"{address} is refused", False)
         except OSError as error:
             expect(f"{address} is refused: {error.strerror}", True)
     os.makedirs(os.path.join(FOLDER, "taken"), exist_ok=True)
     try:
-        link.listen("unix:" + os.path.join(FOLDER, "taken"))
+        line.listen("unix:" + os.path.join(FOLDER, "taken"))
         expect("what is no socket stays", False)
     except OSError as error:
         expect(f"what is no socket stays: {error.strerror}", os.path.isdir(os.path.join(FOLDER, "taken")))

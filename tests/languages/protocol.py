@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """The bytes of targets/PROTOCOL.md are those of programs:
 
-    protocol.py PART_FOLDER PART_PROGRAM PAGE
+    protocol.py PAGE FIXED_RANDOM PART...      exit code 1 if a program answers otherwise
+    protocol.py --update PAGE                  writes the sealed bytes of the page anew
 
-PART_FOLDER has part.json, PART_PROGRAM is a part in C++ of the page's graph, started here. What the page shows is sent
-and must be answered, byte by byte, by the program and by the part in Python of PART_FOLDER.
+Each PART is a part of the page's graph: a program, or the folder of a part in Python. What the page says that the hub
+says is sent, and what the part says must be the page's, byte by byte. For the bytes with a key, FIXED_RANDOM is loaded
+into the part: it draws the page's numbers.
 """
+import ctypes
 import os
 import re
 import socket
@@ -14,66 +17,188 @@ import sys
 import tempfile
 import time
 
+KEY = "eagerx-gen key 1 " + bytes(range(32)).hex() + "\n"
+SOON_S = 60
 
-def lines_of(page):
-    """[(direction, bytes)] of the blocks ```bytes of the page."""
-    found = []
+
+def lines_of(page, fence):
+    """[[(direction, bytes)]] of the blocks ```FENCE of the page."""
+    with open(page, encoding="utf-8") as file:
+        blocks = re.findall(rf"^```{fence}\n(.*?)^```", file.read(), re.S | re.M)
+    return [[(line.partition(":")[0].strip(), bytes.fromhex(line.partition(":")[2])) for line in block.splitlines()]
+            for block in blocks]
+
+
+class Part:
+    """A part that listens, and its hub's socket."""
+
+    def __init__(self, command, folder, options, environment):
+        self.log = open(os.path.join(folder, "log"), "a+b")  # noqa: SIM115  the part writes to its end, wherever we read
+        command = [sys.executable, command] if os.path.isdir(command) else [command]
+        self.process = subprocess.Popen([*command, *options], stderr=self.log, env={**os.environ, **environment})
+        self.hub = self.connect(self.wait_for(rb"listens on (.*?)(, for .*)?\n"))
+
+    @staticmethod
+    def connect(address):
+        hub = socket.socket(socket.AF_UNIX if address.startswith("unix:") else socket.AF_INET)
+        hub.settimeout(SOON_S)
+        hub.connect(address[5:] if address.startswith("unix:") else ("127.0.0.1", int(address.rpartition(":")[2])))
+        return hub
+
+    def wait_for(self, pattern):
+        end = time.monotonic() + SOON_S
+        while time.monotonic() < end:
+            self.log.seek(0)
+            found = re.search(pattern, self.log.read())
+            if found:
+                return found[1].decode()
+            time.sleep(0.01)
+        sys.exit(f"FAIL a part never says {pattern}")
+
+    def receive(self, size):
+        """So many bytes, or what there is before the end."""
+        data = b""
+        while len(data) < size:
+            try:
+                more = self.hub.recv(size - len(data))
+            except ConnectionResetError:  # it has ended, and has not heard all
+                break
+            if not more:
+                break
+            data += more
+        return data
+
+    def end(self):
+        self.hub.close()
+        code = self.process.wait(SOON_S)
+        self.log.close()
+        return code
+
+
+def converse(command, script, key, fixed_random):
+    """Whether the program answers as the script says, and ends well."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "page.key")
+        with open(os.open(path, os.O_WRONLY | os.O_CREAT, 0o600), "w", encoding="ascii") as file:
+            file.write(KEY)
+        options = ["--listen", "127.0.0.1:0", "--key", path] if key else ["--listen", f"unix:{folder}/line"]
+        part = Part(command, folder, options, {"LD_PRELOAD": fixed_random, "ASAN_OPTIONS": "verify_asan_link_order=0"} if key else {})
+        for number, (direction, data) in enumerate(script):
+            if direction == "hub":
+                part.hub.sendall(data)
+                continue
+            answer = part.receive(len(data))
+            if answer != data:
+                print(f"FAIL {command}: line {number + 1} of the page is {data.hex(' ')}, it says {answer.hex(' ')}")
+                part.end()
+                return False
+        code = part.end()
+    print(f"{'FAIL' if code else 'ok  '} {os.path.basename(command)}, {'with' if key else 'without'} a key: {len(script)} lines of "
+          f"the page, {sum(len(data) for _, data in script)} bytes, exit code {code}")
+    return code == 0
+
+
+class Drawn:
+    """Random numbers of libsodium in this process, for the hub or the part of the page."""
+
+    def __init__(self, sodium):
+        self.secret, self.head = 0, 0
+        types = [ctypes.CFUNCTYPE(ctypes.c_char_p), ctypes.CFUNCTYPE(ctypes.c_uint32), ctypes.CFUNCTYPE(None),
+                 ctypes.CFUNCTYPE(ctypes.c_uint32, ctypes.c_uint32),
+                 ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_size_t), ctypes.CFUNCTYPE(ctypes.c_int)]
+        self.functions = [types[0](lambda: b"page"), types[1](lambda: 4), types[2](lambda: None), types[3](lambda _: 0),
+                          types[4](self.fill), types[5](lambda: 0)]
+        self.table = (ctypes.c_void_p * 6)(*(ctypes.cast(each, ctypes.c_void_p) for each in self.functions))
+        sodium.randombytes_set_implementation(self.table)
+
+    def fill(self, room, size):
+        begin = self.head if size == 24 else self.secret
+        ctypes.memmove(room, bytes((begin + i) % 256 for i in range(size)), size)
+
+
+class Silent:
+    """A socket of nobody."""
+
+    def __init__(self, answers):
+        self.answers, self.sent = answers, []
+
+    def recv(self, size):
+        data, self.answers = self.answers[:size], self.answers[size:]
+        return data
+
+    def sendall(self, data):
+        self.sent.append(bytes(data))
+
+
+def sealed_lines(script):
+    """What the hub and the part of the page say, as tests/trust/sealed.py says it: three blocks."""
+    sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../trust"))
+    import sealed  # noqa: PLC0415  it needs libsodium, which a page without a key does not
+    drawn = Drawn(sealed.sodium)
+
+    class Page(sealed.Sealed):
+        def __init__(self, secret, head, answers, connects):
+            drawn.secret, drawn.head = secret, head
+            self.silent = Silent(answers)
+            try:
+                super().__init__(self.silent, bytes(range(32)), connects)
+            except sealed.Refused:
+                pass  # the other one has not said more yet
+
+        def said(self):
+            return b"".join(self.silent.sent)
+
+    hello = Page(0x20, 0x60, b"", True).said()
+    answer = Page(0x40, 0x80, hello, False).said()
+    hub = Page(0x20, 0x60, answer, True)
+    proof = hub.said()[len(hello):]
+    part = Page(0x40, 0x80, hello + proof, False)
+    greetings = [("hub", hello), ("part", answer), ("hub", proof)]
+    before = {"hub": len(hub.silent.sent), "part": len(part.silent.sent)}
+    ends = {"hub": hub, "part": part}
+
+    def next_of(who):
+        sent = ends[who].silent.sent[before[who]:]
+        before[who] += len(sent)
+        return (who, b"".join(sent))
+
+    records = []
+    for who, data in script[:4]:
+        ends[who].send(data)
+        records.append(next_of(who))
+    hub.end()
+    part.end()
+    return [greetings, records, [next_of("hub"), next_of("part")]]
+
+
+def update(page):
+    blocks = iter(sealed_lines([line for block in lines_of(page, "bytes") for line in block]))
     with open(page, encoding="utf-8") as file:
         text = file.read()
-    for block in re.findall(r"^```bytes\n(.*?)^```", text, re.S | re.M):
-        for line in block.splitlines():
-            direction, _, rest = line.partition(":")
-            found.append((direction.strip(), bytes.fromhex(rest.split("#")[0])))
-    return found
 
+    def write(_):
+        lines = []
+        for who, data in next(blocks):
+            pieces = [data[i:i + 38] for i in range(0, len(data), 38)]
+            lines += [f"{who + ':':5} {piece.hex(' ')}" for piece in pieces]
+        return "```sealed\n" + "\n".join(lines) + "\n```"
 
-def converse(name, command, script):
-    """Whether the program answers as the script says."""
-    with tempfile.TemporaryDirectory() as folder:
-        address = os.path.join(folder, "line")
-        with subprocess.Popen([*command, "--listen", f"unix:{address}"], stderr=subprocess.DEVNULL) as part:
-            for _ in range(1500):
-                if os.path.exists(address):
-                    break
-                time.sleep(0.02)
-            hub = socket.socket(socket.AF_UNIX)
-            hub.settimeout(30)
-            for _ in range(1500):  # the socket may be there before it listens
-                try:
-                    hub.connect(address)
-                    break
-                except OSError:
-                    time.sleep(0.02)
-            good = True
-            for i, (direction, data) in enumerate(script):
-                if direction == "hub":
-                    hub.sendall(data)
-                    continue
-                answer = b""
-                while len(answer) < len(data):
-                    more = hub.recv(len(data) - len(answer))
-                    if not more:
-                        break
-                    answer += more
-                if answer != data:
-                    print(f"FAIL {name}: line {i + 1} of the page is {data.hex(' ')}, the program says {answer.hex(' ')}")
-                    good = False
-                    break
-            hub.close()
-            part.wait(timeout=30)
-    if good:
-        print(f"ok   {name}: {len(script)} lines of the page, {sum(len(data) for _, data in script)} bytes")
-    return good
+    text = re.sub(r"^```sealed\n.*?^```", write, text, flags=re.S | re.M)
+    with open(page, "w", encoding="utf-8") as file:
+        file.write(text)
 
 
 def main():
-    folder, program, page = sys.argv[1:]
-    script = lines_of(page)
-    if len(script) < 6:
+    if sys.argv[1] == "--update":
+        update(sys.argv[2])
+        return 0
+    page, fixed_random, *parts = sys.argv[1:]
+    plain, with_key = ([line for block in lines_of(page, fence) for line in block] for fence in ("bytes", "sealed"))
+    if len(plain) < 6 or len(with_key) < 6 or not parts:
         sys.exit("FAIL the page shows no exchange")
-    results = [converse("a part in C++", [program], script), converse("a part in Python", [sys.executable, folder], script)]
-    sys.exit(0 if all(results) else 1)
+    results = [converse(part, script, key, fixed_random) for part in parts for script, key in ((plain, False), (with_key, True))]
+    return 0 if all(results) else 1
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

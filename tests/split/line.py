@@ -5,8 +5,8 @@
             [--seed N] [--hang-up-after N] [--silent-after N]
 
 FROM: unix:PATH to listen on for the host's program, or pty:PATH for a pseudo terminal with a link at PATH.
-TO: unix:PATH to connect to. P are percent of frames, which are told apart by the zeros between them. What a
-frame suffers depends on the seed and its number alone.
+TO: unix:PATH to connect to, or pty:PATH as well. P are percent of frames, which are told apart by the zeros between
+them. What a frame suffers depends on the seed and its number alone.
 """
 import argparse
 import heapq
@@ -77,15 +77,20 @@ class Direction:
             self.out(b"\0" + heapq.heappop(self.late)[2] + b"\0")
 
 
+def open_pty(path):
+    """A pseudo terminal with a link at `path`."""
+    master, slave = pty.openpty()
+    tty.setraw(master)
+    tty.setraw(slave)
+    os.symlink(os.ttyname(slave), path)
+    # `slave` stays open, so that the line is there before and after the program.
+    return master, lambda: os.read(master, 4096), lambda data: os.write(master, data)
+
+
 def listen(address):
     kind, path = address.split(":", 1)
     if kind == "pty":
-        master, slave = pty.openpty()
-        tty.setraw(master)
-        tty.setraw(slave)
-        os.symlink(os.ttyname(slave), path)
-        # `slave` stays open, so that the line is there before and after the host's program.
-        return master, lambda: os.read(master, 4096), lambda data: os.write(master, data)
+        return open_pty(path)
     server = socket.socket(socket.AF_UNIX)
     server.bind(path)
     server.listen(1)
@@ -94,12 +99,14 @@ def listen(address):
 
 
 def connect(address):
-    path = address.split(":", 1)[1]
+    kind, path = address.split(":", 1)
+    if kind == "pty":
+        return open_pty(path)
     for _ in range(1000):
         try:
             connection = socket.socket(socket.AF_UNIX)
             connection.connect(path)
-            return connection
+            return connection, lambda: connection.recv(4096), connection.sendall
         except OSError:
             time.sleep(0.05)
     sys.exit("cannot connect to " + path)
@@ -116,13 +123,13 @@ def main():
     parser.add_argument("--silent-after", type=int, default=0)
     options = parser.parse_args()
 
-    board = connect(options.to)
+    board, read_board, write_board = connect(options.to)
     host, read, write = listen(options.source)
-    there = Direction(options, options.seed, board.sendall)
+    there = Direction(options, options.seed, write_board)
     back = Direction(options, options.seed + 1000, write)
     selector = selectors.DefaultSelector()
     selector.register(host, selectors.EVENT_READ, (read, there))
-    selector.register(board, selectors.EVENT_READ, (lambda: board.recv(4096), back))
+    selector.register(board, selectors.EVENT_READ, (read_board, back))
     while True:
         for key, _ in selector.select(0.002 if there.late or back.late else 1):
             receive, direction = key.data

@@ -67,12 +67,12 @@ def beyond_this_machine(stage):
 def over(stage, address, of_hub, of_part):
     host = f"[{address}]" if ":" in address else address
     for listen in (host + ":7001", "0.0.0.0:7001"):
-        part = stage.start([*of_part, stage.program("left"), "--listen", listen])
+        part = stage.start([*of_part, *stage.program("left"), "--listen", listen])
         check(part.wait() == 3 and "TCP needs a key\nhelp: `eagerx-gen key new FILE`" in part.said(), "no part without a key",
               part.said())
     hub = stage.hub(7001, host=host, key=False, before=of_hub)
     check(hub.wait() == 3 and "TCP needs a key\nhelp: `eagerx-gen key new FILE`" in hub.said(), "no hub without", hub.said())
-    part = stage.start([*of_part, stage.program("left"), "--listen", host + ":7001", "--key", stage.key])
+    part = stage.start([*of_part, *stage.program("left"), "--listen", host + ":7001", "--key", stage.key])
     until(lambda: "listens on" in part.said() or part.process.poll() is not None, "a part that listens")
     same_hash(stage.hub(7001, host=host, before=of_hub))
 
@@ -292,6 +292,9 @@ def files_that_are_no_key(stage):
     def refused(what, option):
         hub = stage.hub(1, "--key", option, key=False)
         check(hub.wait() in (2, 3) and what in hub.said(), what, hub.said())
+        if "=" not in option:
+            part = stage.start([*stage.program("left"), "--listen", "127.0.0.1:0", "--key", option])
+            check(part.wait() == 3 and "cannot use the key" in part.said() and what in part.said(), what, part.said())
 
     refused("No such file or directory\nhelp: `eagerx-gen key new FILE` writes one", path)
     shutil.copy(stage.key, path)
@@ -310,7 +313,7 @@ def files_that_are_no_key(stage):
     refused("error: `--key right=" + path + "` does nothing", "right=" + path)
     hub = stage.hub(1, "--key", "left=" + stage.key)
     check(hub.wait() == 2 and "error: two keys for one line" in hub.said(), "two keys", hub.said())
-    part = stage.start([stage.program("left"), "--listen", "unix:" + path + "s", "--key", stage.key])
+    part = stage.start([*stage.program("left"), "--listen", "unix:" + path + "s", "--key", stage.key])
     check(part.wait() == 3 and "does nothing: it is for TCP" in part.said(), "no key for a unix socket", part.said())
     # What is there stays.
     before = open(stage.key, encoding="ascii").read()
@@ -330,6 +333,8 @@ def without_the_library(stage):
         return
     hub = stage.hub(1, before=hide)
     check(hub.wait() == 3 and "help: apt install libsodium23" in hub.said(), "it says what to install", hub.said())
+    part = stage.start([*hide, *stage.program("left"), "--listen", "127.0.0.1:0", "--key", stage.key])
+    check(part.wait() == 3 and "help: apt install libsodium23" in part.said(), "so does a part", part.said())
     port = stage.left()[1]
     same_hash(stage.hub(port, key=False, before=hide))
     made = subprocess.run([*hide, GENERATOR, "key", "new", os.path.join(stage.scratch, "b.key")], capture_output=True)

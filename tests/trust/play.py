@@ -5,6 +5,7 @@ import re
 import resource
 import socket
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -53,7 +54,9 @@ class Stage:
         self.key = os.path.join(folder, "good.key")
 
     def program(self, name):
-        return os.path.join(self.folder, "programs", name + ".elf")
+        """The command to start it with: a program, or the folder of a part in Python."""
+        path = os.path.join(self.folder, "programs", name)
+        return [sys.executable, path] if os.path.isdir(path) else [path + ".elf"]
 
     def start(self, command):
         self.started.append(Process(command))
@@ -61,7 +64,7 @@ class Stage:
 
     def left(self, *options, program="left", address="127.0.0.1:0"):
         """The part and its port."""
-        part = self.start([self.program(program), "--listen", address, *options])
+        part = self.start([*self.program(program), "--listen", address, *options])
         until(lambda: "listens on" in part.said() or part.process.poll() is not None, "a part that listens")
         found = re.search(r"listens on .*:(\d+)", part.said())
         if not found:
@@ -70,7 +73,7 @@ class Stage:
 
     def right(self):
         path = os.path.join(self.scratch, "right%d" % len(self.started))
-        self.start([self.program("right"), "--listen", "unix:" + path])
+        self.start([*self.program("right"), "--listen", "unix:" + path])
         until(lambda: os.path.exists(path), "the other part")
         return "right=unix:" + path
 
@@ -78,7 +81,7 @@ class Stage:
         """Starts it; with the key unless told otherwise."""
         self.trace = os.path.join(self.scratch, "trace%d" % len(self.started))
         keys = ["--key", "left=" + self.key] if key else []
-        return self.start([*before, self.program("hub"), *(RUN if run is None else run), "--link", self.right(), "--link",
+        return self.start([*before, *self.program("hub"), *(RUN if run is None else run), "--link", self.right(), "--link",
                            f"left={host}:{port}", *keys, "--hash", "--trace", self.trace, "--link-timeout", "20", *options])
 
     def close(self):

@@ -70,6 +70,8 @@ class Notes {
   }
 
  private:
+  static constexpr double kMostChoice = 1e9;
+
   std::string text(const char* key) const {
     const auto found = table_.notes.find(key);
     return found == table_.notes.end() ? std::string() : found->second;
@@ -103,18 +105,32 @@ class Notes {
     if (!squash.empty() && squash != "TRUE" && squash != "FALSE") return fail("squash");
     return read_choice(facts);
   }
-  /// The whole number that output 0 stands for, of a policy that chooses.
+  /// The whole number that the first output of each choice stands for, of a policy that chooses,
+  /// and of several choices how many outputs each is among.
   bool read_choice(PolicyFacts& facts) {
-    constexpr double kMost = 1e9;
-    std::vector<double> values;
     if (text("first_choice").empty()) return true;
-    if (!bounds("first_choice", values)) return false;
-    const bool whole = values.size() == 1 && std::trunc(values.front()) == values.front() &&
-                       std::fabs(values.front()) < kMost;
-    if (!whole || facts.action) return fail("first_choice");
+    std::vector<double> firsts, counts;
+    if (!whole_numbers("first_choice", -kMostChoice, firsts)) return false;
+    if (firsts.empty() || facts.action) return fail("first_choice");
+    if (!whole_numbers("choices", 1.0, counts)) return false;
+    if (firsts.size() != std::max<std::size_t>(counts.size(), 1)) return fail("first_choice");
     facts.action = ActionKind::argmax;
-    facts.contract.first_choice = static_cast<std::int64_t>(values.front());
+    for (const double first : firsts)
+      facts.contract.first_choices.push_back(static_cast<std::int64_t>(first));
+    for (const double count : counts) {
+      facts.contract.groups.push_back(static_cast<std::uint32_t>(count));
+      facts.actions = facts.actions.value_or(0) + static_cast<std::int64_t>(count);
+    }
     return true;
+  }
+  /// Of the metadata `key`, if it is there.
+  bool whole_numbers(const char* key, double least, std::vector<double>& values) {
+    if (text(key).empty()) return true;
+    if (!bounds(key, values)) return false;
+    const bool good = std::ranges::all_of(values, [&](double value) {
+      return std::trunc(value) == value && value >= least && value <= kMostChoice;
+    });
+    return good || fail(key);
   }
   bool bounds(const char* key, std::vector<double>& out) {
     const std::string note = text(key);

@@ -292,8 +292,8 @@ class DataReader {
       facts_.actions = static_cast<std::int64_t>(*count);
       facts_.action = ActionKind::argmax;
       const auto start = pickle->number(pickle->find(top, "start"));
-      facts_.contract.first_choice =
-          start && *start > -1e9 && *start < 1e9 ? static_cast<std::int64_t>(*start) : 0;
+      facts_.contract.first_choices = {
+          start && *start > -1e9 && *start < 1e9 ? static_cast<std::int64_t>(*start) : 0};
       return true;
     }
     if (!is_space(*pickle, top, ".Box")) return read_choices(*pickle, top);
@@ -322,7 +322,7 @@ class DataReader {
     facts_.actions = 0;
     for (const std::uint32_t count : *counts) *facts_.actions += is_binary ? 1 : count;
     if (is_binary) return true;
-    facts_.contract.first_choice = 0;
+    facts_.contract.first_choices = {0};
     facts_.contract.groups = std::move(*counts);
     return true;
   }

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <eagerx/link/star.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/window.hpp>
 #include <new>
 #include <type_traits>
 
@@ -110,7 +111,7 @@ class Ahead {
   template <std::size_t K, class... Message>
   bool post(Owner& owner, PartIndex<K> part, Take take, Seq n, Awaited<Message>... awaited) {
     auto& link = owner.link();
-    if (!link.runs_ahead()) return (owner.*take)(n, nullptr);
+    if (held_ || !link.runs_ahead()) return (owner.*take)(n, nullptr);
     Queue& queue = queues_[K];
     while ((link.is_full(part) || queue.count == Most) && queue.count > 0) {
       if (!take_next(owner, queue)) return false;
@@ -120,6 +121,20 @@ class Ahead {
     link.post(part);
     queue.waiting[(queue.first + queue.count++) % Most] = {take, n, record};
     return link.ok();
+  }
+
+  /// At tick `n` of a node of `from`: hands on to `to` the message of `lag` ticks before, the first
+  /// at once, and waits for it. The node has sent into `ring`, and `taken` are there. False if the
+  /// connection is over.
+  template <class From, class To, class Message, std::size_t Capacity>
+  bool hand_on(Owner& owner, From from, const Seq& taken, Seq n, Seq lag, To to,
+               const Message (&ring)[Capacity]) {
+    if (!comes_late(n, lag)) return true;
+    const Seq sent = sent_before(n, lag);
+    need(owner, from, taken, sent + 1);
+    if (!owner.link().ok()) return false;
+    owner.link().put(to, ring[ring_position<Capacity>(sent)]);
+    return true;
   }
 
   /// Returns `count` once so many messages of a node of part `K` are there, of which there are
@@ -142,6 +157,14 @@ class Ahead {
     }
     return true;
   }
+
+  /// Waits for all, and from then on for each message where it is asked for: where parts also send
+  /// what nobody asked for. False if the connection is over.
+  bool hold(Owner& owner) {
+    held_ = true;
+    return settle(owner);
+  }
+  void go_on() { held_ = false; }
 
   /// A message of the trace.
   template <class Message>
@@ -198,6 +221,7 @@ class Ahead {
 
   Queue queues_[Parts];
   LaterTrace<Trace, Bytes> later_;
+  bool held_;
 };
 
 }  // namespace eagerx::link

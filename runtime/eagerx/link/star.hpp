@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/link/host.hpp>
+#include <eagerx/rate.hpp>
 #include <tuple>
 #include <utility>
 
@@ -23,6 +24,15 @@ struct PartFacts {
 /// Names part `K` where a link is chosen.
 template <std::size_t K>
 struct PartIndex {};
+
+/// What one part sends and another reads with a delay comes to that part `lag` ticks of its node
+/// later, the first message at once: whether one comes at tick `n`, and which.
+constexpr bool comes_late(Seq n, Seq lag) {
+  return n == 0 || n > lag;
+}
+constexpr Seq sent_before(Seq n, Seq lag) {
+  return n == 0 ? 0 : n - lag;
+}
 
 inline constexpr std::uint32_t kNoChannel = UINT32_MAX;
 

@@ -1,5 +1,6 @@
 #include "targets/environments/client/description.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -41,6 +42,18 @@ std::size_t numbers(const std::vector<Space>& spaces) {
   return sum;
 }
 
+std::vector<Stage> stages(const json& list) {
+  constexpr double kNothing = -std::numeric_limits<double>::infinity();
+  std::vector<Stage> result;
+  for (const json& one : list) {
+    const auto limit = [&](const char* key) {
+      return one.at(key).is_number() ? one.at(key).get<double>() : kNothing;
+    };
+    result.push_back({one.at("name"), limit("success"), limit("return")});
+  }
+  return result;
+}
+
 }  // namespace
 
 std::size_t Description::observation_numbers() const {
@@ -52,9 +65,11 @@ std::size_t Description::action_numbers() const {
 std::size_t Description::critic_numbers() const {
   return numbers(critic);
 }
+bool Space::is_whole() const {
+  return dtype.starts_with("int") || dtype.starts_with("uint");
+}
 bool Description::chooses() const {
-  return actions.size() == 1 && actions.front().size == 1 &&
-         (actions.front().dtype.starts_with("int") || actions.front().dtype.starts_with("uint"));
+  return !actions.empty() && std::ranges::all_of(actions, &Space::is_whole);
 }
 
 std::vector<std::string> column_names(const std::vector<Space>& states) {
@@ -84,6 +99,7 @@ Description read_description(std::string_view text) {
     result.terms = task.at("terms").get<std::vector<std::string>>();
     result.has_success = task.at("success");
     result.episode_steps = task.at("episode_steps");
+    if (task.contains("stages")) result.stages = stages(task.at("stages"));
     if (task.contains("critic")) result.critic = spaces(task.at("critic"));
     return result;
   } catch (const json::exception& error) {

@@ -16,6 +16,15 @@ struct Space {
   std::vector<double> low,
       high;                // [size], infinite where there is no bound; as one if all are equal
   bool is_scalar = false;  // shape []
+
+  /// Whether its numbers are whole.
+  bool is_whole() const;
+};
+
+/// A part of a training, before the graph as it is written.
+struct Stage {
+  std::string name;
+  double success, mean_return;  // that must be reached in it; negative infinity: nothing is asked
 };
 
 struct Description {
@@ -29,12 +38,13 @@ struct Description {
   std::vector<std::string> terms;  // of the reward
   bool has_success = false;
   std::uint32_t episode_steps = 0;  // 0: no limit
+  std::vector<Stage> stages;        // of the task
   std::vector<Space> critic;        // what the critic of a training sees besides observations
 
   std::size_t observation_numbers() const;
   std::size_t action_numbers() const;
   std::size_t critic_numbers() const;
-  /// Whether the only action is one of a few whole numbers.
+  /// Whether all actions are whole numbers, each one of a few.
   bool chooses() const;
 };
 

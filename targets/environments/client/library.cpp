@@ -45,6 +45,12 @@ bool Environments::step(const float* action, const eagerx_rows& rows) {
   return result == 0;
 }
 
+void Environments::set_stage(const std::string& name) {
+  if (library_.set_stage == nullptr) return;
+  if (library_.set_stage(handle_.get(), nullptr, name.c_str()) != 0)
+    fail(library_, "cannot set the stage of the environments");
+}
+
 void Environments::critic(float* rows, float* final_rows) {
   if (library_.critic(handle_.get(), rows, final_rows) != 0)
     fail(library_, "cannot ask what the critic sees");
@@ -85,6 +91,8 @@ Library::Library(const std::string& path) : path_(path) {
   functions_.step = find<decltype(&eagerx_step)>("eagerx_step");
   functions_.stepping = find<decltype(&eagerx_stepping)>("eagerx_stepping");
   description_ = read_description(functions_.describe());
+  if (!description_.stages.empty())
+    functions_.set_stage = find<decltype(&eagerx_set_stage)>("eagerx_set_stage");
   if (description_.critic_numbers() > 0)
     functions_.critic = find<decltype(&eagerx_critic)>("eagerx_critic");
 }

@@ -20,6 +20,7 @@ struct LibraryFunctions {
   decltype(&eagerx_reset) reset;
   decltype(&eagerx_step) step;
   decltype(&eagerx_stepping) stepping;
+  decltype(&eagerx_set_stage) set_stage;  // null where the task has no stages
   decltype(&eagerx_critic) critic;  // null where the critic of a training sees observations only
 };
 
@@ -38,6 +39,8 @@ class Environments {
   void reset_some(const std::uint8_t* mask, float* observation);
   /// False if a reward is not finite, and error() says which. The step is made.
   [[nodiscard]] bool step(const float* action, const eagerx_rows& rows);
+  /// From the next reset on they are in this stage of the task; empty: the graph as it is written.
+  void set_stage(const std::string& name);
   /// What the critic of a training sees, as eagerx_critic() says it.
   void critic(float* rows, float* final_rows);
   /// How they are stepped, and what made that slower: "in packs of 64 (avx512)".

@@ -83,6 +83,11 @@ inline constexpr Row kTrain[] = {
      .value = "FILE",
      .about = "write the learning curve as a picture (SVG)",
      .use = Use::writes},
+    {.names = "--record",
+     .value = "FILE",
+     .about = "write, as it goes on, what `eagerx-gen report --training FILE` shows on a page: "
+              "curves, settings, the last evaluation and its episodes",
+     .use = Use::writes},
     {.names = "--tensorboard",
      .value = "DIR",
      .about = "write the learning curve there, as it grows, as a file that TensorBoard reads",

@@ -43,6 +43,8 @@ class Algorithm {
   /// How environments are stepped, and what made that slower.
   virtual std::string stepping() const = 0;
 
+  /// From the next era on, environments are in this stage of the task; empty: as it is written.
+  virtual void set_stage(const std::string& name) = 0;
   /// All environments begin anew, with episodes that nothing but the era and the seed decides. A
   /// training that goes on from here needs what was learnt and the iteration only.
   virtual void begin_era() = 0;

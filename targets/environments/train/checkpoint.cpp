@@ -13,7 +13,7 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 5\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 6\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 /// The sizes of what it visits.
@@ -49,6 +49,7 @@ template <class Visitor, class SomeModel>
 void visit_model(Visitor& visitor, SomeModel& model) {
   visitor(model.actor_parameters);
   if constexpr (requires { model.critics; }) {
+    visitor(model.averaged);
     visit_adam(visitor, model.actor_adam);
     for (auto& critic : model.critics) {
       visitor(critic.parameters);
@@ -73,6 +74,7 @@ template <class Visitor, class SomeModel, class SomeProgress>
 void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.iteration);
   visitor(progressed.succeeded);
+  visitor(progressed.course);
   visitor(progressed.curve);
   visitor(progressed.recent);
   visitor(progressed.best.parameters);
@@ -144,6 +146,7 @@ void read_values(std::string_view values, const std::string& name, auto& model,
   const std::size_t best = progressed.best.parameters.size();
   const bool fits = sizes_of(model) == expected && progressed.recent.size() <= kRecent &&
                     progressed.curve.size() == progressed.iteration &&
+                    progressed.course.began <= progressed.iteration &&
                     (best == 0 || best == deployed_size(model));
   if (!reader.complete || !fits)
     throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);
@@ -259,6 +262,7 @@ void begin_from(const std::string& bytes, const std::string& name, const std::st
                 sac::Model& model) {
   sac::Model learnt = learnt_by(bytes, name, interface, model);
   model.actor_parameters = std::move(learnt.actor_parameters);
+  model.averaged = std::move(learnt.averaged);
   for (std::size_t c = 0; c < model.critics.size(); ++c) {
     model.critics[c].parameters = std::move(learnt.critics[c].parameters);
     model.critics[c].target = std::move(learnt.critics[c].target);

@@ -80,13 +80,16 @@ std::string grid(const Plane& plane) {
 }
 
 constexpr std::string_view kColumns =
-    "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence";
+    "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence,"
+    "stage,"
+    "stage_success,stage_return";
 
 std::string row_of(const CurvePoint& point) {
-  return fmt::format("{:.0f},{},{},{},{},{},{},{}\n", point.steps, cell(point.mean_return),
+  return fmt::format("{:.0f},{},{},{},{},{},{},{},{},{},{}\n", point.steps, cell(point.mean_return),
                      cell(point.success), cell(point.evaluation_return),
                      cell(point.evaluation_success), cell(point.deviation), cell(point.step_size),
-                     cell(point.divergence));
+                     cell(point.divergence), cell(point.stage), cell(point.stage_success),
+                     cell(point.stage_return));
 }
 
 /// What all returns lie in.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ struct CurvePoint {
   double deviation;           // of the actions, mean; their range is -1…1
   double step_size;           // of Adam
   double divergence;          // of the last update
+  double stage = kNone;       // of the task, from 1; behind the last one it is as written
+  double stage_success = kNone;  // of the deterministic policy in it, 0 to 1
+  double stage_return = kNone;
+
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 };
 
 std::string curve_csv(const std::vector<CurvePoint>& points);

@@ -17,6 +17,7 @@ void Evaluation::add(const Evaluation& more) {
   highest_return = std::max(highest_return, more.highest_return);
   successes += more.successes;
   episodes += more.episodes;
+  outcomes.insert(outcomes.end(), more.outcomes.begin(), more.outcomes.end());
 }
 
 struct Evaluator::Episode {
@@ -69,11 +70,12 @@ class Evaluator::Part {
   std::size_t count() const { return count_; }
 
   Result run(const Kernels& kernels, const Policy& policy, std::uint64_t seed,
-             const Statistics& observations) {
+             const Statistics& observations, const std::string& stage) {
     result_ = {.episodes = std::vector(count_, Episode{0.0, std::vector<double>(terms_), 0, false}),
                .far = std::vector<std::uint64_t>(policy.network.inputs())};
     row_.assign(policy.network.row(), Pack{});  // nothing is remembered
     std::vector<bool> ended(count_);
+    environments_.set_stage(stage);
     environments_.reset(seed, rows_.observation.data());
     while (std::count(ended.begin(), ended.end(), false) != 0) {
       act(kernels, policy);
@@ -143,10 +145,10 @@ Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
 
 Evaluator::~Evaluator() = default;
 
-Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed,
-                          const Statistics& observations) {
+Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed, const Statistics& observations,
+                          const std::string& stage) {
   const auto work = [&](std::size_t i) {
-    results_[own_.first + i] = parts_[i]->run(kernels_, policy, seed, observations);
+    results_[own_.first + i] = parts_[i]->run(kernels_, policy, seed, observations, stage);
   };
   const auto all = together(
       ranks_,
@@ -158,7 +160,7 @@ Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed,
   for (std::uint32_t rank = 0; rank < ranks_.size(); ++rank) {
     if (rank != ranks_.rank()) take(rank, all[rank]);
   }
-  return sum(policy.network.inputs());
+  return sum(policy.network.inputs(), seed);
 }
 
 std::string Evaluator::bytes_of_own() {
@@ -175,7 +177,7 @@ void Evaluator::take(std::uint32_t rank, const std::string& bytes) {
   if (!reader.complete) throw Problem(kInputOutput, "a rank has sent damaged results");
 }
 
-Evaluation Evaluator::sum(std::size_t inputs) const {
+Evaluation Evaluator::sum(std::size_t inputs, std::uint64_t seed) const {
   Evaluation result;
   result.far.resize(inputs);
   double numbers = 0.0;
@@ -185,6 +187,8 @@ Evaluation Evaluator::sum(std::size_t inputs) const {
     for (std::size_t i = 0; i < result.far.size(); ++i)
       result.far[i] += static_cast<double>(part.far[i]);
     for (const Episode& episode : part.episodes) {
+      const auto environment = static_cast<std::uint32_t>(result.episodes);
+      result.outcomes.push_back({seed, environment, episode.steps, episode.sum, episode.success});
       const bool is_first = result.episodes++ == 0;
       result.successes += episode.success ? 1 : 0;
       result.mean_return += episode.sum;

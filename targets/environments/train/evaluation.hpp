@@ -15,14 +15,24 @@ namespace eagerx::train {
 /// What is further from the mean of observations, in deviations, networks do not see as they learn.
 inline constexpr float kFar = 8.0F;
 
+/// Episode of an evaluation: the first one of an environment of that number and seed, so a program
+/// of the graph repeats it with `--seed` and `--environment`.
+struct Outcome {
+  std::uint64_t seed = 0;
+  std::uint32_t environment = 0, steps = 0;
+  double sum = 0.0;  // of its rewards
+  bool success = false;
+};
+
 struct Evaluation {
   std::size_t episodes = 0;
   std::size_t successes = 0;  // `success:` of the task holds at the end of the episode
   double mean_return = 0.0, lowest_return = 0.0, highest_return = 0.0;
   double mean_steps = 0.0;
-  std::vector<double> terms;  // [terms] of the return, mean over the episodes
-  double saturated = 0.0;     // share of the actions' numbers that are at a bound
-  std::vector<double> far;    // [inputs] share of the steps beyond kFar deviations
+  std::vector<double> terms;      // [terms] of the return, mean over the episodes
+  double saturated = 0.0;         // share of the actions' numbers that are at a bound
+  std::vector<double> far;        // [inputs] share of the steps beyond kFar deviations
+  std::vector<Outcome> outcomes;  // [episodes]
 
   bool passed() const { return successes * 100 >= episodes * 99; }
   /// As one evaluation of all the episodes.
@@ -37,8 +47,9 @@ class Evaluator {
   ~Evaluator();
 
   /// One episode in each of `episodes` environments, the first of `seed`. Nothing is drawn.
-  /// `observations`: what is far from it is counted.
-  Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations);
+  /// `observations`: what is far from it is counted. `stage` of the task; empty: as it is written.
+  Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations,
+                 const std::string& stage = {});
 
  private:
   struct Episode;
@@ -47,7 +58,7 @@ class Evaluator {
 
   std::string bytes_of_own();
   void take(std::uint32_t rank, const std::string& bytes);
-  Evaluation sum(std::size_t inputs) const;
+  Evaluation sum(std::size_t inputs, std::uint64_t seed) const;
 
   const Kernels& kernels_;
   Team& team_;

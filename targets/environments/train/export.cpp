@@ -37,6 +37,8 @@ ordered_json notes_of(const Policy& policy, const Description& description,
   ordered_json notes = {{"writer", "eagerx-gen train"}, {"activation", is_relu ? "relu" : "tanh"}};
   if (policy.head.chooses) {
     notes["first_choice"] = listed(policy.head.low);
+    if (policy.head.numbers > 1)
+      notes["choices"] = fmt::format("{}", fmt::join(policy.head.counts, ", "));
   } else {
     notes["squash"] = "true";
     notes["low"] = listed(policy.head.low);

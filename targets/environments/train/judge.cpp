@@ -40,8 +40,13 @@ Evaluation Judge::evaluate_at_last(const Algorithm& algorithm, const Best& best)
   return evaluation;
 }
 
-Evaluation Judge::run(const Algorithm& algorithm, const Policy& policy, std::uint64_t seed) {
-  return evaluator_.run(policy, seed, algorithm.observations());
+Evaluation Judge::run(const Algorithm& algorithm, const Policy& policy, std::uint64_t seed,
+                      const std::string& stage) {
+  return evaluator_.run(policy, seed, algorithm.observations(), stage);
+}
+
+Evaluation Judge::evaluate_in(const std::string& stage, const Algorithm& algorithm) {
+  return run(algorithm, policy(algorithm, algorithm.deployed_parameters()), kEvaluationSeed, stage);
 }
 
 /// All the episodes that choose the best policy: those that it was seen in and three times as many.

@@ -21,6 +21,8 @@ class Judge {
   /// Evaluates what was learnt: fills its part of `point` and, if nothing was better, `best`.
   /// Returns whether it is good, in episodes that did not choose it, too.
   bool evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point);
+  /// What was learnt, in a stage of the task.
+  Evaluation evaluate_in(const std::string& stage, const Algorithm& algorithm);
   /// The best policy, in as many episodes as have chosen it, which are all others.
   Evaluation evaluate_at_last(const Algorithm& algorithm, const Best& best);
   /// The last one of evaluate(), in this run.
@@ -29,7 +31,8 @@ class Judge {
 
  private:
   bool is_good(const Evaluation& evaluation) const;
-  Evaluation run(const Algorithm& algorithm, const Policy& policy, std::uint64_t seed);
+  Evaluation run(const Algorithm& algorithm, const Policy& policy, std::uint64_t seed,
+                 const std::string& stage = {});
   Evaluation choose(const Algorithm& algorithm, const Policy& now, Evaluation seen);
   bool is_confirmed(const Algorithm& algorithm, const Policy& now);
 

@@ -67,6 +67,12 @@ struct Kernels {
   /// to += goes_on * (x + y).
   void (*carry)(const Pack& goes_on, const Pack* x, const Pack* y, Pack* to, std::size_t count);
 
+  /// to += x.
+  void (*add)(const float* x, float* to, std::size_t count);
+
+  /// to += share * (x - to).
+  void (*approach)(float share, const float* x, float* to, std::size_t count);
+
   /// One step of Adam (Kingma and Ba 2015, β 0.9 and 0.999) for `count` weights.
   void (*adam)(float* weights, const float* gradient, float* mean, float* square, std::size_t count,
                AdamStep step);

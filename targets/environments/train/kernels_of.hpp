@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <eagerx/policy/activation.hpp>
 #include <eagerx/policy/float_lanes.hpp>
 #include <eagerx/policy/lane_sums.hpp>
@@ -69,24 +71,70 @@ struct KernelsOf {
     for (; i < sizes.inputs; ++i) transposed_rows<1>(sizes, weights + i, dy, dx + i);
   }
 
-  /// Halves onto halves until one is left.
-  [[gnu::always_inline]] static float total(const Vector& x) {
-    Pack sums;
-    store(x, sums);
-    for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
-      for (std::size_t l = 0; l < half; ++l) sums.lane[l] += sums.lane[l + half];
+  /// Rows for columns, by shuffles of whole registers where a pack is one.
+  static void transpose(Pack (&x)[kLanes]) {
+    if constexpr (Width == kLanes) {
+      using Whole [[gnu::vector_size(sizeof(Pack))]] = float;
+      Whole row[kLanes];
+      for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&row[i], &x[i], sizeof(Pack));
+      detail::unrolled<kStages>([&](auto stage) {
+        constexpr std::size_t kApart = kLanes >> (stage + 1);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+          if ((i & kApart) != 0) continue;
+          const Whole upper = row[i], lower = row[i + kApart];
+          row[i] = __builtin_shuffle(upper, lower, kept<kApart>(false));
+          row[i + kApart] = __builtin_shuffle(upper, lower, kept<kApart>(true));
+        }
+      });
+      for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&x[i], &row[i], sizeof(Pack));
+    } else {
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        for (std::size_t l = 0; l < i; ++l) {
+          const float other = x[i].lane[l];
+          x[i].lane[l] = x[l].lane[i];
+          x[l].lane[i] = other;
+        }
+      }
     }
-    return sums.lane[0];
+  }
+  static constexpr std::size_t kStages = 4;
+  using Places [[gnu::vector_size(sizeof(Pack))]] = std::int32_t;
+  /// Of two rows so far apart, which lanes the first one has afterwards, or the second one.
+  template <std::size_t Apart>
+  static constexpr Places kept(bool second) {
+    Places places{};
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const bool of_lower = (l & Apart) != 0;
+      const std::size_t lane = of_lower == second ? l : second ? l + Apart : l - Apart;
+      places[l] = static_cast<std::int32_t>(lane + (of_lower ? kLanes : 0));
+    }
+    return places;
   }
 
   /// Sixteen inputs of sixteen samples, from a pack for each input to one for each sample. Inputs
   /// that are not there are 0.
-  static void transpose(const Pack* x, std::size_t inputs, Pack* by_sample) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      for (std::size_t l = 0; l < kLanes; ++l) {
-        by_sample[l].lane[i] = i < inputs ? x[i].lane[l] : 0.0F;
-      }
+  static void by_samples(const Pack* x, std::size_t inputs, Pack* by_sample) {
+    Pack packs[kLanes];
+    for (std::size_t i = 0; i < kLanes; ++i)
+      store(i < inputs ? load(x[i]) : Vector(0.0F), packs[i]);
+    transpose(packs);
+    for (std::size_t l = 0; l < kLanes; ++l) store(load(packs[l]), by_sample[l]);
+  }
+
+  /// db += Σ dy of up to sixteen outputs: of each the lanes, halves onto halves until one is left.
+  static void bias_gradient(const Pack* dy, std::size_t outputs, std::size_t tiles,
+                            std::size_t stride, float* db) {
+    Pack sums[kLanes];
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      Vector sum(0.0F);
+      for (std::size_t t = 0; t < tiles && j < outputs; ++t) sum = sum + load(dy[t * stride + j]);
+      store(sum, sums[j]);
     }
+    transpose(sums);
+    for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
+      for (std::size_t l = 0; l < half; ++l) store(load(sums[l]) + load(sums[l + half]), sums[l]);
+    }
+    for (std::size_t j = 0; j < outputs; ++j) db[j] += sums[0].lane[j];
   }
 
   /// Rows j… of dW, sixteen inputs wide. Lanes are inputs here, so that nothing is left to be
@@ -107,6 +155,10 @@ struct KernelsOf {
       }
     }
     for (std::size_t j = 0; j < Outputs; ++j) {
+      if (width == kLanes) {
+        (Vector::load(dw + j * inputs) + sum[j]).store(dw + j * inputs);
+        continue;
+      }
       Pack row;
       store(sum[j], row);
       for (std::size_t i = 0; i < width; ++i) dw[j * inputs + i] += row.lane[i];
@@ -117,7 +169,7 @@ struct KernelsOf {
     for (std::size_t i = 0; i < sizes.inputs; i += kLanes) {
       const std::size_t width = sizes.inputs - i < kLanes ? sizes.inputs - i : kLanes;
       for (std::size_t t = 0; t < tiles; ++t) {
-        transpose(x + t * stride + i, width, scratch + t * kLanes);
+        by_samples(x + t * stride + i, width, scratch + t * kLanes);
       }
       std::size_t j = 0;
       for (; j + kRows <= sizes.outputs; j += kRows) {
@@ -129,10 +181,9 @@ struct KernelsOf {
                          dw + j * sizes.inputs + i);
       }
     }
-    for (std::size_t j = 0; j < sizes.outputs; ++j) {
-      Vector sum(0.0F);
-      for (std::size_t t = 0; t < tiles; ++t) sum = sum + load(dy[t * stride + j]);
-      db[j] += total(sum);
+    for (std::size_t j = 0; j < sizes.outputs; j += kLanes) {
+      const std::size_t count = sizes.outputs - j < kLanes ? sizes.outputs - j : kLanes;
+      bias_gradient(dy + j, count, tiles, stride, db + j);
     }
   }
 
@@ -153,6 +204,13 @@ struct KernelsOf {
         dx[i].lane[l] = y[i].lane[l] > 0.0F ? dx[i].lane[l] : 0.0F;
       }
     }
+  }
+
+  static void add(const float* x, float* to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) to[i] += x[i];
+  }
+  static void approach(float share, const float* x, float* to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) to[i] += share * (x[i] - to[i]);
   }
 
   static void adam(float* weights, const float* gradient, float* mean, float* square,
@@ -181,6 +239,8 @@ struct KernelsOf {
             OfMemory::gru_slopes,
             OfMemory::lstm_slopes,
             OfMemory::carry,
+            add,
+            approach,
             adam};
   }
 };

@@ -71,6 +71,7 @@ std::vector<client::Setter> setters(Options& o) {
       {"--replay", [&](Text v) { o.replay.push_back(v); }},
       {"--csv", [&](Text v) { o.csv = v; }},
       {"--curve", [&](Text v) { o.curve = v; }},
+      {"--record", [&](Text v) { o.record = v; }},
       {"--tensorboard", [&](Text v) { o.tensorboard = v; }},
       {"--isa", [&](Text v) { o.kernels = v; }},
       {"--quiet", [&](Text) { o.is_quiet = true; }},
@@ -116,6 +117,7 @@ void check_sweep(Options& options) {
       {"--checkpoint", &options.checkpoint},
       {"--resume", &options.resume},
       {"--curve", &options.curve},
+      {"--record", &options.record},
       {"--tensorboard", &options.tensorboard}};
   for (const auto& [name, value] : others) {
     if (!value->empty())

@@ -17,7 +17,7 @@ struct Case {
 struct Options {
   std::string library;
   std::string output = "policy.safetensors";
-  std::string checkpoint, resume, from, csv, curve, tensorboard;  // empty: none
+  std::string checkpoint, resume, from, csv, curve, record, tensorboard;  // empty: none
   std::string hard_starts;            // the table of a campaign; empty: none
   std::string results = "sweep.csv";  // of a sweep
   std::string name;                   // of one of several trainings: "seed 3"

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/course.hpp"
 #include "targets/environments/train/settings.hpp"
 
 namespace eagerx::train {
@@ -39,12 +40,20 @@ struct Pace {
     ++iteration;
     time += steps;
     since_era += steps;
-    if (since_era < era_steps) return;
+    if (since_era >= era_steps) end_era();
+  }
+  /// All environments begin anew with the next iteration.
+  void end_era() {
+    if (since_era == 0) return;
     since_era = 0;
     ++era;
   }
-  void go_to(std::uint32_t other) {
+  /// Where a training of this course is.
+  void go_to(std::uint32_t other, const Course& course = {}) {
     *this = Pace(least, most, era_steps);
+    while (iteration < std::min(other, course.began)) next();
+    since_era = 0;
+    era = course.eras;
     while (iteration < other) next();
   }
 };

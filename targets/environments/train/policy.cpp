@@ -11,7 +11,11 @@ Head::Head(const Description& description)
     for (const double bound : action.low) low.push_back(static_cast<float>(bound));
     for (const double bound : action.high) high.push_back(static_cast<float>(bound));
   }
-  outputs = chooses ? static_cast<std::size_t>(high.front() - low.front()) + 1 : numbers;
+  outputs = chooses ? 0 : numbers;
+  for (std::size_t j = 0; chooses && j < numbers; ++j) {
+    counts.push_back(static_cast<std::size_t>(high[j] - low[j]) + 1);
+    outputs += counts.back();
+  }
 }
 
 float Head::scaled(std::size_t j, float x) const {
@@ -24,11 +28,13 @@ void Head::act(const Pack* answers, std::size_t lane, float* action) const {
     for (std::size_t j = 0; j < outputs; ++j) action[j] = scaled(j, answers[j].lane[lane]);
     return;
   }
-  std::size_t best = 0;
-  for (std::size_t j = 1; j < outputs; ++j) {
-    if (answers[j].lane[lane] > answers[best].lane[lane]) best = j;
+  for (std::size_t j = 0; j < numbers; answers += counts[j++]) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < counts[j]; ++i) {
+      if (answers[i].lane[lane] > answers[best].lane[lane]) best = i;
+    }
+    action[j] = low[j] + static_cast<float>(best);
   }
-  *action = low.front() + static_cast<float>(best);
 }
 
 Normaliser::Normaliser(const Statistics& statistics) {
@@ -69,10 +75,11 @@ void keep_answers(const Network& network, std::vector<float>& parameters, const 
                   const Statistics& after) {
   const Cell::Product first = network.first();
   const std::size_t inputs = first.sizes.inputs;
+  const std::size_t normalised = std::min(inputs, before.mean.size());
   for (std::size_t j = 0; j < first.sizes.outputs; ++j) {
     float* weights = &parameters[first.weights + j * inputs];
     double bias = parameters[first.bias + j];
-    for (std::size_t i = 0; i < inputs; ++i) {
+    for (std::size_t i = 0; i < normalised; ++i) {
       const double weight = weights[i] * before.scale(i);
       bias += weight * (after.mean[i] - before.mean[i]);
       weights[i] = static_cast<float>(weight / after.scale(i));

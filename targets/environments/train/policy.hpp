@@ -10,19 +10,20 @@
 
 namespace eagerx::train {
 
-/// How a network's outputs become actions: each a number within its bounds, or all together the
-/// choice of one whole number.
+/// How a network's outputs become actions: each a number within its bounds, or scores, for each
+/// whole number as many as it has values, side by side.
 struct Head {
   explicit Head(const Description& description);
   bool chooses = false;
-  std::size_t outputs = 0;       // of the network
-  std::size_t numbers = 0;       // of an action
-  std::vector<float> low, high;  // [numbers] bounds
+  std::size_t outputs = 0;          // of the network
+  std::size_t numbers = 0;          // of an action
+  std::vector<float> low, high;     // [numbers] bounds
+  std::vector<std::size_t> counts;  // [numbers] scores of each, if it chooses
 
   /// From -1…1 to the bounds of number `j`; beyond, the bound. As generated programs do it.
   float scaled(std::size_t j, float x) const;
-  /// The actions [numbers] of the answers [outputs] in a lane. Of a choice the largest answer, the
-  /// first of equal ones, as generated programs do it.
+  /// The actions [numbers] of the answers [outputs] in a lane. Of each choice the largest score,
+  /// the first of equal ones, as generated programs do it.
   void act(const Pack* answers, std::size_t lane, float* action) const;
 };
 
@@ -44,7 +45,7 @@ std::vector<float> folded(const Network& actor, std::vector<float> parameters,
 
 /// Changes the first layer so that the network answers as before once its inputs are normalised by
 /// `after` in place of `before`: what is learnt must not move with a running mean (as van Hasselt
-/// and others 2016 do for outputs).
+/// and others 2016 do for outputs). Inputs behind those of the statistics stay as they are.
 void keep_answers(const Network& network, std::vector<float>& parameters, const Statistics& before,
                   const Statistics& after);
 

@@ -119,19 +119,28 @@ class Ppo::Learner {
     }
   }
 
-  /// The same for a choice, by the scores. A choice that is nearly certain is not tried again: the
+  /// The same for choices, by their scores. A choice that is nearly certain is not tried again: the
   /// entropy keeps it from becoming so too soon.
   void choice_loss(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t l,
                    const Pack* scores, Pack* deltas) {
-    const std::size_t outputs = ppo.head_.outputs;
-    const Choice choice(scores, outputs, l);
-    const auto chosen = static_cast<std::size_t>(rollout.actions[tile].lane[l]);
-    const float slope = clipped_slope(ppo, rollout, tile, l, choice.log_probability(chosen));
-    for (std::size_t j = 0; j < outputs; ++j) {
-      const float p = choice.probability(j);
-      const float surprise = choice.log_probability(j) + choice.entropy();
-      deltas[j].lane[l] =
-          slope * ((j == chosen ? 1.0F : 0.0F) - p) + ppo.settings_.entropy * p * surprise;
+    const Head& head = ppo.head_;
+    const Pack* actions = &rollout.actions[tile * head.numbers];
+    const auto chosen = [&](std::size_t j) { return static_cast<std::size_t>(actions[j].lane[l]); };
+    choices_.clear();
+    float log_p = 0.0F;
+    for (std::size_t j = 0; j < head.numbers; scores += head.counts[j++]) {
+      choices_.emplace_back(scores, head.counts[j], l);
+      log_p += choices_.back().log_probability(chosen(j));
+    }
+    const float slope = clipped_slope(ppo, rollout, tile, l, log_p);
+    for (std::size_t j = 0; j < head.numbers; deltas += head.counts[j++]) {
+      const Choice& choice = choices_[j];
+      for (std::size_t i = 0; i < head.counts[j]; ++i) {
+        const float p = choice.probability(i);
+        const float surprise = choice.log_probability(i) + choice.entropy();
+        deltas[i].lane[l] =
+            slope * ((i == chosen(j) ? 1.0F : 0.0F) - p) + ppo.settings_.entropy * p * surprise;
+      }
     }
   }
 
@@ -162,7 +171,8 @@ class Ppo::Learner {
   const std::size_t block_;                                        // tiles that are learnt at once
   Packs actor_rows_, actor_deltas_, critic_rows_, critic_deltas_;  // [block_][row]
   Packs scratch_;
-  Packs goes_on_;  // [block_] of a sequence
+  Packs goes_on_;                // [block_] of a sequence
+  std::vector<Choice> choices_;  // of one sample
 };
 
 Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
@@ -190,6 +200,10 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
 }
 
 Ppo::~Ppo() = default;
+
+void Ppo::set_stage(const std::string& name) {
+  for (std::size_t part = own_.first; part < own_.end; ++part) rollout(part).set_stage(name);
+}
 
 void Ppo::begin_era() {
   const std::uint64_t seed = settings_.seed + (std::uint64_t{pace.era} << 32U);
@@ -409,7 +423,7 @@ std::string Ppo::checkpoint(const std::string& conditions, const std::string& in
 void Ppo::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
                   Progressed& progressed) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
-  pace.go_to(progressed.iteration);
+  pace.go_to(progressed.iteration, progressed.course);
   // After a change of the task eras may be longer: then the rest of this one has new episodes.
   take_up(std::exchange(progressed.actions, {}));
 }

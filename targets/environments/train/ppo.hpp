@@ -22,6 +22,7 @@ class Ppo : public Algorithm {
 
   std::size_t environments() const override { return settings_.environments; }
   std::string stepping() const override { return rollout(own_.first).stepping(); }
+  void set_stage(const std::string& name) override;
   void begin_era() override;
   void remember_actions() override;
   void go_on() override;

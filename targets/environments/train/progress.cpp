@@ -29,7 +29,7 @@ double Progress::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-void Progress::show(const CurvePoint& point) {
+void Progress::show(const CurvePoint& point, const std::string& stage) {
   if (!std::isnan(point.mean_return)) last_return_ = point.mean_return;
   if (!std::isnan(point.evaluation_return)) last_evaluation_ = point.evaluation_return;
   if (!std::isnan(point.evaluation_success)) last_success_ = point.evaluation_success;
@@ -37,7 +37,7 @@ void Progress::show(const CurvePoint& point) {
   const auto now = Clock::now();
   if (is_quiet_ || now - shown_ < (is_terminal_ ? 1s : 5s)) return;
   shown_ = now;
-  const std::string text = line(point, seconds());
+  const std::string text = line(point, stage, seconds());
   if (is_terminal_) {
     fmt::print(stderr, "\r{}\x1b[K", text);
   } else {
@@ -52,12 +52,21 @@ void Progress::finish() {
   is_shown_ = false;
 }
 
-std::string Progress::line(const CurvePoint& point, double seconds) const {
+void Progress::begin_stage(const std::string& line) {
+  last_return_ = std::numeric_limits<double>::quiet_NaN();
+  if (is_quiet_) return;
+  finish();
+  fmt::print(stderr, "{}{}{}\n", name_, name_.empty() ? "" : ": ", line);
+}
+
+std::string Progress::line(const CurvePoint& point, const std::string& stage,
+                           double seconds) const {
   const double here = point.steps - static_cast<double>(first_step_);
   const double left = std::max(0.0, static_cast<double>(last_step_) - point.steps);
   std::string text = name_.empty() ? std::string() : name_ + ": ";
   text += fmt::format("{:.2f} of {:.2f} M steps", point.steps / 1e6,
                       static_cast<double>(last_step_) / 1e6);
+  if (!stage.empty()) text += ", " + stage;
   if (!std::isnan(last_return_)) text += fmt::format(", return {:.4g}", last_return_);
   if (!std::isnan(last_evaluation_)) text += fmt::format(", evaluation {:.4g}", last_evaluation_);
   if (has_success_ && !std::isnan(last_success_)) {

@@ -19,8 +19,10 @@ class Progress {
   Progress(std::uint64_t first_step, std::uint64_t last_step, bool has_success, bool is_quiet,
            std::string name = {});
 
-  /// `point`: the last iteration.
-  void show(const CurvePoint& point);
+  /// `point`: the last iteration; `stage`: in which it was, in words; empty: there are none.
+  void show(const CurvePoint& point, const std::string& stage = {});
+  /// A line of its own, behind which episodes are others: the last return is forgotten.
+  void begin_stage(const std::string& line);
   /// Removes the line of a terminal.
   void finish();
   /// Since the start.
@@ -28,7 +30,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::string line(const CurvePoint& point, double seconds) const;
+  std::string line(const CurvePoint& point, const std::string& stage, double seconds) const;
 
   std::uint64_t first_step_, last_step_;
   bool has_success_, is_quiet_;

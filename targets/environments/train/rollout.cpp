@@ -181,11 +181,17 @@ void Rollout::draw_choices(const Frozen& frozen, std::size_t step, std::size_t t
   for (std::size_t l = 0; l < lanes(); ++l) {
     const std::size_t e = tile * kLanes + l;
     const Place to = place(step, e);
-    const Choice choice(scores, head_.outputs, l);
-    const std::size_t drawn = choice.at(noise(frozen, step, e).uniform(0.0F, 1.0F));
-    actions[to.pack].lane[to.lane] = static_cast<float>(drawn);
-    action_[e] = head_.low.front() + static_cast<float>(drawn);
-    log_probability[to.pack].lane[to.lane] = choice.log_probability(drawn);
+    Random random = noise(frozen, step, e);
+    const Pack* own = scores;
+    float log_p = 0.0F;
+    for (std::size_t j = 0; j < numbers_; own += head_.counts[j++]) {
+      const Choice choice(own, head_.counts[j], l);
+      const std::size_t drawn = choice.at(random.uniform(0.0F, 1.0F));
+      actions[to.pack * numbers_ + j].lane[to.lane] = static_cast<float>(drawn);
+      action_[e * numbers_ + j] = head_.low[j] + static_cast<float>(drawn);
+      log_p += choice.log_probability(drawn);
+    }
+    log_probability[to.pack].lane[to.lane] = log_p;
   }
 }
 

@@ -39,6 +39,8 @@ class Rollout final : public Seen {
   Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
           std::size_t part);
 
+  /// From the next reset() on.
+  void set_stage(const std::string& name) { environments_.set_stage(name); }
   /// All environments begin the first episode of `seed`.
   void reset(std::uint64_t seed);
   /// Steps all environments `horizon` times and estimates advantages.

@@ -73,7 +73,8 @@ class Seeds {
         beside_(beside(options, library, options.seeds)),
         all_(options.seeds),
         table_(options.csv),
-        curves_(options.seeds) {}
+        curves_(options.seeds),
+        record_(options, library.description()) {}
 
   int run(const Interrupt& is_interrupted) {
     if (!options_.is_quiet && beside_.at_once > 1)
@@ -97,7 +98,7 @@ class Seeds {
       curves_[i] = curve;
       return curves_csv(curves_, options_.settings.seed);
     };
-    Training training(one, library_, {&table_, table});
+    Training training(one, library_, {&table_, table, &record_});
     const int code = training.run(stop);
     const std::lock_guard lock(mutex_);
     all_[i] = {one.settings.seed, true, code, training.curve(), training.evaluation()};
@@ -124,6 +125,7 @@ class Seeds {
   std::vector<Trained> all_;                     // [seeds] that have ended
   CurveFile table_;                              // locks
   std::vector<std::vector<CurvePoint>> curves_;  // [seeds] as far as the table has them
+  Record record_;                                // locks
 };
 
 }  // namespace

@@ -133,6 +133,7 @@ const std::vector<Place>& places() {
       number_at("sac_memory", &sac::Settings::memory),
       number_at("sac_random_steps", &sac::Settings::random_steps),
       number_at("sac_target_share", &sac::Settings::target_share),
+      number_at("sac_averaging", &sac::Settings::averaging),
       number_at("sac_first_temperature", &sac::Settings::first_temperature),
       number_at("sac_entropy", &sac::Settings::entropy),
       truth_at("normalise", &S::normalise),

@@ -11,6 +11,7 @@
 #include "targets/environments/train/evaluation.hpp"
 #include "targets/environments/train/options.hpp"
 #include "targets/environments/train/progress.hpp"
+#include "targets/environments/train/record.hpp"
 #include "targets/environments/train/tensorboard.hpp"
 
 namespace eagerx::train {
@@ -18,10 +19,11 @@ namespace eagerx::train {
 class Showing {
  public:
   /// A table that several trainings write: where, and what it has so far with the curve of this
-  /// one.
+  /// one. And their record.
   struct SharedTable {
     CurveFile* file = nullptr;  // nullptr: the training has one of its own
     std::function<std::string(const std::vector<CurvePoint>&)> text = curve_csv;
+    Record* record = nullptr;  // nullptr: as `file`
   };
 
   /// `first_step`: that the training begins with.
@@ -34,21 +36,30 @@ class Showing {
   void show(const std::vector<CurvePoint>& curve, const Evaluation& seen);
   /// Removes the line of a terminal.
   void finish() { progress_.finish(); }
+  /// The last point of `curve` has passed its stage.
+  void tell_stage(const std::vector<CurvePoint>& curve);
   /// "warning: …; the training goes on …"
   void warn(const std::string& problem, const char* goes_on);
   /// The table at the end. Throws Problem.
   void write_table(const std::vector<CurvePoint>& curve);
+  /// The record of a training that is over.
+  Record& record() { return record_; }
   double seconds() const { return progress_.seconds(); }
 
  private:
   void show_events(const CurvePoint& point, const Evaluation& seen);
 
+  std::string stage_of(const std::vector<CurvePoint>& curve) const;
+
   const Description& description_;
+  const std::uint64_t seed_;
   const std::string folder_;  // of events; empty: none
   Progress progress_;
   CurveFile own_table_;
   CurveFile& table_;
   const std::function<std::string(const std::vector<CurvePoint>&)> table_text_;
+  Record own_record_;
+  Record& record_;
   std::optional<EventFile> events_;
 };
 

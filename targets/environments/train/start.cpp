@@ -18,12 +18,42 @@ bool is_sac(const Settings& settings) {
   return settings.algorithm == "sac";
 }
 
-/// Each choice is an output of the network.
-void check_choices(const Space& action) {
+/// Each value of a whole number is an output of the network.
+void check_choices(const Description& description) {
   constexpr double kMost = 1000.0;
-  if (action.high.front() - action.low.front() < kMost) return;
-  throw Problem(kProblems, fmt::format("the action `{}` has more than 1000 choices", action.name),
-                "give its space `low` and `high` nearer to each other, or a float dtype");
+  double outputs = 0.0;
+  for (const Space& action : description.actions) {
+    for (std::size_t i = 0; i < action.size; ++i) {
+      const double values = action.high[i] - action.low[i] + 1.0;
+      outputs += values;
+      if (values <= kMost) continue;
+      throw Problem(kProblems,
+                    fmt::format("the action `{}` has more than 1000 choices", action.name),
+                    "give its space `low` and `high` nearer to each other, or a float dtype");
+    }
+  }
+  if (outputs <= kMost) return;
+  throw Problem(
+      kProblems,
+      fmt::format("the actions have {} choices together, and a network can have 1000", outputs),
+      "give their spaces `low` and `high` nearer to each other, or a float dtype");
+}
+
+/// What is neither all whole nor all real numbers.
+void check_real(const Description& description, const Space& action) {
+  if (action.dtype.starts_with("float")) return;
+  const auto real = std::ranges::find_if(
+      description.actions, [](const Space& other) { return other.dtype.starts_with("float"); });
+  if (action.is_whole() && real != description.actions.end())
+    throw Problem(kProblems,
+                  fmt::format("the action `{}` is {}, and `{}` is {}: actions are whole numbers, "
+                              "or real ones, not both",
+                              action.name, action.dtype, real->name, real->dtype),
+                  "give all of them a float space, or all an integer one with `low` and `high`");
+  throw Problem(kProblems,
+                fmt::format("the action `{}` is {}: real numbers can be trained, or whole ones",
+                            action.name, action.dtype),
+                "give it a float space, or an integer one with `low: 0` and `high: 1`");
 }
 
 void check_trainable(const Description& description) {
@@ -38,15 +68,9 @@ void check_trainable(const Description& description) {
   }
   if (description.observations.empty()) throw Problem(kProblems, "the graph has no observations");
   if (description.actions.empty()) throw Problem(kProblems, "the graph has no actions");
-  if (description.chooses()) return check_choices(description.actions.front());
+  if (description.chooses()) return check_choices(description);
   for (const Space& action : description.actions) {
-    if (!action.dtype.starts_with("float")) {
-      throw Problem(kProblems,
-                    fmt::format("the action `{}` is {}: only real numbers can be trained, or one "
-                                "whole number as the only action",
-                                action.name, action.dtype),
-                    "give it a float space, or let one number choose among all combinations");
-    }
+    check_real(description, action);
     for (std::size_t i = 0; i < action.size; ++i) {
       if (std::isfinite(action.low[i]) && std::isfinite(action.high[i])) continue;
       throw Problem(kProblems, fmt::format("the action `{}` has no bounds", action.name),
@@ -60,7 +84,7 @@ void check_trainable(const Description& description) {
 void check_files(const Options& options) {
   check_writable(options.output);
   check_writable(golden_path(options.output));
-  for (const std::string* path : {&options.csv, &options.curve}) {
+  for (const std::string* path : {&options.csv, &options.curve, &options.record}) {
     if (!path->empty()) check_writable(*path);
   }
   if (options.seeds > 1) {

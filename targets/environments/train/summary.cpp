@@ -31,12 +31,25 @@ std::string result(const Ended& ended, const Evaluation& evaluation) {
   return text;
 }
 
+/// The stage that a training has ended in, if it is not over.
+std::string unfinished(const Ended& ended) {
+  const auto& stages = ended.description.stages;
+  if (ended.curve.empty() || stages.empty()) return {};
+  const auto stage = static_cast<std::size_t>(ended.curve.back().stage) - 1;
+  if (stage >= stages.size()) return {};
+  return fmt::format(
+      "note: stage `{}` ({} of {}) was not passed: most of the graph as it is written has not been "
+      "practised\n",
+      stages[stage].name, stage + 1, stages.size());
+}
+
 /// What may help.
 std::string notes(const Ended& ended, const Evaluation& evaluation) {
   if (!ended.has_aim)
-    return "note: the task has no `success:`, so nobody knows whether this policy is good\n";
+    return unfinished(ended) +
+           "note: the task has no `success:`, so nobody knows whether this policy is good\n";
   if (ended.ending == Ending::success) return {};
-  std::string text;
+  std::string text = unfinished(ended);
   for (const std::string& sign : signs_of(ended.curve, evaluation, ended.description))
     text += "note: " + sign + "\n";
   const double wanted = ended.options.settings.until_return;

@@ -96,7 +96,10 @@ Scalars scalars_of(const CurvePoint& point) {
                  {"evaluation/success", point.evaluation_success},
                  {"learning/deviation", point.deviation},
                  {"learning/learning_rate", point.step_size},
-                 {"learning/divergence", point.divergence}};
+                 {"learning/divergence", point.divergence},
+                 {"stage/number", point.stage},
+                 {"stage/success", point.stage_success},
+                 {"stage/return", point.stage_return}};
   std::erase_if(all, [](const auto& scalar) { return std::isnan(scalar.second); });
   return all;
 }

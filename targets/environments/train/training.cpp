@@ -58,6 +58,7 @@ std::uint64_t Training::begin() {
     first_iteration_ = algorithm_->pace.iteration;
     goes_on_ = true;
   }
+  set_stage();
   if (!options_.from.empty())
     algorithm_->begin_from(read_file(options_.from), options_.from, interface_);
   for (const std::string& log : options_.replay) {
@@ -90,9 +91,10 @@ int Training::run(const Stop& stop) {
   if (ranks_.is_first()) {
     if (!options_.output.empty()) write_policy(options_.output);
     write_curves();
+    if (!options_.output.empty()) showing_.record().end(ended(ending), last_);
   }
   if (!options_.is_quiet)
-    print((options_.name.empty() ? "" : options_.name + "\n") + report(last_, ending));
+    print((options_.name.empty() ? "" : options_.name + "\n") + summary(ended(ending), last_));
   if (unsaved) throw *unsaved;
   if (ending == Ending::interrupted) return kInterrupted;
   return ending == Ending::success || !judge_.has_aim() ? kDone : kProblems;
@@ -107,6 +109,7 @@ void Training::tell_where(const Problem& problem) {
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
   }
+  if (ranks_.is_first()) showing_.record().fail(options_.settings.seed, progressed_.curve, problem);
   if (problem.code != kProblems && problem.code != kInterrupted) throw problem;
   throw Problem(problem.code,
                 fmt::format("{}\nnote: the training had made {} steps with `--seed {}`{}",
@@ -126,10 +129,12 @@ Ending Training::learn(const Stop& stop) {
 /// or the evaluation that is due.
 Ending Training::iterate(const Stop& stop) {
   while (!progressed_.succeeded) {
-    if (is_evaluation_due() && evaluate(progressed_.curve.back())) {
-      progressed_.succeeded = true;
-      showing_.show(progressed_.curve, judge_.seen());
-      break;
+    if (is_evaluation_due()) {
+      evaluate_all(progressed_.curve.back());
+      if (progressed_.succeeded) {
+        showing_.show(progressed_.curve, judge_.seen());
+        break;
+      }
     }
     if (algorithm_->pace.iteration > first_iteration_)
       showing_.show(progressed_.curve, judge_.seen());
@@ -149,6 +154,36 @@ bool Training::is_evaluation_due() const {
 
 bool Training::evaluate(CurvePoint& point) {
   return judge_.evaluate(*algorithm_, progressed_.best, point);
+}
+
+/// The graph as it is written says what success is; in a stage also how well it does there.
+/// Nothing has changed if any of it throws.
+void Training::evaluate_all(CurvePoint& point) {
+  const std::vector<client::Stage>& stages = library_.description().stages;
+  const std::size_t stage = progressed_.course.stage;
+  std::optional<Evaluation> in_stage;
+  if (stage < stages.size()) in_stage = judge_.evaluate_in(stages[stage].name, *algorithm_);
+  progressed_.succeeded = evaluate(point);
+  if (!in_stage) return;
+  const double success =
+      static_cast<double>(in_stage->successes) / static_cast<double>(in_stage->episodes);
+  point.stage_return = in_stage->mean_return;
+  if (library_.description().has_success) point.stage_success = success;
+  if (progressed_.succeeded || success < stages[stage].success ||
+      in_stage->mean_return < stages[stage].mean_return)
+    return;
+  algorithm_->pace.end_era();
+  progressed_.course.go_on(algorithm_->pace.iteration, algorithm_->pace.era);
+  progressed_.recent.clear();  // of other episodes
+  set_stage();
+  if (ranks_.is_first()) showing_.tell_stage(progressed_.curve);
+}
+
+/// A task may have fewer stages than when a checkpoint was written.
+void Training::set_stage() {
+  const std::vector<client::Stage>& stages = library_.description().stages;
+  const std::size_t stage = progressed_.course.stage;
+  algorithm_->set_stage(stage < stages.size() ? stages[stage].name : std::string());
 }
 
 void Training::start_iteration() {
@@ -182,6 +217,7 @@ CurvePoint Training::note(const Algorithm::Result& result) {
   }
   const auto count = static_cast<double>(recent.size());
   const bool has_success = library_.description().has_success;
+  const bool has_stages = !library_.description().stages.empty();
   return {static_cast<double>(steps()),
           count > 0 ? returns / count : kNothing,
           count > 0 && has_success ? successes / count : kNothing,
@@ -189,19 +225,19 @@ CurvePoint Training::note(const Algorithm::Result& result) {
           kNothing,
           algorithm_->deviation(),
           algorithm_->step_size(),
-          result.divergence};
+          result.divergence,
+          has_stages ? static_cast<double>(progressed_.course.stage) + 1.0 : kNothing};
 }
 
-std::string Training::report(const Evaluation& evaluation, Ending ending) const {
-  return summary({.options = options_,
-                  .description = library_.description(),
-                  .curve = progressed_.curve,
-                  .kernels = kernels_.name,
-                  .steps = steps(),
-                  .seconds = showing_.seconds(),
-                  .ending = ending,
-                  .has_aim = judge_.has_aim()},
-                 evaluation);
+Ended Training::ended(Ending ending) const {
+  return {.options = options_,
+          .description = library_.description(),
+          .curve = progressed_.curve,
+          .kernels = kernels_.name,
+          .steps = steps(),
+          .seconds = showing_.seconds(),
+          .ending = ending,
+          .has_aim = judge_.has_aim()};
 }
 
 void Training::write_policy(const std::string& path) const {

@@ -41,10 +41,12 @@ class Training {
   void start_iteration();
   bool is_evaluation_due() const;
   bool evaluate(CurvePoint& point);
+  void evaluate_all(CurvePoint& point);
+  void set_stage();
   [[noreturn]] void tell_where(const Problem& problem);
   CurvePoint note(const Algorithm::Result& result);
   std::string checkpoint();
-  std::string report(const Evaluation& evaluation, Ending ending) const;
+  Ended ended(Ending ending) const;
   void write_curves();
   std::uint64_t steps() const;
 

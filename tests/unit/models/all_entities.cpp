@@ -64,6 +64,7 @@
 #include <models/objects/gym_mountain_car_continuous/gym_mountain_car_continuous.hpp>
 #include <models/objects/test_pendulum/test_pendulum_ode.hpp>
 #include <models/processors/angle_decomposition/angle_decomposition.hpp>
+#include <models/processors/choose_values/choose_values.hpp>
 #include <models/processors/clip/clip.hpp>
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
 #include <models/processors/get_index/get_index.hpp>

@@ -4,6 +4,7 @@
 #include <limits>
 #include <models/processors/angle_decomposition/angle_decomposition.hpp>
 #include <models/processors/choose_value/choose_value.hpp>
+#include <models/processors/choose_values/choose_values.hpp>
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
 #include <models/processors/get_index/get_index.hpp>
 #include <models/processors/identity/identity.hpp>
@@ -50,6 +51,15 @@ TEST(ChooseValue, TakesTheNearestOfItsValues) {
   EXPECT_EQ(value(2), 2.0F);
   EXPECT_EQ(value(-5), -2.0F);
   EXPECT_EQ(value(7), 2.0F);
+}
+
+struct SeveralVoltages : ProcessorIo<float, Array<std::int32_t, 4>, Array<float, 4>> {
+  using Config = ThreeVoltages::Config;
+};
+
+TEST(ChooseValues, TakesTheNearestForEach) {
+  EXPECT_EQ(ChooseValues<SeveralVoltages>::convert({{0, 1, -9, 7}}),
+            (Array<float, 4>{{-2.0F, 0.0F, -2.0F, 2.0F}}));
 }
 
 TEST(Negate, ChangesEverySign) {

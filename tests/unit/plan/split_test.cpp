@@ -106,21 +106,57 @@ TEST(Split, ADelayGivesTime) {
   const PartLink at_once = link("smooth: {part: filter}", "");
   EXPECT_TRUE(at_once.posts);
   EXPECT_EQ(at_once.depth, 1U);
-  EXPECT_EQ(at_once.why_not_ahead, "`arm.u` reads it with no `delay`");
+  EXPECT_EQ(at_once.why_no_more, "`arm.u` reads it with no `delay`");
   EXPECT_EQ(link("smooth: {part: filter}", ", delay: 0.03").depth, 1U);  // less than an exchange
   const PartLink late = link("smooth: {part: filter}", ", delay: 0.1");
   EXPECT_EQ(late.depth, 4U);  // three steps, and the one that is sent
-  EXPECT_EQ(late.why_not_ahead, "");
-  EXPECT_EQ(link("smooth: {part: filter}", ", delay: 100").depth, 32U);
+  EXPECT_EQ(late.why_no_more, "`arm.u` reads it with `delay: 0.1`");
+  const PartLink later = link("smooth: {part: filter}", ", delay: 100");
+  EXPECT_EQ(later.depth, 32U);
+  EXPECT_EQ(later.why_no_more, "32 are the most of a link");
   // A delay that a reset may change may be none.
   EXPECT_EQ(link("smooth: {part: filter}", ", delay: 0.1, max_delay: 0.2").depth, 1U);
   const PartLink board = link("smooth: mps2-an386", ", delay: 0.1");
   EXPECT_TRUE(board.posts);
   EXPECT_EQ(board.depth, 1U);
-  EXPECT_EQ(board.why_not_ahead, "a board holds one request at a time");
-  const PartLink agent = link("agent: {part: mind}", ", delay: 0.1");
-  EXPECT_FALSE(agent.posts);
-  EXPECT_EQ(agent.why_not_ahead, "the agent is in it, and a step needs its action");
+  EXPECT_EQ(board.why_no_more, "a board holds one request at a time");
+}
+
+TEST(Split, AnActionIsAskedForBeforeItIsNeeded) {
+  // The filter reads it at once, whatever is behind the filter.
+  const auto at_once = planned("agent: {part: mind}", "30", "actions.voltage", ", delay: 0.1");
+  const PartLink agent = at_once->plan->split->links.front();
+  EXPECT_TRUE(agent.posts);
+  EXPECT_TRUE(posts(*at_once->plan, Part::hub, Graph::kEnvironment));
+  EXPECT_FALSE(posts(*at_once->plan, Part::placed(0), Graph::kEnvironment));
+  EXPECT_EQ(agent.depth, 1U);
+  EXPECT_EQ(agent.why_no_more, "`smooth.signal` reads it with no `delay`");
+  const auto late = planned("agent: {part: mind}", "30", "actions.voltage, delay: 0.1");
+  EXPECT_EQ(late->plan->split->links.front().depth, 4U);
+  EXPECT_EQ(late->plan->split->links.front().why_no_more,
+            "`smooth.signal` reads it with `delay: 0.1`");
+}
+
+TEST(Split, WhatAnotherPartReadsLateIsHandedOnLate) {
+  const auto lags = [](const std::string& delay) {
+    const auto result = planned("smooth: {part: filter}, agent: {part: mind}", "30",
+                                "actions.voltage" + delay, ", delay: 0.2");
+    return result->plan->split->links;
+  };
+  const std::vector<PartLink> at_once = lags("");
+  EXPECT_EQ(at_once[0].lags[Graph::kEnvironment], 0U);
+  EXPECT_EQ(at_once[1].depth, 1U);
+  EXPECT_EQ(at_once[1].why_no_more, "part `filter` reads it with no `delay`");
+  EXPECT_EQ(at_once[0].depth, 7U);
+  const std::vector<PartLink> late = lags(", delay: 0.1");
+  EXPECT_EQ(late[0].lags[Graph::kEnvironment], 3U);
+  EXPECT_EQ(late[1].lags[Graph::kEnvironment], 0U);
+  EXPECT_EQ(late[1].depth, 4U);
+  EXPECT_EQ(late[1].why_no_more, "part `filter` reads it with `delay: 0.1`");
+  // What is between two ticks is not waited for.
+  EXPECT_EQ(lags(", delay: 0.095")[0].lags[Graph::kEnvironment], 2U);
+  EXPECT_EQ(lags(", delay: 0.1, max_delay: 0.2")[0].lags[Graph::kEnvironment], 0U);
+  EXPECT_EQ(lags(", delay: 0.1, skip: true, window: 0")[0].lags[Graph::kEnvironment], 0U);
 }
 
 TEST(Split, TheControllerIsWhatNothingElsePlaces) {

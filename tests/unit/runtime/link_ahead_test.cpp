@@ -41,17 +41,26 @@ class Hub {
     taken_ = 0;
     star.begin_episode({{1, 2, 5}, 0});
     for (Seq n = 0; n < steps; ++n) {
-      star.begin_step();
-      auto value = static_cast<std::uint32_t>(n * n);
-      ahead_.tell(*this, kSent, n, value);
-      star.put(kPart, value);
-      if (!ahead_.post(*this, kPart, &Hub::take, n, Awaited<std::uint32_t>{kAnswered})) return n;
+      if (!ask(n)) return n;
       most_on_way = std::max(most_on_way, n + 1 - taken_);
       const Seq count = ahead_.need(*this, kPart, taken_, n < delay ? 1 : n - delay + 1);
       if (!star.ok()) return n;
       EXPECT_EQ(ring_[(count - 1) % kRing], sum_of(count - 1)) << n;
     }
     return ahead_.settle(*this) ? steps : 0;
+  }
+  /// The same with a part that is told in between what no message is.
+  void run_held(Seq from, Seq steps) {
+    EXPECT_TRUE(ahead_.hold(*this));
+    EXPECT_EQ(taken_, from);
+    for (Seq n = from; n < from + steps; ++n) {
+      ask(n);
+      EXPECT_EQ(taken_, n + 1);
+    }
+    ahead_.go_on();
+    ask(from + steps);
+    EXPECT_EQ(taken_, from + steps);
+    EXPECT_TRUE(ahead_.settle(*this));
   }
   /// What the trace has to be told.
   static Told expected(Seq steps) {
@@ -66,6 +75,13 @@ class Hub {
 
  private:
   static constexpr std::size_t kRing = 64;
+  bool ask(Seq n) {
+    star.begin_step();
+    auto value = static_cast<std::uint32_t>(n * n);
+    ahead_.tell(*this, kSent, n, value);
+    star.put(kPart, value);
+    return ahead_.post(*this, kPart, &Hub::take, n, Awaited<std::uint32_t>{kAnswered});
+  }
   static std::uint32_t sum_of(Seq n) {
     std::uint32_t sum = 0;
     for (Seq i = 0; i <= n; ++i) sum += static_cast<std::uint32_t>(i * i);
@@ -173,6 +189,25 @@ TEST_F(LinkAhead, InLockstepNothingIsOnItsWay) {
   EXPECT_EQ(hub->run(50, 3), 50U);
   EXPECT_EQ(hub->most_on_way, 0U);
   EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(50));
+}
+
+TEST_F(LinkAhead, WhatIsHeldIsAskedForAndTaken) {
+  auto hub = std::make_unique<Hub<kEnough>>();
+  connect(*hub);
+  EXPECT_EQ(hub->run(3, 3), 3U);
+  hub->run_held(3, 20);
+  EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(24));
+}
+
+TEST(LinkLate, TheFirstComesAtOnceAndTheOthersInOrder) {
+  for (const Seq lag : {0U, 1U, 5U}) {
+    Seq next = 0;
+    for (Seq n = 0; n < 20; ++n) {
+      if (!comes_late(n, lag)) continue;
+      EXPECT_EQ(sent_before(n, lag), next++) << n;
+    }
+    EXPECT_EQ(next, 20U - lag);
+  }
 }
 
 TEST_F(LinkAhead, ATraceWithoutRoomWaits) {

@@ -45,5 +45,22 @@ TEST(TrainPace, ItGoesToAnyIteration) {
   EXPECT_EQ(gone.since_era, walked.since_era);
 }
 
+TEST(TrainPace, AStageBeginsWithAnEraThatThereHasNotBeen) {
+  Pace pace(32, 32, 1024);  // 32 iterations
+  pace.go_to(40);
+  pace.end_era();
+  EXPECT_EQ(pace.era, 2U);
+  EXPECT_EQ(pace.since_era, 0U);
+  Course course;
+  course.go_on(pace.iteration, pace.era);
+  EXPECT_EQ(course.stage, 1U);
+  pace.go_to(73, course);
+  EXPECT_EQ(pace.since_era, 32U);
+  EXPECT_EQ(pace.era, 3U);
+  pace.go_to(104, course);  // at the end of an era
+  pace.end_era();
+  EXPECT_EQ(pace.era, 4U) << "it has ended anyway";
+}
+
 }  // namespace
 }  // namespace eagerx::train

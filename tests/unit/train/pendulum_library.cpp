@@ -2,9 +2,10 @@
 // interface that generated libraries have. Test double of the trainer's tests. With
 // EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V; with EAGERX_TEST_HIDDEN the speed
 // is not observed; with EAGERX_TEST_CRITIC the critic sees the angle's distance from upright, too,
-// and a number of the episode. In the environment of a process,
-// EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
-// EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
+// and a number of the episode; with EAGERX_TEST_STAGES there are two stages, which begin nearer to
+// upright; with EAGERX_TEST_SEVERAL a second choice, -1 or 0, halves the voltage. In the
+// environment of a process, EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not
+// finite, and EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -22,11 +23,17 @@ constexpr float kPeriod = 1.0F / 30.0F;    // s
 constexpr std::uint32_t kSteps = 150;      // of an episode
 constexpr std::uint32_t kStillSteps = 60;  // upright for so long is a success
 
-#ifdef EAGERX_TEST_CHOICES
+#if defined(EAGERX_TEST_SEVERAL)
 constexpr bool kChooses = true;
+constexpr std::size_t kActed = 2;
+#define ACTION R"("shape": [2], "dtype": "int64", "low": [3, -1], "high": [5, 0])"
+#elif defined(EAGERX_TEST_CHOICES)
+constexpr bool kChooses = true;
+constexpr std::size_t kActed = 1;
 #define ACTION R"("shape": [], "dtype": "int64", "low": [3], "high": [5])"
 #else
 constexpr bool kChooses = false;
+constexpr std::size_t kActed = 1;
 #define ACTION R"("shape": [], "dtype": "float32", "low": [-2], "high": [2])"
 #endif
 
@@ -35,6 +42,14 @@ constexpr bool kChooses = false;
 #define CRITIC R"(, "critic": [{"name": "error", )" NUMBER R"(0}, {"name": "luck", )" NUMBER "1}]"
 #else
 #define CRITIC
+#endif
+
+#ifdef EAGERX_TEST_STAGES
+#define STAGES                                                         \
+  R"(, "stages": [{"name": "still", "success": 0.9, "return": null},)" \
+  R"({"name": "moved", "success": null, "return": -60}])"
+#else
+#define STAGES
 #endif
 
 #ifdef EAGERX_TEST_HIDDEN
@@ -47,8 +62,15 @@ constexpr std::size_t kWidth = 3;
   R"( "high": [null], "first": 2})"
 #endif
 
-float voltage_of(float action) {
-  return kChooses ? 2.0F * (action - 4.0F) : action;
+float voltage_of(const float* action) {
+  const float share = kActed > 1 && action[1] == -1.0F ? 0.5F : 1.0F;
+  return kChooses ? share * 2.0F * (action[0] - 4.0F) : action[0];
+}
+
+/// Whether a voltage is one of those that actions stand for.
+bool is_known(float voltage) {
+  if (kActed > 1 && (voltage == -1.0F || voltage == 1.0F)) return true;
+  return !kChooses || voltage == -2.0F || voltage == 0.0F || voltage == 2.0F;
 }
 
 struct Pendulum {
@@ -58,12 +80,14 @@ struct Pendulum {
   float luck = 0.0F;                 // of the episode
   float end[2] = {};                 // what the critic saw last in the one that ended
   bool ended = false;
-  float next[2] = {NAN, NAN};  // angle and speed that the next episode begins with, if not NaN
+  float nearer[2] = {1.0F, 1.0F};  // share of the ranges: of this episode, of the next one
+  float next[2] = {NAN, NAN};      // angle and speed that the next episode begins with, if not NaN
 
   void begin() {
     eagerx::Random random({seed, number, episode++}, eagerx::entity_id("pendulum"));
-    angle = random.uniform(-3.14F, 3.14F);
-    speed = random.uniform(-9.0F, 9.0F);
+    nearer[0] = nearer[1];
+    angle = nearer[0] * random.uniform(-3.14F, 3.14F);
+    speed = nearer[0] * random.uniform(-9.0F, 9.0F);
     luck = random.uniform(0.0F, 1.0F);
     if (!std::isnan(next[0])) angle = next[0];
     if (!std::isnan(next[1])) speed = next[1];
@@ -132,7 +156,7 @@ const char* eagerx_describe(void) {
     "states": [{"name": "pendulum.model_state", "shape": [2], "dtype": "float32",
                 "low": [-4, -10], "high": [4, 10], "first": 0}],
     "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150)" CRITIC
-         "}}";
+      STAGES "}}";
 }
 const char* eagerx_error(void) {
   return failure.c_str();
@@ -183,9 +207,8 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
       put<std::uint8_t>(rows->truncated, i, 0);
       continue;
     }
-    const float voltage = voltage_of(action[i]);
-    const bool whole = !kChooses || voltage == -2.0F || voltage == 0.0F || voltage == 2.0F;
-    if (!(voltage >= -2.0F && voltage <= 2.0F && whole)) {
+    const float voltage = voltage_of(action + kActed * i);
+    if (!(voltage >= -2.0F && voltage <= 2.0F && is_known(voltage))) {
       failure = "an action is out of its space";
       return -1;
     }
@@ -210,6 +233,15 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
   }
   if (!is_finite) failure = "a reward is not finite";
   return is_finite ? 0 : 1;
+}
+
+int eagerx_set_stage(eagerx_environments* environments, const uint8_t* mask, const char* stage) {
+  const std::string_view name = stage != nullptr ? stage : "";
+  for (std::size_t i = 0; i < environments->all.size(); ++i) {
+    if (mask != nullptr && mask[i] == 0) continue;
+    environments->all[i].nearer[1] = name == "still" ? 0.02F : name == "moved" ? 0.1F : 1.0F;
+  }
+  return 0;
 }
 
 int eagerx_critic(eagerx_environments* environments, float* critic, float* final_critic) {

@@ -125,6 +125,30 @@ TEST(TrainPolicy, AnswersDoNotMoveWithTheStatistics) {
   }
 }
 
+// SAC's critics have actions there, which are not normalised.
+TEST(TrainPolicy, AnswersStayWithInputsBehindTheObservations) {
+  const Kernels& kernels = *kernels_here().back();
+  const Network critic(4, {8}, 1, Activation::tanh);
+  Statistics wider = seen();
+  Sums more(3);
+  for (std::size_t i = 0; i < 3; ++i) more.add(i, 40.0);
+  more.count = 1;
+  wider.add(more);
+  const std::vector<float> before = critic.drawn(Random({5, 0, 0}, 1), 1.0F);
+  std::vector<float> after = before;
+  keep_answers(critic, after, seen(), wider);
+  const auto answers = [&](const std::vector<float>& parameters, const Statistics& statistics) {
+    Packs row(critic.row());
+    Normaliser(statistics).load(rows().data(), row.data());
+    for (std::size_t l = 0; l < kLanes; ++l) row[3].lane[l] = 0.1F * static_cast<float>(l);
+    critic.forward(kernels, parameters.data(), row.data());
+    return row[critic.output()];
+  };
+  const Pack old = answers(before, seen()), now = answers(after, wider);
+  for (std::size_t l = 0; l < kLanes; ++l) EXPECT_NEAR(old.lane[l], now.lane[l], 1e-4);
+  EXPECT_NE(before, after);
+}
+
 TEST(TrainPolicy, WhatDoesNotChangeIsNotScaled) {
   EXPECT_EQ(seen().scale(1), 1.0);
   EXPECT_NEAR(seen().scale(0), 10.0, 1.0);
@@ -220,7 +244,7 @@ TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoice) {
                                              "p.safetensors", {}, diagnostics);
   ASSERT_TRUE(theirs) << (diagnostics.all().empty() ? "" : diagnostics.all().front().message);
   EXPECT_EQ(theirs->action_kind(), gen::ActionKind::argmax);
-  EXPECT_EQ(theirs->contract.first_choice, 3);
+  EXPECT_EQ(theirs->contract.first_choice(), 3);
   Packs row(ours.network.row());
   ours.answer(*kernels_here().back(), rows().data(), row.data());
   std::set<float> chosen;
@@ -238,6 +262,66 @@ TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoice) {
   const std::string golden = golden_rows(ours, *kernels_here().back(), rows());
   EXPECT_TRUE(
       golden.starts_with("obs0,obs1,obs2,network_out0,network_out1,network_out2,action0\n"));
+}
+
+/// Two actions: three gears from 3 on, and two numbers of which one has two values and one four.
+Description choosing_several() {
+  Description result = description();
+  result.actions = {{"gear", "int64", 1, {3}, {5}}, {"lights", "int32", 2, {-1, 0}, {0, 3}}};
+  return result;
+}
+
+TEST(TrainChoice, OfSeveralNumbersEachHasItsOwnScores) {
+  const Head head(choosing_several());
+  EXPECT_TRUE(head.chooses);
+  EXPECT_EQ(head.counts, (std::vector<std::size_t>{3, 2, 4}));
+  EXPECT_EQ(head.outputs, 9U);
+  Pack answers[9] = {};
+  answers[1].lane[2] = answers[4].lane[2] = answers[8].lane[2] = 0.5F;
+  float action[3] = {};
+  head.act(answers, 2, action);
+  EXPECT_EQ(action[0], 4.0F);
+  EXPECT_EQ(action[1], 0.0F);
+  EXPECT_EQ(action[2], 3.0F);
+}
+
+TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoices) {
+  const Network network(3, {24, 16}, 9, Activation::tanh);
+  const Policy ours{network, folded(network, network.drawn(Random({5, 0, 0}, 1), 1.0F), seen()),
+                    Head(choosing_several())};
+  const std::string bytes = safetensors_of(ours, choosing_several(), Settings());
+  gen::Diagnostics diagnostics;
+  const auto theirs = gen::read_policy_bytes(bytes, "p.safetensors", {}, diagnostics);
+  ASSERT_TRUE(theirs) << (diagnostics.all().empty() ? "" : diagnostics.all().front().message);
+  EXPECT_EQ(theirs->contract.groups, (std::vector<std::uint32_t>{3, 2, 4}));
+  EXPECT_EQ(theirs->contract.first_choices, (std::vector<std::int64_t>{3, -1, 0}));
+  Packs row(ours.network.row());
+  ours.answer(*kernels_here().back(), rows().data(), row.data());
+  std::set<std::vector<double>> chosen;
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const std::vector<float> all = rows();
+    const auto answer = gen::evaluate(*theirs, {&all[l * 3], &all[l * 3] + 3});
+    float action[3] = {};
+    ours.head.act(&row[ours.network.output()], l, action);
+    const auto read = *gen::action_of(*theirs, {answer.begin(), answer.end()});
+    EXPECT_EQ(read, std::vector<double>(action, action + 3));
+    chosen.insert(read);
+  }
+  EXPECT_GT(chosen.size(), 1U);
+  // Counts that the network's outputs do not have.
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {R"("choices":"3, 2, 4")", R"("choices":"3, 2, 5")"},
+           {R"("choices":"3, 2, 4")", R"("choices":"3, 2, 0")"},
+           {R"("choices":"3, 2, 4")", R"("choices":"3,2.5,4")"},
+           {R"("first_choice":"3, -1, 0")", R"("first_choice":"3, -1   ")"}}) {
+    std::string wrong = bytes;
+    ASSERT_NE(wrong.find(from), std::string::npos) << from;
+    ASSERT_EQ(from.size(), to.size());
+    wrong.replace(wrong.find(from), from.size(), to);
+    gen::Diagnostics problems;
+    EXPECT_FALSE(gen::read_policy_bytes(wrong, "p.safetensors", {}, problems)) << to;
+    EXPECT_TRUE(problems.has_errors()) << to;
+  }
 }
 
 TEST(TrainExport, AFirstChoiceThatIsNoWholeNumberIsRefused) {

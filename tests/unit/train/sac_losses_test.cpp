@@ -99,8 +99,8 @@ class TrainSacLosses : public testing::Test {
   void SetUp() override {
     Random random({11, 0, 0}, 1);
     for (auto* values :
-         {&model_.actor_parameters, &model_.critics[0].parameters, &model_.critics[1].parameters,
-          &model_.critics[0].target, &model_.critics[1].target}) {
+         {&model_.actor_parameters, &model_.averaged, &model_.critics[0].parameters,
+          &model_.critics[1].parameters, &model_.critics[0].target, &model_.critics[1].target}) {
       for (float& x : *values) x += random.normal(0.0F, 0.3F);
     }
     for (int i = 0; i < 3; ++i) {
@@ -214,7 +214,7 @@ TEST_F(TrainSacLosses, TheDeployedNetworkHasTheMeans) {
   const Network network = sac::deployed(settings_, model_);
   const auto ours = to_double(sac::deployed_parameters(network, model_));
   const std::vector<double> x = {0.3, -0.8};
-  const auto all = answers(model_.actor, to_double(model_.actor_parameters), x);
+  const auto all = answers(model_.actor, to_double(model_.averaged), x);
   EXPECT_EQ(answers(network, ours, x), std::vector<double>(all.begin(), all.begin() + kNumbers));
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -125,7 +126,8 @@ TEST_F(TrainSac, FineTuningBeginsWithWhatWasLearnt) {
             std::string::npos);
 }
 
-/// What the temperature has become while the policy should have so much entropy.
+/// What the temperature has become while the policy should have so much entropy, in rewards as they
+/// come: what is learnt first is not scaled, then the temperature goes with the scale.
 float temperature_for(float entropy, const Library& library) {
   train::Settings settings;
   settings.layers = {8};
@@ -135,7 +137,8 @@ float temperature_for(float entropy, const Library& library) {
   sac::Sac sac(settings, library, *kernels_here().back(), team, 0);
   sac.begin_era();
   sac.iterate();
-  return exp(sac.model().log_temperature.front());
+  const auto scale = static_cast<float>(sac.model().returns.scale(0));
+  return exp(sac.model().log_temperature.front()) / scale;
 }
 
 TEST_F(TrainSac, TheTemperatureGrowsWhereEntropyIsMissing) {
@@ -144,10 +147,56 @@ TEST_F(TrainSac, TheTemperatureGrowsWhereEntropyIsMissing) {
   EXPECT_LT(temperature_for(-9.0F, pendulum()), first / 1.2F);
 }
 
+/// What a critic says of sixteen states, in rewards as they come.
+Pack value(const sac::Model& model, std::size_t critic) {
+  Packs row(model.critic.row());
+  std::vector<float> rows;
+  Random random({7, 0, 0}, 1);
+  for (std::size_t i = 0; i < kLanes * model.actor.inputs(); ++i)
+    rows.push_back(random.uniform(-1.0F, 1.0F));
+  Normaliser(model.observations).load(rows.data(), row.data());
+  row[model.actor.inputs()] = {{0.5F}};
+  model.critic.forward(*kernels_here().back(), model.critics[critic].parameters.data(), row.data());
+  Pack answer = row[model.critic.output()];
+  for (float& x : answer.lane) x /= static_cast<float>(model.returns.scale(0));
+  return answer;
+}
+
+TEST_F(TrainSac, WhatIsLearntStaysWhenScalesChange) {
+  train::Settings settings;
+  settings.layers = {8};
+  settings.sac.random_steps = 1;
+  settings.sac.updates = 0.001F;  // one in the second iteration of 512 steps, none in the third
+  Team team(1);
+  sac::Sac sac(settings, pendulum(), *kernels_here().back(), team, 0);
+  sac.begin_era();
+  sac.iterate();
+  sac.iterate();
+  ASSERT_EQ(sac.model().actor_adam.steps, 1U);
+  const sac::Model before = sac.model();
+  const std::vector<float> policy = sac.deployed_parameters();
+  sac.iterate();
+  const sac::Model& after = sac.model();
+  ASSERT_EQ(after.actor_adam.steps, 1U);
+  ASSERT_GT(std::fabs(after.returns.scale(0) / before.returns.scale(0) - 1.0), 0.01);
+  ASSERT_GT(std::fabs(after.observations.mean[2] - before.observations.mean[2]), 1e-4);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const Pack old = value(before, c), now = value(after, c);
+    for (std::size_t l = 0; l < kLanes; ++l)
+      EXPECT_NEAR(now.lane[l], old.lane[l], 1e-4 + 1e-3 * std::fabs(old.lane[l]));
+  }
+  const auto weight = [](const sac::Model& model) {
+    return std::exp(double{model.log_temperature.front()}) / model.returns.scale(0);
+  };
+  EXPECT_NEAR(weight(after) / weight(before), 1.0, 1e-4);
+  const std::vector<float> now = sac.deployed_parameters();
+  for (std::size_t i = 0; i < policy.size(); ++i) EXPECT_NEAR(now[i], policy[i], 1e-4);
+}
+
 TEST_F(TrainSac, ChoicesAreRefused) {
   static const Library choices(EAGERX_TEST_CHOICES);
   EXPECT_EQ(said_by([&] { Training(options(1), choices); }),
-            "SAC learns real numbers, and the graph's action is a choice");
+            "SAC learns real numbers, and the graph's actions are whole ones");
 }
 
 }  // namespace

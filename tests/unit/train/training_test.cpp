@@ -29,6 +29,12 @@ const Library& choices() {
   return library;
 }
 
+/// … and with a second number that halves them.
+const Library& several() {
+  static const Library library(EAGERX_TEST_SEVERAL);
+  return library;
+}
+
 /// What is said when `work` fails.
 template <class Work>
 std::string said(Work work) {
@@ -152,13 +158,16 @@ TEST_F(TrainTraining, IterationsOfAnyLengthGoOnToo) {
 }
 
 TEST_F(TrainTraining, ChoicesGoOnToo) {
-  Options some = small(options(3));
-  some.checkpoint = path("checkpoint");
-  trained(some, choices());
-  some = small(options(6));
-  const std::string policy = trained(some, choices());
-  some.resume = path("checkpoint");
-  EXPECT_EQ(trained(some, choices()), policy);
+  Options some;
+  for (const Library* library : {&choices(), &several()}) {
+    some = small(options(3));
+    some.checkpoint = path("checkpoint");
+    trained(some, *library);
+    some = small(options(6));
+    const std::string policy = trained(some, *library);
+    some.resume = path("checkpoint");
+    EXPECT_EQ(trained(some, *library), policy);
+  }
 }
 
 TEST_F(TrainTraining, AKilledOneGoesOnFromWhatItHasWritten) {
@@ -394,6 +403,7 @@ TEST_F(TrainTraining, LearnsToChoose) {
   Options all = options(200);
   all.threads = 2;
   EXPECT_EQ(Training(all, choices()).run(never), kDone);
+  EXPECT_EQ(Training(all, several()).run(never), kDone);
 }
 
 /// Of the last row of a learning curve that has one.
@@ -424,11 +434,13 @@ TEST_F(TrainTraining, GoesOnUntilTheReturnIsGoodToo) {
 }
 
 TEST_F(TrainTraining, AnyThreadsAndInstructionsLearnToChooseTheSameBits) {
-  Options one = options(4);
-  const std::string policy = trained(one, choices());
-  one.threads = 3;
-  one.kernels = "plain";
-  EXPECT_EQ(trained(one, choices()), policy);
+  for (const Library* library : {&choices(), &several()}) {
+    Options one = options(4);
+    const std::string policy = trained(one, *library);
+    one.threads = 3;
+    one.kernels = "plain";
+    EXPECT_EQ(trained(one, *library), policy);
+  }
 }
 
 TEST_F(TrainTraining, WithoutSuccessTheExitCodeSaysSo) {

@@ -68,6 +68,15 @@ def path(name, value):
     return encoded
 
 
+def stage(name, known):
+    """One of the names of stages; None and "" are the graph as it is written."""
+    if name is None or name == "":
+        return ""
+    if not isinstance(name, str) or name not in known:
+        raise ValueError(f"there is no stage {reprlib.repr(name)}, but " + (", ".join(known) or "none: the task has no `stages:`"))
+    return name
+
+
 def options(given):
     """Of a reset: a dict."""
     if given is None:

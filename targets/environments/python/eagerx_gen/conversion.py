@@ -14,8 +14,8 @@ def _spaces():
 
 
 def is_choice(field):
-    """Whether an action chooses among a few whole numbers."""
-    return field.dtype.kind in "iu" and field.shape == () and int(field.high) - int(field.low) < 2**31
+    """Whether each number of an action is one of a few whole numbers."""
+    return field.dtype.kind in "iu" and all(int(high) - int(low) < 2**31 for low, high in zip(field.low.flat, field.high.flat))
 
 
 class Box:
@@ -56,6 +56,20 @@ class Choice:
 
     def to_row(self, values, rows):
         rows[:, self.field.first] = values.reshape(len(rows))
+
+
+class Choices(Box):
+    """Several whole numbers, each one of a few."""
+
+    def __init__(self, field):
+        super().__init__(field)
+        counts = np.array([int(high) - int(low) + 1 for low, high in zip(field.low.flat, field.high.flat)], np.int64)
+        self.space = _several(counts.reshape(self.shape), field.low.astype(np.int64).reshape(self.shape))
+
+
+def _several(counts, low):
+    """A MultiDiscrete, which begins elsewhere than at 0 only where it must: older ones of Gymnasium cannot."""
+    return _spaces().MultiDiscrete(counts, start=low) if low.any() else _spaces().MultiDiscrete(counts)
 
 
 class Named:
@@ -111,6 +125,15 @@ class OnlyChoice(Choice):
         super().to_row(shaped(values, self.space, len(rows), self.what), rows)
 
 
+class OnlyChoices(Flat):
+    """The row of a graph whose actions are whole numbers only."""
+
+    def __init__(self, what, fields):
+        super().__init__(what, [Box(field) for field in fields])
+        join = lambda side: np.concatenate([getattr(field, side).astype(np.int64).ravel() for field in fields])
+        self.space = _several(join("high") - join("low") + 1, join("low"))
+
+
 def one_of(tree, i):
     return {name: part[i] for name, part in tree.items()} if isinstance(tree, dict) else tree[i]
 
@@ -143,14 +166,21 @@ def of_observations(library, flatten):
     return Flat("the observation", parts) if flatten else Named("the observation", parts)
 
 
+def _part_of_action(field):
+    if not is_choice(field):
+        return Box(field)
+    return Choice(field) if field.shape == () else Choices(field)
+
+
 def of_actions(library, flatten, normalize):
-    if flatten and len(library.actions) == 1 and is_choice(library.actions[0]) and not normalize:
-        return OnlyChoice("the action", library.actions[0])
+    if flatten and library.actions and all(is_choice(field) for field in library.actions) and not normalize:
+        one = len(library.actions) == 1 and library.actions[0].shape == ()
+        return OnlyChoice("the action", library.actions[0]) if one else OnlyChoices("the action", library.actions)
     if normalize:
         parts = [Scaled(field) for field in library.actions]
     elif flatten:
         parts = [Box(field) for field in library.actions]
     else:
-        parts = [Choice(field) if is_choice(field) else Box(field) for field in library.actions]
+        parts = [_part_of_action(field) for field in library.actions]
     assert numbers_of([part.field for part in parts]) == numbers_of(library.actions)
     return Flat("the action", parts) if flatten else Named("the action", parts)

@@ -49,6 +49,7 @@ class Described:
         self.description = description
         self._fields = {what: tuple(Field(told) for told in description[what]) for what in ("observations", "actions", "states")}
         self.critic = tuple(Field(told) for told in (description["task"] or {}).get("critic", ()))
+        self.stages = tuple(stage["name"] for stage in (description["task"] or {}).get("stages", ()))
         self.terms = tuple(description["task"]["terms"]) if description["task"] else ()
         # Of the memory that is read and written, whatever happens to the fields.
         self._sizes = {what: numbers_of(fields) for what, fields in self._fields.items()} | {

@@ -25,8 +25,10 @@ class Env(checks.Single, gymnasium.Env):
     number             of the environment: reset(seed=S) with number k is `PROGRAM --seed S --environment k`
     render_mode        "rgb_array" where the graph has `render:`: render() gives uint8 [height, width, 3]
     render_size        (width, height) of it, in pixels
+    stage              of the graph's task: the name of one of its `stages:`; None: the graph as it is written
 
-    reset(options={"states": {"pendulum.mass": 0.03}}) sets states in place of draws, and set({"controller.kp": 3.0})
+    reset(options={"states": {"pendulum.mass": 0.03}}) sets states in place of draws, reset(options={"stage": "near"}) the stage
+    from then on, and set({"controller.kp": 3.0})
     tunable parameters between two steps. Without `task:` in the graph rewards
     are 0. info of a step has `success` and the weighted `terms` of the reward, where the graph has a task.
     """
@@ -34,12 +36,13 @@ class Env(checks.Single, gymnasium.Env):
     metadata = {"render_modes": ["rgb_array"]}
 
     def __init__(self, library, *, flatten=False, longest=0, normalize_actions=False, number=0, render_mode=None,
-                 render_size=(480, 480)):
+                 render_size=(480, 480), stage=None):
         library.check_render_mode(render_mode)
         self._describe(library, flatten, normalize_actions, render_mode, render_size)
         number = checks.whole("number", number, 0, 2**32 - 1)
         self.environments = Environments(library, 1, numbers=[number], longest=longest, autoreset="disabled", threads=1,
                                          pictures=render_mode is not None)
+        self.environments.set_stage(stage)
 
     def _describe(self, library, flatten, normalize_actions, render_mode, render_size):
         """All but `environments`: rows of one environment."""
@@ -58,8 +61,11 @@ class Env(checks.Single, gymnasium.Env):
         self.environments.check_open()
         seed = None if seed is None else checks.whole("seed", seed, 0, 2**64 - 1)
         options = checks.options(options)
+        stage = checks.stage(options.get("stage"), self.library.stages)
         if "states" in options:
             self.environments.set_states(options["states"])
+        if "stage" in options:
+            self.environments.set_stage(stage)
         super().reset(seed=seed)
         if seed is None and not self._begun:
             seed = int(self.np_random.integers(2**63))

@@ -32,7 +32,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
     """
 
     def __init__(self, library, num_envs, *, flatten=False, longest=0, normalize_actions=False, autoreset_mode=None,
-                 threads=0, copy=True, numbers=None, render_mode=None, render_size=(480, 480)):
+                 threads=0, copy=True, numbers=None, render_mode=None, render_size=(480, 480), stage=None):
         library.check_render_mode(render_mode)
         modes = _vector.AutoresetMode
         self.autoreset_mode = modes.NEXT_STEP if autoreset_mode is None else modes(autoreset_mode)
@@ -42,6 +42,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
         self.environments = Environments(library, num_envs, numbers=numbers, longest=longest,
                                          autoreset=names[self.autoreset_mode], threads=threads,
                                          pictures=render_mode is not None)
+        self.environments.set_stage(stage)
         self.library, self.num_envs, self.copy = library, num_envs, copy
         self.render_mode, self.render_size = render_mode, render_size
         self.metadata = {**library.metadata, "autoreset_mode": self.autoreset_mode}
@@ -78,9 +79,11 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
     def reset(self, *, seed=None, options=None):
         self.environments.check_open()
         given, options = self._given(seed), checks.options(options)
-        mask = self._mask(options)
+        mask, stage = self._mask(options), checks.stage(options.get("stage"), self.library.stages)
         if "states" in options:
             self.environments.set_states(options["states"], mask)
+        if "stage" in options:
+            self.environments.set_stage(stage, mask)
         super().reset(seed=int(seed) if seed is not None and np.ndim(seed) == 0 else None)
         seeds, new = self._seeds(given, mask)
         if new.any():

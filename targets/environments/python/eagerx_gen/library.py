@@ -74,6 +74,8 @@ class Library(Described):
         for name, (result, arguments) in _FUNCTIONS.items():
             functions[name].restype, functions[name].argtypes = result, arguments
         super().__init__(json.loads(self.c.eagerx_describe()))
+        if self.stages:  # libraries of before have neither
+            self.c.eagerx_set_stage.restype, self.c.eagerx_set_stage.argtypes = c_int, [c_void_p, c_void_p, c_char_p]
 
     def __reduce__(self):
         return Library, (self.path,)
@@ -246,6 +248,15 @@ class Environments(checks.Single):
         if self._call(self._library.c.eagerx_get_states, row.ctypes.data) != 0:
             self._fail()
         return {field.name: row[:, field.columns].reshape(self._count, *field.shape) for field in self._library.states}
+
+    def set_stage(self, stage, mask=None):
+        """From their next reset on, episodes are those of a stage of the graph's task; None: the graph as it is written."""
+        stage = checks.stage(stage, self._library.stages)
+        mask = checks.mask(mask, self._count)
+        if not self._library.stages:
+            return self.check_open()
+        if self._call(self._library.c.eagerx_set_stage, None if mask is None else mask.ctypes.data, stage.encode()) != 0:
+            self._fail()
 
     def critic(self, final=False):
         """{name: [count, ...]} what the graph's `task.critic` shows besides observations, as of the last step or reset.

@@ -216,6 +216,10 @@ class RunningProgram(checks.Single):
             raise RewardNotFinite(f"`task.{names[0]}` is {'nan' if np.isnan(self.reward[0]) else 'infinite'} in step {self._step} of "
                                   f"episode {self._episode + 1}, both counted from 1")
 
+    def set_stage(self, stage, mask=None):
+        """Programs know nothing of stages: None and "" are what they are."""
+        checks.stage(stage, ())
+
     def set_states(self, states, mask=None):
         """The states of the next episode: {name: value}; what is not named is drawn."""
         self.check_open()

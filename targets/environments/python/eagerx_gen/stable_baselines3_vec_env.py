@@ -15,17 +15,19 @@ _base = need("stable_baselines3.common.vec_env.base_vec_env", "pip install stabl
 class VecEnv(checks.Single, _base.VecEnv):
     """Many environments of a graph. Its infos have what Monitor gives: return and length of an episode that ended.
 
-    library, longest, threads, normalize_actions, render_mode, render_size: as for Env and VectorEnv. flatten: Stable-Baselines3 knows Dict
-    observations, with "MultiInputPolicy", but no Dict actions, so that these are always one row.
+    library, longest, threads, normalize_actions, render_mode, render_size, stage: as for Env and VectorEnv. flatten: Stable-Baselines3
+    knows Dict observations, with "MultiInputPolicy", but no Dict actions, so that these are always one row. `environments.set_stage(name)`
+    sets another stage while a model learns: from the next episode of each on.
     """
 
     def __init__(self, library, n_envs=1, *, flatten=True, longest=0, threads=0, normalize_actions=False, numbers=None,
-                 render_mode=None, render_size=(480, 480)):
+                 render_mode=None, render_size=(480, 480), stage=None):
         library.check_render_mode(render_mode)
         n_envs = checks.whole("n_envs", n_envs, 1, MOST)
         numbers = np.zeros(n_envs, np.uint32) if numbers is None else numbers
         self.environments = Environments(library, n_envs, numbers=numbers, longest=longest, autoreset="same_step", threads=threads,
                                          pictures=render_mode is not None)
+        self.environments.set_stage(stage)
         self.library, self.render_size = library, render_size
         self.metadata = library.metadata
         self.render_mode = render_mode  # the base class asks for it with get_attr()

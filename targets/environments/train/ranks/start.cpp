@@ -64,6 +64,7 @@ Options take_job(Ranks& ranks) {
   options.from = received(ranks);
   options.hard_starts = received(ranks);
   options.csv.clear();
+  options.record.clear();
   options.tensorboard.clear();
   options.is_quiet = true;
   return options;

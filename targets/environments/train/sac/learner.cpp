@@ -6,13 +6,6 @@
 #include "targets/environments/train/sac/squashed.hpp"
 
 namespace eagerx::train::sac {
-namespace {
-
-void add_to(std::vector<float>& sum, const std::vector<float>& more) {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
-}
-
-}  // namespace
 
 void Gradient::clear() {
   for (auto* values : {&actor, &critics[0], &critics[1]})
@@ -20,9 +13,10 @@ void Gradient::clear() {
   log_probability = deviation = loss = 0.0;
 }
 
-void Gradient::add(const Gradient& more) {
-  add_to(actor, more.actor);
-  for (std::size_t c = 0; c < critics.size(); ++c) add_to(critics[c], more.critics[c]);
+void Gradient::add(const Kernels& kernels, const Gradient& more) {
+  kernels.add(more.actor.data(), actor.data(), actor.size());
+  for (std::size_t c = 0; c < critics.size(); ++c)
+    kernels.add(more.critics[c].data(), critics[c].data(), critics[c].size());
   log_probability += more.log_probability;
   deviation += more.deviation;
   loss += more.loss;

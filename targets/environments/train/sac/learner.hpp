@@ -32,7 +32,7 @@ struct Gradient {
   double loss = 0.0;             // half the squared errors of both critics
 
   void clear();
-  void add(const Gradient& more);
+  void add(const Kernels& kernels, const Gradient& more);
 };
 
 class Learner {

@@ -13,7 +13,7 @@ std::vector<float> deployed_parameters(const Network& network, const Model& mode
   const Network::Layer& last = network.layers().back();
   const Network::Layer& all = model.actor.layers().back();
   // Layers before the last are the same, and of that the means are the first rows.
-  const auto first = model.actor_parameters.begin();
+  const auto first = model.averaged.begin();
   std::copy_n(first, last.bias, parameters.begin());
   std::copy_n(first + static_cast<std::ptrdiff_t>(all.bias), network.outputs(),
               parameters.begin() + static_cast<std::ptrdiff_t>(last.bias));

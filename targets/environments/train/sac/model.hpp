@@ -30,6 +30,7 @@ struct Model {
       : actor(inputs, settings.layers, 2 * head.numbers, settings.activation),
         critic(inputs + more + head.numbers, settings.layers, 1, settings.activation),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
+        averaged(actor_parameters),
         critics{Critic(critic, random(settings, "train/critic")),
                 Critic(critic, random(settings, "train/second_critic"))},
         log_temperature(1, log(settings.sac.first_temperature)),
@@ -44,6 +45,7 @@ struct Model {
   Network critic;  // of what it sees, then actions: the discounted return, divided by the deviation
                    // of returns
   std::vector<float> actor_parameters;
+  std::vector<float> averaged;  // running mean of actor_parameters: the policy
   std::array<Critic, 2> critics;
   std::vector<float> log_temperature;  // [1]
   Adam actor_adam, temperature_adam;

@@ -13,8 +13,8 @@ namespace {
 /// The description, if its actions are real numbers.
 const Library& real_numbers(const Library& library) {
   if (!library.description().chooses()) return library;
-  throw Problem(kProblems, "SAC learns real numbers, and the graph's action is a choice",
-                "train it with `--algorithm ppo`, or give the action a float space");
+  throw Problem(kProblems, "SAC learns real numbers, and the graph's actions are whole ones",
+                "train it with `--algorithm ppo`, or give them float spaces");
 }
 
 }  // namespace
@@ -34,6 +34,10 @@ Sac::Sac(const train::Settings& settings, const Library& library, const Kernels&
   const std::size_t tiles = settings.sac.batch / (kParts * kLanes);
   for (std::size_t part = 0; part < kParts; ++part)
     learners_.push_back(std::make_unique<Learner>(model_, tiles));
+}
+
+void Sac::set_stage(const std::string& name) {
+  walk_.set_stage(name);
 }
 
 void Sac::begin_era() {
@@ -61,10 +65,39 @@ Algorithm::Result Sac::iterate() {
     walk_.step(model_, normaliser, kernels_, is_random, static_cast<std::uint32_t>(pace.time + t));
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
   }
-  if (settings_.normalise) model_.observations.add(walk_.observation_sums);
-  model_.returns.add(walk_.return_sums);
+  see();
   pace.next();
   return {walk_.episodes, 0.0, model_.actor_adam.steps - updates};
+}
+
+/// What the networks have learnt is of the scales of before: they change with them. Rewards have
+/// another scale, and so have the critics' answers and the weight of the entropy.
+void Sac::see() {
+  const double scale = model_.returns.scale(0);
+  model_.returns.add(walk_.return_sums);
+  const Statistics before = model_.observations;
+  if (settings_.normalise) model_.observations.add(walk_.observation_sums);
+  if (model_.actor_adam.steps == 0) return;
+  const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
+  const Network::Layer& last = model_.critic.layers().back();
+  for (Critic& critic : model_.critics) {
+    for (auto* parameters : {&critic.parameters, &critic.target}) {
+      for (std::size_t i = last.weights; i < last.bias + last.sizes.outputs; ++i)
+        (*parameters)[i] *= ratio;
+      keep_answers(model_.critic, *parameters, before, model_.observations);
+    }
+  }
+  for (auto* parameters : {&model_.actor_parameters, &model_.averaged})
+    keep_answers(model_.actor, *parameters, before, model_.observations);
+  model_.log_temperature.front() += log(ratio);
+}
+
+/// At first the mean of all so far: the first actor knows nothing and is forgotten soon.
+void Sac::average() {
+  const float share =
+      max(settings_.sac.averaging, 2.0F / (static_cast<float>(model_.actor_adam.steps) + 1.0F));
+  kernels_.approach(min(share, 1.0F), model_.actor_parameters.data(), model_.averaged.data(),
+                    model_.averaged.size());
 }
 
 void Sac::update(const Normaliser& normaliser) {
@@ -81,16 +114,17 @@ void Sac::update(const Normaliser& normaliser) {
     learners_[part]->learn(frozen, random);
   });
   Gradient& sum = learners_.front()->gradient;
-  for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
+  for (std::size_t part = 1; part < kParts; ++part) sum.add(kernels_, learners_[part]->gradient);
   const auto count = static_cast<double>(settings_.sac.batch);
   const auto scale = static_cast<float>(1.0 / count);
   const float step_size = settings_.learning_rate;
   model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, step_size, scale);
+  average();
   for (std::size_t c = 0; c < 2; ++c) {
     Critic& critic = model_.critics[c];
     critic.adam.step(kernels_, critic.parameters, sum.critics[c], step_size, scale);
-    for (std::size_t i = 0; i < critic.target.size(); ++i)
-      critic.target[i] += settings_.sac.target_share * (critic.parameters[i] - critic.target[i]);
+    kernels_.approach(settings_.sac.target_share, critic.parameters.data(), critic.target.data(),
+                      critic.target.size());
   }
   const auto numbers = static_cast<double>(deployed_.outputs());
   const double surplus = -sum.log_probability / count - numbers * settings_.sac.entropy;
@@ -111,7 +145,7 @@ std::string Sac::checkpoint(const std::string& conditions, const std::string& in
 void Sac::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
                   Progressed& progressed) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
-  pace.go_to(progressed.iteration);
+  pace.go_to(progressed.iteration, progressed.course);
 }
 
 void Sac::begin_from(const std::string& bytes, const std::string& name,

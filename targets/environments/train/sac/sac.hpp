@@ -23,6 +23,7 @@ class Sac : public Algorithm {
 
   std::size_t environments() const override { return settings_.sac.environments; }
   std::string stepping() const override { return walk_.stepping(); }
+  void set_stage(const std::string& name) override;
   void begin_era() override;
   void remember_actions() override {}  // the memory has them
   void go_on() override;
@@ -42,6 +43,8 @@ class Sac : public Algorithm {
 
  private:
   void update(const Normaliser& normaliser);
+  void average();
+  void see();
 
   const train::Settings settings_;
   const Description& description_;

@@ -16,6 +16,7 @@ struct Settings {
   std::uint64_t random_steps{};
   float updates{};            // for each step of an environment
   float target_share{};       // of the critics, which their targets take over each update
+  float averaging{};          // share of the actor that the policy takes over each update
   float first_temperature{};  // weight of the entropy against scaled rewards
   float entropy{};            // of each number of an action: what the temperature keeps
 };

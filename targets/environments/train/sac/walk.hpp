@@ -20,6 +20,8 @@ class Walk {
   std::string stepping() const { return environments_.stepping(); }
   /// All environments begin the first episode of `seed`.
   void reset(std::uint64_t seed);
+  /// From the next reset() on.
+  void set_stage(const std::string& name) { environments_.set_stage(name); }
   /// A step of all with actions of the actor, or drawn evenly while it has learnt nothing yet.
   /// `time`: steps since the training began. The transitions go into the memory.
   void step(Model& model, const Normaliser& normaliser, const Kernels& kernels, bool is_random,

@@ -17,6 +17,13 @@ class Discrete:
         self.n, self.start, self.shape, self.dtype = n, start, (), np.dtype(np.int64)
 
 
+class MultiDiscrete:
+    def __init__(self, nvec, start=None):
+        self.nvec = np.asarray(nvec, np.int64)
+        self.start = np.zeros_like(self.nvec) if start is None else np.asarray(start, np.int64)
+        self.shape, self.dtype = self.nvec.shape, np.dtype(np.int64)
+
+
 class Dict:
     """Its keys are sorted, as Gymnasium's are."""
 

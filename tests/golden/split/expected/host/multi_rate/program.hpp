@@ -11,7 +11,7 @@
 #include <eagerx/cursor.hpp>
 #include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
-#include <eagerx/link/star.hpp>
+#include <eagerx/link/ahead.hpp>
 #include <eagerx/memory_fault.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
@@ -34,6 +34,14 @@ class Program {
   /// The links to the parts of this graph; before the first reset.
   void connect(Link& link) { link_ = &link; }
   [[nodiscard]] Link& link() const { return *link_; }
+  /// At the end of an episode, and where messages are looked at: waits for those on their way.
+  void settle() { ahead_.settle(*this); }
+  /// What the part with the agent has sent in the last step, once it is there.
+  [[nodiscard]] Action applied() const {
+    return {
+        .voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1 - 1)], .push =
+        action_push_[eagerx::ring_position<4>(n10Hz_ - 1 - 1)]};
+  }
 
   /// Once: engine and simulators get what they need, memory too if they are built on a library.
   /// The first reset does it if nobody has.
@@ -89,6 +97,10 @@ class Program {
 
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
   Observation reset(const States& states) & {
+    settle();
+    for (auto& taken : taken_) {
+      taken = 0;
+    }
     n60Hz_ = 0;
     n30Hz_ = 0;
     n20Hz_ = 0;
@@ -142,25 +154,17 @@ class Program {
   [[nodiscard]] std::uint32_t memory_faults() const { return memory_faults_; }
 
   /// Applies an action and runs to the next tick of the environment.
-  Observation step(Action& action) & {
+  Observation step(const Action& /*action*/) & {
     if (n10Hz_ == 0) [[unlikely]] {
       return before_reset();
     }
     link_->begin_step();
-    // actions.voltage
-    auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    if (!link_->get(part::kBoard, channel::environment_voltage, new_voltage)) {
+    // actions
+    if (!ahead_.post(*this, part::kBoard, &Program::take_environment, n10Hz_ - 1,
+        eagerx::link::Awaited<eagerx::Array<float, 1>>{ channel::environment_voltage },
+        eagerx::link::Awaited<eagerx::Array<float, 1>>{ channel::environment_push })) {
       return observe();
     }
-    action.voltage = new_voltage;
-    trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
-    // actions.push
-    auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    if (!link_->get(part::kBoard, channel::environment_push, new_push)) {
-      return observe();
-    }
-    action.push = new_push;
-    trace(channel::environment_push, n10Hz_ - 1, new_push);
     if (slot_ >= 12) {
       return memory_fault();
     }
@@ -267,7 +271,7 @@ class Program {
           engine_.callback(eagerx::Tick{n}, left_simulator_, right_simulator_);
         }
         engine_tick_[0] = static_cast<std::int64_t>(n);
-        trace(channel::engine_tick, n, engine_tick_[0]);
+        ahead_.tell(*this, channel::engine_tick, n, engine_tick_[0]);
         if constexpr (eagerx::traces_simulators<Trace>) {
           trace.simulator("left", n, left_simulator_);
           trace.simulator("right", n, right_simulator_);
@@ -278,12 +282,10 @@ class Program {
       const eagerx::Seq n = n30Hz_ - 1;
       // fast: ButterworthFilter
       {
-        auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
-        if (!link_->get(part::kBoard, channel::fast_filtered, new_filtered)) {
+        if (!ahead_.post(*this, part::kBoard, &Program::take_fast, n,
+            eagerx::link::Awaited<eagerx::Array<float, 1>>{ channel::fast_filtered })) {
           return;
         }
-        trace(channel::fast_filtered, n, new_filtered);
-        right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
       }
       // right/u_applied: ActionApplied
       {
@@ -296,7 +298,8 @@ class Program {
           trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n, in);
         }
         right_u_applied_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        trace(channel::right_u_applied_action_applied, n, right_u_applied_action_applied_[0]);
+        ahead_.tell(*this, channel::right_u_applied_action_applied, n,
+            right_u_applied_action_applied_[0]);
       }
     }
     if ((due & k20Hz) != 0) {
@@ -309,7 +312,7 @@ class Program {
           trace.inputs("left/x", LeftXIo::Rate{}, n, in);
         }
         left_x_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        trace(channel::left_x_observation, n, left_x_observation_[0]);
+        ahead_.tell(*this, channel::left_x_observation, n, left_x_observation_[0]);
       }
       // left/theta: FloatOutput
       {
@@ -319,7 +322,7 @@ class Program {
           trace.inputs("left/theta", LeftThetaIo::Rate{}, n, in);
         }
         left_theta_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        trace(channel::left_theta_observation, n, left_theta_observation_[0]);
+        ahead_.tell(*this, channel::left_theta_observation, n, left_theta_observation_[0]);
         observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
         link_->put(part::kBoard, left_theta_observation_[0]);
@@ -327,13 +330,17 @@ class Program {
       // right/u: OdeInput
       {
         const RightUIo::Inputs in{
-            .tick = {engine_tick_, n60Hz_}, .action = {right_u_action_, n30Hz_}};
+            .tick = {engine_tick_, n60Hz_},
+            .action = {right_u_action_, ahead_.need(*this, part::kBoard, taken_[1], n30Hz_)}};
+        if (!link_->ok()) {
+          return;
+        }
         RightUIo::Outputs out{.action_applied = right_u_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("right/u", RightUIo::Rate{}, n, in);
         }
         right_u_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        trace(channel::right_u_action_applied, n, right_u_action_applied_[0]);
+        ahead_.tell(*this, channel::right_u_action_applied, n, right_u_action_applied_[0]);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -349,7 +356,7 @@ class Program {
         }
         left_theta_dot_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
-        trace(channel::left_theta_dot_observation, n, new_observation);
+        ahead_.tell(*this, channel::left_theta_dot_observation, n, new_observation);
         link_->put(part::kBoard, new_observation);
       }
     }
@@ -363,7 +370,7 @@ class Program {
           trace.inputs("right/x", RightXIo::Rate{}, n, in);
         }
         right_x_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        trace(channel::right_x_observation, n, right_x_observation_[0]);
+        ahead_.tell(*this, channel::right_x_observation, n, right_x_observation_[0]);
       }
       // right/theta: FloatOutput
       {
@@ -374,7 +381,7 @@ class Program {
           trace.inputs("right/theta", RightThetaIo::Rate{}, n, in);
         }
         right_theta_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        trace(channel::right_theta_observation, n, new_observation);
+        ahead_.tell(*this, channel::right_theta_observation, n, new_observation);
         link_->put(part::kBoard, new_observation);
       }
     }
@@ -390,7 +397,7 @@ class Program {
           trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n, in);
         }
         left_u_applied_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        trace(channel::left_u_applied_action_applied, n, new_action_applied);
+        ahead_.tell(*this, channel::left_u_applied_action_applied, n, new_action_applied);
         link_->put(part::kBoard, new_action_applied);
       }
     }
@@ -406,14 +413,20 @@ class Program {
       const eagerx::Seq n = n20Hz_ - 1;
       // slow: ButterworthFilter
       {
-        const SlowIo::Inputs in{.signal = {action_voltage_, slow_signal_cursor_.take()}};
+        const SlowIo::Inputs in{
+            .signal = {
+            action_voltage_,
+            ahead_.need(*this, part::kBoard, taken_[0], slow_signal_cursor_.take())}};
+        if (!link_->ok()) {
+          return;
+        }
         auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n)];
         SlowIo::Outputs out{.filtered = new_filtered};
         if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("slow", SlowIo::Rate{}, n, in);
         }
         slow_.callback(eagerx::Tick{n}, in, out);
-        trace(channel::slow_filtered, n, new_filtered);
+        ahead_.tell(*this, channel::slow_filtered, n, new_filtered);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -427,9 +440,37 @@ class Program {
           trace.inputs("left/u", LeftUIo::Rate{}, n, in);
         }
         left_u_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        trace(channel::left_u_action_applied, n, left_u_action_applied_[0]);
+        ahead_.tell(*this, channel::left_u_action_applied, n, left_u_action_applied_[0]);
       }
     }
+  }
+
+  // environment: what it sent at tick n has come, and is read.
+  bool take_environment(const eagerx::Seq n, eagerx::link::Record* record) {
+    auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n)];
+    auto& new_push = action_push_[eagerx::ring_position<4>(n)];
+    if (!link_->get(part::kBoard, channel::environment_voltage, new_voltage)) {
+      return false;
+    }
+    ahead_.came(*this, record, channel::environment_voltage, n, new_voltage);
+    if (!link_->get(part::kBoard, channel::environment_push, new_push)) {
+      return false;
+    }
+    ahead_.came(*this, record, channel::environment_push, n, new_push);
+    ++taken_[0];
+    return true;
+  }
+
+  // fast: what it sent at tick n has come, and is read.
+  bool take_fast(const eagerx::Seq n, eagerx::link::Record* record) {
+    auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
+    if (!link_->get(part::kBoard, channel::fast_filtered, new_filtered)) {
+      return false;
+    }
+    ahead_.came(*this, record, channel::fast_filtered, n, new_filtered);
+    right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
+    ++taken_[1];
+    return true;
   }
 
   // A slot without the environment.
@@ -448,6 +489,7 @@ class Program {
         .applied = {left_u_applied_action_applied_, n10Hz_ - 1},
         .other = {right_theta_observation_, observation_other_cursor_.take()}};
     if constexpr (eagerx::traces_inputs<Trace>) {
+      settle();
       trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
     }
     return observation;
@@ -471,6 +513,12 @@ class Program {
   std::uint32_t memory_faults_ = 0;
 
   Link* link_ = nullptr;
+  // What parts are asked for and is not read yet, and how many messages of each of their nodes are
+  // there.
+  eagerx::link::Ahead<Program, Trace, 1, 10, 4096> ahead_{};
+  template <class, class, std::size_t, std::size_t, std::size_t>
+  friend class eagerx::link::Ahead;
+  eagerx::Seq taken_[2]{};
   std::uint32_t steps_before_reset_ = 0;
   // Ticks so far, one counter a rate.
   eagerx::Seq n60Hz_ = 0;

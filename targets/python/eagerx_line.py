@@ -1,0 +1,304 @@
+"""The line of bytes to the hub: a socket, also with a key, or a serial line.
+
+A line that is over is a LinkClosed; what came over a sealed one and was not what the hub sent is a LinkForged.
+"""
+import errno
+import fcntl
+import os
+import select
+import socket
+import stat
+import sys
+import termios
+import time
+
+from eagerx_key import MOST_BYTES, Forged, Greeting, Stranger
+
+GREETING_S = 5  # that a peer has to say something, or to show that it has the key
+WRITE_S = 1  # after which what nobody takes is dropped
+MOST_UNKNOWN = 16  # connections that have not shown yet that they have the key
+NEEDS_KEY = ("beyond this machine TCP needs a key\n"
+             "help: `eagerx-gen key new FILE` writes one; both sides take it with `--key FILE`")
+_READ_BYTES = 65536
+
+
+class LinkClosed(Exception):
+    """The line is over."""
+
+
+class LinkForged(LinkClosed):
+    """Somebody changes what is sent."""
+
+
+def say(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+class Port:
+    """A line of bytes: a socket or a serial line."""
+
+    def __init__(self, file, knows_peer, keep=None):
+        self.file, self._keep = file, keep
+        self.knows_peer = knows_peer  # nobody else can be at the other end
+        os.set_blocking(file, False)
+
+    def read(self):
+        """Some bytes; waits for them."""
+        while True:
+            select.select([self.file], [], [])
+            try:
+                data = os.read(self.file, _READ_BYTES)
+            except BlockingIOError:
+                continue
+            except OSError as error:
+                raise LinkClosed(error.strerror) from None
+            if not data:
+                raise LinkClosed("the other end hung up")
+            return data
+
+    def send(self, data, until):
+        """What of the bytes could not be sent until then, of time.monotonic()."""
+        while data:
+            try:
+                data = data[os.write(self.file, data):]
+            except BlockingIOError:
+                left = until - time.monotonic()
+                if left <= 0:
+                    break
+                select.select([], [self.file], [], left)
+            except OSError as error:
+                raise LinkClosed(error.strerror) from None
+        return data
+
+    def write(self, data):
+        """What nobody takes in time is dropped: the hub asks again."""
+        self.send(data, time.monotonic() + WRITE_S)
+
+    def close(self):
+        """Nothing is said any more."""
+
+
+class SealedPort:
+    """A socket between two who have a key in common."""
+
+    def __init__(self, port, records):
+        self._port, self._records, self.knows_peer = port, records, True
+        self._rest = b""  # of a record that is sealed: it has its place in the order, so it goes first
+
+    def read(self):
+        while True:
+            try:
+                data = self._records.open()
+            except Forged:
+                raise LinkForged("what came is not what the other end sent: it was changed, repeated or left out") from None
+            if data is not None:
+                if not data:
+                    raise LinkClosed("the other end hung up")
+                return data
+            try:
+                self._records.take(self._port.read())
+            except LinkClosed as end:
+                raise LinkClosed(f"it was cut, as nobody has said an end: {end}") from None
+
+    def write(self, data):
+        """What there is no time for is never sealed."""
+        until = time.monotonic() + WRITE_S
+        for begin in range(0, len(data), MOST_BYTES):
+            self._rest = self._port.send(self._rest, until)
+            if self._rest:
+                return
+            self._rest = self._port.send(self._records.seal(data[begin:begin + MOST_BYTES]), until)
+
+    def close(self):
+        """Says that this is the end, and that nobody has cut the line."""
+        if self._rest:
+            return
+        try:
+            self._port.send(self._records.seal(b""), 0)
+        except LinkClosed:
+            pass
+
+
+def _first_that_speaks(listener):
+    """The peer that says something first; others are refused from then on."""
+    while True:
+        peer, _ = listener.accept()
+        ready, _, _ = select.select([peer], [], [], GREETING_S)
+        try:
+            if ready and peer.recv(1, socket.MSG_PEEK):
+                listener.close()
+                return Port(peer.fileno(), False, peer)
+        except OSError:
+            pass
+        say("note: a peer hung up without a word" if ready else
+            f"note: a peer said nothing for {GREETING_S} s and was dropped")
+        peer.close()
+
+
+class _Door:
+    """Lets the first one in who has the key."""
+
+    def __init__(self, listener, key):
+        self._listener, self._key = listener, key
+        self._unknown = {}  # socket → (until, Greeting), oldest first
+        self._dropped, self._told = 0, 1
+        listener.setblocking(False)
+
+    def wait(self):
+        """The SealedPort to it."""
+        try:
+            while True:
+                left = min((until for until, _ in self._unknown.values()), default=None)
+                ready, _, _ = select.select([self._listener, *self._unknown], [], [],
+                                            left and max(0, left - time.monotonic()))
+                for peer in ready:
+                    if peer in self._unknown and self._is_known(peer):
+                        return SealedPort(Port(peer.fileno(), True, peer), self._unknown.pop(peer)[1].go_on())
+                self._drop_late()
+                if self._listener in ready:
+                    self._let_in()
+        finally:
+            for peer in self._unknown:
+                peer.close()
+            self._listener.close()
+
+    def _is_known(self, peer):
+        greeting = self._unknown[peer][1]
+        try:
+            data = peer.recv(greeting.wanted())
+            answer = greeting.take(data) if data else b""
+            if data and peer.send(answer) == len(answer):  # a new connection has room for it
+                return greeting.is_done
+            self._drop(peer, "hung up before it showed that it has the key")
+        except BlockingIOError:
+            pass
+        except Stranger:
+            self._drop(peer, "has not the key")
+        except OSError:
+            self._drop(peer, "hung up before it showed that it has the key")
+        return False
+
+    def _drop_late(self):
+        now = time.monotonic()
+        for peer in [peer for peer, (until, _) in self._unknown.items() if until <= now]:
+            self._drop(peer, f"did not show within {GREETING_S} s that it has the key")
+
+    def _drop(self, peer, why):
+        peer.close()
+        del self._unknown[peer]
+        self._dropped += 1
+        if self._dropped == self._told:  # whoever comes again and again fills no disk
+            self._told *= 10
+            say(f"note: a stranger {why} and was dropped" +
+                ("" if self._dropped == 1 else f", as {self._dropped} so far"))
+
+    def _let_in(self):
+        try:
+            peer, _ = self._listener.accept()
+        except OSError:
+            return  # what is wrong with a connection is nothing that is wrong with the listener
+        if len(self._unknown) == MOST_UNKNOWN:
+            self._drop(next(iter(self._unknown)), "was one of too many")
+        peer.setblocking(False)
+        self._unknown[peer] = (time.monotonic() + GREETING_S, Greeting(self._key))
+
+
+def _is_alive(path):
+    """Whether a program listens on this socket: a stream takes no datagrams, but only a living one says so."""
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect(path)
+        except ConnectionRefusedError:
+            return False
+        except OSError:
+            return True
+        return True
+
+
+def _listen_unix(path):
+    listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    folder = os.open(os.path.dirname(path) or ".", os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        fcntl.flock(folder, fcntl.LOCK_EX)  # two programs must not remove each other's socket
+        if os.path.lexists(path):
+            if not stat.S_ISSOCK(os.lstat(path).st_mode) or _is_alive(path):
+                raise OSError(errno.EADDRINUSE, "another program listens on it, or it is no socket")
+            os.unlink(path)
+        if os.path.lexists(path + "~") and stat.S_ISSOCK(os.lstat(path + "~").st_mode):
+            os.unlink(path + "~")
+        os.fchmod(listener.fileno(), 0o600)  # only its owner may connect, from the first moment on
+        listener.bind(path + "~")
+        listener.listen(1)
+        os.rename(path + "~", path)  # whoever sees the socket can connect
+    finally:
+        os.close(folder)
+    say(f"listens on unix:{path}")
+    return _first_that_speaks(listener)
+
+
+def _is_of_this_machine(host):
+    return host.startswith("127.") or host.startswith("::ffff:127.") or host == "::1"
+
+
+def _tcp_listener(address, key):
+    host, _, port = address.rpartition(":")
+    if not port.isdecimal() or int(port) > 65535:
+        raise OSError(errno.EINVAL, "it is neither unix:PATH nor HOST:PORT")
+    problem = None
+    for family, kind, protocol, _, where in socket.getaddrinfo(host.strip("[]") or "localhost", int(port),
+                                                               type=socket.SOCK_STREAM):
+        if key is None and not _is_of_this_machine(where[0]):
+            raise OSError(errno.EACCES, NEEDS_KEY)
+        try:
+            listener = socket.socket(family, kind, protocol)
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # of those that it accepts, too
+            listener.bind(where)
+            listener.listen(1 if key is None else 128)
+            return listener
+        except OSError as error:
+            problem = error
+    raise problem
+
+
+def _listen_tcp(address, key):
+    listener = _tcp_listener(address, key)
+    host, port = listener.getsockname()[:2]
+    said = f"[{host}]" if ":" in host else host
+    say(f"listens on {said}:{port}, " + ("for this machine only" if key is None else "for who has the key"))
+    return _first_that_speaks(listener) if key is None else _Door(listener, key).wait()
+
+
+def is_tcp_address(address):
+    """Whether it has the form of HOST:PORT."""
+    return not address.startswith("unix:") and "/" not in address and ":" in address
+
+
+def listen(address, key=None):
+    """A line to the one peer that comes: `unix:PATH`, `:PORT` of this machine, or HOST:PORT, which beyond this machine
+    needs a Key."""
+    return _listen_unix(address[5:]) if address.startswith("unix:") else _listen_tcp(address, key)
+
+
+def open_serial(path, baud):
+    """A Port over a serial line, which is ours alone."""
+    speed = getattr(termios, f"B{baud}", 0)
+    if speed == 0:
+        raise OSError(errno.EINVAL, "Linux has no such baud rate")
+    file = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+    try:
+        settings = termios.tcgetattr(file)
+    except termios.error:
+        raise OSError(errno.ENOTTY, "it is no serial line") from None
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)  # also keeps root out, who is not bound by TIOCEXCL
+    except BlockingIOError:
+        raise OSError(errno.EBUSY, "another program uses it") from None
+    fcntl.ioctl(file, termios.TIOCEXCL)
+    settings[0] = settings[1] = settings[3] = 0
+    settings[2] = termios.CS8 | termios.CLOCAL | termios.CREAD
+    settings[4] = settings[5] = speed
+    settings[6][termios.VMIN], settings[6][termios.VTIME] = 1, 0
+    termios.tcsetattr(file, termios.TCSANOW, settings)
+    termios.tcflush(file, termios.TCIOFLUSH)
+    return Port(file, True)
