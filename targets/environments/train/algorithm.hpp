@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "targets/environments/train/network.hpp"
+#include "targets/environments/train/pace.hpp"
 #include "targets/environments/train/statistics.hpp"
 
 namespace eagerx::train {
@@ -29,28 +30,28 @@ class Algorithm {
     std::size_t updates = 0;        // that were made
   };
 
-  Algorithm() = default;
+  explicit Algorithm(const Pace& first) : pace(first) {}
   Algorithm(const Algorithm&) = delete;
   Algorithm& operator=(const Algorithm&) = delete;
   virtual ~Algorithm() = default;
 
-  std::uint32_t iteration = 0;
+  Pace pace;  // where it is
 
   virtual std::size_t environments() const = 0;
-  /// Steps of all environments in one iteration.
-  virtual std::size_t steps() const = 0;
+  /// Of all environments so far.
+  std::uint64_t steps() const { return pace.time * environments(); }
   /// How environments are stepped, and what made that slower.
   virtual std::string stepping() const = 0;
 
   /// From the next era on, environments are in this stage of the task; empty: as it is written.
   virtual void set_stage(const std::string& name) = 0;
-  /// All environments begin anew, with episodes that nothing but `era` and the seed decides. A
+  /// All environments begin anew, with episodes that nothing but the era and the seed decides. A
   /// training that goes on from here needs what was learnt and the iteration only.
-  virtual void begin_era(std::uint32_t era) = 0;
+  virtual void begin_era() = 0;
   /// From now on actions are remembered, which go_on() needs in the middle of an era.
   virtual void remember_actions() = 0;
   /// All environments are brought to where they were in the checkpoint of restore().
-  virtual void go_on(std::uint32_t era) = 0;
+  virtual void go_on() = 0;
   /// A rollout and the updates from it.
   virtual Result iterate() = 0;
 
@@ -64,13 +65,12 @@ class Algorithm {
   /// Of Adam.
   virtual double step_size() const = 0;
 
-  /// The bytes of a checkpoint, `iterations` behind the start of an era. See checkpoint.hpp.
+  /// The bytes of a checkpoint. See checkpoint.hpp.
   virtual std::string checkpoint(const std::string& conditions, const std::string& interface,
-                                 Progressed& progressed, std::uint32_t iterations) const = 0;
-  /// Takes up a checkpoint whose eras are so long. Throws Problem.
+                                 Progressed& progressed) const = 0;
+  /// Takes up a checkpoint. Throws Problem.
   virtual void restore(const std::string& bytes, const std::string& name,
-                       const std::string& conditions, Progressed& progressed,
-                       std::uint32_t era) = 0;
+                       const std::string& conditions, Progressed& progressed) = 0;
   /// Begins with what another training has learnt. Throws Problem.
   virtual void begin_from(const std::string& bytes, const std::string& name,
                           const std::string& interface) = 0;

@@ -13,19 +13,11 @@ struct Course {
   std::uint32_t began = 0;  // in this iteration
   std::uint32_t eras = 0;   // that had begun before it
 
-  /// Iterations since an era of so many began.
-  std::uint32_t in_era(std::uint32_t iteration, std::uint32_t era) const {
-    return (iteration - began) % era;
-  }
-  /// The number of the era.
-  std::uint32_t number(std::uint32_t iteration, std::uint32_t era) const {
-    return eras + (iteration - began) / era;
-  }
-  /// The next stage begins with `iteration`.
+  /// The next stage begins with `iteration`, which begins an era, too.
   void go_on(std::uint32_t iteration, std::uint32_t era) {
-    eras += (iteration - began + era - 1) / era;
-    began = iteration;
     ++stage;
+    began = iteration;
+    eras = era;
   }
 };
 

@@ -59,7 +59,7 @@ Evaluation Judge::choose(const Algorithm& algorithm, const Policy& now, Evaluati
 /// One of many evaluations may be good by luck: as many episodes that have chosen nothing.
 bool Judge::is_confirmed(const Algorithm& algorithm, const Policy& now) {
   const std::uint64_t seed =
-      kEvaluationSeed + kEvaluations * (std::uint64_t{algorithm.iteration} + 1);
+      kEvaluationSeed + kEvaluations * (std::uint64_t{algorithm.pace.iteration} + 1);
   for (std::uint64_t more = 0; more < kEvaluations; ++more) {
     if (!is_good(run(algorithm, now, seed + more))) return false;
   }

@@ -1,6 +1,7 @@
 // What is learnt.
 #pragma once
 
+#include <algorithm>
 #include <eagerx/math.hpp>
 #include <eagerx/random.hpp>
 
@@ -32,7 +33,7 @@ struct Model {
         observations(inputs + more),
         returns(1),
         step_size(settings.learning_rate),
-        remembered(settings.environments * 2 *
+        remembered(std::max(settings.environments, kParts * kLanes) * 2 *
                    CellShape{settings.memory, settings.memory_units}.state()) {}
 
   Network actor;   // tanh of its outputs is the mean of the actions, or they are scores of choices
@@ -44,7 +45,7 @@ struct Model {
   Statistics observations;  // [inputs of the critic], those of the actor first
   Statistics returns;       // [1] discounted, while they run
   float step_size;
-  /// [environments][states of actor and critic] after the last iteration.
+  /// [environments, or a tile of each part][states of actor and critic] after the last iteration.
   std::vector<float> remembered;
 
  private:

@@ -42,13 +42,12 @@ class Ppo::Learner {
     gradient.clear();
     const Model& model = ppo.model_;
     const std::size_t steps = model.actor.memory() == nullptr ? 1 : block_;
-    const std::size_t sequences = rollout.advantage.size() / steps;
+    const std::size_t sequences = rollout.packs() / steps;
     std::size_t tiles = 0;
-    for (std::size_t s = first; s < sequences; s += ppo.settings_.minibatches) {
+    for (std::size_t s = first; s < sequences; s += ppo.minibatches()) {
       for (std::size_t t = 0; t < steps; ++t) {
-        const std::size_t step = s / rollout.tiles() * steps + t, k = s % rollout.tiles();
-        if (model.actor.memory() != nullptr) recall(model, rollout, s, step, t);
-        evaluate(ppo, rollout, step * rollout.tiles() + k, tiles);
+        if (model.actor.memory() != nullptr) recall(model, rollout, s, t);
+        evaluate(ppo, rollout, s * steps + t, tiles);
         if (++tiles == block_) backward(ppo.kernels_, model, std::exchange(tiles, 0));
       }
     }
@@ -58,11 +57,10 @@ class Ppo::Learner {
  private:
   static constexpr std::size_t kBlock = 8;  // tiles whose rows fit into the cache
 
-  /// What is remembered before step `t` of a sequence, the rollout's `step`.
-  void recall(const Model& model, const Rollout& rollout, std::size_t sequence, std::size_t step,
-              std::size_t t) {
+  /// What is remembered before step `t` of sixteen sequences.
+  void recall(const Model& model, const Rollout& rollout, std::size_t sequence, std::size_t t) {
     std::fill_n(goes_on_[t].lane, kLanes, 1.0F);
-    if (t > 0) goes_on_[t] = rollout.goes_on(step - 1, sequence % rollout.tiles());
+    if (t > 0) goes_on_[t] = rollout.goes_on[sequence * block_ + t - 1];
     const auto from = [&](const Network& network, const Packs& starts, Packs& rows) {
       Pack* row = &rows[t * network.row()];
       const Pack* state = t > 0 ? row - network.row() + network.memory()->after()
@@ -179,7 +177,8 @@ class Ppo::Learner {
 
 Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
          std::uint32_t longest, Ranks& ranks)
-    : settings_(settings),
+    : Algorithm(pace_of(settings, library.description())),
+      settings_(settings),
       head_(library.description()),
       model_(settings, library.description().observation_numbers(), head_,
              library.description().critic_numbers()),
@@ -206,8 +205,8 @@ void Ppo::set_stage(const std::string& name) {
   for (std::size_t part = own_.first; part < own_.end; ++part) rollout(part).set_stage(name);
 }
 
-void Ppo::begin_era(std::uint32_t era) {
-  const std::uint64_t seed = settings_.seed + (std::uint64_t{era} << 32U);
+void Ppo::begin_era() {
+  const std::uint64_t seed = settings_.seed + (std::uint64_t{pace.era} << 32U);
   for (auto& part : parts_) part->taken.clear();
   in_parts([&](std::size_t part) { rollout(part).reset(seed); });
   if (model_.observations.count > 0.0 || !settings_.normalise) return;
@@ -227,19 +226,22 @@ void Ppo::remember_actions() {
   for (std::size_t part = own_.first; part < own_.end; ++part) rollout(part).remembers = true;
 }
 
-std::vector<float> Ppo::actions(std::uint32_t iterations) const {
-  const std::size_t wanted = iterations * steps() * head_.numbers / kParts;
+std::size_t Ppo::actions_of_part() const {
+  return pace.since_era * settings_.environments * head_.numbers / kParts;
+}
+
+std::vector<float> Ppo::actions() const {
   std::vector<float> actions;
   for (const auto& part : parts_) {
-    const std::size_t count = std::min(wanted, part->taken.size());
+    const std::size_t count = std::min(actions_of_part(), part->taken.size());
     actions.insert(actions.end(), part->taken.begin(),
                    part->taken.begin() + static_cast<std::ptrdiff_t>(count));
   }
   return actions;
 }
 
-void Ppo::take_up(const std::vector<float>& actions, std::uint32_t iterations) {
-  const std::size_t count = iterations * steps() * head_.numbers / kParts;
+void Ppo::take_up(const std::vector<float>& actions) {
+  const std::size_t count = actions_of_part();
   if (actions.size() != count * kParts) return;
   for (std::size_t part = 0; part < kParts; ++part) {
     const auto first = actions.begin() + static_cast<std::ptrdiff_t>(part * count);
@@ -247,11 +249,11 @@ void Ppo::take_up(const std::vector<float>& actions, std::uint32_t iterations) {
   }
 }
 
-void Ppo::go_on(std::uint32_t era) {
+void Ppo::go_on() {
   std::vector<std::vector<float>> taken;
   for (auto& part : parts_) taken.push_back(std::exchange(part->taken, {}));
   const bool has_actions = !taken.front().empty();
-  begin_era(era);
+  begin_era();
   for (std::size_t part = 0; part < kParts && remembers_; ++part) parts_[part]->taken = taken[part];
   in_parts([&](std::size_t part) {
     rollout(part).replay(taken[part], settings_.discount);
@@ -261,7 +263,7 @@ void Ppo::go_on(std::uint32_t era) {
 }
 
 std::vector<Episode> Ppo::collect() {
-  Frozen frozen{kernels_, settings_, model_, Normaliser(model_.observations), {}, 1.0F, iteration};
+  Frozen frozen{kernels_, settings_, model_, Normaliser(model_.observations), {}, 1.0F, pace};
   for (const float x : model_.log_deviation) frozen.deviation.push_back(exp(x));
   frozen.reward_scale = static_cast<float>(model_.returns.scale(0));
   in_parts([&](std::size_t part) { rollout(part).collect(frozen); });
@@ -300,16 +302,16 @@ void Ppo::see() {
 }
 
 bool Ppo::is_frozen() const {
-  return settings_.freeze_after > 0.0 &&
-         static_cast<double>(iteration * steps()) >= settings_.freeze_after;
+  return settings_.freeze_after > 0.0 && static_cast<double>(steps()) >= settings_.freeze_after;
 }
 
 float Ppo::decay() const {
   if (settings_.decay_steps <= 0.0) return 1.0F;
-  return static_cast<float>(
-      1.0 / (1.0 + static_cast<double>(iteration * steps()) / settings_.decay_steps));
+  return static_cast<float>(1.0 / (1.0 + static_cast<double>(steps()) / settings_.decay_steps));
 }
 
+/// Once an iteration: the first minibatches do not diverge whatever the step is, and a step that
+/// followed each of them would swing between its bounds.
 void Ppo::adapt_step_size() {
   if (settings_.schedule == Schedule::constant) {
     model_.step_size = settings_.learning_rate * decay();
@@ -330,7 +332,7 @@ void Ppo::average() {
   }
   // At first the mean of all so far: the first actor knows nothing and is forgotten soon.
   const float weight =
-      max(1.0F - settings_.averaging, 2.0F / (static_cast<float>(iteration) + 2.0F));
+      max(1.0F - settings_.averaging, 2.0F / (static_cast<float>(pace.iteration) + 2.0F));
   for (std::size_t i = 0; i < model_.averaged.size(); ++i)
     model_.averaged[i] += weight * (model_.actor_parameters[i] - model_.averaged[i]);
 }
@@ -346,7 +348,6 @@ bool Ppo::update(std::size_t minibatch) {
   for (const auto& learner : learners_) own.push_back(&learner->gradient);
   const Gradient& sum = gradient_sum_.of(own);
   divergence_ = sum.divergence / sum.count;
-  adapt_step_size();
   if (settings_.stop_divergence > 0.0F &&
       divergence_ > double{settings_.stop_divergence} * settings_.divergence * decay())
     return false;
@@ -362,14 +363,20 @@ bool Ppo::update(std::size_t minibatch) {
   return true;
 }
 
+/// Of this iteration: each has a pack of each part, or sixteen sequences.
+std::size_t Ppo::minibatches() const {
+  const std::size_t steps = model_.actor.memory() == nullptr ? 1 : settings_.memory_steps;
+  const std::size_t samples = settings_.environments * pace.horizon();
+  return std::min(settings_.minibatches, samples / (kParts * kLanes * steps));
+}
+
 std::size_t Ppo::learn() {
   constexpr std::size_t kShift = 7;  // the minibatches of an epoch do not begin with the same one
-  const std::size_t most = settings_.epochs * settings_.minibatches;
+  const std::size_t count = minibatches(), most = settings_.epochs * count;
   std::size_t updates = 0;
   for (; updates < most; ++updates) {
-    const std::size_t epoch = updates / settings_.minibatches;
-    const std::size_t m = updates % settings_.minibatches;
-    if (!update((epoch * kShift + m) % settings_.minibatches)) break;
+    const std::size_t epoch = updates / count, m = updates % count;
+    if (!update((epoch * kShift + m) % count)) break;
   }
   return updates;
 }
@@ -379,6 +386,7 @@ Algorithm::Result Ppo::iterate() {
   const std::optional<Model> before = ranks_.size() > 1 ? std::optional(model_) : std::nullopt;
   try {
     result.updates = learn();
+    adapt_step_size();
   } catch (const Problem&) {  // another rank is gone: there is a checkpoint to be written
     if (before) model_ = *before;
     throw;
@@ -389,7 +397,7 @@ Algorithm::Result Ppo::iterate() {
   for (const auto& part : parts_)
     model_.remembered.insert(model_.remembered.end(), part->remembered.begin(),
                              part->remembered.end());
-  ++iteration;
+  pace.next();
   result.divergence = divergence_;
   return result;
 }
@@ -405,19 +413,19 @@ double Ppo::deviation() const {
 }
 
 std::string Ppo::checkpoint(const std::string& conditions, const std::string& interface,
-                            Progressed& progressed, std::uint32_t iterations) const {
-  if (!progressed.succeeded) progressed.actions = actions(iterations);
+                            Progressed& progressed) const {
+  if (!progressed.succeeded) progressed.actions = actions();
   std::string bytes = checkpoint_of(conditions + critic_, interface + critic_, model_, progressed);
   progressed.actions = {};
   return bytes;
 }
 
 void Ppo::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
-                  Progressed& progressed, std::uint32_t era) {
+                  Progressed& progressed) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
-  iteration = progressed.iteration;
+  pace.go_to(progressed.iteration, progressed.course);
   // After a change of the task eras may be longer: then the rest of this one has new episodes.
-  take_up(std::exchange(progressed.actions, {}), progressed.course.in_era(iteration, era));
+  take_up(std::exchange(progressed.actions, {}));
 }
 
 std::string Ppo::replay(const std::string& /*text*/, const std::string& name) {

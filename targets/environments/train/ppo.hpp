@@ -21,12 +21,11 @@ class Ppo : public Algorithm {
   const Model& model() const { return model_; }
 
   std::size_t environments() const override { return settings_.environments; }
-  std::size_t steps() const override { return settings_.environments * settings_.horizon; }
   std::string stepping() const override { return rollout(own_.first).stepping(); }
   void set_stage(const std::string& name) override;
-  void begin_era(std::uint32_t era) override;
+  void begin_era() override;
   void remember_actions() override;
-  void go_on(std::uint32_t era) override;
+  void go_on() override;
   Result iterate() override;
   Network deployed() const override { return model_.actor; }
   std::vector<float> deployed_parameters() const override;
@@ -34,9 +33,9 @@ class Ppo : public Algorithm {
   double deviation() const override;
   double step_size() const override { return model_.step_size; }
   std::string checkpoint(const std::string& conditions, const std::string& interface,
-                         Progressed& progressed, std::uint32_t iterations) const override;
+                         Progressed& progressed) const override;
   void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
-               Progressed& progressed, std::uint32_t era) override;
+               Progressed& progressed) override;
   void begin_from(const std::string& bytes, const std::string& name,
                   const std::string& interface) override;
   std::string replay(const std::string& text, const std::string& name) override;
@@ -50,6 +49,7 @@ class Ppo : public Algorithm {
   /// all have.
   void in_parts(const std::function<void(std::size_t part)>& work);
   std::vector<Episode> collect();
+  std::size_t minibatches() const;
   /// Returns how often it has learnt from the rollouts.
   std::size_t learn();
   /// False if the policy has moved far enough.
@@ -60,10 +60,12 @@ class Ppo : public Algorithm {
   bool is_frozen() const;
   /// From 1 down, of the learning rate and of what keeps it.
   float decay() const;
-  /// All actions of the first `iterations` of this era, or fewer if they are not remembered.
-  std::vector<float> actions(std::uint32_t iterations) const;
-  /// actions() gives these from now on, if they are those of so many iterations.
-  void take_up(const std::vector<float>& actions, std::uint32_t iterations);
+  /// Of a part in this era, whose last iteration is over.
+  std::size_t actions_of_part() const;
+  /// All of them, or fewer if they are not remembered.
+  std::vector<float> actions() const;
+  /// actions() gives these from now on, if they are as many.
+  void take_up(const std::vector<float>& actions);
 
   const Settings settings_;
   const Head head_;

@@ -8,14 +8,6 @@
 #include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
-namespace {
-
-float& lane(Packs& packs, std::size_t row, std::size_t environment) {
-  return packs[row + environment / kLanes].lane[environment % kLanes];
-}
-
-}  // namespace
-
 Rollout::Rollout(const Settings& settings, const Library& library, const Head& head,
                  std::uint32_t longest, std::size_t part)
     : Seen(library.description().observation_numbers() + library.description().critic_numbers()),
@@ -25,9 +17,10 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
                     settings.seed, longest, EAGERX_SAME_STEP),
       count_(settings.environments / kParts),
       first_(count_ * part),
-      horizon_(settings.horizon),
+      horizon_(pace_of(settings, library.description()).most),
       width_(observation_sums.sum.size()),
       numbers_(head.numbers),
+      sequence_(settings.memory == Memory::none ? 1 : settings.memory_steps),
       longest_(!settings.stagger ? 0
                : longest > 0     ? longest
                                  : library.description().episode_steps),
@@ -40,15 +33,18 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
       action_(count_ * numbers_),
       return_(count_),
       discounted_(count_),
-      ended_(horizon_ * count_),
       actor_states_(tiles(), {settings.memory, settings.memory_units}),
       critic_states_(actor_states_) {
+  rows_.observation.resize(tiles() * kLanes * sight_.actor_width());
   rows_.final_observation = rows_.observation;
-  const std::size_t steps = horizon_ * tiles();
-  inputs.resize((steps + tiles()) * width_);
-  actions.resize(steps * numbers_);
-  for (Packs* packs : {&log_probability, &advantage, &target, &rewards_}) packs->resize(steps);
-  value_.resize(steps + tiles());
+  rewards_.resize(horizon_ * count_);
+  value_.resize(rewards_.size() + count_);
+  const std::size_t packs = rewards_.size() / kLanes;
+  inputs.resize(packs * width_);
+  actions.resize(packs * numbers_);
+  for (Packs* each : {&log_probability, &advantage, &target, &goes_on}) each->resize(packs);
+  const std::size_t states = packs / sequence_ * actor_states_.width();
+  for (Packs* each : {&actor_starts, &critic_starts}) each->resize(states);
 }
 
 void Rollout::reset(std::uint64_t seed) {
@@ -108,15 +104,14 @@ void Rollout::replay(const std::vector<float>& again, float discount) {
 }
 
 void Rollout::collect(const Frozen& frozen) {
+  horizon_ = frozen.pace.horizon();
   actor_row_.resize(frozen.model.actor.row());
   critic_row_.resize(frozen.model.critic.row());
   observation_sums.clear();
   return_sums.clear();
   episodes.clear();
-  actor_starts.clear();
-  critic_starts.clear();
   for (std::size_t t = 0; t < horizon_; ++t) {
-    note_states(frozen, t);
+    note_states(t);
     act(frozen, t);
     step(frozen, t);
   }
@@ -125,7 +120,7 @@ void Rollout::collect(const Frozen& frozen) {
     critic_states_.load(frozen.model.critic, k, critic_row_.data());
     frozen.model.critic.forward(frozen.kernels, frozen.model.critic_parameters.data(),
                                 critic_row_.data());
-    value_[horizon_ * tiles() + k] = critic_row_[frozen.model.critic.output()];
+    note_values(horizon_, k, critic_row_[frozen.model.critic.output()]);
   }
   estimate_advantages(frozen.settings);
   remembered.clear();
@@ -137,10 +132,9 @@ void Rollout::collect(const Frozen& frozen) {
 void Rollout::act(const Frozen& frozen, std::size_t step) {
   const Model& model = frozen.model;
   for (std::size_t k = 0; k < tiles(); ++k) {
-    Pack* x = input(step, k);
-    frozen.normaliser.load(sight_.now() + k * kLanes * width_, x);
-    std::copy_n(x, sight_.actor_width(), actor_row_.data());
-    std::copy_n(x, width_, critic_row_.data());
+    frozen.normaliser.load(sight_.now() + k * kLanes * width_, critic_row_.data());
+    std::copy_n(critic_row_.data(), sight_.actor_width(), actor_row_.data());
+    note_inputs(step, k);
     actor_states_.load(model.actor, k, actor_row_.data());
     critic_states_.load(model.critic, k, critic_row_.data());
     model.actor.forward(frozen.kernels, model.actor_parameters.data(), actor_row_.data());
@@ -154,51 +148,68 @@ void Rollout::act(const Frozen& frozen, std::size_t step) {
       frozen.kernels.tanh(answers, head_.outputs);
       draw_actions(frozen, step, k, answers);
     }
-    value_[step * tiles() + k] = critic_row_[model.critic.output()];
+    note_values(step, k, critic_row_[model.critic.output()]);
   }
+}
+
+Rollout::Place Rollout::place(std::size_t step, std::size_t environment) const {
+  const std::size_t sequence = step / sequence_ * count_ + environment;
+  return {sequence / kLanes * sequence_ + step % sequence_, sequence % kLanes};
+}
+
+/// What the critic sees, from its row. Environments of a tile are beside each other in a pack, too.
+void Rollout::note_inputs(std::size_t step, std::size_t tile) {
+  const Place to = place(step, tile * kLanes);
+  Pack* x = &inputs[to.pack * width_];
+  for (std::size_t i = 0; i < width_; ++i)
+    std::copy_n(critic_row_[i].lane, lanes(), &x[i].lane[to.lane]);
+}
+
+void Rollout::note_values(std::size_t step, std::size_t tile, const Pack& value) {
+  std::copy_n(value.lane, lanes(), &value_[step * count_ + tile * kLanes]);
 }
 
 /// What an environment's draws of one step come from.
 Random Rollout::noise(const Frozen& frozen, std::size_t step, std::size_t environment) const {
-  const auto time = static_cast<std::uint32_t>(frozen.iteration * horizon_ + step);
+  const auto time = static_cast<std::uint32_t>(frozen.pace.time + step);
   return {{frozen.settings.seed, static_cast<std::uint32_t>(first_ + environment), time},
           entity_id("train/noise")};
 }
 
 void Rollout::draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile,
                            const Pack* scores) {
-  const std::size_t row = step * tiles() + tile;
-  for (std::size_t l = 0; l < kLanes; ++l) {
+  for (std::size_t l = 0; l < lanes(); ++l) {
     const std::size_t e = tile * kLanes + l;
+    const Place to = place(step, e);
     Random random = noise(frozen, step, e);
     const Pack* own = scores;
     float log_p = 0.0F;
     for (std::size_t j = 0; j < numbers_; own += head_.counts[j++]) {
       const Choice choice(own, head_.counts[j], l);
       const std::size_t drawn = choice.at(random.uniform(0.0F, 1.0F));
-      actions[row * numbers_ + j].lane[l] = static_cast<float>(drawn);
+      actions[to.pack * numbers_ + j].lane[to.lane] = static_cast<float>(drawn);
       action_[e * numbers_ + j] = head_.low[j] + static_cast<float>(drawn);
       log_p += choice.log_probability(drawn);
     }
-    log_probability[row].lane[l] = log_p;
+    log_probability[to.pack].lane[to.lane] = log_p;
   }
 }
 
 void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile,
                            const Pack* means) {
-  const std::size_t row = step * tiles() + tile;
-  for (std::size_t l = 0; l < kLanes; ++l) {
+  for (std::size_t l = 0; l < lanes(); ++l) {
     const std::size_t e = tile * kLanes + l;
+    const Place to = place(step, e);
     Random random = noise(frozen, step, e);
     float log_p = 0.0F;
     for (std::size_t j = 0; j < numbers_; ++j) {
       const float noise = random.normal(0.0F, 1.0F);
       const float x = means[j].lane[l] + frozen.deviation[j] * noise;
-      actions[row * numbers_ + j].lane[l] = x;
+      actions[to.pack * numbers_ + j].lane[to.lane] = x;
       action_[e * numbers_ + j] = head_.scaled(j, x);
       log_p += -0.5F * noise * noise - frozen.model.log_deviation[j] - kHalfLogTwoPi;
     }
-    log_probability[row].lane[l] = log_p;
+    log_probability[to.pack].lane[to.lane] = log_p;
   }
 }
 
@@ -215,33 +226,28 @@ void Rollout::step(const Frozen& frozen, std::size_t step) {
   for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
   hard_.set(environments_);
   bootstrap(frozen, step);
-  forget(step);
+  forget();
   sum_observations();
 }
 
 /// Gradients go back to here.
-void Rollout::note_states(const Frozen& frozen, std::size_t step) {
-  if (step % frozen.settings.memory_steps != 0) return;
-  const Packs& actor = actor_states_.all();
-  const Packs& critic = critic_states_.all();
-  actor_starts.insert(actor_starts.end(), actor.begin(), actor.end());
-  critic_starts.insert(critic_starts.end(), critic.begin(), critic.end());
-}
-
-/// Nothing of an episode is remembered in the next one.
-void Rollout::forget(std::size_t step) {
+void Rollout::note_states(std::size_t step) {
+  if (actor_states_.width() == 0 || step % sequence_ != 0) return;
   for (std::size_t e = 0; e < count_; ++e) {
-    if (ended_[step * count_ + e] == 0) continue;
-    actor_states_.forget(e);
-    critic_states_.forget(e);
+    const Place to = place(step, e);
+    const std::size_t first = to.pack / sequence_ * actor_states_.width();
+    actor_states_.copy(e, &actor_starts[first], to.lane);
+    critic_states_.copy(e, &critic_starts[first], to.lane);
   }
 }
 
-Pack Rollout::goes_on(std::size_t step, std::size_t tile) const {
-  Pack result;
-  for (std::size_t l = 0; l < kLanes; ++l)
-    result.lane[l] = ended_[step * count_ + tile * kLanes + l] != 0 ? 0.0F : 1.0F;
-  return result;
+/// Nothing of an episode is remembered in the next one.
+void Rollout::forget() {
+  for (std::size_t e = 0; e < count_; ++e) {
+    if (!rows_.ended(e)) continue;
+    actor_states_.forget(e);
+    critic_states_.forget(e);
+  }
 }
 
 void Rollout::recall(const float* states) {
@@ -267,8 +273,9 @@ void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environ
   const std::size_t e = environment;
   const bool ended = count_reward(frozen.settings.discount, e);
   return_sums.add(0, discounted_[e]);
-  lane(rewards_, step * tiles(), e) = rows_.reward[e] * frozen.reward_scale;
-  ended_[step * count_ + e] = ended ? 1 : 0;
+  rewards_[step * count_ + e] = rows_.reward[e] * frozen.reward_scale;
+  const Place to = place(step, e);
+  goes_on[to.pack].lane[to.lane] = ended ? 0.0F : 1.0F;
   if (!ended) return;
   if (is_cut_[e] == 0)
     episodes.push_back(
@@ -281,7 +288,7 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
   const Model& model = frozen.model;
   for (std::size_t k = 0; k < tiles(); ++k) {
     bool any = false;
-    for (std::size_t e = k * kLanes; e < (k + 1) * kLanes; ++e) {
+    for (std::size_t e = k * kLanes; e < k * kLanes + lanes(); ++e) {
       any = any || (rows_.truncated[e] != 0 && rows_.terminated[e] == 0);
     }
     if (!any) continue;
@@ -289,10 +296,10 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
     critic_states_.load(model.critic, k, critic_row_.data());
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
     const Pack& value = critic_row_[model.critic.output()];
-    for (std::size_t l = 0; l < kLanes; ++l) {
+    for (std::size_t l = 0; l < lanes(); ++l) {
       const std::size_t e = k * kLanes + l;
       if (rows_.truncated[e] == 0 || rows_.terminated[e] != 0) continue;
-      rewards_[step * tiles() + k].lane[l] += frozen.settings.discount * value.lane[l];
+      rewards_[step * count_ + e] += frozen.settings.discount * value.lane[l];
     }
   }
 }
@@ -320,13 +327,14 @@ void Rollout::estimate_advantages(const Settings& settings) {
   for (std::size_t e = 0; e < count_; ++e) {
     float sum = 0.0F;
     for (std::size_t t = horizon_; t-- > 0;) {
-      const float goes_on = ended_[t * count_ + e] != 0 ? 0.0F : 1.0F;
-      const float value = lane(value_, t * tiles(), e);
-      const float next = lane(value_, (t + 1) * tiles(), e);
-      const float surprise = lane(rewards_, t * tiles(), e) + gamma * goes_on * next - value;
-      sum = surprise + gamma * settings.trace_decay * goes_on * sum;
-      lane(advantage, t * tiles(), e) = sum;
-      lane(target, t * tiles(), e) = sum + value;
+      const std::size_t sample = t * count_ + e;
+      const Place at = place(t, e);
+      const float goes = goes_on[at.pack].lane[at.lane];
+      const float value = value_[sample], next = value_[sample + count_];
+      const float surprise = rewards_[sample] + gamma * goes * next - value;
+      sum = surprise + gamma * settings.trace_decay * goes * sum;
+      advantage[at.pack].lane[at.lane] = sum;
+      target[at.pack].lane[at.lane] = sum + value;
       advantage_sums.add(0, sum);
     }
   }

@@ -1,6 +1,7 @@
 // Steps of some environments under the current policy, and what is to be learnt from them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <eagerx/random.hpp>
 #include <string>
@@ -10,6 +11,7 @@
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/hard_starts.hpp"
 #include "targets/environments/train/model.hpp"
+#include "targets/environments/train/pace.hpp"
 #include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/recurrent/states.hpp"
 #include "targets/environments/train/seen.hpp"
@@ -25,11 +27,13 @@ struct Frozen {
   Normaliser normaliser;
   std::vector<float> deviation;  // [outputs]
   float reward_scale;
-  std::uint32_t iteration;
+  Pace pace;
 };
 
-/// One of kParts parts of the environments, in tiles of sixteen. Steps are in order of time:
-/// [horizon][tiles], one more where it says so.
+/// One of kParts parts of the environments: some tiles of sixteen, or one of fewer. What is learnt
+/// from is in sequences, of memory_steps or without a memory of one step, sixteen beside each
+/// other, in order of time: those of a tile, or of a smaller one several in a row of time. So
+/// [packs] is [sequences / 16][steps of a sequence].
 class Rollout final : public Seen {
  public:
   Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
@@ -49,22 +53,29 @@ class Rollout final : public Seen {
 
   /// How environments are stepped, and what made that slower.
   std::string stepping() const { return environments_.stepping(); }
-  std::size_t tiles() const { return count_ / kLanes; }
-  /// 1 where the episode went on behind a step of the rollout, 0 where it ended; [16] of a tile.
-  Pack goes_on(std::size_t step, std::size_t tile) const;
+  std::size_t tiles() const { return (count_ + kLanes - 1) / kLanes; }
+  /// What is learnt from, after collect().
+  std::size_t packs() const { return horizon_ * count_ / kLanes; }
 
-  Packs inputs;           // [horizon + 1][tiles][inputs of the critic] normalised observations
-  Packs actions;          // [horizon][tiles][numbers] as drawn, in -1…1 or beyond; or the choice
-  Packs log_probability;  // of the actions
-  Packs advantage, target;  // target of the critic
-  /// [horizon / memory_steps][tiles][state] what was remembered at the beginning of each sequence.
+  Packs inputs;             // [packs][inputs of the critic] normalised observations
+  Packs actions;            // [packs][numbers] as drawn, in -1…1 or beyond; or the choice
+  Packs log_probability;    // [packs] of the actions
+  Packs advantage, target;  // [packs] target of the critic
+  Packs goes_on;            // [packs] 1 where the episode went on behind the step, 0 where it ended
+  /// [sequences / 16][state] what was remembered at the beginning of each sequence.
   Packs actor_starts, critic_starts;
   bool remembers = false;  // in `taken`
 
  private:
+  struct Place {
+    std::size_t pack, lane;
+  };
+  Place place(std::size_t step, std::size_t environment) const;
   void act(const Frozen& frozen, std::size_t step);
-  void note_states(const Frozen& frozen, std::size_t step);
-  void forget(std::size_t step);
+  void note_inputs(std::size_t step, std::size_t tile);
+  void note_values(std::size_t step, std::size_t tile, const Pack& value);
+  void note_states(std::size_t step);
+  void forget();
   void draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* means);
   void draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* scores);
   Random noise(const Frozen& frozen, std::size_t step, std::size_t environment) const;
@@ -78,27 +89,28 @@ class Rollout final : public Seen {
   void bootstrap(const Frozen& frozen, std::size_t step);
   void sum_observations();
   void estimate_advantages(const Settings& settings);
-  Pack* input(std::size_t step, std::size_t tile) {
-    return &inputs[(step * tiles() + tile) * width_];
-  }
+  /// Environments of a tile.
+  std::size_t lanes() const { return std::min(count_, kLanes); }
 
   const Head& head_;
   Environments environments_;
-  std::size_t count_, first_, horizon_, width_, numbers_;
+  std::size_t count_, first_;
+  std::size_t horizon_;  // of the last collect()
+  std::size_t width_, numbers_;
+  std::size_t sequence_;               // steps
   std::uint32_t longest_;              // steps of an episode; 0: first ones are not cut
   std::uint32_t time_ = 0;             // steps since reset()
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
   HardEnvironments hard_;
-  Rows rows_;                        // [count] of the last step
-  Sight sight_;                      // with what only the critic sees, [count][width]
-  std::vector<float> action_;        // [count][numbers]
-  std::vector<double> return_;       // [count] of the episode so far
-  std::vector<float> discounted_;    // [count] of the episode so far
-  Packs value_;                      // [horizon + 1][tiles]
-  Packs rewards_;                    // [horizon][tiles] scaled
-  std::vector<std::uint8_t> ended_;  // [horizon][count]
-  Packs actor_row_, critic_row_;     // scratch
+  Rows rows_;                      // [count] of the last step
+  Sight sight_;                    // with what only the critic sees, [count][width]
+  std::vector<float> action_;      // [count][numbers]
+  std::vector<double> return_;     // [count] of the episode so far
+  std::vector<float> discounted_;  // [count] of the episode so far
+  std::vector<float> value_;       // [horizon + 1][count]
+  std::vector<float> rewards_;     // [horizon][count] scaled
+  Packs actor_row_, critic_row_;   // scratch
   States actor_states_, critic_states_;
 };
 

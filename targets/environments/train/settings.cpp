@@ -110,6 +110,7 @@ const std::vector<Place>& places() {
       number_at("environments", &S::environments),
       truth_at("stagger", &S::stagger),
       number_at("horizon", &S::horizon),
+      number_at("most_horizon", &S::most_horizon),
       number_at("minibatches", &S::minibatches),
       number_at("epochs", &S::epochs),
       number_at("clip", &S::clip),
@@ -167,20 +168,22 @@ void set(Settings& settings, std::string_view name, const std::string& text) {
 }
 
 void check(const Settings& settings) {
-  if (settings.environments % (kParts * kLanes) != 0)
-    refuse(fmt::format("environments: {} is no multiple of {}", settings.environments,
-                       kParts * kLanes));
+  constexpr std::size_t kRow = kParts * kLanes;
+  const std::size_t samples = settings.environments * settings.horizon;
+  const bool is_few = kRow % settings.environments == 0;
+  if (!is_few && settings.environments % kRow != 0)
+    refuse(fmt::format("environments: {} is neither 8, 16, 32, 64 nor a multiple of {}",
+                       settings.environments, kRow));
   if (settings.sac.batch % (kParts * kLanes) != 0)
     refuse(fmt::format("sac_batch: {} is no multiple of {}", settings.sac.batch, kParts * kLanes));
   const bool remembers = settings.memory != Memory::none;
   const std::size_t steps = remembers ? settings.memory_steps : 1;
   if (settings.horizon % steps != 0)
     refuse(fmt::format("horizon: {} is no multiple of memory_steps, {}", settings.horizon, steps));
-  const std::size_t most = settings.environments / (kParts * kLanes) * settings.horizon / steps;
-  if (settings.minibatches > most)
-    refuse(fmt::format("minibatches: {} are more than {}, environments / {} * horizon{}",
-                       settings.minibatches, most, kParts * kLanes,
-                       remembers ? " / memory_steps" : ""));
+  if (samples % (kRow * steps) != 0)
+    refuse(fmt::format("horizon: {} of {} environments are {} steps, no multiple of {}{}",
+                       settings.horizon, settings.environments, samples, kRow,
+                       remembers ? " * memory_steps" : ""));
   if (settings.least_deviation > settings.most_deviation)
     refuse("least_deviation is more than most_deviation");
   if (settings.least_learning_rate > settings.most_learning_rate)

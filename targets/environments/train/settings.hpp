@@ -40,9 +40,10 @@ struct Settings {
   float discount{};            // γ
   float trace_decay{};         // λ of generalised advantage estimation
 
-  std::size_t environments{};  // a multiple of kParts * kLanes
+  std::size_t environments{};  // a multiple of kParts * kLanes, or a part of that
   bool stagger{};
-  std::size_t horizon{};  // steps of each between two updates
+  std::size_t horizon{};       // steps of each between two updates, at first
+  std::size_t most_horizon{};  // later
   std::size_t minibatches{};
   std::size_t epochs{};
 

@@ -14,8 +14,6 @@
 namespace eagerx::train {
 namespace {
 
-constexpr std::uint32_t kLongest = 1000;  // steps of an episode that nothing ends
-
 bool is_sac(const Settings& settings) {
   return settings.algorithm == "sac";
 }
@@ -117,21 +115,6 @@ unsigned chosen_threads(unsigned threads) {
   return threads > 0 ? threads : host::usable_cores();
 }
 
-std::uint32_t longest_of(const Description& description) {
-  return description.episode_steps > 0 ? 0 : kLongest;
-}
-
-/// Long enough for some episodes: PPO cuts the first ones, and SAC has few environments.
-std::uint32_t era_of(const Settings& settings, const Description& description) {
-  constexpr std::uint32_t kLeast = 1024;  // steps
-  const std::uint32_t episodes = is_sac(settings) ? 2 : 5;
-  const auto steps =
-      episodes * (description.episode_steps > 0 ? description.episode_steps : kLongest);
-  const auto horizon =
-      static_cast<std::uint32_t>(is_sac(settings) ? settings.sac.horizon : settings.horizon);
-  return (std::max(kLeast, steps) + horizon - 1) / horizon;
-}
-
 std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
                                             const Kernels& kernels, Team& team, Ranks& ranks) {
   const std::uint32_t longest = longest_of(library.description());
@@ -139,8 +122,8 @@ std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& li
     return std::make_unique<Ppo>(settings, library, kernels, team, longest, ranks);
   // A training that goes on takes the actions of its era from the memory.
   sac::Settings& s = settings.sac;
-  s.memory =
-      std::max(s.memory, era_of(settings, library.description()) * s.horizon * s.environments);
+  const std::size_t era = pace_of(settings, library.description()).era_steps + s.horizon - 1;
+  s.memory = std::max(s.memory, era / s.horizon * s.horizon * s.environments);
   return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
 }
 

@@ -27,12 +27,6 @@ const Kernels& chosen_kernels(const std::string& name);
 /// 0: one for each core.
 unsigned chosen_threads(unsigned threads);
 
-/// Steps of an episode that nothing ends; 0: the task ends them.
-std::uint32_t longest_of(const Description& description);
-
-/// Iterations between two starts of all environments.
-std::uint32_t era_of(const Settings& settings, const Description& description);
-
 /// With several ranks, it has been checked that they can share it: ranks/start.hpp.
 std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
                                             const Kernels& kernels, Team& team, Ranks& ranks);

@@ -42,7 +42,6 @@ Training::Training(const Options& options, const Library& library, Showing::Shar
       kernels_(chosen_kernels(options.kernels)),
       ranks_(ranks),
       settings_(settings_of(options, checked(library))),
-      era_(era_of(settings_, library.description())),
       conditions_(conditions_of(options, library.description())),
       interface_(interface_of(options.settings, library.description())),
       team_(chosen_threads(options.threads), Team::Size::at_most),
@@ -55,9 +54,8 @@ Training::Training(const Options& options, const Library& library, Showing::Shar
 /// With a checkpoint, what another training has learnt, or logs. Returns the first step.
 std::uint64_t Training::begin() {
   if (!options_.resume.empty()) {
-    algorithm_->restore(read_file(options_.resume), options_.resume, conditions_, progressed_,
-                        era_);
-    first_iteration_ = algorithm_->iteration;
+    algorithm_->restore(read_file(options_.resume), options_.resume, conditions_, progressed_);
+    first_iteration_ = algorithm_->pace.iteration;
     goes_on_ = true;
   }
   set_stage();
@@ -72,7 +70,7 @@ std::uint64_t Training::begin() {
 }
 
 std::uint64_t Training::steps() const {
-  return std::uint64_t{algorithm_->iteration} * algorithm_->steps();
+  return algorithm_->steps();
 }
 
 int Training::run(const Stop& stop) {
@@ -106,7 +104,7 @@ int Training::run(const Stop& stop) {
 void Training::tell_where(const Problem& problem) {
   showing_.finish();
   std::string saved;
-  if (algorithm_->iteration > first_iteration_ && saving_.is_wanted()) {
+  if (algorithm_->pace.iteration > first_iteration_ && saving_.is_wanted()) {
     const std::optional<Problem> unsaved = saving_.save();
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
@@ -138,7 +136,8 @@ Ending Training::iterate(const Stop& stop) {
         break;
       }
     }
-    if (algorithm_->iteration > first_iteration_) showing_.show(progressed_.curve, judge_.seen());
+    if (algorithm_->pace.iteration > first_iteration_)
+      showing_.show(progressed_.curve, judge_.seen());
     if (steps() >= options_.steps) return Ending::steps;
     if (ranks_.is_any(static_cast<bool>(stop))) return Ending::interrupted;
     start_iteration();
@@ -148,8 +147,8 @@ Ending Training::iterate(const Stop& stop) {
 }
 
 bool Training::is_evaluation_due() const {
-  return algorithm_->iteration > 0 &&
-         algorithm_->iteration % options_.settings.evaluation_every == 0 &&
+  return algorithm_->pace.iteration > 0 &&
+         algorithm_->pace.iteration % options_.settings.evaluation_every == 0 &&
          std::isnan(progressed_.curve.back().evaluation_return);
 }
 
@@ -173,7 +172,8 @@ void Training::evaluate_all(CurvePoint& point) {
   if (progressed_.succeeded || success < stages[stage].success ||
       in_stage->mean_return < stages[stage].mean_return)
     return;
-  progressed_.course.go_on(algorithm_->iteration, era_);
+  algorithm_->pace.end_era();
+  progressed_.course.go_on(algorithm_->pace.iteration, algorithm_->pace.era);
   progressed_.recent.clear();  // of other episodes
   set_stage();
   if (ranks_.is_first()) showing_.tell_stage(progressed_.curve);
@@ -187,22 +187,22 @@ void Training::set_stage() {
 }
 
 void Training::start_iteration() {
-  const bool begins_era = in_era() == 0;
-  if (algorithm_->iteration > first_iteration_) {
+  const bool begins_era = algorithm_->pace.since_era == 0;
+  if (algorithm_->pace.iteration > first_iteration_) {
     const std::optional<Problem> problem = saving_.save_if_due(begins_era);
     if (problem) showing_.warn(problem->what(), "and tries again");
   }
   if (begins_era) {
-    algorithm_->begin_era(era_number());
+    algorithm_->begin_era();
   } else if (goes_on_) {
-    algorithm_->go_on(era_number());
+    algorithm_->go_on();
   }
   goes_on_ = false;
 }
 
 std::string Training::checkpoint() {
-  progressed_.iteration = algorithm_->iteration;
-  return algorithm_->checkpoint(conditions_, interface_, progressed_, in_era());
+  progressed_.iteration = algorithm_->pace.iteration;
+  return algorithm_->checkpoint(conditions_, interface_, progressed_);
 }
 
 CurvePoint Training::note(const Algorithm::Result& result) {

@@ -43,10 +43,6 @@ class Training {
   bool evaluate(CurvePoint& point);
   void evaluate_all(CurvePoint& point);
   void set_stage();
-  std::uint32_t in_era() const { return progressed_.course.in_era(algorithm_->iteration, era_); }
-  std::uint32_t era_number() const {
-    return progressed_.course.number(algorithm_->iteration, era_);
-  }
   [[noreturn]] void tell_where(const Problem& problem);
   CurvePoint note(const Algorithm::Result& result);
   std::string checkpoint();
@@ -59,7 +55,6 @@ class Training {
   const Kernels& kernels_;
   Ranks& ranks_;
   const Settings settings_;  // with what its files say
-  const std::uint32_t era_;  // iterations between two starts of all environments
   const std::string conditions_, interface_;
   Team team_;
   const std::unique_ptr<Algorithm> algorithm_;

@@ -3,10 +3,12 @@
 
 #include <stdlib.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/settings.hpp"
 
 namespace eagerx::train {
 
@@ -16,6 +18,19 @@ inline const Interrupt never = false;
 inline const Library& pendulum() {
   static const Library library(EAGERX_TEST_PENDULUM);
   return library;
+}
+
+/// Steps of all iterations that even_settings() makes.
+inline constexpr std::uint64_t kIteration = std::uint64_t{256} * 32;
+
+/// The defaults, but all iterations are of one length.
+inline Settings even_settings() {
+  Settings settings;
+  settings.environments = 256;
+  settings.horizon = settings.most_horizon = 32;
+  settings.minibatches = 8;
+  settings.evaluation_every = 5;
+  return settings;
 }
 
 /// A folder of a test's own, which is gone with it.

@@ -27,8 +27,9 @@ class TrainCritic : public testing::Test {
 
   Options options(std::uint64_t iterations) const {
     Options result;
+    result.settings = even_settings();
     result.output = path("policy.safetensors");
-    result.steps = iterations * 256 * 32;
+    result.steps = iterations * kIteration;
     result.settings.layers = {8, 8};
     result.threads = 1;
     result.is_quiet = true;

@@ -52,6 +52,7 @@ TEST_F(TrainCurveFile, WithoutANameThereIsNone) {
 // Before, the table was written at the end only: a training that a reward ends had none.
 TEST_F(TrainCurveFile, ATrainingThatBreaksHasRowsOfBefore) {
   Options options;
+  options.settings = even_settings();
   options.output = path("policy.safetensors");
   options.csv = path("curve.csv");
   options.settings.layers = {8, 8};

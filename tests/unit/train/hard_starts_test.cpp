@@ -128,6 +128,7 @@ class TrainHardStarts : public testing::TestWithParam<const char*> {
 
   Options options(std::uint64_t iterations) const {
     Options result;
+    result.settings = even_settings();
     result.settings.algorithm = GetParam();
     result.settings.layers = {8, 8};
     result.settings.sac.random_steps = 100;
@@ -135,7 +136,7 @@ class TrainHardStarts : public testing::TestWithParam<const char*> {
     result.output = path("policy.safetensors");
     result.hard_starts = path("runs.csv");
     const bool is_sac = result.settings.algorithm == "sac";
-    result.steps = iterations * (is_sac ? 8U * 64U : 256U * 32U);
+    result.steps = iterations * (is_sac ? 8U * 64U : kIteration);
     result.threads = 2;
     result.is_quiet = true;
     return result;

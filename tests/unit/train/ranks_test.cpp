@@ -179,6 +179,7 @@ class TrainRanksTraining : public testing::Test {
 
   Options options(const std::string& name, std::uint64_t iterations) const {
     Options result;
+    result.settings = even_settings();
     result.library = EAGERX_TEST_PENDULUM;
     result.output = path(name + ".safetensors");
     result.checkpoint = path(name + ".checkpoint");

@@ -135,7 +135,7 @@ float temperature_for(float entropy, const Library& library) {
   settings.sac.entropy = entropy;
   Team team(1);
   sac::Sac sac(settings, library, *kernels_here().back(), team, 0);
-  sac.begin_era(0);
+  sac.begin_era();
   sac.iterate();
   const auto scale = static_cast<float>(sac.model().returns.scale(0));
   return exp(sac.model().log_temperature.front()) / scale;
@@ -169,7 +169,7 @@ TEST_F(TrainSac, WhatIsLearntStaysWhenScalesChange) {
   settings.sac.updates = 0.001F;  // one in the second iteration of 512 steps, none in the third
   Team team(1);
   sac::Sac sac(settings, pendulum(), *kernels_here().back(), team, 0);
-  sac.begin_era(0);
+  sac.begin_era();
   sac.iterate();
   sac.iterate();
   ASSERT_EQ(sac.model().actor_adam.steps, 1U);

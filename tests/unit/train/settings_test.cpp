@@ -83,9 +83,10 @@ TEST(TrainSettings, WhatDoesNotGoTogetherIsRefused) {
     return {};
   };
   EXPECT_EQ(checked("clip", "0.3"), "");
-  EXPECT_EQ(checked("environments", "200"), "environments: 200 is no multiple of 128");
-  EXPECT_EQ(checked("minibatches", "65"),
-            "minibatches: 65 are more than 64, environments / 128 * horizon");
+  EXPECT_EQ(checked("environments", "200"),
+            "environments: 200 is neither 8, 16, 32, 64 nor a multiple of 128");
+  EXPECT_EQ(checked("environments", "24"),
+            "environments: 24 is neither 8, 16, 32, 64 nor a multiple of 128");
   EXPECT_EQ(checked("memory", "gru"), "");
   EXPECT_EQ(checked("memory_steps", "5"), "") << "without a memory";
   EXPECT_EQ(checked("least_deviation", "5"), "least_deviation is more than most_deviation");
@@ -94,11 +95,11 @@ TEST(TrainSettings, WhatDoesNotGoTogetherIsRefused) {
 }
 
 TEST(TrainSettings, SequencesOfAMemoryFitIntoTheHorizon) {
-  const auto checked = [](const char* steps, std::size_t minibatches) -> std::string {
+  const auto checked = [](const char* steps, std::size_t environments) -> std::string {
     Settings settings;
     set(settings, "memory", "lstm");
     set(settings, "memory_steps", steps);
-    settings.minibatches = minibatches;
+    settings.environments = environments;
     try {
       check(settings);
     } catch (const Problem& problem) {
@@ -106,12 +107,12 @@ TEST(TrainSettings, SequencesOfAMemoryFitIntoTheHorizon) {
     }
     return {};
   };
-  EXPECT_EQ(checked("8", 8), "");
-  EXPECT_EQ(checked("16", 4), "");
-  EXPECT_EQ(checked("32", 2), "");
-  EXPECT_EQ(checked("16", 8),
-            "minibatches: 8 are more than 4, environments / 128 * horizon / memory_steps");
-  EXPECT_EQ(checked("5", 1), "horizon: 32 is no multiple of memory_steps, 5");
+  EXPECT_EQ(checked("8", 64), "");
+  EXPECT_EQ(checked("16", 64), "");
+  EXPECT_EQ(checked("32", 128), "");
+  EXPECT_EQ(checked("32", 64),
+            "horizon: 32 of 64 environments are 2048 steps, no multiple of 128 * memory_steps");
+  EXPECT_EQ(checked("5", 128), "horizon: 32 is no multiple of memory_steps, 5");
 }
 
 TEST(TrainSettings, OnTheCommandLine) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "targets/environments/train/course.hpp"
 #include "targets/environments/train/training.hpp"
 #include "tests/unit/train/common.hpp"
 
@@ -18,26 +17,6 @@ const Library& with_stages() {
   return library;
 }
 
-TEST(TrainCourse, WithoutStagesErasAreCountedFromTheStart) {
-  const Course course;
-  for (const std::uint32_t iteration : {0U, 31U, 32U, 100U}) {
-    EXPECT_EQ(course.in_era(iteration, 32), iteration % 32);
-    EXPECT_EQ(course.number(iteration, 32), iteration / 32);
-  }
-}
-
-TEST(TrainCourse, AStageBeginsWithAnEraThatThereHasNotBeen) {
-  Course course;
-  course.go_on(40, 32);  // in the second era
-  EXPECT_EQ(course.stage, 1U);
-  EXPECT_EQ(course.in_era(40, 32), 0U);
-  EXPECT_EQ(course.number(40, 32), 2U);
-  EXPECT_EQ(course.in_era(73, 32), 1U);
-  EXPECT_EQ(course.number(73, 32), 3U);
-  course.go_on(104, 32);  // at the end of an era
-  EXPECT_EQ(course.number(104, 32), 4U);
-}
-
 class TrainStages : public testing::TestWithParam<const char*> {
  protected:
   std::string path(const std::string& name) const { return folder_.path(name); }
@@ -45,6 +24,7 @@ class TrainStages : public testing::TestWithParam<const char*> {
   static std::uint64_t iterations() { return GetParam() == std::string("ppo") ? 60 : 28; }
   Options options(std::uint64_t iterations) const {
     Options result;
+    result.settings = even_settings();
     result.settings.algorithm = GetParam();
     result.output = path("policy.safetensors");
     result.csv = path("curve.csv");

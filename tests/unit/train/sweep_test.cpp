@@ -163,7 +163,7 @@ TEST_F(TrainSweep, SettingsThatAreWrong) {
   EXPECT_EQ(refused({"clip=100"}), "clip: `100` is not a number from 0.001 to 10");
   EXPECT_EQ(refused({"sac_batch=128"}), "sac_batch is a setting of sac, and the algorithm is ppo");
   EXPECT_EQ(refused({"environments=300"}),
-            "environments: 300 is no multiple of 128 (environments=300)");
+            "environments: 300 is neither 8, 16, 32, 64 nor a multiple of 128 (environments=300)");
 }
 
 SweepRow row(std::uint64_t successes, double mean_return) {

@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kIteration = 256 * 32;  // steps
-
 /// The same pendulum with three voltages to choose from.
 const Library& choices() {
   static const Library library(EAGERX_TEST_CHOICES);
@@ -54,6 +52,7 @@ class TrainTraining : public testing::Test {
 
   Options options(std::uint64_t iterations) const {
     Options result;
+    result.settings = even_settings();
     result.library = EAGERX_TEST_PENDULUM;
     result.output = path("policy.safetensors");
     result.steps = iterations * kIteration;
@@ -93,6 +92,22 @@ TEST_F(TrainTraining, AnyInstructionSetLearnsTheSameBits) {
   }
 }
 
+TEST_F(TrainTraining, FewEnvironmentsLearnTheSameBits) {
+  for (const std::size_t environments : {8, 16, 64}) {
+    Options one = options(2);
+    one.settings.environments = environments;
+    one.settings.minibatches = 100;  // there are fewer
+    one.kernels = "plain";
+    one.threads = 1;
+    const std::string policy = trained(one);
+    one.threads = 3;
+    for (const Kernels* kernels : kernels_here()) {
+      one.kernels = kernels->name;
+      EXPECT_EQ(trained(one), policy) << environments << " environments, " << kernels->name;
+    }
+  }
+}
+
 /// Quick, and does not succeed so soon.
 Options small(Options options) {
   options.settings.layers = {8, 8};
@@ -117,6 +132,28 @@ TEST_F(TrainTraining, WhatGoesOnFromACheckpointIsOneTraining) {
     third.resume = first.checkpoint;
     EXPECT_EQ(trained(third), policy) << iterations;
     EXPECT_EQ(read_file(third.csv), curve) << iterations;
+  }
+}
+
+// Iterations of 32, 64, … 160 steps of 16 environments, in eras of 1024 steps.
+TEST_F(TrainTraining, IterationsOfAnyLengthGoOnToo) {
+  Options whole = small(options(15));
+  whole.settings.environments = 16;
+  whole.settings.most_horizon = 160;
+  whole.settings.minibatches = 4;
+  whole.csv = path("whole.csv");
+  const std::string policy = trained(whole);
+  const std::string curve = read_file(whole.csv);
+  for (const std::uint64_t thousands : {1, 30, 64, 65, 100}) {
+    Options first = whole;
+    first.csv.clear();
+    first.steps = thousands * 1000;
+    first.checkpoint = path("checkpoint");
+    trained(first);
+    Options second = whole;
+    second.resume = first.checkpoint;
+    EXPECT_EQ(trained(second), policy) << thousands;
+    EXPECT_EQ(read_file(second.csv), curve) << thousands;
   }
 }
 
@@ -261,6 +298,7 @@ TEST_F(TrainTraining, OtherSettingsLearnSomethingElse) {
        std::vector<std::pair<const char*, const char*>>{{"activation", "relu"},
                                                         {"trace_decay", "0.9"},
                                                         {"horizon", "16"},
+                                                        {"environments", "64"},
                                                         {"stagger", "false"},
                                                         {"minibatches", "4"},
                                                         {"epochs", "2"},

@@ -13,8 +13,6 @@ class States {
  public:
   States(std::size_t tiles, CellShape shape) : width_(shape.state()), packs_(tiles * width_) {}
 
-  const Packs& all() const { return packs_; }  // [tiles][state]
-
   void clear() { std::fill(packs_.begin(), packs_.end(), Pack{}); }
   /// An episode begins.
   void forget(std::size_t environment) {
@@ -31,6 +29,12 @@ class States {
     if (width_ > 0) std::copy_n(row + network.memory()->after(), width_, of(tile));
   }
 
+  std::size_t width() const { return width_; }
+  /// Of one environment, into a lane of `to` [state].
+  void copy(std::size_t environment, Pack* to, std::size_t lane) const {
+    const Pack* state = of(environment / kLanes);
+    for (std::size_t i = 0; i < width_; ++i) to[i].lane[lane] = state[i].lane[environment % kLanes];
+  }
   /// Appends all numbers.
   void save(std::vector<float>& to) const {
     for (const Pack& pack : packs_) to.insert(to.end(), pack.lane, pack.lane + kLanes);

@@ -21,7 +21,8 @@ const Library& real_numbers(const Library& library) {
 
 Sac::Sac(const train::Settings& settings, const Library& library, const Kernels& kernels,
          Team& team, std::uint32_t longest)
-    : settings_(settings),
+    : Algorithm(pace_of(settings, library.description())),
+      settings_(settings),
       description_(library.description()),
       model_(settings_, library.description().observation_numbers(),
              Head(real_numbers(library).description()), library.description().critic_numbers()),
@@ -35,23 +36,19 @@ Sac::Sac(const train::Settings& settings, const Library& library, const Kernels&
     learners_.push_back(std::make_unique<Learner>(model_, tiles));
 }
 
-std::uint64_t Sac::first_seed(std::uint32_t era) const {
-  return settings_.seed + (std::uint64_t{era} << 32U);
-}
-
 void Sac::set_stage(const std::string& name) {
   walk_.set_stage(name);
 }
 
-void Sac::begin_era(std::uint32_t era) {
-  walk_.reset(first_seed(era));
+void Sac::begin_era() {
+  walk_.reset(settings_.seed + (std::uint64_t{pace.era} << 32U));
   if (model_.observations.count == 0.0 && settings_.normalise)
     model_.observations.add(walk_.observation_sums);
 }
 
-void Sac::go_on(std::uint32_t era) {
-  begin_era(era);
-  const std::size_t transitions = since_era_ * steps();
+void Sac::go_on() {
+  begin_era();
+  const std::size_t transitions = pace.since_era * environments();
   if (transitions > model_.memory.size()) return;
   for (std::size_t back = transitions; back > 0; back -= environments())
     walk_.step_again(model_.memory, back - 1);
@@ -65,12 +62,11 @@ Algorithm::Result Sac::iterate() {
   const std::uint64_t updates = model_.actor_adam.steps;
   for (std::size_t t = 0; t < settings_.sac.horizon; ++t) {
     const bool is_random = !model_.was_taught && model_.memory.added < settings_.sac.random_steps;
-    walk_.step(model_, normaliser, kernels_, is_random,
-               static_cast<std::uint32_t>(iteration * settings_.sac.horizon + t));
+    walk_.step(model_, normaliser, kernels_, is_random, static_cast<std::uint32_t>(pace.time + t));
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
   }
   see();
-  ++iteration;
+  pace.next();
   return {walk_.episodes, 0.0, model_.actor_adam.steps - updates};
 }
 
@@ -142,15 +138,14 @@ std::vector<float> Sac::deployed_parameters() const {
 }
 
 std::string Sac::checkpoint(const std::string& conditions, const std::string& interface,
-                            Progressed& progressed, std::uint32_t /*iterations*/) const {
+                            Progressed& progressed) const {
   return checkpoint_of(conditions + critic_, interface + critic_, model_, progressed);
 }
 
 void Sac::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
-                  Progressed& progressed, std::uint32_t era) {
+                  Progressed& progressed) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
-  iteration = progressed.iteration;
-  since_era_ = progressed.course.in_era(iteration, era);
+  pace.go_to(progressed.iteration, progressed.course);
 }
 
 void Sac::begin_from(const std::string& bytes, const std::string& name,

@@ -22,12 +22,11 @@ class Sac : public Algorithm {
   const Model& model() const { return model_; }
 
   std::size_t environments() const override { return settings_.sac.environments; }
-  std::size_t steps() const override { return environments() * settings_.sac.horizon; }
   std::string stepping() const override { return walk_.stepping(); }
   void set_stage(const std::string& name) override;
-  void begin_era(std::uint32_t era) override;
+  void begin_era() override;
   void remember_actions() override {}  // the memory has them
-  void go_on(std::uint32_t era) override;
+  void go_on() override;
   Result iterate() override;
   Network deployed() const override { return deployed_; }
   std::vector<float> deployed_parameters() const override;
@@ -35,15 +34,14 @@ class Sac : public Algorithm {
   double deviation() const override { return deviation_; }
   double step_size() const override { return settings_.learning_rate; }
   std::string checkpoint(const std::string& conditions, const std::string& interface,
-                         Progressed& progressed, std::uint32_t iterations) const override;
+                         Progressed& progressed) const override;
   void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
-               Progressed& progressed, std::uint32_t era) override;
+               Progressed& progressed) override;
   void begin_from(const std::string& bytes, const std::string& name,
                   const std::string& interface) override;
   std::string replay(const std::string& text, const std::string& name) override;
 
  private:
-  std::uint64_t first_seed(std::uint32_t era) const;
   void update(const Normaliser& normaliser);
   void average();
   void see();
@@ -58,7 +56,6 @@ class Sac : public Algorithm {
   Walk walk_;
   std::vector<std::unique_ptr<Learner>> learners_;  // [kParts]
   double deviation_ = 0.0;
-  std::uint32_t since_era_ = 0;  // iterations whose actions go_on() takes again
 };
 
 }  // namespace eagerx::train::sac
