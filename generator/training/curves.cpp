@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace eagerx::gen {
 namespace {
@@ -102,7 +103,7 @@ class Chart {
   Chart(const std::vector<LearningCurve>& curves, const char* name, const char* unit)
       : curves_(curves), json_{{"name", name}, {"unit", unit}, {"lines", Json::list()}} {}
 
-  void add(const std::string& name, const Values& values) {
+  void add(const std::string& name, const Values& values, std::optional<int> shade = std::nullopt) {
     const std::vector<Point> all = points_of(curves_, values);
     if (all.empty()) return;
     const std::vector<Point> points = thinned(all);
@@ -111,13 +112,17 @@ class Chart {
       line["low"] = numbers(points, &Point::low);
       line["high"] = numbers(points, &Point::high);
     }
+    if (shade) line["shade"] = *shade;
     json_["lines"].push_back(std::move(line));
     has_lines_ = true;
   }
-  void add_column(const std::string& name, std::string_view column) {
+  /// `shade`: its colour on the page; without one it is that of its place.
+  void add_column(const std::string& name, std::string_view column,
+                  std::optional<int> shade = std::nullopt) {
     const auto found = std::ranges::find(kCurveColumns, column);
     const auto place = static_cast<std::size_t>(found - kCurveColumns.begin());
-    add(name, [place](const LearningCurve& curve) { return &curve.columns.at(place); });
+    add(
+        name, [place](const LearningCurve& curve) { return &curve.columns.at(place); }, shade);
   }
   void put(Json& charts) {
     if (has_lines_) charts.push_back(std::move(json_));
@@ -135,12 +140,14 @@ Json curve_charts(const std::vector<LearningCurve>& curves, const std::vector<st
   Json charts = Json::list();
   constexpr const char* kNoisy = "last 100 episodes, with noise";
   constexpr const char* kEvaluated = "evaluation, without noise";
-  for (const auto& [name, unit, noisy, evaluated] :
-       {std::tuple("Return", "", "return", "evaluation_return"),
-        std::tuple("Success", "%", "success", "evaluation_success")}) {
+  constexpr const char* kInStage = "in its stage, without noise";
+  for (const auto& [name, unit, noisy, evaluated, in_stage] :
+       {std::tuple("Return", "", "return", "evaluation_return", "stage_return"),
+        std::tuple("Success", "%", "success", "evaluation_success", "stage_success")}) {
     Chart chart(curves, name, unit);
     chart.add_column(kNoisy, noisy);
-    chart.add_column(kEvaluated, evaluated);
+    chart.add_column(kEvaluated, evaluated, 1);
+    chart.add_column(kInStage, in_stage, 2);
     chart.put(charts);
   }
   Chart of_terms(curves, "Terms of the return, in evaluations", "");
@@ -150,9 +157,10 @@ Json curve_charts(const std::vector<LearningCurve>& curves, const std::vector<st
     });
   of_terms.put(charts);
   for (const auto& [name, column] :
-       {std::pair("Divergence of an iteration", "divergence"),
-        std::pair("Learning rate", "step_size"),
-        std::pair("Deviation of the actions, whose range is −1 to 1", "deviation")}) {
+       {std::pair("Stage of the task, from 1", "stage"),
+        {"Divergence of an iteration", "divergence"},
+        {"Learning rate", "step_size"},
+        {"Deviation of the actions, whose range is −1 to 1", "deviation"}}) {
     Chart chart(curves, name, "");
     chart.add_column(name, column);
     chart.put(charts);

@@ -12,9 +12,9 @@
 namespace eagerx::gen {
 
 /// Columns of a curve besides `steps`, as `train --csv` and `train --record` call them.
-inline constexpr std::array<std::string_view, 7> kCurveColumns = {
-    "return",    "success",   "evaluation_return", "evaluation_success",
-    "deviation", "step_size", "divergence"};
+inline constexpr std::array<std::string_view, 10> kCurveColumns = {
+    "return",     "success", "evaluation_return", "evaluation_success", "deviation", "step_size",
+    "divergence", "stage",   "stage_return",      "stage_success"};
 
 /// Of a file; a page of more says nothing.
 inline constexpr std::size_t kMostTrainings = 1000;

@@ -122,6 +122,7 @@ class RecordReader {
     for (const char* name : {"resume", "from", "hard_starts"}) {
       if (head.has(name)) page_[name] = head.text(name);
     }
+    if (head.has("stages")) page_["stages"] = Json(head.texts("stages", kMostTerms));
     if (head.has("replay")) page_["replay"] = Json(head.texts("replay", kMostTerms));
     return !lines_.has_failed();
   }

@@ -38,7 +38,8 @@ function trainingCard(training) {
   const told = [
     ["algorithm", training.algorithm], ["seed", best.seed], ["until the return is", training.until_return],
     ["goes on from", training.resume], ["began with", training.from], ["hard starts", training.hard_starts],
-    ["learnt from logs", training.replay?.join(", ")], ["policy", best.policy], ["kernels", best.kernels]
+    ["stages", training.stages?.join(", ")], ["learnt from logs", training.replay?.join(", ")], ["policy", best.policy],
+    ["kernels", best.kernels]
   ];
   return card(
       training.trainings.length > 1 ? `Training: the best of ${counted(training.trainings.length, "seed")}` :

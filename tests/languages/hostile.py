@@ -1,22 +1,27 @@
 #!/usr/bin/env python3
-"""Strangers and bad lines at parts in other languages: hostile.py PAGE PYTHON_PART PART...
+"""Strangers and bad lines at parts in other languages: hostile.py PAGE SMALL_ROOM PYTHON_PART PART...
 
 Each PART is a part of the graph of targets/PROTOCOL.md, PAGE, whose lines a part must answer as if nothing had been
-before. Nothing hostile is applied, no part crashes, and none hangs. Frames are made with eagerx_link.py of PYTHON_PART.
+before. Nothing hostile is applied, no part crashes, and none hangs. Frames are made with eagerx_link.py of PYTHON_PART;
+SMALL_ROOM is small_room.c.
 """
 import json
 import os
 import random
 import select
+import socket
 import sys
 import tempfile
+import threading
 import time
 
-from protocol import Part, lines_of
+from protocol import KEY, Part, lines_of
 
-PAGE, PYTHON_PART, *PARTS = sys.argv[1:]
+PAGE, SMALL_ROOM, PYTHON_PART, *PARTS = sys.argv[1:]
 sys.path.insert(0, PYTHON_PART)
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../trust"))
 import eagerx_link as link  # noqa: E402
+from sealed import Sealed, key_of  # noqa: E402
 
 SCRIPT = [line for block in lines_of(PAGE, "bytes") for line in block]
 HELLO, WELCOME = SCRIPT[0][1], SCRIPT[1][1]
@@ -39,10 +44,16 @@ def expect(what, condition, found=""):
 class Started(Part):
     """A part, and what it is to answer."""
 
-    def __init__(self, command):
+    def __init__(self, command, has_key=False):
         self.folder = tempfile.TemporaryDirectory()
         self.name = os.path.basename(command)
-        super().__init__(command, self.folder.name, ["--listen", f"unix:{self.folder.name}/line"], {})
+        self.key = os.path.join(self.folder.name, "a.key")
+        with open(os.open(self.key, os.O_WRONLY | os.O_CREAT, 0o600), "w", encoding="ascii") as file:
+            file.write(KEY)
+        line = ["--listen", "127.0.0.1:0", "--key", self.key] if has_key else ["--listen", f"unix:{self.folder.name}/line"]
+        # A sanitizer wants to be the first to be loaded, and need not be.
+        small = {"LD_PRELOAD": SMALL_ROOM, "ASAN_OPTIONS": "verify_asan_link_order=0"} if has_key else {}
+        super().__init__(command, self.folder.name, line, small)
 
     def says_the_page(self, script):
         """What it says otherwise; nothing if it is right."""
@@ -174,7 +185,36 @@ def cut_off(command, every):
     expect(f"{os.path.basename(command)}: cut off after each of {(len(said) - 1) // every + 1} sizes", codes == {0}, codes)
 
 
+def reads_late(command):
+    """A hub that asks for an answer again and again, and reads none for a while: what a part has no time for is dropped,
+    and never a piece of a sealed record."""
+    part = Started(command, has_key=True)
+    part.hub.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    line = Sealed(part.hub, key_of(part.key), connects=True)
+    line.send(HELLO)
+    greeted = line.receive() == WELCOME
+    request, answer = SCRIPT[2][1], SCRIPT[3][1]
+    asked = 5000
+
+    def ask():
+        line.send(request * asked)
+        line.send(SCRIPT[4][1])
+
+    asking = threading.Thread(target=ask)
+    asking.start()
+    time.sleep(3)
+    heard = 0
+    while (said := line.receive()) == answer:
+        heard += 1
+    asking.join()
+    line.end()
+    code = part.ends()
+    expect(f"{part.name}: a hub with a key that does not read for 3 s, {heard} of {asked} answers and then the next one",
+           greeted and 0 < heard < asked and said == SCRIPT[5][1] and code == 0, (greeted, heard, said.hex(" "), code))
+
+
 for each in PARTS:
+    reads_late(each)
     frames(each)
     graphs(each)
     no_greeting(each)

@@ -31,6 +31,7 @@ std::string head_of(const Options& options, const Description& description) {
                        {"steps", options.steps},
                        {"has_success", description.has_success},
                        {"terms", description.terms}};
+  for (const client::Stage& stage : description.stages) head["stages"].push_back(stage.name);
   const double wanted = options.settings.until_return;
   if (std::isfinite(wanted)) head["until_return"] = wanted;
   for (const auto& [name, path] : {std::pair("resume", &options.resume),
@@ -53,7 +54,8 @@ std::string row_of(std::uint64_t seed, const CurvePoint& point, const std::vecto
           member("evaluation_return", point.evaluation_return) +
           member("evaluation_success", point.evaluation_success) +
           member("deviation", point.deviation) + member("step_size", point.step_size) +
-          member("divergence", point.divergence);
+          member("divergence", point.divergence) + member("stage", point.stage) +
+          member("stage_success", point.stage_success) + member("stage_return", point.stage_return);
   if (terms.empty()) return text + "}\n";
   std::string values;
   for (const double term : terms) {

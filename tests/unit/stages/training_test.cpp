@@ -190,6 +190,17 @@ TEST_F(Training, ATableOfACurve) {
   EXPECT_TRUE(record->episodes.empty());
 }
 
+TEST_F(Training, StagesAreShown) {
+  const auto record = read(
+      "steps,return,stage,stage_success,stage_return\n10,-9,1,,\n20,-8,1,0.5,-7\n30,-20,2,,\n");
+  ASSERT_TRUE(record);
+  const char* const kInStage = "in its stage, without noise";
+  EXPECT_EQ(numbers(member(&line(record->page, "Return", kInStage), "x")), Numbers({20}));
+  EXPECT_EQ(numbers(member(&line(record->page, "Success", kInStage), "y")), Numbers({0.5}));
+  const char* const kStage = "Stage of the task, from 1";
+  EXPECT_EQ(numbers(member(&line(record->page, kStage, kStage), "y")), Numbers({1, 1, 2}));
+}
+
 TEST_F(Training, TablesThatAreNone) {
   const std::string head = "seed,steps,return\n";
   EXPECT_EQ(problem("a,b\n1,2\n"), "1: nothing that a training has written begins so");

@@ -44,13 +44,15 @@ class TrainRecord : public testing::Test {
 /// The rows of the record as the table of --csv.
 std::string table_of(const std::vector<json>& lines) {
   std::string text =
-      "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence\n";
+      "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence,"
+      "stage,stage_success,stage_return\n";
   for (const json& line : lines) {
     if (!line.contains("steps") || line.contains("ended") || line.contains("eagerx_training"))
       continue;
     text += std::to_string(line["steps"].get<std::uint64_t>());
-    for (const char* name : {"return", "success", "evaluation_return", "evaluation_success",
-                             "deviation", "step_size", "divergence"}) {
+    for (const char* name :
+         {"return", "success", "evaluation_return", "evaluation_success", "deviation", "step_size",
+          "divergence", "stage", "stage_success", "stage_return"}) {
       char number[32] = "";
       if (line.contains(name)) snprintf(number, sizeof number, "%.7g", line[name].get<double>());
       text += std::string(",") + number;
