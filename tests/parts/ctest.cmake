@@ -2,6 +2,11 @@
 # tests/parts/run BUILD WORK --list all.
 add_test(NAME parts COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/parts)
 set_tests_properties(parts PROPERTIES COST 900 LABELS long) # compiles some thirty programs
+# Random graphs of integer entities in random parts, all in one process; and graphs with reset nodes.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME parts.drawn COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/drawn --seeds 0-7 $<TARGET_FILE:eagerx-gen>)
+add_test(NAME parts.drawn_resets COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/drawn --reset-nodes --seeds 0-3 $<TARGET_FILE:eagerx-gen>)
+set_tests_properties(parts.drawn parts.drawn_resets PROPERTIES LABELS long) # compiles the hubs and parts of twelve graphs
 # In real time, as the line to a part has the machine's clock.
 add_test(NAME parts.hardware COMMAND ${CMAKE_CURRENT_LIST_DIR}/hardware ${PROJECT_BINARY_DIR})
 set_tests_properties(parts.hardware PROPERTIES COST 400 LABELS long) # compiles four programs
