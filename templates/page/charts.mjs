@@ -71,7 +71,7 @@ function paintAxes(context, chart, range, {x, y}, width, height) {
 
 function paintLine(context, line, {x, y}, fill) {
   context.strokeStyle = context.fillStyle = fill;
-  if (line.dots) {
+  if (line.dots || line.x.length === 1) {  // a line of one point would not be seen
     line.x.forEach((value, i) => {
       context.beginPath();
       context.arc(x(value), y(line.y[i]), 3, 0, 2 * Math.PI);
