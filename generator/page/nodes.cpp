@@ -322,6 +322,7 @@ class Nodes {
               {"recover", safety.recover},
               {"max_lateness", time_of(safety.max_lateness_s)},
               {"link_timeout", time_of(safety.link_timeout_s)},
+              {"hang", time_of(safety.hang_s)},
               {"clips", safety.clips},
               {"holds", safety.holds},
               {"line", line_of(safety.span)},

@@ -200,6 +200,7 @@ struct Safety {
   std::uint32_t late = 1, missed = 2, recover = 3;  // instants in a row
   Rational max_lateness_s;                          // a period of the environment if none is given
   Rational link_timeout_s;
+  Rational hang_s;                           // 0: for ever
   bool clips = true;                         // actions outside of their space
   bool holds = false;                        // the action before one that is not finite
   std::vector<std::vector<double>> actions;  // of the environment, a value for each element

@@ -6,7 +6,8 @@ namespace eagerx::gen {
 const std::vector<SafetyDefault>& safety_defaults() {
   static const std::vector<SafetyDefault> kDefaults = {
       {"late", "1"},      {"max_lateness", "0"},  {"missed", "2"},          {"recover", "3"},
-      {"limits", "clip"}, {"not_finite", "safe"}, {"link_timeout", "0.01"}, {"nodes", "reset"}};
+      {"limits", "clip"}, {"not_finite", "safe"}, {"link_timeout", "0.01"}, {"hang", "0.5"},
+      {"nodes", "reset"}};
   return kDefaults;
 }
 
@@ -84,7 +85,10 @@ FormatPtr safety_format() {
         "safe action takes over; hold: first the last good action is repeated for `missed` - 1 "
         "instants in a row (default safe)"},
        {"link_timeout", time, false,
-        "longest time that a link may take to answer, in seconds (default 0.01)"}});
+        "longest time that a link may take to answer, in seconds (default 0.01)"},
+       {"hang", time, false,
+        "how many seconds a program for Linux that drives real hardware may give no sign of life "
+        "before another process kills it and applies the safe values; 0: for ever (default 0.5)"}});
 }
 
 }  // namespace eagerx::gen

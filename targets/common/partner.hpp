@@ -83,13 +83,16 @@ void report(const Program& program, Link& link, std::uint32_t stack_bytes) {
 }
 
 /// Serves one host after the other, each with a program as new. `stack_bytes()` is the deepest use
-/// of the stack so far, 0 where nobody measures it. Returns when the line is closed.
+/// of the stack so far, 0 where nobody measures it. Returns when the line is closed: whether the
+/// last host had finished.
 template <class Graph, class Port, class StackBytes>
-void serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
+bool serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
            StackBytes&& stack_bytes) {
   using Program = BoardProgramOf<Graph, Port>;
   link.identify({Graph::Link::kGraph, kRuntimeVersion}, what_differs<Graph>());
+  bool has_finished = false;
   while (link.wait_for_host()) {
+    has_finished = false;
     program.~Program();
     ::new (static_cast<void*>(&program)) Program{};
     program.connect(link);
@@ -98,15 +101,18 @@ void serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
     while (goes_on) {
       if (command == static_cast<std::uint8_t>(link::Command::reset)) {
         link::Episode episode;
+        has_finished = false;
         goes_on = episode.get(link) && run_steps<Graph>(program, link, episode, command);
       } else if (command == static_cast<std::uint8_t>(link::Command::finish)) {
         report<Graph>(program, link, stack_bytes());
+        has_finished = true;
         goes_on = link.get(command);
       } else {
         break;  // no host of this graph says so
       }
     }
   }
+  return has_finished;
 }
 
 }  // namespace eagerx::target

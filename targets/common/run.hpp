@@ -117,6 +117,15 @@ bool is_linked(const Program& program) {
   }
 }
 
+/// The same between two episodes, where a watch can bring back what is lost.
+template <class Program, class Watch>
+bool is_linked_again(const Program& program, Watch& watch) {
+  if (is_linked(program)) return true;
+  if constexpr (requires { watch.link_again(); }) return watch.link_again();
+  static_cast<void>(watch);
+  return false;
+}
+
 /// A program that asks others for messages before it needs them waits for those on their way.
 template <class Program>
 void settle(Program& program) {
@@ -244,21 +253,22 @@ typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
 /// episode; if it has `key(key)`, that is the key of the episode; if it has `late_in_a_row()`, that
 /// is how many steps up to now were too late; if it has `states(key)`, that is what an episode
 /// begins with; if it has `is_over()`, an episode ends when that is true; if it has `looks()` and
-/// that is false, it sees no message that a part has sent, nor what a part has decided. The run of
-/// a program with a link to another one ends when the link does, and `watch` does not see that
-/// step.
+/// that is false, it sees no message that a part has sent, nor what a part has decided. An episode
+/// of a program with a link to another one ends when the link does, and `watch` does not see that
+/// step. The run ends then, too, unless `watch` has `link_again()` and that is true: then the next
+/// episode begins.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
     settle(program);
-    if (!is_linked(program) || !watch.go_on()) return;
+    if (!is_linked_again(program, watch) || !watch.go_on()) return;
     EpisodeKey key{plan.seed, plan.environment, episode};
     if constexpr (requires { watch.key(key); }) key = watch.key(key);
     if constexpr (requires { watch.begin(key); }) watch.begin(key);
     program.trace.episode(episode);
     typename Graph::Observation observation = program.reset(states_of<Graph>(watch, key));
     catch_up(program, watch);
-    if (!is_linked(program)) return;
+    if (!is_linked(program)) continue;
     watch.reset(episode, observation);
     for (std::uint64_t step = 0; step < plan.steps; ++step) {
       if (!watch.go_on()) return;
@@ -271,7 +281,7 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
       typename Graph::Action action = guarded(program, wanted, late);
       observation = apply(program, action);
       catch_up(program, watch);
-      if (!is_linked(program)) return;
+      if (!is_linked(program)) break;
       find_applied(program, action);
       const auto outcome = outcome_of<Graph>(program);
       if constexpr (requires { watch.step(episode, step, action, observation, outcome); }) {

@@ -107,7 +107,7 @@ Emulator::Emulator(Settings settings)
   }
   if (!settings_.voltages.empty()) {
     constexpr int kReadWriteForAll = 0666;
-    voltages_ = ::open(settings_.voltages.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC,
+    voltages_ = ::open(settings_.voltages.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC,
                        kReadWriteForAll);
   }
   set_model(settings_.model, settings_.wired);

@@ -14,6 +14,7 @@
 #include <targets/linux-sim/identify.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/reconnect.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/replay_log.hpp>
 #include <targets/linux-sim/say.hpp>
@@ -144,9 +145,13 @@ int run_with(const Options& options, GraphProgram& program) {
                     std::string(facts.has_policy ? "policy" : "random") + "`",
                 kBadUsage);
   }
+  Reconnection reconnection(program, options);
+  const std::string unable = reconnection.problem_of_options();
+  if (!unable.empty()) return fail(unable, kBadUsage);
   host::catch_interrupts();
   if (is_split) {
-    const std::string unnamed = find_parts(facts, options);
+    PartLines found;
+    const std::string unnamed = find_parts(facts, options, found);
     if (!unnamed.empty()) return fail(unnamed, kBadUsage);
     const std::string unconnected = connect_parts(program, options);
     if (!unconnected.empty()) return fail(unconnected, kBadFile);
@@ -154,7 +159,8 @@ int run_with(const Options& options, GraphProgram& program) {
   std::optional<RemoteAgent> agent;
   if (options.agent == target::Agent::dds)
     agent.emplace(options, facts, fields, zero.data(), program.action_bytes());
-  return run_told({options, fields, table, settings, faults}, program, agent ? &*agent : nullptr);
+  return run_told({options, fields, table, settings, faults, reconnection}, program,
+                  agent ? &*agent : nullptr);
 }
 
 }  // namespace

@@ -7,12 +7,14 @@
 #include <eagerx/math/rounding_check.hpp>
 #include <optional>
 #include <runtime/host/base/keeper.hpp>
+#include <string_view>
 #include <targets/common/csv.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/rows.hpp>
 #include <targets/linux-sim/traces.hpp>
 #include <targets/linux-sim/watch.hpp>
+#include <utility>
 
 // Called around the stepping of all episodes, if somebody defines them: tests link a guard that
 // forbids allocations in between, benchmarks a counter.
@@ -52,6 +54,7 @@ class GraphWatch {
   explicit GraphWatch(Watch& watch) : watch_(watch) {}
 
   bool go_on() { return watch_.go_on(); }
+  bool link_again() { return LinkOf<Graph>::kIsSplit && watch_.link_again(); }
   bool is_over() const { return watch_.is_over(); }
   bool looks() const { return watch_.looks(); }
   std::uint64_t late_in_a_row() const { return watch_.late_in_a_row(); }
@@ -67,7 +70,8 @@ class GraphWatch {
   }
   void reset(std::uint32_t episode, const Observation& observation) {
     if (auto* const table = watch_.table()) {
-      if (episode == 0)
+      // The first episode of all may be over before its first observation.
+      if (!std::exchange(has_header_, true))
         Table::header(*table, observation, [&](auto&) { watch_.state_column_names(); });
       row(*table, episode, 0, observation, nullptr, nullptr);
     }
@@ -132,14 +136,24 @@ class GraphWatch {
   }
 
   Watch& watch_;
+  bool has_header_ = false;
 };
 
 /// What another process does with its copy of `program` if this one is killed; nullptr: nothing.
 template <class Program>
-auto how_to_take_over(const Program& program) -> void (*)(void*) {
+host::Keeper::TakeOver how_to_take_over(const Program& program) {
   if constexpr (requires(Program & copy) { copy.take_over(); }) {
-    if (target::is_real(program))
-      return [](void* context) { static_cast<Program*>(context)->take_over(); };
+    if (target::is_real(program)) {
+      return [](void* context) {
+        auto& copy = *static_cast<Program*>(context);
+        copy.take_over();
+        bool is_safe = true;
+        target::for_each_fault(copy, [&](std::string_view name, std::uint64_t count) {
+          is_safe = is_safe && (count == 0 || name != "ends without a safe action");
+        });
+        return is_safe;
+      };
+    }
   }
   return nullptr;
 }
@@ -158,7 +172,7 @@ void run_program(Watch& watch, Program& program) {
     }
   };
   LinkOf<Graph>::connect(program);
-  const host::Keeper keeper(how_to_take_over(program), &program);
+  const host::Keeper keeper(how_to_take_over(program), &program, Graph::kSafety.hang_ns);
   target::warm_up(program);  // a library may need memory for it, and none afterwards
   const host::MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();

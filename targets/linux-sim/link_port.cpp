@@ -16,6 +16,7 @@
 #include <ctime>
 #include <memory>
 #include <runtime/host/base/interrupt.hpp>
+#include <runtime/host/base/keeper.hpp>
 #include <targets/linux-sim/link_port.hpp>
 #include <utility>
 
@@ -119,7 +120,35 @@ std::uint64_t LinkPort::now_ns() {
          static_cast<std::uint64_t>(now.tv_nsec);
 }
 
+/// Nothing of an earlier line is left.
+void LinkPort::begin_anew() {
+  close();
+  error_.clear();
+  is_forged_ = false;
+  in_begin_ = in_end_ = out_size_ = 0;
+  sealed_begin_ = sealed_end_ = 0;
+}
+
+std::uint64_t LinkPort::accept_until() const {
+  return most_wait_ns_ == UINT64_MAX ? UINT64_MAX : now_ns() + most_wait_ns_;
+}
+
+/// Of a connection. An answer waits for no other one; a unix socket knows no such wait.
+void LinkPort::set_options() const {
+  const int yes = 1;
+  setsockopt(file_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+  if (!notices_cuts_) return;
+  constexpr int kMsPerSecond = 1'000;
+  const int looks = kCutS, each_s = 1, most_ms = kCutS * kMsPerSecond;
+  setsockopt(file_, SOL_SOCKET, SO_KEEPALIVE, &yes, sizeof yes);
+  setsockopt(file_, IPPROTO_TCP, TCP_KEEPIDLE, &each_s, sizeof each_s);
+  setsockopt(file_, IPPROTO_TCP, TCP_KEEPINTVL, &each_s, sizeof each_s);
+  setsockopt(file_, IPPROTO_TCP, TCP_KEEPCNT, &looks, sizeof looks);
+  setsockopt(file_, IPPROTO_TCP, TCP_USER_TIMEOUT, &most_ms, sizeof most_ms);
+}
+
 bool LinkPort::open(const std::string& address, std::uint32_t baud) {
+  begin_anew();
   if (address.starts_with(kUnix)) return open_unix(address.substr(kUnix.size()), nullptr);
   struct stat status {};
   if (stat(address.c_str(), &status) == 0) {
@@ -130,6 +159,7 @@ bool LinkPort::open(const std::string& address, std::uint32_t baud) {
 }
 
 bool LinkPort::listen(const std::string& address, Say say) {
+  begin_anew();
   if (address.starts_with(kUnix)) return open_unix(address.substr(kUnix.size()), say);
   return open_tcp(address, say);
 }
@@ -137,14 +167,18 @@ bool LinkPort::listen(const std::string& address, Say say) {
 /// Others who connect meanwhile are refused when the listener is closed: once the peer has spoken.
 bool LinkPort::accept_on(int listener, Say say) {
   int number = 0;
+  const std::uint64_t most = accept_until();
   while (file_ < 0 && number == 0) {
+    if (most != UINT64_MAX && !wait_on(listener, POLLIN, most)) {
+      if (now_ns() >= most) number = ETIMEDOUT;
+      continue;
+    }
     file_ = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
     if (file_ < 0) {
       number = errno == EINTR || errno == ECONNABORTED ? 0 : errno;
       continue;
     }
-    const int yes = 1;  // an answer waits for no other one; a unix socket knows no such wait
-    setsockopt(file_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+    set_options();
     const std::uint64_t until = now_ns() + kGreetingS * kSecondNs;
     bool has_spoken = false;
     while (!has_spoken && now_ns() < until) has_spoken = wait(POLLIN, until);
@@ -166,14 +200,15 @@ bool LinkPort::open_unix(const std::string& path, Say say) {
   address.sun_family = AF_UNIX;
   if (path.size() >= sizeof address.sun_path) return fail("the path is too long for a socket");
   std::copy(path.begin(), path.end(), address.sun_path);
-  const int file = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  // Who listens and has no time for us is not waited for.
+  const int waits = say != nullptr ? 0 : SOCK_NONBLOCK;
+  const int file = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | waits, 0);
   if (file < 0) return fail(std::strerror(errno));
   int number = 0;
   if (say != nullptr) {
     number = listen_at(file, address);
     if (number == 0) return say("listens on unix:" + path), accept_on(file, say);
   } else if (connect(file, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
-    fcntl(file, F_SETFL, O_NONBLOCK);
     file_ = file;
     return true;
   } else {
@@ -230,12 +265,11 @@ bool LinkPort::open_tcp(const std::string& address, Say say) {
 }
 
 bool LinkPort::accept_sealed(int listener, Say say) {
-  file_ = accept_known(listener, key_, kGreetingS, say, records_);
+  file_ = accept_known(listener, key_, kGreetingS, accept_until(), say, records_);
   const int number = errno;
   ::close(listener);
   if (file_ < 0) return fail(std::strerror(number));
-  const int yes = 1;
-  setsockopt(file_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+  set_options();
   return true;
 }
 
@@ -267,6 +301,10 @@ bool LinkPort::open_serial(const std::string& path, std::uint32_t baud) {
 }
 
 bool LinkPort::wait(short events, std::uint64_t until_ns) {
+  return wait_on(file_, events, until_ns);
+}
+
+bool LinkPort::wait_on(int file, short events, std::uint64_t until_ns) {
   const std::uint64_t now = now_ns();
   if (now >= until_ns) return false;
   int timeout_ms = kForEver;
@@ -274,7 +312,7 @@ bool LinkPort::wait(short events, std::uint64_t until_ns) {
     constexpr std::uint64_t kLongestMs = 1'000'000;
     timeout_ms = static_cast<int>(std::min((until_ns - now + kNsPerMs - 1) / kNsPerMs, kLongestMs));
   }
-  pollfd item{file_, events, 0};
+  pollfd item{file, events, 0};
   return poll(&item, 1, timeout_ms) > 0;
 }
 
@@ -310,7 +348,9 @@ std::size_t LinkPort::write_bytes(const std::uint8_t* bytes, std::size_t size,
     } else if (now_ns() >= until_ns) {
       break;
     } else {
-      wait(POLLOUT, until_ns);
+      constexpr std::uint64_t kLookNs = 50 * kNsPerMs;
+      host::say_alive();
+      wait(POLLOUT, std::min(until_ns, now_ns() + kLookNs));
     }
   }
   return sent;

@@ -23,7 +23,7 @@ class LinkPort {
   /// Before open() or listen(). Serial lines and unix sockets do without.
   void use_key(const KeyInUse& key) { key_ = key; }
   /// `unix:PATH`, `HOST:PORT`, or the path of a serial line or a socket. A serial line is ours
-  /// alone as long as it is open. False: error() says why.
+  /// alone as long as it is open. A line that was open is closed before. False: error() says why.
   bool open(const std::string& address, std::uint32_t baud);
   /// The other side of a socket: waits for one peer, who has kGreetingS to say something. While it
   /// is connected others are refused. With a key strangers are dropped until one comes who has it.
@@ -31,6 +31,12 @@ class LinkPort {
   /// program listens on is left alone. `say(text)` is told where it listens, and of peers that say
   /// nothing.
   bool listen(const std::string& address, void (*say)(const std::string& text));
+  /// For listen(): a peer that is gone without a word, as when its cable is cut, is gone after
+  /// kCutS; and nobody is waited for longer than `most_wait_ns`.
+  void notice_cuts(std::uint64_t most_wait_ns) {
+    notices_cuts_ = true;
+    most_wait_ns_ = most_wait_ns;
+  }
   void close();
   /// Empty as long as the line is whole.
   const std::string& error() const { return error_; }
@@ -52,6 +58,7 @@ class LinkPort {
   static bool is_interrupted();
 
   static constexpr int kGreetingS = 5;
+  static constexpr int kCutS = 5;
 
  private:
   using Say = void (*)(const std::string& text);
@@ -61,7 +68,11 @@ class LinkPort {
   bool accept_on(int listener, Say say);
   bool accept_sealed(int listener, Say say);
   bool begin_session();
+  void begin_anew();
+  std::uint64_t accept_until() const;
+  void set_options() const;
   bool wait(short events, std::uint64_t until_ns);
+  static bool wait_on(int file, short events, std::uint64_t until_ns);
   std::size_t write_bytes(const std::uint8_t* bytes, std::size_t size, std::uint64_t until_ns);
   bool send_sealed(std::uint64_t until_ns);
   bool open_record();
@@ -70,8 +81,8 @@ class LinkPort {
 
   static constexpr std::size_t kBufferBytes = key::Records::kMostBytes;
   int file_ = -1;
-  bool is_serial_ = false, is_forged_ = false;
-  std::uint64_t write_until_ns_ = UINT64_MAX;
+  bool is_serial_ = false, is_forged_ = false, notices_cuts_ = false;
+  std::uint64_t write_until_ns_ = UINT64_MAX, most_wait_ns_ = UINT64_MAX;
   std::string error_;
   std::array<std::uint8_t, kBufferBytes> in_{}, out_{};
   std::size_t in_begin_ = 0, in_end_ = 0, out_size_ = 0;

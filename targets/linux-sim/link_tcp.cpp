@@ -80,10 +80,11 @@ class Door {
   }
 
   /// The socket of who has the key; -1: errno says why there is none.
-  int wait(key::Records& records) {
+  int wait(std::uint64_t most_ns, key::Records& records) {
     for (;;) {
+      if (LinkPort::now_ns() >= most_ns) return errno = ETIMEDOUT, -1;
       std::array<pollfd, kMost + 1> items{};
-      std::uint64_t until_ns = LinkPort::now_ns() + kLookAgainNs * kMost;
+      std::uint64_t until_ns = std::min(most_ns, LinkPort::now_ns() + kLookAgainNs * kMost);
       for (std::size_t i = 0; i < kMost; ++i) {
         items[i] = {unknown_[i].file, POLLIN, 0};  // -1 is left out
         if (unknown_[i].file >= 0) until_ns = std::min(until_ns, unknown_[i].until_ns);
@@ -210,10 +211,10 @@ std::string greet(int file, const KeyInUse& key, std::uint64_t until_ns, key::Re
   return {};
 }
 
-int accept_known(int listener, const KeyInUse& key, int greeting_s,
+int accept_known(int listener, const KeyInUse& key, int greeting_s, std::uint64_t until_ns,
                  void (*say)(const std::string& text), key::Records& records) {
   fcntl(listener, F_SETFL, O_NONBLOCK);
-  return Door(listener, key, greeting_s, say).wait(records);
+  return Door(listener, key, greeting_s, say).wait(until_ns, records);
 }
 
 }  // namespace eagerx::linux_sim

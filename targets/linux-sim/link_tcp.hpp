@@ -33,9 +33,10 @@ int connect_until(int file, const sockaddr* address, socklen_t size, std::uint64
 /// The greeting of who connects. Empty, and `records` is open; or what is wrong.
 std::string greet(int file, const KeyInUse& key, std::uint64_t until_ns, key::Records& records);
 
-/// Waits for one who has the key; everybody else is dropped meanwhile, and nobody has longer than
-/// `greeting_s`. Returns its socket, or -1: errno says why. `say` is told of strangers.
-int accept_known(int listener, const KeyInUse& key, int greeting_s,
+/// Waits until `until_ns` for one who has the key; everybody else is dropped meanwhile, and nobody
+/// has longer than `greeting_s`. Returns its socket, or -1: errno says why. `say` is told of
+/// strangers.
+int accept_known(int listener, const KeyInUse& key, int greeting_s, std::uint64_t until_ns,
                  void (*say)(const std::string& text), key::Records& records);
 
 }  // namespace eagerx::linux_sim

@@ -142,6 +142,9 @@ bool set_baud(Options& options, std::string_view value) {
 bool set_link_timeout(Options& options, std::string_view value) {
   return host::read_number(value, 0.0, 1e6, options.link_timeout_s);
 }
+bool set_reconnect(Options& options, std::string_view value) {
+  return host::read_number(value, kLeastReconnectS, kMostReconnectS, options.reconnect_s);
+}
 bool set_lockstep(Options& options, std::string_view) {
   return options.lockstep = true;
 }
@@ -268,6 +271,9 @@ constexpr std::array kOptions{
            true},
     Option{"--link-timeout", "S", "a number from 0 to 1000000",
            "end the run after so many seconds without an answer of a part", set_link_timeout, true},
+    Option{"--reconnect", "S", "a number from 0.001 to 1000000",
+           "wait so many seconds for a part that is lost, and go on with the next episode",
+           set_reconnect, true},
     Option{"--lockstep", "", "",
            "wait for each message of a part when it is sent, also where a delay gives time",
            set_lockstep, true},

@@ -23,6 +23,9 @@ inline constexpr int kBadFile = 3;
 
 inline constexpr std::uint32_t kDefaultBaud = 115'200;
 
+// Of `--reconnect`, in seconds.
+inline constexpr double kLeastReconnectS = 0.001, kMostReconnectS = 1e6;
+
 /// What `--render` and `--size` say.
 struct Rendering {
   std::string to;  // `window`, `hash`, a film or files; empty: nothing is shown
@@ -54,12 +57,13 @@ struct Options {
   std::vector<std::string> publish_only;  // channels; empty: all
   double publish_rate_hz = 0.0;           // at most; 0: as they are
   std::string publish_key;                // a file; empty: none
-  bool split = false;  // whether a part of the graph runs elsewhere: the next four exist
+  bool split = false;  // whether a part of the graph runs elsewhere: the next five exist
   std::vector<std::string> links;  // `PART=LINE`; of one part LINE alone
   std::vector<std::string> keys;   // `PART=FILE`, or FILE for all TCP lines
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
-  bool lockstep = false;  // with parts, also where delays would let the program go on
+  double reconnect_s = 0.0;  // how long a part that is lost is waited for; 0: not
+  bool lockstep = false;     // with parts, also where delays would let the program go on
   bool strict_spaces = false;
   bool csv_states = false;
   std::string until;  // a condition; empty: none

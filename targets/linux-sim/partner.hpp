@@ -2,7 +2,10 @@
 #pragma once
 
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <new>
+#include <runtime/host/base/number.hpp>
 #include <string>
 #include <string_view>
 #include <targets/common/partner.hpp>
@@ -15,6 +18,7 @@ namespace eagerx::linux_sim {
 /// What the command line of a part says.
 struct PartArguments {
   std::string_view option, line, key_file;
+  double reconnect_s = 0.0;  // how long a hub that is lost is waited for; 0: not
   bool is_good = false;
 };
 
@@ -22,6 +26,11 @@ inline PartArguments read_part_arguments(int argc, char** argv) {
   PartArguments found;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string_view name = argv[i];
+    if (name == "--reconnect") {
+      if (!host::read_number(argv[i + 1], kLeastReconnectS, kMostReconnectS, found.reconnect_s))
+        return {};
+      continue;
+    }
     std::string_view& value = name == "--key" ? found.key_file : found.line;
     if (!value.empty() || (name != "--key" && name != "--link" && name != "--listen")) return {};
     if (name != "--key") found.option = name;
@@ -31,6 +40,30 @@ inline PartArguments read_part_arguments(int argc, char** argv) {
   return found;
 }
 
+/// Opens the line anew. False: it is said why.
+inline bool open_line(LinkPort& port, const PartArguments& arguments, bool is_again) {
+  const std::string line(arguments.line);
+  if (!arguments.key_file.empty()) {
+    const std::string problem = use_key_of(std::string(arguments.key_file), line, port);
+    if (!problem.empty()) return std::fprintf(stderr, "%s\n", problem.c_str()), false;
+  }
+  constexpr double kNsPerSecond = 1e9;
+  if (arguments.reconnect_s > 0.0)
+    port.notice_cuts(is_again ? static_cast<std::uint64_t>(arguments.reconnect_s * kNsPerSecond)
+                              : UINT64_MAX);
+  const bool is_open = arguments.option == "--link"
+                           ? port.open(line, kDefaultBaud)
+                           : port.listen(line, [](const std::string& text) {
+                               std::fputs((text + "\n").c_str(), stderr);
+                             });
+  if (!is_open)
+    std::fprintf(stderr,
+                 is_again ? "error: the hub has not come back to `%s`: %s\n"
+                          : "error: cannot open `%s`: %s\n",
+                 line.c_str(), port.error().c_str());
+  return is_open;
+}
+
 template <class Graph>
 int serve(int argc, char** argv) {
   using Link = target::BoardLinkOf<Graph, LinkPort>;
@@ -38,33 +71,28 @@ int serve(int argc, char** argv) {
   if (!arguments.is_good) {
     std::fprintf(stderr,
                  "error: wrong usage\nhelp: %s --link TTY, or --listen unix:PATH, :PORT (for this "
-                 "machine only) or HOST:PORT, which beyond this machine needs --key FILE; serves "
-                 "the part of `%s` that the hub's program leaves out\n",
+                 "machine only) or HOST:PORT, which beyond this machine needs --key FILE; with "
+                 "--reconnect S it waits so many seconds for a hub that it has lost; serves the "
+                 "part of `%s` that the hub's program leaves out\n",
                  argv[0], Graph::kName);
     return kBadUsage;
   }
   std::signal(SIGPIPE, SIG_IGN);  // a host that goes is no reason to be killed
   static Link link{};
-  const std::string line(arguments.line);
-  if (!arguments.key_file.empty()) {
-    const std::string problem = use_key_of(std::string(arguments.key_file), line, link.port);
-    if (!problem.empty()) return std::fprintf(stderr, "%s\n", problem.c_str()), kBadFile;
+  for (bool is_again = false;; is_again = true) {
+    if (!open_line(link.port, arguments, is_again)) return kBadFile;
+    const bool has_finished = target::serve<Graph, LinkPort>(
+        target::program_of_run<target::BoardProgramOf<Graph, LinkPort>>, link, [] { return 0U; });
+    const bool is_forged = link.port.is_forged();
+    if (has_finished || (arguments.reconnect_s <= 0.0 && !is_forged)) return kDone;
+    std::fprintf(stderr, "%s: the line `%.*s` is closed: %s\n",
+                 arguments.reconnect_s > 0.0 ? "note" : "error",
+                 static_cast<int>(arguments.line.size()), arguments.line.data(),
+                 link.port.error().c_str());
+    if (arguments.reconnect_s <= 0.0) return kBadFile;
+    link.~Link();
+    ::new (static_cast<void*>(&link)) Link{};
   }
-  const bool open = arguments.option == "--link"
-                        ? link.port.open(line, kDefaultBaud)
-                        : link.port.listen(line, [](const std::string& text) {
-                            std::fputs((text + "\n").c_str(), stderr);
-                          });
-  if (!open) {
-    std::fprintf(stderr, "error: cannot open `%s`: %s\n", line.c_str(), link.port.error().c_str());
-    return kBadFile;
-  }
-  target::serve<Graph, LinkPort>(target::program_of_run<target::BoardProgramOf<Graph, LinkPort>>,
-                                 link, [] { return 0U; });
-  if (!link.port.is_forged()) return kDone;
-  std::fprintf(stderr, "error: the line `%s` is closed: %s\n", line.c_str(),
-               link.port.error().c_str());
-  return kBadFile;
 }
 
 }  // namespace eagerx::linux_sim

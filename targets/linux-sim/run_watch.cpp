@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <runtime/host/base/interrupt.hpp>
+#include <runtime/host/base/keeper.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/run_watch.hpp>
 #include <targets/linux-sim/spaces.hpp>
@@ -33,6 +34,7 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
 
 bool RunWatch::go_on() {
   host::stop_if_told();
+  host::say_alive(episodes_, steps_);
   if (pictures_ != nullptr && pictures_->ends_run()) return false;
   return !(host::interrupted() || csv_.failed() || trace_.failed() || left_space());
 }
@@ -79,9 +81,9 @@ bool RunWatch::tune(std::uint32_t episode, Seq step, StateRow states) {
   return true;
 }
 
-void RunWatch::reset(std::uint32_t episode) {
+void RunWatch::reset(std::uint32_t /*episode*/) {
   pacer_.start();
-  if (episode == 0) {
+  if (episodes_ == 0) {
     began_ns_ = pacer_.start_ns();
     progress_.start(began_ns_);
   }

@@ -11,6 +11,7 @@
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/progress.hpp>
+#include <targets/linux-sim/reconnect.hpp>
 #include <targets/linux-sim/state_record.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 #include <targets/linux-sim/summary.hpp>
@@ -26,6 +27,7 @@ struct Told {
   const ActionTable& table;
   const StateSettings& settings;
   AgentFaults& faults;
+  Reconnection& reconnection;
 };
 
 class RunWatch : public Watch {
@@ -34,6 +36,7 @@ class RunWatch : public Watch {
   virtual ~RunWatch() = default;
 
   bool go_on() override;
+  bool link_again() override { return told_.reconnection.link_again(steps_); }
   bool ends_early() const override;
   bool begin_episode(EpisodeKey key, StateRow states) override;
   StateRow states() final { return states_.row(); }

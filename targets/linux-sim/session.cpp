@@ -187,8 +187,8 @@ class Session {
     if (agent_ != nullptr) agent_->finish(summary_);
     const std::string problem_of_pictures = close_pictures(program_.pictures(), summary_);
     const std::string unpublished = publishing_ ? publishing_->finish(summary_) : "";
-    const std::string broken =
-        agent_ != nullptr ? agent_->problem() : end_links(program_, summary_);
+    std::string broken = agent_ != nullptr ? agent_->problem() : end_links(program_, summary_);
+    told_.reconnection.finish(summary_, broken);
     if (!watch.has_begun()) {
       csv_.discard();
       trace_.discard();
@@ -198,7 +198,9 @@ class Session {
     const bool is_right = calculates_as_everywhere();
     std::FILE* const out = options_.csv == "-" || options_.trace == "-" ? stderr : stdout;
     std::string text = options_.quiet ? "" : summary_text(summary_);
-    if (options_.hash && broken.empty() && is_right) text += hash_line(hash_);
+    // The hash of a run with a hole is that of no run.
+    const bool is_whole = broken.empty() && !told_.reconnection.has_lost();
+    if (options_.hash && is_whole && is_right) text += hash_line(hash_);
     const bool printed = text.empty() || print(out, text);
     if (!broken.empty()) fail(broken + "\n" + place_of(summary_), kBadFile);
     if (!problem_of_pictures.empty()) fail(problem_of_pictures, kBadFile);

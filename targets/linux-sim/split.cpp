@@ -76,8 +76,9 @@ std::string messages_of(const GraphFacts& facts, const link::PartProgress& progr
   return text;
 }
 
-/// Why a link is over, for people.
-std::string problem_of(SplitLink& link, const GraphFacts& facts) {
+}  // namespace
+
+std::string why_over(SplitLink& link, const GraphFacts& facts) {
   using link::Problem;
   const link::Greeting& other = link.greeting();
   const link::Statistics& statistics = link.statistics();
@@ -120,6 +121,8 @@ std::string problem_of(SplitLink& link, const GraphFacts& facts) {
   }
   return {};
 }
+
+namespace {
 
 /// `PART=LINE`, or what a graph with one part takes, LINE alone.
 std::string find_lines(const std::vector<std::string>& given, const GraphFacts& facts,
@@ -199,9 +202,10 @@ std::uint32_t new_session() {
   return static_cast<std::uint32_t>(mixed >> kHigh);
 }
 
-std::string connect(SplitLink& link, const std::string& line, const std::string& key_file,
-                    const GraphFacts& facts, const Options& options) {
-  constexpr double kNanosecondsPerSecond = 1e9;
+}  // namespace
+
+std::string connect_part(SplitLink& link, const std::string& line, const std::string& key_file,
+                         const GraphFacts& facts, const Options& options, double most_s) {
   const std::string problem =
       key_file.empty() ? std::string() : use_key_of(key_file, line, link.port());
   if (!problem.empty()) return problem;
@@ -210,11 +214,14 @@ std::string connect(SplitLink& link, const std::string& line, const std::string&
            (facts.part_count == 1 ? "" : "\nnote: of " + name_of_part(link.part()));
   // Who changes messages, or takes their place, does so when they are sent.
   link.set_runs_ahead(!options.lockstep && !recorder_of_run.takes_part());
-  link.set_time_limit(static_cast<std::uint64_t>(options.link_timeout_s * kNanosecondsPerSecond));
-  return link.open(new_session()) ? std::string() : problem_of(link, facts);
+  return greet_part(link, facts, most_s);
 }
 
-}  // namespace
+std::string greet_part(SplitLink& link, const GraphFacts& facts, double most_s) {
+  constexpr double kNanosecondsPerSecond = 1e9;
+  link.set_time_limit(static_cast<std::uint64_t>(most_s * kNanosecondsPerSecond));
+  return link.open(new_session()) ? std::string() : why_over(link, facts);
+}
 
 std::string name_of_part(const link::PartFacts& part) {
   return is_board(part) ? std::string("the board") : "part `" + std::string(part.name) + "`";
@@ -233,19 +240,18 @@ bool part_knows(const GraphFacts& facts, target::Agent agent) {
   return agent < target::Agent::csv;
 }
 
-std::string find_parts(const GraphFacts& facts, const Options& options) {
-  std::vector<std::string> lines, keys;
-  const std::string problem = find_lines(options.links, facts, lines);
-  return problem.empty() ? find_keys(options.keys, facts, lines, keys) : problem;
+std::string find_parts(const GraphFacts& facts, const Options& options, PartLines& found) {
+  const std::string problem = find_lines(options.links, facts, found.lines);
+  return problem.empty() ? find_keys(options.keys, facts, found.lines, found.keys) : problem;
 }
 
 std::string connect_parts(const GraphProgram& program, const Options& options) {
   const GraphFacts& facts = program.facts();
-  std::vector<std::string> lines, keys;
-  std::string problem = find_lines(options.links, facts, lines);
-  if (problem.empty()) problem = find_keys(options.keys, facts, lines, keys);
+  PartLines found;
+  std::string problem = find_parts(facts, options, found);
   for (std::size_t part = 0; problem.empty() && part < facts.part_count; ++part)
-    problem = connect(*program.link(part), lines[part], keys[part], facts, options);
+    problem = connect_part(*program.link(part), found.lines[part], found.keys[part], facts, options,
+                           options.link_timeout_s);
   return problem;
 }
 
@@ -266,7 +272,7 @@ std::string end_links(const GraphProgram& program, Summary& summary) {
     link->forget_silence();  // the engine has stopped, and its hardware is given back
     // Where one is gone, nobody waits for the others to tell what they counted.
     if (link->ok() && links_are_whole(program)) link->finish(report, faults);
-    if (broken.empty() && !link->ok()) broken = problem_of(*link, facts);
+    if (broken.empty() && !link->ok()) broken = why_over(*link, facts);
     describe_link(summary, *link, report, is_one);
   }
   return broken;

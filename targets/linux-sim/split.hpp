@@ -8,6 +8,7 @@
 #include <targets/linux-sim/link_port.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/summary.hpp>
+#include <vector>
 
 namespace eagerx::linux_sim {
 
@@ -42,8 +43,19 @@ std::string parts_elsewhere(const GraphFacts& facts);
 /// "the board", "part `vision`"
 std::string name_of_part(const link::PartFacts& part);
 
+/// Where each part is, and the file of the key of its line, which may be empty.
+struct PartLines {
+  std::vector<std::string> lines, keys;  // [parts]
+};
 /// What is wrong with the lines that the options name; empty: there is one to each part.
-std::string find_parts(const GraphFacts& facts, const Options& options);
+std::string find_parts(const GraphFacts& facts, const Options& options, PartLines& found);
+/// Opens the line to a part, which may be open, and begins a session. Returns what went wrong.
+std::string connect_part(SplitLink& link, const std::string& line, const std::string& key_file,
+                         const GraphFacts& facts, const Options& options, double most_s);
+/// Begins a session on a line that is open. Returns what went wrong.
+std::string greet_part(SplitLink& link, const GraphFacts& facts, double most_s);
+/// Why a link is over, for people; empty: it is not.
+std::string why_over(SplitLink& link, const GraphFacts& facts);
 /// Connects with all parts. Returns what went wrong; empty: nothing.
 std::string connect_parts(const GraphProgram& program, const Options& options);
 /// Whether no link is over.

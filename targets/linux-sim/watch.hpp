@@ -18,6 +18,8 @@ class Watch {
   target::Agent agent() const { return agent_; }
 
   virtual bool go_on() = 0;
+  /// Between two episodes: brings back parts that are lost. False: the run is over.
+  virtual bool link_again() = 0;
   /// Whether the run has begun and is over before its time, so that something may have to be made
   /// safe.
   virtual bool ends_early() const = 0;

@@ -8,6 +8,7 @@ import shlex
 
 import yaml
 
+LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 CPP_ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "f": "\f", "v": "\v", "0": "\0"}
 
 
@@ -24,10 +25,11 @@ def cpp(text):
     while at < len(text):
         rest = text[at:at + 2]
         if text[at].isspace():
-            if text[at] == "\n" and directive:
+            end = re.compile(r"\s+").match(text, at).end()
+            if directive and "\n" in text[at:end]:
                 found.append("\n")
                 directive = False
-            at += 1
+            at = end
         elif rest == "//":
             at = text.index("\n", at)
         elif rest == "/*":
@@ -127,7 +129,7 @@ def tokens(path, text):
     if name == "CMakeLists.txt" or name.endswith(".cmake"):
         return cmake(text)
     if re.search(r"\.ya?ml$", name):
-        return yaml.safe_load(text)
+        return yaml.load(text, LOADER)
     if name.endswith(".json"):
         return json.loads(text)
     if name.endswith(".sh"):

@@ -9,3 +9,6 @@ set_tests_properties(parts.hardware PROPERTIES COST 400 LABELS long) # compiles 
 add_test(NAME parts_lines COMMAND ${CMAKE_CURRENT_LIST_DIR}/lines ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/parts_lines
                                   quadrotor_5 quadruped_2)
 set_tests_properties(parts_lines PROPERTIES COST 400 LABELS long) # compiles some ten programs
+# Parts that are lost and come back at the start of an episode. More of each: tests/parts/reconnect.
+add_test(NAME parts_reconnect COMMAND ${CMAKE_CURRENT_LIST_DIR}/reconnect ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/parts_reconnect)
+set_tests_properties(parts_reconnect PROPERTIES COST 300 LABELS long) # compiles four programs

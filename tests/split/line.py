@@ -2,11 +2,12 @@
 """A bad line between the two programs of a split graph.
 
     line.py FROM TO [--drop P] [--duplicate P] [--corrupt P] [--delay P] [--reorder P] [--noise P]
-            [--seed N] [--hang-up-after N] [--silent-after N]
+            [--seed N] [--hang-up-after N] [--silent-after N] [--note FILE]
 
 FROM: unix:PATH to listen on for the host's program, or pty:PATH for a pseudo terminal with a link at PATH.
 TO: unix:PATH to connect to, or pty:PATH as well. P are percent of frames, which are told apart by the zeros between
-them. What a frame suffers depends on the seed and its number alone.
+them. What a frame suffers depends on the seed and its number alone. FILE gets the time, in ns since 1970, at which the
+line is cut or falls silent.
 """
 import argparse
 import heapq
@@ -45,6 +46,7 @@ class Direction:
     def suffer(self, frame):
         o = self.options
         if o.silent_after and self.frames > o.silent_after:
+            note(o)
             return
         if self.hit(o.drop):
             return
@@ -75,6 +77,14 @@ class Direction:
     def tick(self):
         while self.late and self.late[0][0] <= time.monotonic():
             self.out(b"\0" + heapq.heappop(self.late)[2] + b"\0")
+
+
+def note(options):
+    """The first fault's time."""
+    if options.note:
+        with open(options.note, "w", encoding="ascii") as file:
+            file.write(str(time.time_ns()))
+        options.note = None
 
 
 def open_pty(path):
@@ -121,6 +131,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--hang-up-after", type=int, default=0)
     parser.add_argument("--silent-after", type=int, default=0)
+    parser.add_argument("--note")
     options = parser.parse_args()
 
     board, read_board, write_board = connect(options.to)
@@ -143,6 +154,7 @@ def main():
         there.tick()
         back.tick()
         if options.hang_up_after and there.frames >= options.hang_up_after:
+            note(options)
             return
 
 

@@ -8,6 +8,8 @@
 extern "C" {
 /// Whether a signal wants the program to end or to stop; the target's, if it has one.
 [[gnu::weak]] bool eagerx_is_interrupted();
+/// Told that the program stands still on purpose until then; the target's, if it has one.
+[[gnu::weak]] void eagerx_sleeps_until(std::int64_t ns);
 }
 
 namespace eagerx::links {
@@ -21,6 +23,7 @@ struct LinuxClock {
   }
   /// Sleeps until an absolute time, so that lateness does not add up. False if a signal came first.
   static bool sleep_until(std::int64_t ns) {
+    if (eagerx_sleeps_until != nullptr) eagerx_sleeps_until(ns);
     const timespec until{static_cast<time_t>(ns / kNsPerSecond),
                          static_cast<decltype(timespec::tv_nsec)>(ns % kNsPerSecond)};
     return clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) != EINTR;

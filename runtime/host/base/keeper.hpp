@@ -1,18 +1,26 @@
-// A process beside a program that drives hardware: it makes that safe if the program is killed.
+// A process beside a program that drives hardware: it makes that safe if the program is killed, or
+// stands still.
 #pragma once
 
 #include <sys/types.h>
 
+#include <cstdint>
+
 namespace eagerx::host {
 
-/// As long as it lives. What no handler of signals sees (SIGKILL, or no memory left) leaves outputs
-/// as they were: an adapter holds its last voltage. Then the other process, which waited for this,
-/// calls `take_over(context)` in its copy of the program as it was here, and ends. It is in a
-/// session of its own, and no signal but SIGKILL ends it. To be made before hardware is opened.
+/// As long as it lives. What no handler of signals sees (SIGKILL, SIGSTOP, a loop without an end)
+/// leaves outputs as they were: an adapter holds its last voltage. The other process waits for it,
+/// ends a program that gives no sign of life for too long, calls `take_over(context)` in its copy
+/// of the program as it was here, and ends. It is in a session of its own, and no signal but
+/// SIGKILL ends it. To be made before hardware is opened; there is one at a time.
 class Keeper {
  public:
-  /// nullptr: there is nothing to make safe.
-  Keeper(void (*take_over)(void*), void* context);
+  /// Makes safe. False: it could not.
+  using TakeOver = bool (*)(void*);
+
+  /// nullptr: there is nothing to make safe. `most_silent_ns`: how long the program may give no
+  /// sign of life, from the first one on; 0: for ever. It is noticed at most a sixteenth later.
+  Keeper(TakeOver take_over, void* context, std::int64_t most_silent_ns);
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
   /// All is safe: it is not needed any more.
@@ -23,4 +31,27 @@ class Keeper {
   int line_ = -1;  // it waits for a byte, or for the end of this process
 };
 
+// Signs of life, for the main thread. They cost a nanosecond, and nothing without a keeper.
+
+/// So many steps are done in so many episodes. The first of these signs begins the watch.
+void say_alive(std::uint64_t episodes, std::uint64_t steps);
+/// The program goes on.
+void say_alive();
+/// It waits on purpose until then on CLOCK_MONOTONIC.
+void say_asleep_until(std::int64_t ns);
+
+/// As long as it lives, the program may stand still: it is safe.
+class Resting {
+ public:
+  Resting();
+  Resting(const Resting&) = delete;
+  Resting& operator=(const Resting&) = delete;
+  ~Resting();
+};
+
 }  // namespace eagerx::host
+
+extern "C" {
+/// say_asleep_until(), for clocks of hardware, which know nothing of targets.
+void eagerx_sleeps_until(std::int64_t ns);
+}

@@ -12,6 +12,7 @@
 #include <limits>
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/json.hpp>
+#include <runtime/host/base/keeper.hpp>
 #include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
@@ -187,6 +188,7 @@ OutsideAgent::Got OutsideAgent::receive(std::int64_t until_ns) {
     const std::int64_t left_ns = until_ns == 0 ? 0 : std::max<std::int64_t>(until_ns - now_ns(), 0);
     const timespec left{static_cast<time_t>(left_ns / kWhole), static_cast<long>(left_ns % kWhole)};
     pollfd ready{socket_, POLLIN, 0};
+    if (until_ns != 0) host::say_asleep_until(until_ns);
     const int count = ppoll(&ready, 1, until_ns == 0 ? nullptr : &left, nullptr);
     if (host::interrupted()) return Got::end;
     host::stop_if_told();

@@ -108,6 +108,19 @@ class Line : public ::testing::Test {
   int sessions_ = 0;
 };
 
+// What was on its way, half written or half read belongs to a session that is over.
+TEST_F(Line, BeginsAnewInTheMiddleOfAnExchange) {
+  start();
+  for (std::uint32_t session = 1; session <= 20; ++session) {
+    ASSERT_TRUE(host_->open(kIdentity, session));
+    EXPECT_EQ(run_host(5), 5);
+    host_->begin_step();
+    for (std::uint32_t i = 0; i < session; ++i) host_->put(i);
+    if (session % 3 == 0) host_->post();
+  }
+  EXPECT_EQ(sessions_, 20);
+}
+
 TEST_F(Line, CarriesMessagesLongerThanItsFrames) {
   start();
   ASSERT_TRUE(host_->open(kIdentity, 1));

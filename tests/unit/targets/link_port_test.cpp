@@ -74,6 +74,55 @@ TEST_F(Sockets, OneThatAnotherProgramListensOnIsLeftAlone) {
   EXPECT_FALSE(late.open("unix:" + path, 0)) << "one peer at a time";
 }
 
+TEST_F(Sockets, ALineIsOpenedAgainAndNothingOfTheOldOneIsLeft) {
+  LinkPort host;
+  for (int i = 1; i <= 2; ++i) {
+    times = 0;
+    LinkPort part;
+    std::thread listener([&] { EXPECT_TRUE(part.listen("unix:" + path, say)) << part.error(); });
+    wait_until_said(1);
+    ASSERT_TRUE(host.open("unix:" + path, 0)) << host.error();
+    EXPECT_EQ(host.error(), "");
+    host.put(static_cast<std::uint8_t>(i));
+    host.flush();
+    listener.join();
+    EXPECT_EQ(part.get(), i);
+    part.put(static_cast<std::uint8_t>(10 + i));
+    part.put(99);  // of the first line nobody reads it
+    part.flush();
+    EXPECT_EQ(host.get(), 10 + i);
+    host.put(77);  // never flushed
+    part.close();
+  }
+  EXPECT_EQ(host.get(), 99);
+  EXPECT_EQ(host.get(), link::kClosed);
+}
+
+TEST_F(Sockets, NobodyIsWaitedForLongerThanTold) {
+  LinkPort port;
+  port.notice_cuts(50'000'000);
+  EXPECT_FALSE(port.listen("unix:" + path, say));
+  EXPECT_EQ(port.error(), "Connection timed out");
+  EXPECT_FALSE(port.listen(":0", say));
+  EXPECT_EQ(port.error(), "Connection timed out");
+}
+
+// Who is stopped accepts nobody, and connect() would wait until it does.
+TEST_F(Sockets, OneThatAcceptsNobodyIsNotWaitedFor) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof address.sun_path - 1);
+  const int file = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  ASSERT_EQ(bind(file, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ASSERT_EQ(listen(file, 1), 0);
+  LinkPort ports[4];
+  int opened = 0;
+  for (LinkPort& port : ports) opened += port.open("unix:" + path, 0) ? 1 : 0;
+  EXPECT_LT(opened, 4);
+  EXPECT_NE(ports[3].error(), "");
+  close(file);
+}
+
 TEST_F(Sockets, AStaleOneIsReplacedAndAFileIsNot) {
   for (int i = 0; i < 2; ++i) {
     LinkPort port;
