@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <runtime/host/base/cells.hpp>
 #include <runtime/host/base/number.hpp>
 
 #include "generator/training/curves.hpp"
@@ -11,17 +12,10 @@
 namespace eagerx::gen {
 
 std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  bool is_quoted = false;
-  std::size_t first = 0;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    if (i < line.size() && line[i] == '"') is_quoted = !is_quoted;
-    if (i < line.size() && (line[i] != ',' || is_quoted)) continue;
-    std::string_view cell = line.substr(first, i - first);
+  std::vector<std::string_view> cells = host::cells_of(line);
+  for (std::string_view& cell : cells) {
     if (cell.size() >= 2 && cell.starts_with('"') && cell.ends_with('"'))
       cell = cell.substr(1, cell.size() - 2);
-    cells.push_back(cell);
-    first = i + 1;
   }
   return cells;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <runtime/host/base/cells.hpp>
 #include <runtime/host/base/number.hpp>
 #include <utility>
 
@@ -30,20 +31,6 @@ std::string line_of(const SweepRow& row) {
                      row.mean_return, row.processor_s, quoted(row.problem));
 }
 
-/// Cells of a line; what is between quotes is one.
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  bool is_quoted = false;
-  std::size_t first = 0;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    if (i < line.size() && line[i] == '"') is_quoted = !is_quoted;
-    if (i < line.size() && (line[i] != ',' || is_quoted)) continue;
-    cells.push_back(line.substr(first, i - first));
-    first = i + 1;
-  }
-  return cells;
-}
-
 bool read_quoted(std::string_view cell, std::string& text) {
   const bool is_right = cell.size() >= 2 && cell.starts_with('"') && cell.ends_with('"');
   if (is_right) text = cell.substr(1, cell.size() - 2);
@@ -57,7 +44,7 @@ bool read_hash(std::string_view cell, std::string& text) {
 }
 
 bool read_row(std::string_view line, SweepRow& row) {
-  const std::vector<std::string_view> cell = cells_of(line);
+  const std::vector<std::string_view> cell = host::cells_of(line);
   const auto whole = [](std::string_view text, std::uint64_t& value) {
     return host::read_number(text, std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max(),
                              value);
