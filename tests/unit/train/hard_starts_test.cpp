@@ -152,9 +152,9 @@ class TrainHardStarts : public testing::TestWithParam<const char*> {
 
 TEST_P(TrainHardStarts, GoOnFromACheckpointAsOneTraining) {
   write_file(path("runs.csv"), table());
-  Options whole = options(12);
+  Options whole = options(5);
   const std::string policy = trained(whole);
-  Options first = options(7);
+  Options first = options(3);
   first.checkpoint = path("checkpoint");
   trained(first);
   whole.resume = first.checkpoint;
