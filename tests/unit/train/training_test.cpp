@@ -138,6 +138,7 @@ TEST_F(TrainTraining, WhatGoesOnFromACheckpointIsOneTraining) {
 // Iterations of 32, 64, … 160 steps of 16 environments, in eras of 1024 steps.
 TEST_F(TrainTraining, IterationsOfAnyLengthGoOnToo) {
   Options whole = small(options(15));
+  whole.threads = 1;  // two wait for each other at every minibatch, long where other tests run
   whole.settings.environments = 16;
   whole.settings.most_horizon = 160;
   whole.settings.minibatches = 4;
