@@ -12,6 +12,7 @@
 
 #include "generator/training/curves.hpp"
 #include "generator/training/settings.hpp"
+#include "generator/training/tables.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -266,6 +267,52 @@ TEST_F(Training, ASweepHasTheBestFirst) {
   const auto& charts = *member(&record->page, "charts")->as<Json::List>();
   ASSERT_EQ(charts.size(), 1) << "layers are the same everywhere";
   EXPECT_EQ(text_of(&member(&charts[0], "labels")->as<Json::List>()->front()), "0.1");
+}
+
+/// A table of a sweep over `clip` with these values, each a training.
+std::string sweep_over(const std::vector<std::string>& values) {
+  std::string text(kSweepHeader);
+  for (const std::string& value : values)
+    text += "\n0123456789abcdef,\"clip=" + value + "\",1,1,100,3,4,-1,0.5,\"\"";
+  return text + "\n";
+}
+
+// What is no number has no place among numbers: sorting would not end well.
+TEST_F(Training, ASweepOverWhatIsNoNumber) {
+  std::vector<std::string> values;
+  for (int i = 0; i < 40; ++i) values.push_back(i % 3 == 1 ? "nan" : std::to_string(40 - i));
+  const auto record = read(sweep_over(values));
+  ASSERT_TRUE(record);
+  const Json& chart = member(&record->page, "charts")->as<Json::List>()->front();
+  const auto& labels = *member(&chart, "labels")->as<Json::List>();
+  EXPECT_EQ(text_of(&labels.back()), "nan");
+  double before = 0.0;
+  for (std::size_t i = 0; i + 1 < labels.size(); ++i) {
+    EXPECT_GT(std::stod(text_of(&labels[i])), before);
+    before = std::stod(text_of(&labels[i]));
+  }
+}
+
+// With each row looked for among all others this takes minutes.
+TEST_F(Training, ASweepOfManySettings) {
+  std::vector<std::string> values;
+  for (int i = 0; i < 100'000; ++i) values.push_back(std::to_string(i));
+  const auto record = read(sweep_over(values));
+  ASSERT_TRUE(record);
+  EXPECT_EQ(member(&record->page, "cases")->as<Json::List>()->size(), values.size());
+}
+
+// Each of these short lines asks for a thousand numbers.
+TEST_F(Training, ARecordThatAsksForTooMuchMemory) {
+  std::string terms = R"("a0")";
+  for (int i = 1; i < 1000; ++i) terms += ",\"a" + std::to_string(i) + '"';
+  std::string text = kTrainingHead;
+  const std::string named = R"("angle","effort")";
+  text.replace(text.find(named), named.size(), terms);
+  const std::size_t most = kMostNumbers / 1000 + 2;
+  for (std::size_t i = 1; i <= most; ++i)
+    text += R"({"seed":1,"steps":)" + std::to_string(i) + "}\n";
+  EXPECT_NE(problem(text).find("there are more numbers than may be"), std::string::npos);
 }
 
 TEST_F(Training, SweepsThatAreNone) {
