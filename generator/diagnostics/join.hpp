@@ -1,5 +1,5 @@
-// Lists as a text. One that is compiled once: with fmt::join every stage compiles the half of fmt
-// that reads what is between braces, a second of processor time for each kind of items.
+// Lists as a text, compiled once: with fmt::join every stage compiles fmt's reading of formats and
+// its writing of the items again, up to 0.2 s of processor time a stage.
 #pragma once
 
 #include <cstddef>
