@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "generator/agent/world.hpp"
+#include "generator/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -26,7 +27,7 @@ Diagnostic& report(const char* code, const PolicyUse& use, bool takes, std::uint
       fmt::format("the policy `{}` {} {} numbers, but the {} have {}", use.file,
                   takes ? "takes" : "gives", wanted, takes ? use.takes : use.gives, there.total));
   problem.notes.push_back(
-      {fmt::format("in the policy's order: {}", fmt::join(there.parts, ", ")), place, ""});
+      {fmt::format("in the policy's order: {}", join(there.parts, ", ")), place, ""});
   if (!use.is_agent) {
     problem.help = takes ? "connect what it was trained with, in the order of `inputs: […]`"
                          : "give the outputs the shapes that it was trained with";

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/agent/world_checks.hpp"
+#include "generator/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -122,8 +123,8 @@ class ActionCheck {
             : fmt::format(
                   "give it `space: {{dtype: int64, shape: [{}], low: {}, high: [{}]}}` and "
                   "turn its numbers into commands with a node",
-                  theirs.size(), is_from_zero ? "0" : fmt::format("[{}]", fmt::join(lows, ", ")),
-                  fmt::join(highs, ", "));
+                  theirs.size(), is_from_zero ? "0" : fmt::format("[{}]", join(lows, ", ")),
+                  join(highs, ", "));
   }
 
   /// Whole numbers from 0 to 1, as many as outputs: E0702 says so if not.

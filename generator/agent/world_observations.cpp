@@ -5,6 +5,7 @@
 
 #include "generator/agent/order.hpp"
 #include "generator/agent/world_checks.hpp"
+#include "generator/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -31,7 +32,7 @@ class ObservationCheck {
     for (const auto& part : parts) {
       texts.push_back(part.size == 1 ? part.name : fmt::format("{} ({})", part.name, part.size));
     }
-    return fmt::format("{}", fmt::join(texts, ", "));
+    return fmt::format("{}", join(texts, ", "));
   }
 
   void check_observations() {
@@ -79,8 +80,8 @@ class ObservationCheck {
                                const std::vector<NamedPart>& ours) const {
     const auto order = order_of_training(theirs, ours);
     if (!order || order->renamed.empty()) return help_for_order("…");
-    return fmt::format("rename {}; or {}", fmt::join(order->renamed, ", and "),
-                       help_for_order(fmt::format("{}", fmt::join(order->names, ", "))));
+    return fmt::format("rename {}; or {}", join(order->renamed, ", and "),
+                       help_for_order(fmt::format("{}", join(order->names, ", "))));
   }
 
   std::string help_for_order(const std::string& order) const {
@@ -181,8 +182,8 @@ class ObservationCheck {
     auto& problem =
         error("E0708", fmt::format("the policy `{}` takes an observation of shape [{}], but "
                                    "`{}{}` has [{}]",
-                                   use_.file, fmt::join(network_.input_shape, ", "), use_.in,
-                                   input.name, fmt::join(ours, ", ")));
+                                   use_.file, join(network_.input_shape, ", "), use_.in, input.name,
+                                   join(ours, ", ")));
     problem.notes.push_back({"the observation, its window first", input.span, ""});
     problem.help = "images are channels first, then rows, then columns";
   }

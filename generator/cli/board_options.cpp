@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/read/text.hpp"
 #include "generator/spec/format.hpp"
 
@@ -55,7 +56,7 @@ std::string usage_of(const YamlValue::Entry& option) {
   if (const YamlValue* values = option.value.find("one_of")) {
     for (const YamlValue& word : values->items) words.push_back(word.text);
   }
-  return words.empty() ? option.key : fmt::format("{} {}", option.key, fmt::join(words, "|"));
+  return words.empty() ? option.key : fmt::format("{} {}", option.key, join(words, "|"));
 }
 
 class Checker {
@@ -114,7 +115,7 @@ class Checker {
       known.push_back(each.key);
       usage.push_back(usage_of(each));
     }
-    problem.help = did_you_mean(name, known, fmt::format("it takes {}", fmt::join(usage, ", ")));
+    problem.help = did_you_mean(name, known, fmt::format("it takes {}", join(usage, ", ")));
   }
 
   void refuse_value(const YamlValue::Entry& option, const std::string& value) {

@@ -10,6 +10,7 @@
 #include "generator/cli/entity_json.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/compose/flat_text.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/spec/schema.hpp"
@@ -21,7 +22,7 @@ std::string text_of(const YamlValue& yaml) {
   if (yaml.is_scalar()) return yaml.text;
   std::vector<std::string> items;
   for (const auto& item : yaml.items) items.push_back(text_of(item));
-  return fmt::format("[{}]", fmt::join(items, ", "));
+  return fmt::format("[{}]", join(items, ", "));
 }
 
 std::string space_of(const SpaceSpec& space) {
@@ -70,7 +71,7 @@ void print_parameters(const std::vector<Parameter>& parameters) {
   say("\nconfig\n");
   for (const auto& parameter : parameters) {
     std::string more = std::string(type_of(parameter));
-    if (!parameter.options.empty()) more = fmt::format("{}", fmt::join(parameter.options, " | "));
+    if (!parameter.options.empty()) more = fmt::format("{}", join(parameter.options, " | "));
     if (!parameter.engine.empty()) more += " " + parameter.engine;
     if (!parameter.unit.empty()) more += " " + parameter.unit;
     if (parameter.low) more += fmt::format(", at least {}", to_string(*parameter.low));
@@ -103,7 +104,7 @@ void print_inside(const Entity& entity, const SourceMap& sources) {
       if (bound.is_scalar()) inner.push_back(bound.text);
       for (const auto& item : bound.items) inner.push_back(item.text);
       const YamlValue* unit = entry.value.find("unit");
-      say("  {:<20} {} {}{}\n", entry.key, from != nullptr ? "from" : "to", fmt::join(inner, ", "),
+      say("  {:<20} {} {}{}\n", entry.key, from != nullptr ? "from" : "to", join(inner, ", "),
           unit != nullptr ? ", " + unit->text : "");
       if (const YamlValue* about = entry.value.find("about")) say("{:25}{}\n", "", about->text);
     }
@@ -116,14 +117,13 @@ void print_entity(const Entity& entity, const SourceMap& sources) {
   if (!entity.description.empty()) say("\n{}", entity.description);
   print_eagerx_ids(entity);
   if (!entity.moves.empty())
-    say("\nsets what changes during an episode: {}\n", fmt::join(entity.moves, ", "));
-  if (!entity.engines.empty()) say("\nworks on: {}\n", fmt::join(entity.engines, ", "));
-  if (!entity.runs.empty())
-    say("\nruns what is implemented for: {}\n", fmt::join(entity.runs, ", "));
+    say("\nsets what changes during an episode: {}\n", join(entity.moves, ", "));
+  if (!entity.engines.empty()) say("\nworks on: {}\n", join(entity.engines, ", "));
+  if (!entity.runs.empty()) say("\nruns what is implemented for: {}\n", join(entity.runs, ", "));
   std::vector<std::string> engines;
   for (const auto& implementation : entity.object_engines)
     engines.push_back(implementation.engine.value);
-  if (!engines.empty()) say("\nimplemented for: {}\n", fmt::join(engines, ", "));
+  if (!engines.empty()) say("\nimplemented for: {}\n", join(engines, ", "));
   for (const auto& implementation : entity.object_engines) {
     if (!implementation.summary.empty())
       say("  {}: {}\n", implementation.engine.value, implementation.summary);
@@ -171,8 +171,8 @@ bool print_family(const Library& library, const std::string& name) {
         "runs "
         "on each engine of the family.\n\nengines that run it: {1}\nobjects implemented for it: "
         "{2}\n",
-        name, fmt::join(engines, ", "),
-        objects.empty() ? "none" : fmt::format("{}", fmt::join(objects, ", ")));
+        name, join(engines, ", "),
+        objects.empty() ? "none" : fmt::format("{}", join(objects, ", ")));
     return true;
   }
   std::vector<std::string> boards, entities;
@@ -186,8 +186,8 @@ bool print_family(const Library& library, const std::string& name) {
   say("{} (family of boards)\nA name for boards with the same peripherals. Entities that need "
       "these "
       "name the family.\n\nboards: {}\nentities that need one of them: {}\n",
-      name, boards.empty() ? "none" : fmt::format("{}", fmt::join(boards, ", ")),
-      entities.empty() ? "none" : fmt::format("{}", fmt::join(entities, ", ")));
+      name, boards.empty() ? "none" : fmt::format("{}", join(boards, ", ")),
+      entities.empty() ? "none" : fmt::format("{}", join(entities, ", ")));
   return true;
 }
 
@@ -206,8 +206,7 @@ std::string profile_text(const GraphSpec& spec) {
     if (node.policy) add(*node.policy, node.name.value);
   }
   if (names.empty()) return {};
-  return fmt::format("\nprofile fast: {}; hashes hold for one build only\n",
-                     fmt::join(names, ", "));
+  return fmt::format("\nprofile fast: {}; hashes hold for one build only\n", join(names, ", "));
 }
 
 struct InfoOptions : GraphOptions {

@@ -6,6 +6,7 @@
 
 #include "generator/cli/new_folder.hpp"
 #include "generator/cli/paths.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/import/import.hpp"
 
 namespace eagerx::gen {
@@ -46,7 +47,7 @@ View view_of(const MissingEntity& entity, const std::string& name, const fs::pat
   view.set("engine", entity.engine);
   view["implementation"] = texts_view(entity.implementation);
   view["model"] = texts_view(entity.model);
-  view.set("users", fmt::format("{}", fmt::join(entity.users, ", ")));
+  view.set("users", fmt::format("{}", join(entity.users, ", ")));
   view["inputs"] = ports_view(entity.inputs);
   view["outputs"] = ports_view(entity.outputs);
   view["states"] = ports_view(entity.states);
@@ -80,7 +81,7 @@ int list_missing(Run& run, const YamlValue& tree, const GraphOptions& options,
   for (const auto& entity : *missing) {
     const std::string name = word_of(entity.type, '_');
     const fs::path folder = fs::path(output) / name;
-    say("{}: {} for {}", entity.id, entity.kind, fmt::join(entity.users, ", "));
+    say("{}: {} for {}", entity.id, entity.kind, join(entity.users, ", "));
     if (!output.empty() && is_free_place(folder, run.diagnostics)) {
       make_folder(run, entity, name, folder);
       if (!run.diagnostics.has_errors()) say(": {}", folder.string());

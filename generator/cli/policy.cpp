@@ -5,6 +5,7 @@
 
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/policy_file.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/formats/golden.hpp"
 #include "generator/network/cost.hpp"
 #include "generator/network/int8.hpp"
@@ -20,7 +21,7 @@ std::string sources_of(const Network& network, std::size_t i) {
   for (const std::int32_t value : network.taken_by(i)) {
     names.push_back(value < 0 ? "the observation" : fmt::format("layer {}", value + 1));
   }
-  return fmt::format(", of {}", fmt::join(names, ", "));
+  return fmt::format(", of {}", join(names, ", "));
 }
 
 void print_layers(const Network& network) {
@@ -59,7 +60,7 @@ void print_contract(const Network& network) {
     parts.push_back(part.size == 1 ? part.name : fmt::format("{} ({})", part.name, part.size));
   }
   say("  observations   {}{}\n", network.inputs(),
-      parts.empty() ? ", names not in the file" : fmt::format(": {}", fmt::join(parts, ", ")));
+      parts.empty() ? ", names not in the file" : fmt::format(": {}", join(parts, ", ")));
   if (const auto& statistics = network.normalization) {
     const bool clips = statistics->clip < std::numeric_limits<double>::max();
     const std::string value = fmt::format("(x - mean) / sqrt(var + {:g})", statistics->epsilon);
@@ -89,7 +90,7 @@ void print_contract(const Network& network) {
         std::vector<std::int64_t> firsts = contract.first_choices;
         if (firsts.empty()) firsts = {0};
         say("  action         {} choices: of {} outputs the index of the largest, from {} on\n",
-            contract.groups.size(), fmt::join(contract.groups, ", "), fmt::join(firsts, ", "));
+            contract.groups.size(), join(contract.groups, ", "), join(firsts, ", "));
         break;
       }
       say("  action         the index of the largest of {} outputs, from {} on\n",

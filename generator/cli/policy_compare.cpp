@@ -9,6 +9,7 @@
 
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/policy_file.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/json/json.hpp"
 #include "generator/network/cost.hpp"
 #include "generator/network/difference.hpp"

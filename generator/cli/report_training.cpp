@@ -11,6 +11,7 @@
 #include "generator/cli/built.hpp"
 #include "generator/cli/one_run.hpp"
 #include "generator/compile/compile.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/page/page.hpp"
 #include "generator/process/process.hpp"
 #include "generator/quote/quote.hpp"
@@ -63,7 +64,7 @@ Json episode_json(const char* what, const TrainingEpisode& episode) {
               {"return", episode.sum},
               {"steps", episode.steps},
               {"success", episode.success},
-              {"command", fmt::format("{}", fmt::join(options_of(episode), " "))}};
+              {"command", fmt::format("{}", join(options_of(episode), " "))}};
 }
 
 /// What a trace is called on the page, which has the same bytes wherever it was written.

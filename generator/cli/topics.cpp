@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/cli/train_settings.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/read/bytes.hpp"
 #include "generator/read/quantity.hpp"
 #include "generator/spec/graph_spec.hpp"
@@ -48,8 +49,8 @@ std::string units_text() {
       "Rates and times may have a unit: `rate: 30 Hz`, `delay: 10ms`, `delay: 1/3 s`.\n"
       "Without a unit, rates are in Hz and times in seconds. Case counts.\n\n"
       "rates   {}\ntimes   {} (or \u00b5s)\nmemory  {} (of `budget:`; k is 1024, M is 1024 k)\n",
-      fmt::join(units_of(Quantity::rate), ", "), fmt::join(units_of(Quantity::time), ", "),
-      fmt::join(units_of_memory(), ", "));
+      join(units_of(Quantity::rate), ", "), join(units_of(Quantity::time), ", "),
+      join(units_of_memory(), ", "));
 }
 
 constexpr const char* kLibrary =

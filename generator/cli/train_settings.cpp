@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/command_line/command_line.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/library/schema.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/read/tree.hpp"
@@ -25,7 +26,7 @@ std::string value_of(const SettingRow& row) {
 std::string range_of(const SettingRow& row) {
   switch (row.kind) {
     case SettingKind::word:
-      return fmt::format("{}", fmt::join(comma_separated(row.words), ", "));
+      return fmt::format("{}", join(comma_separated(row.words), ", "));
     case SettingKind::truth:
       return "true, false";
     case SettingKind::layers:
@@ -81,7 +82,7 @@ std::string setting_word(const YamlValue& value) {
   if (value.is_sequence()) {
     std::vector<std::string> words;
     for (const YamlValue& item : value.items) words.push_back(setting_word(item));
-    return fmt::format("{}", fmt::join(words, ","));
+    return fmt::format("{}", join(words, ","));
   }
   if (const auto whole = parse_int(value.text)) return fmt::format("{}", *whole);
   if (const auto number = parse_number(value.text)) return fmt::format("{}", *number);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -23,14 +25,14 @@ std::string words_of(const std::vector<Command>& commands) {
   std::vector<std::string> names;
   names.reserve(commands.size());
   for (const Command& command : commands) names.push_back(command.name);
-  return fmt::format("{}", fmt::join(names, " "));
+  return fmt::format("{}", join(names, " "));
 }
 
 std::string options_of(const Command& command) {
   std::string words = "--help";
   for (const Argument& argument : command.arguments) {
     if (argument.is_option())
-      words += " " + fmt::format("{}", fmt::join(comma_separated(argument.names), " "));
+      words += " " + fmt::format("{}", join(comma_separated(argument.names), " "));
   }
   return words;
 }
@@ -53,7 +55,7 @@ std::string bash_values(const std::string& path, const Command& command) {
   for (const Argument& argument : command.arguments) {
     if (!argument.is_option() || argument.type.empty()) continue;
     const std::string reply = !argument.choices.empty()
-                                  ? fmt::format("-W '{}'", fmt::join(argument.choices, " "))
+                                  ? fmt::format("-W '{}'", join(argument.choices, " "))
                               : is_folder(argument) ? "-d"
                               : is_file(argument)   ? "-f"
                                                     : "";
@@ -122,7 +124,7 @@ std::string zsh_values(const std::string& place, const Command& command) {
   for (const Argument& argument : command.arguments) {
     if (!argument.is_option() || argument.type.empty()) continue;
     const std::string offer = !argument.choices.empty()
-                                  ? fmt::format("compadd -- {}", fmt::join(argument.choices, " "))
+                                  ? fmt::format("compadd -- {}", join(argument.choices, " "))
                               : is_folder(argument) ? "_files -/"
                               : is_file(argument)   ? "_files"
                                                     : "_message " + zsh_text(argument.type);
@@ -202,7 +204,7 @@ std::string fish_option(const std::string& before, const Argument& argument) {
   for (const std::string& name : comma_separated(argument.names))
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (!argument.choices.empty()) {
-    text += fmt::format(" -x -a '{}'", fmt::join(argument.choices, " "));
+    text += fmt::format(" -x -a '{}'", join(argument.choices, " "));
   } else if (!argument.type.empty()) {
     text += is_folder(argument) || is_file(argument) ? " -r" : " -x";
   }

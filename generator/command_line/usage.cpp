@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -71,7 +72,7 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
   if (is(CLI::ExitCodes::ExtrasError)) return too_much(*reached, typed, otherwise);
   if (is(CLI::ExitCodes::RequiredError) && !commands.empty()) {
     const std::vector<std::string> rest = reached->remaining();
-    const std::string list = fmt::format("{}", fmt::join(commands, ", "));
+    const std::string list = fmt::format("{}", join(commands, ", "));
     if (!rest.empty() && rest.front().starts_with('-')) return too_much(*reached, typed, otherwise);
     if (!rest.empty())
       return message(fmt::format("`{}` has no `{}`", typed, rest.front()),
@@ -85,7 +86,7 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
 }
 
 std::string not_a_choice(const std::string& word, const std::vector<std::string>& choices) {
-  const std::string list = fmt::format("there is {}", fmt::join(choices, ", "));
+  const std::string list = fmt::format("there is {}", join(choices, ", "));
   return fmt::format("`{}` is not possible\n{}", word, did_you_mean(word, choices, list));
 }
 
@@ -96,9 +97,8 @@ std::string not_a_command(const CLI::App& app, const std::string& word) {
   std::error_code ignored;
   if (!like_one || std::filesystem::exists(word, ignored)) return {};
   const std::vector<std::string> commands = names_of_commands(app);
-  return message(
-      fmt::format("`{}` is neither a command nor a file", word),
-      did_you_mean(word, commands, fmt::format("there is {}", fmt::join(commands, ", "))));
+  return message(fmt::format("`{}` is neither a command nor a file", word),
+                 did_you_mean(word, commands, fmt::format("there is {}", join(commands, ", "))));
 }
 
 std::string no_help(const CLI::App& app, const std::vector<Topic>& topics,
@@ -106,7 +106,7 @@ std::string no_help(const CLI::App& app, const std::vector<Topic>& topics,
   std::vector<std::string> known = names_of_commands(app);
   for (const Topic& topic : topics) known.push_back(topic.name);
   return message(fmt::format("there is no help for `{}`", word),
-                 did_you_mean(word, known, fmt::format("there is {}", fmt::join(known, ", "))));
+                 did_you_mean(word, known, fmt::format("there is {}", join(known, ", "))));
 }
 
 }  // namespace eagerx::gen

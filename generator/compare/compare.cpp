@@ -1,10 +1,11 @@
 #include "generator/compare/compare.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
+
+#include "generator/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -31,9 +32,9 @@ std::string text_of(const Processor& processor) {
     std::vector<std::string> values;
     for (const ConfigValue& value : stage->config)
       values.push_back(fmt::format("{}: {}", value.parameter->name.value, text_of(value)));
-    stages.push_back(fmt::format("{}({})", stage->entity->id.value, fmt::join(values, ", ")));
+    stages.push_back(fmt::format("{}({})", stage->entity->id.value, join(values, ", ")));
   }
-  return fmt::format("{}", fmt::join(stages, ", "));
+  return fmt::format("{}", join(stages, ", "));
 }
 
 class FactCollector {

@@ -16,6 +16,7 @@
 #include "generator/compose/rename_ports.hpp"
 #include "generator/compose/scope.hpp"
 #include "generator/compose/tunable.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
 
@@ -125,9 +126,8 @@ class Composer {
       for (const Entity* each : scope.around) names.push_back(each->id.value);
       names.push_back(entity.id.value);
       diagnostics_
-          .error(
-              "E0393", type.span,
-              fmt::format("`{}` is made of itself: {}", entity.id.value, fmt::join(names, " → ")))
+          .error("E0393", type.span,
+                 fmt::format("`{}` is made of itself: {}", entity.id.value, join(names, " → ")))
           .help = "a composite cannot be a part of what it is made of";
       return false;
     }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/library/condition.hpp"
 #include "generator/spec/named.hpp"
 
@@ -58,7 +59,7 @@ bool knows_ports(const YamlValue& settings, const Entity& entity, const char* ke
         "E0307", span,
         fmt::format("`{}` has no {} `{}`", entity.id.value,
                     std::string_view(key).substr(0, std::string_view(key).size() - 1), name));
-    problem.help = did_you_mean(name, known, fmt::format("it has {}", fmt::join(known, ", ")));
+    problem.help = did_you_mean(name, known, fmt::format("it has {}", join(known, ", ")));
     good = false;
   }
   return good;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
@@ -53,7 +54,7 @@ bool InnerPorts::has_port(const Spanned<std::string>& written, const std::string
       "E0307", written.span,
       fmt::format("`{}` has no {} `{}`", name.owner, sends ? "output" : "input", name.name));
   const std::string near = nearest(name.name, *known);
-  problem.help = near.empty() ? fmt::format("it has {}", fmt::join(*known, ", "))
+  problem.help = near.empty() ? fmt::format("it has {}", join(*known, ", "))
                               : fmt::format("did you mean `{}.{}`?", name.owner, near);
   return false;
 }

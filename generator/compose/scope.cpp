@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/compose/ends.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
@@ -89,7 +90,7 @@ void report_unknown_inner(const Scope& scope, const YamlValue& graph, Diagnostic
     auto& problem = diagnostics.error("E0390", states.front().key_span,
                                       fmt::format("there is no `{}` inside", name));
     const std::string near = nearest(name, known);
-    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
+    problem.help = near.empty() ? fmt::format("there is {}", join(known, ", "))
                                 : fmt::format("did you mean `{}.{}`?", near, states.front().key);
   }
 }

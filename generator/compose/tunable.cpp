@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/compose/ends.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
@@ -61,7 +62,7 @@ void take(YamlValue& nodes, const YamlValue& item, const Library& library,
     report(item, fmt::format("`{}` is no tunable parameter of `{}`", parameter, entity->id.value),
            !near.empty()   ? fmt::format("did you mean `{}.{}`?", name, near)
            : known.empty() ? "its class takes none of its parameters at a reset"
-                           : fmt::format("tunable are {}", fmt::join(known, ", ")),
+                           : fmt::format("tunable are {}", join(known, ", ")),
            diagnostics);
     return;
   }

@@ -9,6 +9,7 @@
 #include "generator/compose/ends.hpp"
 #include "generator/compose/inner_files.hpp"
 #include "generator/compose/overlay.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/spec/format.hpp"
 
 namespace eagerx::gen {
@@ -142,7 +143,7 @@ class Chooser {
         diagnostics_.error("E0394", span, fmt::format("the graph has no variant `{}`", name));
     problem.help = did_you_mean(
         name, known,
-        known.empty() ? "it has no `variants:`" : fmt::format("it has {}", fmt::join(known, ", ")));
+        known.empty() ? "it has no `variants:`" : fmt::format("it has {}", join(known, ", ")));
     failed_ = true;
   }
 

@@ -7,6 +7,7 @@
 
 #include "generator/cut/choose.hpp"
 #include "generator/cut/ports.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
@@ -86,7 +87,7 @@ class Cutter {
           "W0117", whole_.span,
           fmt::format("step() has to be called {} times a second, and no port has this rate",
                       rate.to_string()));
-      problem.label = fmt::format("the ports have {} Hz", fmt::join(rates, " and "));
+      problem.label = fmt::format("the ports have {} Hz", join(rates, " and "));
       problem.help = "choose rates of which the fastest is a multiple of the others";
     }
     GraphNode environment;

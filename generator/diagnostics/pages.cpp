@@ -1,11 +1,12 @@
 #include "generator/diagnostics/pages.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <set>
+#include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 
@@ -23,7 +24,7 @@ std::string pointer_to_pages(const Diagnostics& diagnostics) {
   if (codes.size() == 1)
     return fmt::format("`eagerx-gen explain {}` says more about this error\n", *codes.begin());
   return fmt::format("`eagerx-gen explain CODE` says more about each of {}\n",
-                     fmt::join(codes, ", "));
+                     join(std::vector(codes.begin(), codes.end()), ", "));
 }
 
 }  // namespace eagerx::gen

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 
 std::string lacks_messages(const Plan& plan, const ProgramNames& names, std::size_t node) {
@@ -18,7 +20,7 @@ std::string lacks_messages(const Plan& plan, const ProgramNames& names, std::siz
   for (auto& term : terms) {
     if (term.find("&&") != std::string::npos) term = fmt::format("({})", term);
   }
-  return fmt::format("{}", fmt::join(terms, " || "));
+  return fmt::format("{}", join(terms, " || "));
 }
 
 View arrivals_view(const Plan& plan, const ProgramNames& names) {
@@ -32,7 +34,7 @@ View arrivals_view(const Plan& plan, const ProgramNames& names) {
     if (input.window > 0 && !input.skip)
       missing.push_back(fmt::format("seen.{}.received() == 0", input.name));
   }
-  view.set("missing", missing.empty() ? "false" : fmt::format("{}", fmt::join(missing, " || ")));
+  view.set("missing", missing.empty() ? "false" : fmt::format("{}", join(missing, " || ")));
   View senders = list();
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     std::uint64_t capacity = 1;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -114,7 +116,7 @@ ExpressionWriter::Text ExpressionWriter::function(const std::string& name,
                                                   const TypedExpression& part) {
   std::vector<std::string> arguments;
   for (const TypedExpression& operand : part.operands) arguments.push_back(argument(operand));
-  return {fmt::format("eagerx::{}({})", name, fmt::join(arguments, ", ")), kWhole};
+  return {fmt::format("eagerx::{}({})", name, join(arguments, ", ")), kWhole};
 }
 
 ExpressionWriter::Text ExpressionWriter::variable(const TypedExpression& part) {

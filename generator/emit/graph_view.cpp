@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/emit/draws.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/policy_answers.hpp"
@@ -133,7 +134,7 @@ class GraphView {
       }
       if (!space.shape.empty()) {
         View line = object();
-        line.set("place", fmt::format("{{{}, \"{}\"}}", number, fmt::join(space.shape, "x")));
+        line.set("place", fmt::format("{{{}, \"{}\"}}", number, join(space.shape, "x")));
         line.set("channel", channel.name);
         shapes.push_back(line);
       }
@@ -302,7 +303,7 @@ class GraphView {
     }
     view_.set("has_fast", is_fast);
     view_.set("self_test_rows", fmt::format("{}", rows));
-    view_.set("self_tests", tests.empty() ? "true" : fmt::format("{}", fmt::join(tests, " && ")));
+    view_.set("self_tests", tests.empty() ? "true" : fmt::format("{}", join(tests, " && ")));
   }
 
   void add_policy() {

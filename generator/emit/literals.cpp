@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/emit/namer.hpp"
 
 namespace eagerx::gen {
@@ -83,7 +84,7 @@ std::string message_literal(const std::vector<double>& values, const Space& spac
   std::vector<std::string> literals;
   for (std::uint64_t i = 0; i < space.size(); ++i)
     literals.push_back(literal(values[values.size() == 1 ? 0 : i], space.dtype));
-  return fmt::format("{{{{{}}}}}", fmt::join(literals, ", "));
+  return fmt::format("{{{{{}}}}}", join(literals, ", "));
 }
 
 std::string space_literal(const Space& space) {
@@ -96,7 +97,7 @@ std::string space_literal(const Space& space) {
 }
 
 std::string joined(const std::vector<std::string>& items) {
-  return fmt::format("{}", fmt::join(items, ", "));
+  return fmt::format("{}", join(items, ", "));
 }
 
 std::string braced(const std::vector<std::string>& items) {

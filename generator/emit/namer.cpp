@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 std::string Names::unique(const std::string& wanted) {
   const int count = ++used_[wanted];
@@ -91,7 +93,7 @@ std::string message_type(const Space& space, Numbers numbers) {
   const std::string_view element = element_type(space.dtype, numbers);
   return space.shape.empty()
              ? std::string(element)
-             : fmt::format("eagerx::Array<{}, {}>", element, fmt::join(space.shape, ", "));
+             : fmt::format("eagerx::Array<{}, {}>", element, join(space.shape, ", "));
 }
 
 }  // namespace eagerx::gen

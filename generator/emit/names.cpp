@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
@@ -43,10 +44,10 @@ std::string in_common(const std::vector<std::string>& names) {
     tail.erase(tail.begin(), tail.end() - static_cast<std::ptrdiff_t>(same));
   }
   head.insert(head.end(), tail.begin(), tail.end());
-  const std::string common = fmt::format("{}", fmt::join(head, "_"));
+  const std::string common = fmt::format("{}", join(head, "_"));
   // A name begins with a letter.
   const bool is_name = !common.empty() && (common.front() < '0' || common.front() > '9');
-  return is_name ? common : fmt::format("{}", fmt::join(words_of(names.front()), "_"));
+  return is_name ? common : fmt::format("{}", join(words_of(names.front()), "_"));
 }
 
 /// The name of a machine or a target as one of C++: "camera_pc_local".

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -103,7 +105,7 @@ View policy_node_view(const Plan& plan, const NodePolicy& policy, Numbers number
 View pack_agent_view(const Plan& plan, const Network& network) {
   const PolicyUse use = agent_use(*plan.graph);
   View view = object();
-  view.set("observations", fmt::format("{}", fmt::join(plan.graph->agent.observations, ", ")));
+  view.set("observations", fmt::format("{}", join(plan.graph->agent.observations, ", ")));
   view["spaces"] = spaces_of(use, Numbers::packs);
   view["answers"] = policy_answers(use, network, "k", Numbers::packs);
   view.set("in_order", reads_in_order(use, network));

@@ -1,6 +1,7 @@
 // Layers other than dense ones as generated code.
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/emit/policy_tables.hpp"
 #include "generator/network/buffers.hpp"
 
@@ -174,7 +175,7 @@ class Form {
     data indices{data::type::object};
     indices.set("type", layer_.inputs > 0xffff ? "std::uint32_t" : "std::uint16_t");
     indices.set("count", std::to_string(form.from.size()));
-    indices.set("values", fmt::format("{}", fmt::join(form.from, ", ")));
+    indices.set("values", fmt::format("{}", join(form.from, ", ")));
     view_["indices"] = std::move(indices);
     lines_.push_back(fmt::format("eagerx::policy::reorder(kFrom{}, {}, {});", number_, x_, y_));
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/emit/types.hpp"
 
 namespace eagerx::gen {
@@ -257,9 +258,9 @@ class ResetView {
     view["nodes"] = std::move(reset_nodes);
     // One condition needs no parentheses.
     const bool several = asked.size() > 1;
-    const std::string any = fmt::format("{}", fmt::join(asked, " || "));
+    const std::string any = fmt::format("{}", join(asked, " || "));
     view.set("asked", several ? "(" + any + ")" : any);
-    view.set("open", several ? fmt::format("({})", fmt::join(open, ") || (")) : joined(open));
+    view.set("open", several ? fmt::format("({})", join(open, ") || (")) : joined(open));
     view.set("timeout", graph_.reset_timeout_s.to_string());
     return view;
   }

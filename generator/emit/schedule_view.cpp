@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -51,7 +53,7 @@ class ScheduleView {
     for (std::size_t r = 0; r < plan_.rates.size(); ++r) {
       if ((mask >> r & 1U) != 0) bits.push_back(names_.due[r]);
     }
-    return fmt::format("eagerx::Constant<{}>{{}}", fmt::join(bits, " | "));
+    return fmt::format("eagerx::Constant<{}>{{}}", join(bits, " | "));
   }
 
   /// What is due in the first slot or, where the compiler does not know it, in that of the last

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/emit/expression_text.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/types.hpp"
@@ -170,7 +171,7 @@ class TaskView {
       terms.push_back(view);
       sum.push_back("out." + term.name);
     }
-    view_.set("reward", fmt::format("{}", fmt::join(sum, " + ")));
+    view_.set("reward", fmt::format("{}", join(sum, " + ")));
     view_["terms"] = std::move(terms);
   }
 
@@ -191,7 +192,7 @@ class TaskView {
     view_[key] = std::move(views);
     if (locals.empty()) return "false";
     const bool all = &conditions == &task_.success;
-    return fmt::format("{}", fmt::join(locals, all ? " && " : " || "));
+    return fmt::format("{}", join(locals, all ? " && " : " || "));
   }
 
   const Graph& graph_;

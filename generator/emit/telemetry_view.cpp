@@ -1,6 +1,7 @@
 // What boards send of themselves: the tables in graph.hpp, and telemetry.json for who reads it.
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/emit/names.hpp"
 
 namespace eagerx::gen {
@@ -44,7 +45,7 @@ View group_view(const Plan& plan, const TelemetryGroup& group) {
   item.set("literal", fmt::format("{{{}, 0x{:04x}, {}}}", group.bytes,
                                   (std::uint32_t{1} << group.channels.size()) - 1, group.every));
   item.set("rate", rate.to_string());
-  item.set("ports", fmt::format("{}", fmt::join(ports, ", ")));
+  item.set("ports", fmt::format("{}", join(ports, ", ")));
   item.set("num", fmt::format("{}", rate.num()));
   item.set("den", fmt::format("{}", rate.den()));
   item.set("every", fmt::format("{}", group.every));

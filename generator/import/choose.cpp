@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/spec/named.hpp"
 
@@ -73,7 +74,7 @@ void choose_type(Translation& t) {
                                                        known.front(), t.result.remarks["engine"]));
     if (known.size() > 1) {
       note.help = fmt::format("another one is given with `--engine`: {}",
-                              fmt::join(known.begin() + 1, known.end(), ", "));
+                              join(std::span(known).subspan(1), ", "));
     }
     return;
   }
@@ -86,7 +87,7 @@ void choose_type(Translation& t) {
       engines.push_back(implementation.engine.value);
     problem.notes.push_back(
         {fmt::format("`{}` is made for {}", object.name.value,
-                     engines.empty() ? "none" : fmt::format("{}", fmt::join(engines, ", "))),
+                     engines.empty() ? "none" : fmt::format("{}", join(engines, ", "))),
          object.type.span, ""});
   }
   problem.help = "implement them for a common engine in their manifests";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/import/written.hpp"
 #include "generator/read/scalar.hpp"
@@ -47,7 +48,7 @@ std::string differing(const A& saved, const B& ours, const char* what) {
   for (const auto& name : ours) {
     if (!contains(saved, name)) names.push_back(name);
   }
-  return names.empty() ? std::string() : fmt::format("{} (`{}`)", what, fmt::join(names, "`, `"));
+  return names.empty() ? std::string() : fmt::format("{} (`{}`)", what, join(names, "`, `"));
 }
 
 bool is_condition(const Entity& entity, std::string_view name) {
@@ -355,7 +356,7 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValu
   }
   if (!unknown.empty()) {
     diagnostics_.note(span, fmt::format("`{}` of {} {} left out: `{}` has no such parameter",
-                                        fmt::join(unknown, "`, `"), user,
+                                        join(unknown, "`, `"), user,
                                         unknown.size() == 1 ? "is" : "are", entity.id.value));
   }
   return result;

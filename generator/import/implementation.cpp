@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/import/port_match.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/import/written.hpp"
@@ -164,7 +165,7 @@ class ImplementationWriter {
     }
     if (!names.empty())
       nodes_.push_back(fmt::format("# fill in {} of the next one: the file has no such thing",
-                                   fmt::join(names, ", ")));
+                                   join(names, ", ")));
   }
 
   /// The sensor's or actuator's rate, which a graph may change, else the number of the file.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/import/implementation.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/import/written.hpp"
@@ -213,7 +214,7 @@ class ManifestWriter {
         items.emplace_back("skip: true");
     }
     items.push_back("about: " + yaml_text(port.name.value));
-    return fmt::format("{{{}}}", fmt::join(items, ", "));
+    return fmt::format("{{{}}}", join(items, ", "));
   }
 
   const std::string& id_;

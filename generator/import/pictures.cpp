@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/import/counterparts.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/spec/named.hpp"
@@ -188,7 +189,7 @@ void translate_pictures(Translation& t, const Pictures& pictures) {
   }
   if (!left_out.empty()) {
     text += fmt::format("{}left out, as {} only for pictures: {}", text.empty() ? "" : "; ",
-                        left_out.size() == 1 ? "it is" : "they are", fmt::join(left_out, ", "));
+                        left_out.size() == 1 ? "it is" : "they are", join(left_out, ", "));
   }
   t.diagnostics.note(pictures.place, text);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/import/translate.hpp"
 
 namespace eagerx::gen {
@@ -38,7 +39,7 @@ PlacementSpec placed_alone(const std::string& node, Process process, Span span) 
 }
 
 std::string joined(const std::vector<std::string>& names) {
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}", join(names, ", "));
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ void translate_processes(Translation& t, const Processes& processes) {
   t.diagnostics
       .note(processes.place, fmt::format("what had a process of its own in EAGERx is a program of "
                                          "its own (`placement:`): {}",
-                                         fmt::join(texts, "; ")))
+                                         join(texts, "; ")))
       .help =
       "one program has the same messages and is faster: leave out of `placement:` what need not "
       "run elsewhere";

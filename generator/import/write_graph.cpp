@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/import/import.hpp"
 #include "generator/import/written.hpp"
 #include "generator/quote/quote.hpp"
@@ -104,7 +105,7 @@ class GraphWriter {
   void add_library() {
     std::vector<std::string> folders;
     for (const auto& folder : spec_.library) folders.push_back(yaml_scalar(folder.value));
-    line(0, fmt::format("library: [{}]", fmt::join(folders, ", ")));
+    line(0, fmt::format("library: [{}]", join(folders, ", ")));
   }
 
   void add_engine() {
@@ -153,7 +154,7 @@ class GraphWriter {
       names.push_back(yaml_text(component.name.value));
       settings = settings || !component_text(component).empty();
     }
-    const std::string list = fmt::format("{}: [{}]", key, fmt::join(names, ", "));
+    const std::string list = fmt::format("{}: [{}]", key, join(names, ", "));
     if (!settings && indent + list.size() <= kWidth) {
       line(indent, list);
       return;

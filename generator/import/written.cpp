@@ -5,6 +5,7 @@
 #include <cctype>
 #include <vector>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/read/scalar.hpp"
 
@@ -25,7 +26,7 @@ std::string legal_name(const std::string& text) {
 }
 
 std::string in_braces(const std::vector<std::string>& items) {
-  return fmt::format("{{{}}}", fmt::join(items, ", "));
+  return fmt::format("{{{}}}", join(items, ", "));
 }
 
 std::string text_of(const YamlValue& yaml) {
@@ -37,7 +38,7 @@ std::string text_of(const YamlValue& yaml) {
       return yaml.quoted ? yaml_string(yaml.text) : yaml_scalar(yaml.text);
     case YamlKind::sequence:
       for (const auto& item : yaml.items) items.push_back(text_of(item));
-      return fmt::format("[{}]", fmt::join(items, ", "));
+      return fmt::format("[{}]", join(items, ", "));
     case YamlKind::map:
       for (const auto& entry : yaml.entries) {
         items.push_back(fmt::format("{}: {}", yaml_scalar(entry.key), text_of(entry.value)));
@@ -81,7 +82,7 @@ std::string processor_text(const ProcessorSpec& processor) {
     std::vector<std::string> items;
     for (const ProcessorSpec& each : processor.before) items.push_back(processor_text(each));
     items.push_back(processor_text({processor.type, processor.config, {}}));
-    return fmt::format("[{}]", fmt::join(items, ", "));
+    return fmt::format("[{}]", join(items, ", "));
   }
   if (processor.config.empty()) return yaml_scalar(processor.type.value);
   return fmt::format("{{type: {}, config: {}}}", yaml_scalar(processor.type.value),

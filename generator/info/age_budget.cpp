@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/info/info.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
@@ -130,7 +131,7 @@ class AgeBudget {
       problem.help = fmt::format("did you mean `{}`?", near);
     } else {
       problem.help = all.empty() ? std::string("the graph has none")
-                                 : fmt::format("there is {}", fmt::join(all, ", "));
+                                 : fmt::format("there is {}", join(all, ", "));
     }
     return false;
   }
@@ -172,7 +173,7 @@ class AgeBudget {
       if (!limit.from.empty() && age.from == limit.from) reached.push_back("`" + age.to + "`");
     }
     if (!reached.empty()) {
-      problem.help = fmt::format("they reach {}", fmt::join(reached, ", "));
+      problem.help = fmt::format("they reach {}", join(reached, ", "));
     } else if (limit.ends.from_actions && limit.ends.to_observations && graph_.has_engine()) {
       problem.help = "what is measured behind the engine is no longer data of an action";
     } else {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/info/info.hpp"
 
 namespace eagerx::gen {
@@ -29,7 +30,7 @@ std::string messages_text(const Plan& plan, const std::vector<bool>& crosses) {
                                 bytes_of(node.outputs[channel.output].space),
                                 node.rate_hz.to_string()));
   }
-  return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
+  return texts.empty() ? "nothing" : fmt::format("{}", join(texts, ", "));
 }
 
 /// "goes on while up to 4 exchanges are on their way: `arm.u` reads it with `delay: 0.1`"

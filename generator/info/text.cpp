@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/info/info.hpp"
 #include "generator/plan/packs.hpp"
 
@@ -94,9 +95,8 @@ std::string packs_text(const Plan& plan) {
     if (!node.drawn && runs_lane_by_lane(node))
       by_lane.push_back(fmt::format("`{}` ({})", node.name, node.entity->id.value));
   }
-  return fmt::format(
-      "\nmany environments at once run in packs of SIMD lanes{}{}\n",
-      by_lane.empty() ? "" : ", one lane after the other: ", fmt::join(by_lane, ", "));
+  return fmt::format("\nmany environments at once run in packs of SIMD lanes{}{}\n",
+                     by_lane.empty() ? "" : ", one lane after the other: ", join(by_lane, ", "));
 }
 
 std::string timing_text(const PlanInfo& report) {

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 namespace {
 
 /// "0u, 2u"; an array of C has at least one element.
 std::string indices(const std::vector<std::size_t>& values) {
-  return values.empty() ? "0u" : fmt::format("{}u", fmt::join(values, "u, "));
+  return values.empty() ? "0u" : fmt::format("{}u", join(values, "u, "));
 }
 
 View messages_view(const Plan& plan, const PartLayout& layout) {
@@ -51,7 +53,7 @@ void add_timetable(const Plan& plan, const PartLayout& layout,
   view["messages"] = messages_view(plan, layout);
   std::vector<std::string> periods;
   for (const RateClass& rate : plan.rates) periods.push_back(fmt::format("{}u", rate.period));
-  view.set("periods", fmt::format("{}", fmt::join(periods, ", ")));
+  view.set("periods", fmt::format("{}", join(periods, ", ")));
   view.set("rate_count", fmt::format("{}", plan.rates.size()));
   view.set("step_rate", fmt::format("{}", plan.nodes[Graph::kEnvironment].rate));
   view.set("safe_steps", plan.graph->safety.declared ? "1" : "0");

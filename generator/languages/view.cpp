@@ -10,6 +10,7 @@
 #include <set>
 #include <string_view>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/languages/timetable.hpp"
 #include "generator/quote/quote.hpp"
@@ -33,7 +34,7 @@ std::string numpy_name(Dtype dtype) {
 
 /// "()", "(2,)", "(64, 64, 3)"
 std::string tuple(const Space& space) {
-  return fmt::format("({}{})", fmt::join(space.shape, ", "), space.shape.size() == 1 ? "," : "");
+  return fmt::format("({}{})", join(space.shape, ", "), space.shape.size() == 1 ? "," : "");
 }
 
 std::string c_type(Dtype dtype) {
@@ -117,8 +118,7 @@ class LanguageView {
     view.set("rate", node.rate_hz.to_string());
     std::vector<std::string> parameters;
     for (const ConfigValue& value : node.config) parameters.push_back(value.parameter->name.value);
-    view.set("config",
-             parameters.empty() ? "none" : fmt::format("{}", fmt::join(parameters, ", ")));
+    view.set("config", parameters.empty() ? "none" : fmt::format("{}", join(parameters, ", ")));
     std::string states, arguments;
     for (const State& state : node.states)
       if (state.random) states += ", " + state.name;
@@ -149,9 +149,9 @@ class LanguageView {
                                   : fmt::format("(const {} (*){})", type, dims));
     view.set("message", fmt::format("{}", message));
     view.set("dtype", std::string(to_string(space.dtype)));
-    view.set("shape", fmt::format("{}", fmt::join(space.shape, ", ")));
+    view.set("shape", fmt::format("{}", join(space.shape, ", ")));
     view.set("window",
-             space.shape.empty() ? "[n]" : fmt::format("[n, {}]", fmt::join(space.shape, ", ")));
+             space.shape.empty() ? "[n]" : fmt::format("[n, {}]", join(space.shape, ", ")));
     const std::string& unit = layout_.messages[message].unit;
     view.set("unit", unit.empty() ? "" : " in " + plain(unit));
     view.set("zeros", zeros(space));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/expression/expression.hpp"
 #include "generator/spec/reference.hpp"
 
@@ -264,7 +265,7 @@ std::string to_string(const ConditionValue& value) {
       std::vector<std::string> items;
       items.reserve(list.size());
       for (const Number& number : list) items.push_back(eagerx::gen::to_string(number));
-      return fmt::format("[{}]", fmt::join(items, ", "));
+      return fmt::format("[{}]", join(items, ", "));
     }
   };
   return std::visit(Writer{}, value);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/expression/expression.hpp"
 #include "generator/library/library.hpp"
 #include "generator/spec/dtype.hpp"
@@ -297,7 +298,7 @@ class ConditionMaker : public Maker {
                  suggestion(written, known));
     } else if (found.size() > 1) {
       text_.fail(begin, fmt::format("`{}` could be two ports", written),
-                 fmt::format("write {}", fmt::join(found, " or ")));
+                 fmt::format("write {}", join(found, " or ")));
     }
     return found.empty() ? "" : found.front();
   }

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/library/library.hpp"
 #include "generator/library/manifest_values.hpp"
 #include "generator/library/parameters.hpp"
@@ -112,7 +113,7 @@ void check_like(const Entity& entity, Diagnostics& diagnostics) {
     problem.help =
         did_you_mean(like->value, known,
                      known.empty() ? "write `dtype` and `shape`: it has no inputs"
-                                   : fmt::format("its inputs are {}", fmt::join(known, ", ")));
+                                   : fmt::format("its inputs are {}", join(known, ", ")));
   }
 }
 
@@ -240,7 +241,7 @@ std::optional<YamlValue> checked(const YamlValue& root, Diagnostics& diagnostics
                                 fmt::format("{} is not a kind of manifest", describe(*kind)));
     problem.help =
         did_you_mean(kind != nullptr ? kind->text : "", manifest_kinds(),
-                     fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", ")));
+                     fmt::format("write `kind:` and one of {}", join(manifest_kinds(), ", ")));
     return std::nullopt;
   }
   const Format* composite = root.find("graph") != nullptr ? composite_format(kind->text) : nullptr;
@@ -361,7 +362,7 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   }
   for (const char* key : {"flash", "ram", "run"}) {
     if (root.find(key) != nullptr)
-      target.facts.emplace_back(key, fmt::format("{}", fmt::join(texts_at(root, key), ", ")));
+      target.facts.emplace_back(key, fmt::format("{}", join(texts_at(root, key), ", ")));
   }
   if (const YamlValue* baud = root.find("baud"))
     target.baud = static_cast<std::uint32_t>(parse_int(baud->text).value_or(0));

@@ -1,8 +1,8 @@
 #include "generator/network/cost.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/network/buffers.hpp"
 #include "generator/network/panels.hpp"
 
@@ -34,7 +34,7 @@ std::string form_note(const Layer& layer) {
                : fmt::format(" {}", to_string(form->operation));
   }
   if (const auto* form = std::get_if<Combination>(&layer.form)) {
-    return fmt::format(" {} of {}", to_string(form->operation), fmt::join(form->sizes, ", "));
+    return fmt::format(" {} of {}", to_string(form->operation), join(form->sizes, ", "));
   }
   if (const auto* form = std::get_if<Function>(&layer.form)) {
     return fmt::format(" {}", to_string(form->kind));

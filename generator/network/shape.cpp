@@ -1,10 +1,11 @@
 #include "generator/network/shape.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <limits>
+
+#include "generator/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 
@@ -42,7 +43,7 @@ std::optional<std::int64_t> place_in(std::int64_t at, std::int64_t count) {
 }
 
 std::string show(const Dims& dims) {
-  return fmt::format("[{}]", fmt::join(dims, ", "));
+  return fmt::format("[{}]", join(dims, ", "));
 }
 
 }  // namespace eagerx::gen

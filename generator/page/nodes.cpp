@@ -5,6 +5,7 @@
 #include <numeric>
 #include <type_traits>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/page/page.hpp"
 #include "generator/plan/counts.hpp"
 #include "generator/plan/hop.hpp"
@@ -250,7 +251,7 @@ class Nodes {
     for (std::size_t o = 0; o < node.outputs.size(); ++o)
       json["outputs"].push_back(
           Json{{"name", node.outputs[o].name},
-               {"sensor", fmt::format("{}", fmt::join(node.outputs[o].sensors, ", "))},
+               {"sensor", fmt::format("{}", join(node.outputs[o].sensors, ", "))},
                {"space", json_of(node.outputs[o].space)},
                {"unit", unit_of(node, node.outputs[o])},
                {"processor", json_of(node.outputs[o].processor)}});

@@ -7,6 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -15,7 +17,7 @@ bool is_behind_engine(const GraphNode& node) {
 }
 
 std::string name_of(const GraphNode& node, const Output& output) {
-  if (!output.sensors.empty()) return fmt::format("{}", fmt::join(output.sensors, ", "));
+  if (!output.sensors.empty()) return fmt::format("{}", join(output.sensors, ", "));
   return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
 }
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <map>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/plan/order.hpp"
 #include "generator/plan/receptions.hpp"
 #include "generator/plan/schedule.hpp"
@@ -16,7 +17,7 @@ namespace eagerx::gen {
 namespace {
 
 std::string port_of(const GraphNode& node, const Output& output) {
-  if (!output.sensors.empty()) return fmt::format("{}", fmt::join(output.sensors, ", "));
+  if (!output.sensors.empty()) return fmt::format("{}", join(output.sensors, ", "));
   return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
 }
 

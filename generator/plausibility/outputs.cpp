@@ -1,7 +1,7 @@
 // What leaves a graph without engine while it is safe, and keys of `safety:` that do nothing.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/spec/named.hpp"
 
@@ -60,15 +60,15 @@ void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics) {
   auto& problem = diagnostics.warning(
       "W0111", first.span,
       fmt::format("nothing says what {} {} while a measurement is missing or wrong",
-                  fmt::join(names, ", "), names.size() == 1 ? "is" : "are"));
+                  join(names, ", "), names.size() == 1 ? "is" : "are"));
   problem.label = many.empty()
                       ? "zero, moved into its space"
-                      : fmt::format("{} would leave as the nodes made it", fmt::join(many, ", "));
+                      : fmt::format("{} would leave as the nodes made it", join(many, ", "));
   problem.help = fmt::format(
       "write `safety: {{outputs: {{{}}}}}` with values that are safe, or {} if nothing acts on "
       "what "
       "leaves",
-      fmt::join(values, ", "), graph.cut ? "`none` in place of a value" : "`outputs: none`");
+      join(values, ", "), graph.cut ? "`none` in place of a value" : "`outputs: none`");
 }
 
 }  // namespace eagerx::gen

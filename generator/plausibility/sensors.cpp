@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
@@ -58,7 +59,7 @@ void check_rates(const Judged& judged, Diagnostics& diagnostics) {
     auto& problem = diagnostics.warning(
         "W0106", fast.place,
         fmt::format("`{}` {} read at {} Hz, but the engine steps at {} Hz",
-                    fmt::join(fast.sensors, "`, `"), fast.sensors.size() == 1 ? "is" : "are",
+                    join(fast.sensors, "`, `"), fast.sensors.size() == 1 ? "is" : "are",
                     fast.rate_hz.to_string(), engine_hz));
     problem.label = "between two steps nothing new can be read";
     problem.help = fmt::format(

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/plausibility/plausibility.hpp"
 
 namespace eagerx::gen {
@@ -102,12 +103,11 @@ void check_kept_states(const Judged& judged, Diagnostics& diagnostics) {
     auto& problem = diagnostics.warning(
         "W0113", judged.spec.objects[i].name.span,
         fmt::format("no reset sets `{}`: each episode begins where the last one ended",
-                    fmt::join(names, "`, `")));
+                    join(names, "`, `")));
     problem.notes.push_back({fmt::format("`{}` ends episodes", end->name), end->span, ""});
     problem.help = fmt::format(
         "write `states: {{{}}}`{}; without a value (`{}:`) if a program of your own sets it",
-        fmt::join(drawn, ", "), bounded ? ", or always the same: `{value: …}`" : "",
-        kept.front()->name);
+        join(drawn, ", "), bounded ? ", or always the same: `{value: …}`" : "", kept.front()->name);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/spec/named.hpp"
 
@@ -114,7 +115,7 @@ void check_steps(const Judged& judged, Diagnostics& diagnostics) {
     auto& problem =
         diagnostics.warning("W0112", burst.place,
                             fmt::format("`{}` {} at {} Hz, but a step of this graph takes 1/{} s",
-                                        fmt::join(burst.nodes, "`, `"), one ? "runs" : "run",
+                                        join(burst.nodes, "`, `"), one ? "runs" : "run",
                                         burst.rate_hz.to_string(), step_hz.to_string()));
     const Rational ticks = burst.rate_hz / step_hz;
     problem.label = fmt::format("{} {} ticks of a step run at once, on one message of `actions.{}`",

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
@@ -58,10 +59,9 @@ void check_driven(const Object& object, const EntitySpec& said,
   }
   if (still.empty()) return;
   auto& problem = diagnostics.warning("W0103", said.name.span,
-                                      fmt::format("nothing drives `{}`", fmt::join(still, "`, `")));
-  problem.help =
-      fmt::format("connect something to it, or leave it out on purpose: `actuators: [{}]`",
-                  fmt::join(used, ", "));
+                                      fmt::format("nothing drives `{}`", join(still, "`, `")));
+  problem.help = fmt::format(
+      "connect something to it, or leave it out on purpose: `actuators: [{}]`", join(used, ", "));
 }
 
 /// A list selects. A mapping may be there for the settings in it.

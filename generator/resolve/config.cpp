@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/read/quantity.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/read/slips.hpp"
@@ -166,7 +167,7 @@ class Reader {
         "E0322", yaml_.span,
         fmt::format("{} is not a choice for `{}`", describe(yaml_), parameter_.name.value));
     problem.help = did_you_mean(yaml_.is_scalar() ? yaml_.text : "", options,
-                                fmt::format("choose one of {}", fmt::join(options, ", ")));
+                                fmt::format("choose one of {}", join(options, ", ")));
     return std::nullopt;
   }
 
@@ -193,7 +194,7 @@ std::vector<std::string> report_unknown_parameters(const Entity& entity,
     } else if (known.empty()) {
       problem.help = fmt::format("`{}` has no parameters", entity.id.value);
     } else {
-      problem.help = fmt::format("`{}` has {}", entity.id.value, fmt::join(known, ", "));
+      problem.help = fmt::format("`{}` has {}", entity.id.value, join(known, ", "));
     }
     meant.push_back(near);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -222,7 +223,7 @@ class Connector {
     constexpr std::size_t kMostHelped = 100;
     if (++unknown_owners_ > kMostHelped) return {};
     std::string near = nearest(port.owner, known);
-    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
+    problem.help = near.empty() ? fmt::format("there is {}", join(known, ", "))
                                 : fmt::format("did you mean `{}.{}`?", near, port.name);
     return near;
   }

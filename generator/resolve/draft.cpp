@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/read/scalar.hpp"
 
 namespace eagerx::gen {
@@ -148,8 +149,7 @@ bool fits(const PartialSpace& declared, const Space& arriving) {
 
 std::string describe(const PartialSpace& space) {
   std::string result = space.dtype ? std::string(to_string(*space.dtype)) : "any dtype";
-  return result +
-         (space.shape ? fmt::format(" [{}]", fmt::join(*space.shape, ", ")) : ", any shape");
+  return result + (space.shape ? fmt::format(" [{}]", join(*space.shape, ", ")) : ", any shape");
 }
 
 namespace {
@@ -249,7 +249,7 @@ void report_wrong_engine(const Entity& entity, const Entity& engine, Span span,
   diagnostics
       .error("E0308", span,
              fmt::format("`{}` does not work on `{}`", entity.id.value, engine.id.value))
-      .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
+      .help = fmt::format("it works on {}", join(entity.engines, ", "));
 }
 
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
@@ -263,7 +263,7 @@ const ObjectEngine* find_implementation(const Library& library, const Entity& en
       "E0308", span,
       fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine.id.value));
   problem.help = known.empty() ? "it has no implementation for any engine"
-                               : fmt::format("it is made for {}", fmt::join(known, ", "));
+                               : fmt::format("it is made for {}", join(known, ", "));
   return nullptr;
 }
 

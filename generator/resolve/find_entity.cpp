@@ -1,6 +1,7 @@
 // An entity by its id.
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/config.hpp"
 #include "generator/spec/named.hpp"
 
@@ -36,7 +37,7 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
   const std::vector<std::string> family = library.engines_of_family(id.value);
   if (kind == EntityKind::engine && !family.empty()) {
     problem.help =
-        fmt::format("`{}` is a family of engines: choose {}", id.value, fmt::join(family, " or "));
+        fmt::format("`{}` is a family of engines: choose {}", id.value, join(family, " or "));
     return nullptr;
   }
   const std::string near = nearest(id.value, known);
@@ -46,7 +47,7 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
   } else if (!known.empty() && known.size() <= kMostListed) {
     problem.help =
         fmt::format("there is {}; folders of your own are given with `library:` or `--path`",
-                    fmt::join(known, ", "));
+                    join(known, ", "));
   } else {
     problem.help =
         "`eagerx-gen info` lists what there is; folders of your own are given with `library:` or "

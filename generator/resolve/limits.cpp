@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -65,7 +66,7 @@ std::string shown(const Condition& condition, const Facts& facts) {
     const std::string item = fmt::format("`{}` is {}", step.written, brief(facts.at(step.fact)));
     if (!contains(items, item)) items.push_back(item);
   }
-  return fmt::format("{}", fmt::join(items, ", "));
+  return fmt::format("{}", join(items, ", "));
 }
 
 /// The first parameter of the condition that was given, else the entity.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -43,7 +45,7 @@ std::string targets_help(const Library& library, std::string Target::*member,
   for (const auto& [id, target] : library.all_targets()) {
     if (target.*member == wanted && target.language.empty()) ids.push_back("`--target " + id + "`");
   }
-  return fmt::format("{}{}another engine: `--engine NAME`", fmt::join(ids, ", "),
+  return fmt::format("{}{}another engine: `--engine NAME`", join(ids, ", "),
                      ids.empty() ? "" : ", or ");
 }
 

@@ -1,11 +1,11 @@
 // The environment, the engine and the nodes of the graph.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 #include <string_view>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -121,7 +121,7 @@ void note_left_out(const EntitySpec& spec, std::string_view engine, Diagnostics&
   for (const auto& state : spec.states) names.push_back(state.name.value);
   if (names.empty()) return;
   diagnostics.note(spec.type.span, fmt::format("{} of `{}` left out: `{}` takes its own defaults",
-                                               fmt::join(names, ", "), spec.type.value, engine));
+                                               join(names, ", "), spec.type.value, engine));
 }
 
 /// Keeps the engine's place until everything is resolved.

@@ -1,9 +1,9 @@
 // Noise on observations: a node between an observation and where it comes from.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <utility>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -16,7 +16,7 @@ YamlValue listed(const YamlValue& numbers) {
 std::string text_of(const NoiseSpec& noise) {
   std::vector<std::string> numbers;
   for (const YamlValue& number : listed(noise.numbers).items) numbers.push_back(number.text);
-  return fmt::format("{}{}", noise.is_range ? "at most " : "deviation ", fmt::join(numbers, ", "));
+  return fmt::format("{}{}", noise.is_range ? "at most " : "deviation ", join(numbers, ", "));
 }
 
 /// As a graph would say it:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/chosen_nodes.hpp"
 #include "generator/resolve/draft.hpp"
 
@@ -122,7 +123,7 @@ class Placer {
         .error("E0334", wanted.span,
                fmt::format("target `{}` cannot run a part of a graph", wanted.value))
         .help = fmt::format("its manifest has no `partner`; these targets have one: {}",
-                            fmt::join(partners(), ", "));
+                            join(partners(), ", "));
     return nullptr;
   }
 

@@ -1,6 +1,7 @@
 // Processors: what they take must arrive, what they give is the receiver's space.
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -76,11 +77,11 @@ std::string text_of(const ProcessorSpec& spec) {
   for (const Setting& setting : spec.config) {
     std::vector<std::string> items;
     for (const YamlValue& item : setting.value.items) items.push_back(item.text);
-    settings.push_back(fmt::format("{}: [{}]", setting.name, fmt::join(items, ", ")));
+    settings.push_back(fmt::format("{}: [{}]", setting.name, join(items, ", ")));
   }
   return settings.empty() ? fmt::format("processor: {}", spec.type.value)
                           : fmt::format("processor: {{type: {}, config: {{{}}}}}", spec.type.value,
-                                        fmt::join(settings, ", "));
+                                        join(settings, ", "));
 }
 
 }  // namespace

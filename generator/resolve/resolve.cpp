@@ -7,6 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -54,7 +55,7 @@ void check_names(Draft& draft) {
             .error("E0315", entity.name.span,
                    fmt::format("the name `{}` is taken", entity.name.value))
             .help =
-            fmt::format("every graph already has {}: choose another name", fmt::join(kTaken, ", "));
+            fmt::format("every graph already has {}: choose another name", join(kTaken, ", "));
         draft.doubtful.insert(entity.name.value);
       }
       const auto [same, is_new] = seen.emplace(entity.name.value, &entity);

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/graph.hpp"
 
 namespace eagerx::gen {
@@ -12,7 +12,7 @@ std::uint64_t Space::size() const {
 }
 
 std::string Space::describe() const {
-  return fmt::format("{} [{}]", to_string(dtype), fmt::join(shape, ", "));
+  return fmt::format("{} [{}]", to_string(dtype), join(shape, ", "));
 }
 
 std::vector<const Processor*> Processor::stages() const {
@@ -25,7 +25,7 @@ std::vector<const Processor*> Processor::stages() const {
 std::string Processor::names() const {
   std::vector<std::string> ids;
   for (const Processor* stage : stages()) ids.push_back(stage->entity->id.value);
-  return fmt::format("{}", fmt::join(ids, ", "));
+  return fmt::format("{}", join(ids, ", "));
 }
 
 }  // namespace eagerx::gen

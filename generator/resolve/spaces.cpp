@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -296,7 +297,7 @@ class SpaceResolver {
     problem.help = processors.empty()
                        ? fmt::format("no processor makes {} of it: connect something that fits",
                                      describe(takes))
-                       : fmt::format("add `{}` to the connection", fmt::join(processors, "` or `"));
+                       : fmt::format("add `{}` to the connection", join(processors, "` or `"));
   }
 
   /// Everything is connected and no space was refused, so what is missing was never written.

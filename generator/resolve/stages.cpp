@@ -1,9 +1,9 @@
 // Stages of a training: what they draw, weigh and wait for.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -157,7 +157,7 @@ std::string Task::describe(const Stage& stage) const {
   }
   if (stage.success) parts.push_back(fmt::format("until success {}", *stage.success));
   if (stage.mean_return) parts.push_back(fmt::format("until return {}", *stage.mean_return));
-  return fmt::format("{}", fmt::join(parts, "; "));
+  return fmt::format("{}", join(parts, "; "));
 }
 
 void resolve_stages(Draft& draft) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -14,8 +15,7 @@ std::string engines_with_a_clock(const Library& library) {
     if (entity.kind == EntityKind::engine && entity.asynchronous) ids.push_back(id);
   }
   if (ids.empty()) return "leave `sync` out";
-  return fmt::format("leave `sync` out, or choose an engine with a clock: {}",
-                     fmt::join(ids, ", "));
+  return fmt::format("leave `sync` out, or choose an engine with a clock: {}", join(ids, ", "));
 }
 
 }  // namespace

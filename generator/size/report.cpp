@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/json/json.hpp"
 #include "generator/size/function_name.hpp"
 #include "generator/size/size.hpp"
@@ -48,7 +49,7 @@ std::string size_text(const SizeReport& report) {
   for (const auto& name : report.stack.unbounded) unbounded.push_back(function_name(name));
   if (!unbounded.empty())
     text += fmt::format("; not counted are calls of {} through pointers, or of themselves",
-                        fmt::join(unbounded, ", "));
+                        join(unbounded, ", "));
   text += "; interrupts come on top\n" + stack_text(report.stack);
   if (const auto& count = report.instructions)
     text += fmt::format("instructions of a slot: {:.0f} on average, {} to {}, in {} slots\n",

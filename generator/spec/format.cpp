@@ -7,6 +7,8 @@
 #include <cctype>
 #include <unordered_set>
 
+#include "generator/diagnostics/join.hpp"
+
 namespace eagerx::gen {
 namespace format {
 namespace {
@@ -73,7 +75,7 @@ FormatPtr time(std::string what, bool low_exclusive) {
 }
 
 FormatPtr keyword(std::vector<std::string> words) {
-  Format result = make(Format::Kind::keyword, fmt::format("{}", fmt::join(words, ", ")));
+  Format result = make(Format::Kind::keyword, fmt::format("{}", join(words, ", ")));
   result.keywords = std::move(words);
   return share(std::move(result));
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/read/bytes.hpp"
 #include "generator/read/rational.hpp"
 #include "generator/read/scalar.hpp"
@@ -74,9 +75,8 @@ std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Forma
   const std::string near = nearest(entry.key, known);
   const std::string outer = outdented_from(yaml, i, format);
   problem.help = !outer.empty() ? fmt::format("indent it, if it is one of `{}:`", outer)
-                 : near.empty()
-                     ? fmt::format("{} has the keys {}", format.what, fmt::join(known, ", "))
-                     : fmt::format("did you mean `{}`?", near);
+                 : near.empty() ? fmt::format("{} has the keys {}", format.what, join(known, ", "))
+                                : fmt::format("did you mean `{}`?", near);
   return near;
 }
 

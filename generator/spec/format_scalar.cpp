@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/read/bytes.hpp"
 #include "generator/read/rational.hpp"
@@ -147,7 +148,7 @@ bool check_unit(const YamlValue& yaml, const Format& format, Diagnostics& diagno
                       : fmt::format("`{}` is not a unit of {}", shortened(name), wanted));
   const std::string right = with_right_unit(yaml.text, format.quantity);
   problem.help = right.empty() ? fmt::format("units of {} are {}", wanted,
-                                             fmt::join(units_of(format.quantity), ", "))
+                                             join(units_of(format.quantity), ", "))
                                : fmt::format("write `{}`", right);
   return false;
 }
@@ -191,9 +192,8 @@ bool check_memory(const YamlValue& yaml, const Format& format, Diagnostics& diag
   const std::string right = with_right_unit_of_memory(yaml.text);
   diagnostics
       .error("E0209", yaml.span, fmt::format("`{}` is not a unit of memory", shortened(unit)))
-      .help = right.empty()
-                  ? fmt::format("units of memory are {}", fmt::join(units_of_memory(), ", "))
-                  : fmt::format("write `{}`", right);
+      .help = right.empty() ? fmt::format("units of memory are {}", join(units_of_memory(), ", "))
+                            : fmt::format("write `{}`", right);
   return false;
 }
 

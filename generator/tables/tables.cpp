@@ -1,13 +1,13 @@
 #include "generator/tables/tables.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/read/text.hpp"
 #include "generator/spec/named.hpp"
@@ -158,7 +158,7 @@ class TableReader {
     } else if (names.empty()) {
       problem.help = fmt::format("it has no names; write a number from 1 to {}", width);
     } else if (names.size() <= kMostListed) {
-      problem.help = fmt::format("its columns are `{}`", fmt::join(names, "`, `"));
+      problem.help = fmt::format("its columns are `{}`", join(names, "`, `"));
     } else {
       problem.help = fmt::format("the first line has the names of its {} columns", names.size());
     }

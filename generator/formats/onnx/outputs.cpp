@@ -3,7 +3,6 @@
 #include "generator/formats/onnx/outputs.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/formats/onnx/inputs.hpp"
 #include "generator/network/graph/evaluate.hpp"
 #include "generator/network/shape.hpp"
@@ -80,7 +80,7 @@ std::string shape_of(const onnx::ValueInfoProto& value) {
   for (const auto& dim : value.type().tensor_type().shape().dim()) {
     dims.push_back(dim.has_dim_value() ? fmt::format("{}", dim.dim_value()) : "?");
   }
-  return fmt::format(" [{}]", fmt::join(dims, ", "));
+  return fmt::format(" [{}]", join(dims, ", "));
 }
 
 /// Numbers of an answer to one observation; nothing if the file does not say it.
@@ -152,7 +152,7 @@ class Chooser {
       texts.push_back(fmt::format("`{}`{}", printable(name(i)), shape_of(graph_.output(i))));
     }
     if (graph_.output_size() > kMostShown) texts.emplace_back("…");
-    return fmt::format("{}", fmt::join(texts, ", "));
+    return fmt::format("{}", join(texts, ", "));
   }
 
   std::optional<OnnxAction> said(std::string_view wanted) {

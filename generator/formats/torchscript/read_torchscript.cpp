@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/formats/torchscript/interpreter.hpp"
 #include "generator/network/graph/ends.hpp"
 #include "generator/network/graph/lower.hpp"
@@ -172,7 +173,7 @@ class TorchReading {
       }
     }
     if (action != nullptr) return action;
-    const std::string listed = fmt::format("{}", fmt::join(texts, ", "));
+    const std::string listed = fmt::format("{}", join(texts, ", "));
     if (!output_.empty()) {
       return fail("E0751", fmt::format("has no result `{}`: it has {}", printable(output_), listed),
                   "name one of them");

@@ -1,12 +1,12 @@
 #include "generator/network/graph/evaluate.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <deque>
 #include <map>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
@@ -41,7 +41,7 @@ std::string advice(std::string_view name) {
   for (const auto& [known, row] : operators()) {
     if (row.run != nullptr) names.push_back(known);
   }
-  return fmt::format("supported are {}", fmt::join(names, ", "));
+  return fmt::format("supported are {}", join(names, ", "));
 }
 
 NetValue unsupported(const NetCall& call, const NetOperator* row) {

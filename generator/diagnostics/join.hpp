@@ -1,0 +1,23 @@
+// Lists as a text, compiled once: with fmt::join every stage compiles fmt's reading of formats and
+// its writing of the items again, up to 0.2 s of processor time a stage.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace eagerx::gen {
+
+/// The items with `separator` between them; numbers in decimal: "4x3".
+std::string join(std::span<const std::string> items, std::string_view separator);
+std::string join(std::span<const std::string_view> items, std::string_view separator);
+std::string join(std::span<const char* const> items, std::string_view separator);
+std::string join(const std::set<std::string>& items, std::string_view separator);
+std::string join(std::span<const std::int64_t> items, std::string_view separator);
+std::string join(std::span<const std::size_t> items, std::string_view separator);
+std::string join(std::span<const std::uint32_t> items, std::string_view separator);
+
+}  // namespace eagerx::gen
