@@ -113,7 +113,7 @@ inline constexpr Setting kTrainSettings[] = {
      .algorithm = "ppo"},
     {.name = "epochs",
      .kind = SettingKind::whole,
-     .otherwise = "4",
+     .otherwise = "8",
      .about = "how often each step is learnt from",
      .low = 1,
      .high = 100,
@@ -297,7 +297,7 @@ inline constexpr Setting kTrainSettings[] = {
      .algorithm = "ppo"},
     {.name = "averaging",
      .kind = SettingKind::number,
-     .otherwise = "0.9",
+     .otherwise = "0.8",
      .about = "the policy is a running mean of the actor: weight of the past after an iteration; "
               "0: none",
      .low = 0,
