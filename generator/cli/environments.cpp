@@ -7,7 +7,6 @@
 #include "generator/cli/become.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/paths.hpp"
-#include "generator/process/process.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -16,6 +15,11 @@ std::vector<std::string> with(std::vector<std::string> words,
                               const std::vector<std::string>& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
+}
+
+/// The line for SettingPlaces is not for people.
+std::string without_settings(const std::string& said) {
+  return said.starts_with("settings: ") ? said.substr(said.find('\n') + 1) : said;
 }
 
 }  // namespace
@@ -59,7 +63,9 @@ int become_with_environments(const Helper& helper, const GenerateOptions& option
   if (options.quiet) words.emplace_back("--quiet");
   const auto checked = run_process(with({helper_program(helper.checker), "--check"}, words));
   if (checked && checked->exit_code != 0) {
-    complain_text(checked->output);
+    const int explained = helper.explain ? helper.explain(*checked) : int{kDone};
+    if (explained != kDone) return explained;
+    complain_text(without_settings(checked->output));
     return checked->exit_code;
   }
   GenerateOptions library = options;

@@ -1,11 +1,13 @@
 // Programs that work on the environments of a graph: eagerx-train, eagerx-campaign.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "generator/cli/arguments.hpp"
+#include "generator/process/process.hpp"
 #include "targets/environments/options/row.hpp"
 
 namespace eagerx::gen {
@@ -14,6 +16,8 @@ namespace eagerx::gen {
 struct Helper {
   const char* program;
   const char* checker;  // looks at the options with --check, before anything is built
+  /// Says at its place what the checker has found, if it knows one: an exit code, or else kDone.
+  std::function<int(const ProcessResult& checked)> explain = {};
 };
 
 /// A graph whose library of environments is made, in the folder `output`, for such a program.

@@ -39,7 +39,8 @@ int complain_of_no_mpi() {
 }  // namespace
 
 int become_in_ranks(const std::string& name, const GenerateOptions& options,
-                    const std::function<int(std::vector<std::string>&)>& words) {
+                    const std::function<int(std::vector<std::string>&)>& words,
+                    const std::function<int(const ProcessResult& checked)>& explain) {
   const Rank rank = rank_of_this();
   const std::string shared = name + "-mpi";
   if (rank.size > 1) {
@@ -51,7 +52,8 @@ int become_in_ranks(const std::string& name, const GenerateOptions& options,
   std::vector<std::string> all;
   if (const int code = words(all); code != kDone) return code;
   const std::string& program = rank.size > 1 ? shared : name;
-  return become_with_environments({program.c_str(), name.c_str()}, options, std::move(all));
+  return become_with_environments({program.c_str(), name.c_str(), explain}, options,
+                                  std::move(all));
 }
 
 }  // namespace eagerx::gen

@@ -7,6 +7,7 @@
 #include "generator/cli/environments.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/ranks.hpp"
+#include "generator/cli/setting_places.hpp"
 #include "generator/cli/train_settings.hpp"
 #include "generator/cli/train_sweep.hpp"
 
@@ -18,25 +19,41 @@ struct TrainOptions : EnvironmentsOptions {
   std::string settings, sweep;  // files
 };
 
+/// Words of both files; nullopt and errors where they are wrong.
+std::optional<std::vector<std::string>> read_settings(const TrainOptions& options, Run& run,
+                                                      SettingPlaces& places) {
+  std::vector<std::string> words;
+  if (!options.settings.empty()) {
+    const auto read = read_train_settings(options.settings, run.sources, run.diagnostics, places);
+    if (!read) return std::nullopt;
+    words = *read;
+  }
+  if (!options.sweep.empty()) {
+    const auto read = read_train_sweep(options.sweep, run.sources, run.diagnostics, places);
+    if (!read) return std::nullopt;
+    words.insert(words.end(), read->begin(), read->end());
+  }
+  return words;
+}
+
 int perform(const TrainOptions& options) {
   GenerateOptions training = options;
   training.purpose = Purpose::training;
-  return become_in_ranks("eagerx-train", training, [&](std::vector<std::string>& words) {
-    if (!options.settings.empty()) {
-      Run run;
-      const auto read = read_train_settings(options.settings, run.sources, run.diagnostics);
-      if (!read) return finish(run, options);
-      words = *read;
-    }
-    if (!options.sweep.empty()) {
-      Run run;
-      const auto read = read_train_sweep(options.sweep, run.sources, run.diagnostics);
-      if (!read) return finish(run, options);
-      words.insert(words.end(), read->begin(), read->end());
-    }
-    words.insert(words.end(), options.of_program.begin(), options.of_program.end());
+  Run run;
+  SettingPlaces places;
+  const auto words = [&](std::vector<std::string>& all) {
+    const auto read = read_settings(options, run, places);
+    if (!read) return finish(run, options);
+    all = *read;
+    all.insert(all.end(), options.of_program.begin(), options.of_program.end());
     return int{kDone};
-  });
+  };
+  const auto explain = [&](const ProcessResult& checked) {
+    const bool is_io = checked.exit_code == kInputOutput;
+    return places.report(checked.output, is_io, run.diagnostics) ? finish(run, options)
+                                                                 : int{kDone};
+  };
+  return become_in_ranks("eagerx-train", training, words, explain);
 }
 
 Command table(TrainOptions& options) {

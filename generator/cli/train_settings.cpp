@@ -98,7 +98,8 @@ bool check_layers(const YamlValue& layers, Diagnostics& diagnostics) {
 
 std::optional<std::vector<std::string>> read_train_settings(const std::string& path,
                                                             SourceMap& sources,
-                                                            Diagnostics& diagnostics) {
+                                                            Diagnostics& diagnostics,
+                                                            SettingPlaces& places) {
   const YamlValue yaml = read_yaml_file(path, sources, diagnostics);
   if (diagnostics.has_errors() || !check(yaml, settings_format(), diagnostics)) return std::nullopt;
   const YamlValue* layers = yaml.find("layers");
@@ -107,6 +108,7 @@ std::optional<std::vector<std::string>> read_train_settings(const std::string& p
   for (const auto& entry : yaml.entries) {
     words.emplace_back("--setting");
     words.push_back(entry.key + "=" + setting_word(entry.value));
+    places.add(words.back(), entry.value.span);
   }
   return words;
 }

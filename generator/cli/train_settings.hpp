@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/cli/setting_places.hpp"
 #include "generator/diagnostics/diagnostics.hpp"
 #include "generator/read/tree.hpp"
 #include "generator/spec/format.hpp"
@@ -13,10 +14,12 @@
 namespace eagerx::gen {
 
 /// Words for the trainer: `--setting` and `NAME=VALUE` for each that the file names. nullopt and
-/// errors of the reader and of the format (E01xx, E02xx) for a file that is wrong.
+/// errors of the reader and of the format (E01xx, E02xx) for a file that is wrong. `places` gets
+/// where each is said.
 std::optional<std::vector<std::string>> read_train_settings(const std::string& path,
                                                             SourceMap& sources,
-                                                            Diagnostics& diagnostics);
+                                                            Diagnostics& diagnostics,
+                                                            SettingPlaces& places);
 
 /// What the value of a setting may look like, but for check_layers().
 FormatPtr setting_format(const eagerx::options::Setting& row);

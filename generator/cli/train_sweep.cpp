@@ -91,8 +91,11 @@ const Format& sweep_format() {
 
 class Reader {
  public:
-  Reader(const YamlValue& yaml, Diagnostics& diagnostics)
-      : yaml_(yaml), diagnostics_(diagnostics), draws_(yaml.find("random") != nullptr) {
+  Reader(const YamlValue& yaml, Diagnostics& diagnostics, SettingPlaces& places)
+      : yaml_(yaml),
+        diagnostics_(diagnostics),
+        places_(places),
+        draws_(yaml.find("random") != nullptr) {
     for (const auto& entry : yaml.find("settings")->entries) read(entry);
     if (swept_.empty())
       diagnostics_.error("E0204", yaml.find("settings")->span, "there is nothing to sweep over");
@@ -111,12 +114,13 @@ class Reader {
     const YamlValue& value = entry.value;
     if (value.is_map()) {
       read_range(value, one);
+      places_.add(entry.key, value.span);
     } else if (one.row->kind == SettingKind::layers) {
       read_layers(value, one);
     } else if (value.is_sequence()) {
-      for (const YamlValue& item : value.items) one.values.push_back(setting_word(item));
+      for (const YamlValue& item : value.items) add_value(one, item);
     } else {
-      one.values = {setting_word(value)};
+      add_value(one, value);
     }
     swept_.push_back(std::move(one));
   }
@@ -125,8 +129,7 @@ class Reader {
     const auto is_list = [](const YamlValue& item) { return item.is_sequence(); };
     if (std::ranges::none_of(value.items, is_list)) {
       check_layers(value, diagnostics_);
-      one.values = {setting_word(value)};
-      return;
+      return add_value(one, value);
     }
     for (const YamlValue& item : value.items) {
       if (!item.is_sequence()) {
@@ -135,8 +138,13 @@ class Reader {
         return;
       }
       check_layers(item, diagnostics_);
-      one.values.push_back(setting_word(item));
+      add_value(one, item);
     }
+  }
+
+  void add_value(Swept& one, const YamlValue& value) {
+    one.values.push_back(setting_word(value));
+    places_.add(fmt::format("{}={}", one.row->name, one.values.back()), value.span);
   }
 
   void read_range(const YamlValue& value, Swept& one) {
@@ -245,6 +253,7 @@ class Reader {
 
   const YamlValue& yaml_;
   Diagnostics& diagnostics_;
+  SettingPlaces& places_;
   const bool draws_;
   std::vector<Swept> swept_;
 };
@@ -253,11 +262,12 @@ class Reader {
 
 std::optional<std::vector<std::string>> read_train_sweep(const std::string& path,
                                                          SourceMap& sources,
-                                                         Diagnostics& diagnostics) {
+                                                         Diagnostics& diagnostics,
+                                                         SettingPlaces& places) {
   const YamlValue yaml = read_yaml_file(path, sources, diagnostics);
   if (diagnostics.has_errors() || !check(yaml, sweep_format(), diagnostics)) return std::nullopt;
   std::vector<std::string> words;
-  for (std::string& one : Reader(yaml, diagnostics).cases()) {
+  for (std::string& one : Reader(yaml, diagnostics, places).cases()) {
     words.emplace_back("--case");
     words.push_back(std::move(one));
   }

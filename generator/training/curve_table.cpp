@@ -66,6 +66,8 @@ class CurveReader {
       return lines_.fail("`steps` is no number");
     if (!curve->steps.empty() && steps <= curve->steps.back())
       return lines_.fail("its steps are not more than those before");
+    numbers_ += 1 + curve->columns.size();
+    if (numbers_ > kMostNumbers) return lines_.fail("there are more numbers than may be");
     curve->steps.push_back(steps);
     for (std::size_t i = 0; i < kCurveColumns.size(); ++i) {
       double value = std::numeric_limits<double>::quiet_NaN();
@@ -93,6 +95,7 @@ class CurveReader {
   const std::vector<std::string_view> names_;
   TrainingLines& lines_;
   std::vector<LearningCurve> curves_;
+  std::size_t numbers_ = 0;  // of all of them
 };
 
 }  // namespace

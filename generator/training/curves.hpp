@@ -18,6 +18,8 @@ inline constexpr std::array<std::string_view, 10> kCurveColumns = {
 
 /// Of a file; a page of more says nothing.
 inline constexpr std::size_t kMostTrainings = 1000;
+/// Of all curves of a file together: 400 MB.
+inline constexpr std::size_t kMostNumbers = 50'000'000;
 
 /// Of one training, an element an iteration; NaN where there is nothing.
 struct LearningCurve {

@@ -156,6 +156,8 @@ class RecordReader {
     const double steps = fields.whole("steps");
     if (!curve.steps.empty() && steps <= curve.steps.back())
       return lines_.fail("its steps are not more than those before");
+    numbers_ += 1 + curve.columns.size() + curve.terms.size();
+    if (numbers_ > kMostNumbers) return lines_.fail("there are more numbers than may be");
     curve.steps.push_back(steps);
     for (std::size_t i = 0; i < kCurveColumns.size(); ++i)
       curve.columns.at(i).push_back(
@@ -275,13 +277,13 @@ class RecordReader {
     const Training* best = nullptr;
     std::size_t place = 0;
     for (std::size_t i = 0; i < trainings_.size(); ++i) {
-      const Training& one = trainings_[i];
-      curves.push_back(one.curve);
+      Training& one = trainings_[i];
       Json json = one.end.is<std::monostate>() ? Json{{"ended", nullptr}} : one.end;
       json["seed"] = one.curve.seed;
       if (member(&json, "steps") == nullptr)
         json["steps"] = one.curve.steps.empty() ? 0.0 : one.curve.steps.back();
       page_["trainings"].push_back(std::move(json));
+      curves.push_back(std::move(one.curve));
       if (best != nullptr && !one.is_better_than(*best)) continue;
       best = &one;
       place = i;
@@ -303,6 +305,7 @@ class RecordReader {
   std::string graph_;
   std::vector<std::string> terms_;
   std::vector<Training> trainings_;  // in the order in which they appear
+  std::size_t numbers_ = 0;          // of all curves
 };
 
 }  // namespace

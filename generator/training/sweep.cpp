@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <runtime/host/base/number.hpp>
 #include <utility>
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t kCells = 10;
 constexpr std::size_t kMostRows = 100'000;
+constexpr std::size_t kMostNames = 100;  // settings; there are not so many
 
 /// A training of a sweep.
 struct Row {
@@ -102,6 +104,7 @@ class SweepReader {
       names.emplace_back(word.substr(0, equals));
       row.values.emplace_back(word.substr(equals + 1));
     }
+    if (names.size() > kMostNames) return lines_.fail("there are more settings than may be");
     if (rows_.empty()) names_ = names;
     if (names != names_) return lines_.fail("it is of another sweep: it has other settings");
     return true;
@@ -109,13 +112,15 @@ class SweepReader {
 
   [[nodiscard]] Json cases_json() const {
     std::vector<Case> cases;
+    std::map<std::vector<std::string>, std::size_t> places;
     for (const Row& row : rows_) {
-      auto found = std::ranges::find(cases, row.values, &Case::values);
-      if (found == cases.end()) found = cases.insert(cases.end(), Case{row.values, {}, {}});
+      const auto [place, is_new] = places.emplace(row.values, cases.size());
+      if (is_new) cases.push_back(Case{row.values, {}, {}});
+      Case& found = cases[place->second];
       if (row.problem.empty()) {
-        found->rows.push_back(&row);
+        found.rows.push_back(&row);
       } else {
-        found->problems.push_back(row.problem);
+        found.problems.push_back(row.problem);
       }
     }
     std::ranges::stable_sort(cases,
@@ -141,7 +146,8 @@ class SweepReader {
     for (const Row& row : rows_) values.push_back(row.values[setting]);
     std::ranges::sort(values, [](const std::string& a, const std::string& b) {
       double x = 0.0, y = 0.0;
-      const bool first = host::read_number(a, x), second = host::read_number(b, y);
+      const bool first = host::read_number(a, x) && !std::isnan(x);
+      const bool second = host::read_number(b, y) && !std::isnan(y);
       if (first != second) return first;
       return first && x != y ? x < y : a < b;
     });
@@ -155,10 +161,12 @@ class SweepReader {
     for (std::size_t setting = 0; setting < names_.size(); ++setting) {
       const std::vector<std::string> labels = values_of(setting);
       if (labels.size() < 2) continue;
+      std::map<std::string_view, std::size_t> places;
+      for (const std::string& label : labels) places.emplace(label, places.size());
       Json x = Json::list(), y = Json::list();
       for (const Row& row : rows_) {
         if (!row.problem.empty()) continue;
-        x.push_back(std::ranges::find(labels, row.values[setting]) - labels.begin());
+        x.push_back(places.at(row.values[setting]));
         y.push_back(row.mean_return);
       }
       Json line{{"name", "a training"}, {"x", std::move(x)}, {"y", std::move(y)}, {"dots", true}};

@@ -65,7 +65,12 @@ std::optional<TrainingRecord> read_training(const std::string& path, SourceMap& 
         .help = "give what `eagerx-gen train` wrote with `--record` or `--csv`";
     return std::nullopt;
   }
-  const std::string text = normalize_text(std::move(loaded.bytes));
+  return read_training_text(path, std::move(loaded.bytes), sources, diagnostics);
+}
+
+std::optional<TrainingRecord> read_training_text(const std::string& path, std::string bytes,
+                                                 SourceMap& sources, Diagnostics& diagnostics) {
+  const std::string text = normalize_text(std::move(bytes));
   const FileId file = sources.add(path, text);
   if (!check_text(text, file, diagnostics)) return std::nullopt;
   auto record = read(file, text, sources, diagnostics);

@@ -34,6 +34,10 @@ struct TrainingRecord {
 std::optional<TrainingRecord> read_training(const std::string& path, SourceMap& sources,
                                             Diagnostics& diagnostics);
 
+/// The same of `bytes` in place of the file's.
+std::optional<TrainingRecord> read_training_text(const std::string& path, std::string bytes,
+                                                 SourceMap& sources, Diagnostics& diagnostics);
+
 /// The best and the worst of these, which are not none: by success, then return, then the order.
 struct BestAndWorst {
   TrainingEpisode best, worst;

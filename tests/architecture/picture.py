@@ -1,5 +1,7 @@
 """The libraries of the generator as a layered drawing. What it shows comes from the links alone."""
+import hashlib
 import html
+import pathlib
 
 import layout
 
@@ -108,6 +110,30 @@ def edge_svg(points, color, width):
     return f'<path d="{path}" fill="none" stroke="{color}" stroke-width="{width}" marker-end="url(#head)"/>'
 
 
+def sum_of(*texts):
+    return hashlib.sha256("\n".join(texts).encode()).hexdigest()
+
+
+def stamp(declared):
+    """What the picture depends on: the libraries, and how they are drawn."""
+    links = shown(declared)
+    boxes, spine, way = boxes_of(declared, links)
+    seen = [(name, boxes[name].label, boxes[name].kind, boxes[name].libraries, sorted(links[name])) for name in sorted(links)]
+    code = [pathlib.Path(module).read_text() for module in (__file__, layout.__file__)]
+    return sum_of(repr((seen, spine, way)), *code)
+
+
+def sealed(body, declared):
+    """With two sums, so that a picture is known to be right without drawing it again: see `is_of`."""
+    return f"{body}<!-- of {stamp(declared)}, drawn as {sum_of(body)} -->\n"
+
+
+def is_of(drawn, declared):
+    """Whether `drawn` was drawn of these libraries with this code, and not changed since."""
+    body, end, _ = drawn.rpartition("<!-- of ")
+    return bool(end) and drawn == sealed(body, declared)
+
+
 def draw(declared):
     links = shown(declared)
     boxes, spine, way = boxes_of(declared, links)
@@ -152,4 +178,4 @@ def draw(declared):
         left, top = MARGIN + (i % 2) * (total_width // 2), legend_top + 2 * LINE * (i // 2)
         lines.append(f'<rect x="{left}" y="{top}" width="22" height="16" rx="3" fill="{fill}" stroke="{stroke}"/>')
         lines.append(text(left + 30, top + 13, meaning, anchor="start"))
-    return "\n".join(lines + ["</svg>"]) + "\n"
+    return sealed("\n".join(lines + ["</svg>"]) + "\n", declared)

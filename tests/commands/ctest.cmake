@@ -1,5 +1,8 @@
 # What the commands say to somebody who types something wrong, and what to type next.
 add_test(NAME commands COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR})
+# Settings of a training that do not go together, at their places.
+add_test(NAME commands_settings COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/settings ${PROJECT_BINARY_DIR}
+                                        $<TARGET_FILE:test_train_pendulum>)
 # A full disk, closed descriptors, and characters that steer terminals.
 add_test(NAME commands_full_disk COMMAND ${CMAKE_CURRENT_LIST_DIR}/full_disk ${PROJECT_BINARY_DIR})
 # The same for files, on disks that are mounted for it, which is not allowed everywhere.

@@ -32,14 +32,14 @@ static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
 Signs* signs = nullptr;  // of the keeper that there is
 
-constexpr std::int64_t kNsPerMs = 1'000'000;
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+constexpr std::int64_t kMillisecondNs = 1'000'000;
+constexpr std::int64_t kSecondNs = 1'000'000'000;
 
 /// CLOCK_MONOTONIC, also where an emulator has one of its own.
 std::int64_t now_ns() {
   timespec now{};
   syscall(SYS_clock_gettime, CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * kNsPerSecond + now.tv_nsec;
+  return std::int64_t{now.tv_sec} * kSecondNs + now.tv_nsec;
 }
 
 enum class Seen : std::uint8_t { dismissed, ended, stands_still };
@@ -61,7 +61,7 @@ Seen watch(int line, std::int64_t most_silent_ns) {
       most_silent_ns <= 0
           ? -1
           : static_cast<int>(std::clamp<std::int64_t>(
-                (most_silent_ns / kLooks + kNsPerMs - 1) / kNsPerMs, 1, kLongestMs));
+                (most_silent_ns / kLooks + kMillisecondNs - 1) / kMillisecondNs, 1, kLongestMs));
   std::uint64_t last = 0;
   for (int looks = 0; looks < kLooks;) {
     pollfd item{line, POLLIN, 0};
@@ -96,7 +96,7 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
       "second before\n"
       "help: `hang:` of the graph's `safety:` says how long that may be. Ctrl-Z stops a program "
       "safely, which SIGSTOP and debuggers do not\n",
-      static_cast<double>(most_silent_ns) / static_cast<double>(kNsPerSecond),
+      static_cast<double>(most_silent_ns) / static_cast<double>(kSecondNs),
       is_safe ? "its hardware has the safe values now"
               : "its hardware could NOT be made safe, as it does not answer",
       signs->steps.load(), signs->episode.load());

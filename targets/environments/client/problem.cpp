@@ -7,8 +7,10 @@
 namespace eagerx::client {
 
 int tell(const std::exception& error) {
-  fmt::print(stderr, "error: {}\n", error.what());
   const auto* const problem = dynamic_cast<const Problem*>(&error);
+  if (problem != nullptr && !problem->about.empty())
+    fmt::print(stderr, "settings: {}\n", fmt::join(problem->about, " "));
+  fmt::print(stderr, "error: {}\n", error.what());
   if (problem == nullptr) return kProblems;
   if (!problem->help.empty()) fmt::print(stderr, "help: {}\n", problem->help);
   return problem->code;

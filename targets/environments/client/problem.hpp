@@ -4,6 +4,7 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace eagerx::client {
 
@@ -20,10 +21,12 @@ struct Problem : std::runtime_error {
   Problem(ExitCode exit_code, const std::string& what, std::string what_to_do = {})
       : std::runtime_error(what), code(exit_code), help(std::move(what_to_do)) {}
   ExitCode code;
-  std::string help;  // empty: nothing to say
+  std::string help;                // empty: nothing to say
+  std::vector<std::string> about;  // settings by their names, the one to change first
 };
 
-/// Prints what is wrong, and what to do, to the standard error. The exit code.
+/// Prints what is wrong, and what to do, to the standard error; before that the settings it is
+/// about, which eagerx-gen reads. The exit code.
 int tell(const std::exception& error);
 
 }  // namespace eagerx::client

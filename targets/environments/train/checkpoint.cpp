@@ -124,6 +124,34 @@ Parts parts_of(std::string_view bytes, const std::string& name) {
   return parts;
 }
 
+[[noreturn]] void refuse(std::string what, const std::vector<Difference>& differences,
+                         std::string help) {
+  Problem problem(kInputOutput, what + text_of(differences), std::move(help));
+  for (const Difference& one : differences) problem.about.push_back(one.name);
+  throw problem;
+}
+
+[[noreturn]] void refuse_resumed(const std::string& name, const std::vector<Difference>& all) {
+  refuse(fmt::format("`{}` belongs to another training: ", name), all,
+         "resume with the same graph and options, or begin with what it has learnt: `--from`");
+}
+
+[[noreturn]] void refuse_begun_from(const std::string& name, const std::vector<Difference>& all) {
+  refuse(fmt::format("`{}` is of other networks: ", name), all,
+         "give the same algorithm, layers and activation, and a graph with the same "
+         "observations and actions");
+}
+
+/// Those that need no library to be known.
+std::vector<Difference> of_settings(std::vector<Difference> all) {
+  constexpr std::string_view kOfLibrary[] = {"graph", "critic", "hard-starts", "observations",
+                                             "actions"};
+  std::erase_if(all, [&](const Difference& one) {
+    return std::ranges::find(kOfLibrary, one.name) != std::end(kOfLibrary);
+  });
+  return all;
+}
+
 std::vector<std::size_t> sizes_of(const auto& model) {
   Sizes sizes;
   visit_model(sizes, model);
@@ -170,13 +198,8 @@ std::string bytes_of(const std::string& conditions, const std::string& interface
 void read_own(const std::string& bytes, const std::string& name, const std::string& conditions,
               auto& model, Progressed& progressed) {
   const Parts parts = parts_of(bytes, name);
-  if (parts.conditions != conditions) {
-    throw Problem(kInputOutput,
-                  fmt::format("`{}` belongs to another training: {}", name,
-                              difference(parts.conditions, conditions)),
-                  "resume with the same graph and options, or begin with what it has learnt: "
-                  "`--from`");
-  }
+  if (parts.conditions != conditions)
+    refuse_resumed(name, differences(parts.conditions, conditions));
   read_values(parts.values, name, model, progressed);
 }
 
@@ -185,13 +208,8 @@ template <class SomeModel>
 SomeModel learnt_by(const std::string& bytes, const std::string& name, const std::string& interface,
                     SomeModel learnt) {
   const Parts parts = parts_of(bytes, name);
-  if (parts.interface != interface) {
-    throw Problem(
-        kInputOutput,
-        fmt::format("`{}` is of other networks: {}", name, difference(parts.interface, interface)),
-        "give the same algorithm, layers and activation, and a graph with the same "
-        "observations and actions");
-  }
+  if (parts.interface != interface)
+    refuse_begun_from(name, differences(parts.interface, interface));
   Progressed ignored;
   read_values(parts.values, name, learnt, ignored);
   return learnt;
@@ -220,6 +238,18 @@ std::string interface_of(const Settings& settings, const Description& descriptio
 
 std::string critic_of(const Description& description) {
   return description.critic.empty() ? "" : "; critic " + names_and_sizes(description.critic);
+}
+
+void check_resumed(const std::string& bytes, const std::string& name, const Settings& settings) {
+  const auto all =
+      of_settings(differences(parts_of(bytes, name).conditions, conditions(settings, {})));
+  if (!all.empty()) refuse_resumed(name, all);
+}
+
+void check_begun_from(const std::string& bytes, const std::string& name, const Settings& settings) {
+  const auto all =
+      of_settings(differences(parts_of(bytes, name).interface, interface_of(settings, {})));
+  if (!all.empty()) refuse_begun_from(name, all);
 }
 
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,

@@ -60,6 +60,11 @@ std::string checkpoint_of(const std::string& conditions, const std::string& inte
 std::string checkpoint_of(const std::string& conditions, const std::string& interface,
                           const sac::Model& model, const Progressed& progressed);
 
+/// Refuse what restore() and begin_from() would, as far as it can be seen without a library: before
+/// it is built.
+void check_resumed(const std::string& bytes, const std::string& name, const Settings& settings);
+void check_begun_from(const std::string& bytes, const std::string& name, const Settings& settings);
+
 /// Fills model and progress. `name` is the file's, for messages. Throws Problem if `bytes` are no
 /// checkpoint, are damaged, or belong to another training.
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,

@@ -73,7 +73,7 @@ struct KernelsOf {
 
   /// Rows for columns, by shuffles of whole registers where a pack is one.
   static void transpose(Pack (&x)[kLanes]) {
-    if constexpr (Width == kLanes) {
+    if constexpr (Width == kLanes && kHasShuffles) {
       using Whole [[gnu::vector_size(sizeof(Pack))]] = float;
       Whole row[kLanes];
       for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&row[i], &x[i], sizeof(Pack));
@@ -97,6 +97,11 @@ struct KernelsOf {
       }
     }
   }
+#ifdef __clang__  // which builds the fuzzers, and knows no __builtin_shuffle
+  static constexpr bool kHasShuffles = false;
+#else
+  static constexpr bool kHasShuffles = true;
+#endif
   static constexpr std::size_t kStages = 4;
   using Places [[gnu::vector_size(sizeof(Pack))]] = std::int32_t;
   /// Of two rows so far apart, which lanes the first one has afterwards, or the second one.

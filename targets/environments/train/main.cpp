@@ -18,11 +18,18 @@ const Interrupt& interrupts() {
   return host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends);
 }
 
+void check_all_files(const Options& options) {
+  try {
+    options.cases.empty() ? check_files(options) : check_files_of_sweep(options);
+  } catch (const Problem& problem) {
+    throw options.cases.empty() ? told_in_words(problem, options) : problem;
+  }
+}
+
 /// Rank 0 alone looks at options and files, and prints.
 int run_first(int argc, char** argv, Ranks& ranks) {
   const Options options = parse_options(argc, argv);
-  if (!options.wants_help)
-    options.cases.empty() ? check_files(options) : check_files_of_sweep(options);
+  if (!options.wants_help) check_all_files(options);
   if (options.wants_help || options.only_checks) {
     if (options.wants_help) print(help_text());
     give_nothing(ranks);

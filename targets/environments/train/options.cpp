@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -31,6 +32,16 @@ void set_named(Settings& settings, const std::string& text) {
   }
 }
 
+void give(Options& options, const std::string& name, const std::string& text) {
+  set(options.settings, name, text);
+  options.given.push_back(name + "=" + text);
+}
+
+/// "clip" of "clip=0.1"
+std::string setting_name(const std::string& word) {
+  return word.substr(0, word.find('='));
+}
+
 /// What each option does with its value.
 std::vector<client::Setter> setters(Options& o) {
   using Text = const std::string&;
@@ -52,12 +63,12 @@ std::vector<client::Setter> setters(Options& o) {
       {"--seed", [&](Text v) { settings.seed = number<std::uint64_t>(v, 0, kMostSeed); }},
       {"--seeds", [&](Text v) { o.seeds = number<std::uint64_t>(v, 1, 1000); }},
       {"--threads", [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
-      {"--hidden", [&](Text v) { set(settings, "layers", v); }},
-      {"--discount", [&](Text v) { set(settings, "discount", v); }},
+      {"--hidden", [&](Text v) { give(o, "layers", v); }},
+      {"--discount", [&](Text v) { give(o, "discount", v); }},
       {"--setting",
        [&](Text v) {
          set_named(settings, v);
-         o.named.push_back(v.substr(0, v.find('=')));
+         o.given.push_back(v);
        }},
       {"--checkpoint", [&](Text v) { o.checkpoint = v; }},
       {"--resume", [&](Text v) { o.resume = v; }},
@@ -80,16 +91,30 @@ std::vector<client::Setter> setters(Options& o) {
   };
 }
 
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
 /// The names of "a=1 b=2": "a b".
 std::string names_of(const std::string& words) {
-  std::string names;
-  bool is_name = true;
-  for (const char c : words) {
-    if (c == '=') is_name = false;
-    if (c == ' ') is_name = true;
-    if (is_name) names += c;
+  std::vector<std::string> names = words_of(words);
+  std::ranges::transform(names, names.begin(), setting_name);
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
+void set_case(Case& one) {
+  for (const std::string& word : words_of(one.words)) {
+    set_named(one.settings, word);
+    check_algorithm(one.settings, setting_name(word));
   }
-  return names;
+  try {
+    check(one.settings);
+  } catch (const Problem& problem) {
+    Problem more(problem.code, fmt::format("{} ({})", problem.what(), one.words), problem.help);
+    more.about = problem.about;
+    throw more;
+  }
 }
 
 /// Sets what the words of each case say. All have the same names, because they are columns.
@@ -98,16 +123,21 @@ void set_cases(Options& options) {
     if (names_of(one.words) != names_of(options.cases.front().words))
       refuse("--case: all name the same settings");
     one.settings = options.settings;
-    std::istringstream words(one.words);
-    for (std::string word; words >> word;) {
-      set_named(one.settings, word);
-      check_algorithm(one.settings, word.substr(0, word.find('=')));
-    }
     try {
-      check(one.settings);
+      set_case(one);
     } catch (const Problem& problem) {
-      throw Problem(problem.code, fmt::format("{} ({})", problem.what(), one.words), problem.help);
+      throw told_in_words(problem, options, one.words);
     }
+  }
+}
+
+void check_settings(const Options& options) {
+  try {
+    for (const std::string& word : options.given)
+      check_algorithm(options.settings, setting_name(word));
+    if (options.cases.empty()) check(options.settings);
+  } catch (const Problem& problem) {
+    throw told_in_words(problem, options);
   }
 }
 
@@ -139,13 +169,26 @@ Options parse_options(int argc, const char* const* argv) {
       refuse("--resume goes on with one training and --from begins another: give one of them");
     if (!options.resume.empty() && !options.replay.empty())
       refuse("--resume goes on with a training that has its logs already: leave --replay out");
-    check(options.settings);
-    for (const std::string& name : options.named) check_algorithm(options.settings, name);
+    check_settings(options);
     check_sweep(options);
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   };
   client::parse({"train", table(options), &options.library, check_all}, argc, argv);
   return options;
+}
+
+Problem told_in_words(Problem problem, const Options& options, const std::string& words) {
+  std::vector<std::string> given = options.given, found;
+  const auto more = words_of(words);
+  given.insert(given.end(), more.begin(), more.end());
+  for (const std::string& name : problem.about) {
+    const auto last = std::find_if(given.rbegin(), given.rend(), [&](const std::string& word) {
+      return setting_name(word) == name;
+    });
+    if (options.only_checks && last != given.rend()) found.push_back(*last);
+  }
+  problem.about = std::move(found);
+  return problem;
 }
 
 std::string help_text() {

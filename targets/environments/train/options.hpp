@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "targets/environments/client/problem.hpp"
 #include "targets/environments/train/settings.hpp"
 
 namespace eagerx::train {
+
+using client::Problem;
 
 /// One of the settings of a sweep.
 struct Case {
@@ -30,13 +33,17 @@ struct Options {
   bool wants_help = false;
   bool only_checks = false;         // options and the places of files; there is no library yet
   std::vector<std::string> replay;  // tables of runs
-  std::vector<std::string> named;   // settings that --setting gave
+  std::vector<std::string> given;   // settings in words, the last of a name counts: "clip=0.3"
   std::vector<Case> cases;          // of a sweep; empty: it is none
   Settings settings;
 };
 
 /// Throws Problem with kUsage.
 Options parse_options(int argc, const char* const* argv);
+
+/// The problem with its settings in the words that gave them, for eagerx-gen, which knows where
+/// they stand in a file; without any if nobody asked for that (--check). `words`: of a case.
+Problem told_in_words(Problem problem, const Options& options, const std::string& words = {});
 
 /// What --help prints.
 std::string help_text();

@@ -10,6 +10,7 @@
 
 #include "targets/environments/client/intervals.hpp"
 #include "targets/environments/train/beside.hpp"
+#include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/export.hpp"
 #include "targets/environments/train/training.hpp"
 
@@ -142,6 +143,7 @@ void check_files_of_seeds(const Options& options) {
   for (std::uint64_t i = 0; i < options.seeds; ++i) {
     const Options one = options_of(options, options.settings.seed + i);
     any = any || !one.resume.empty();
+    if (!one.resume.empty()) check_resumed(read_file(one.resume), one.resume, one.settings);
     for (const std::string* path : {&one.output, &one.checkpoint}) {
       if (!path->empty()) check_writable(*path);
     }

@@ -155,6 +155,14 @@ const Place& place_of(const Setting& row) {
   return *found;
 }
 
+[[noreturn]] void refuse_settings(
+    std::vector<std::string> about, const std::string& what,
+    std::string help = "`eagerx-gen help train-settings` lists settings and ranges") {
+  client::Problem problem(client::kUsage, what, std::move(help));
+  problem.about = std::move(about);
+  throw problem;
+}
+
 }  // namespace
 
 Settings::Settings() {
@@ -174,22 +182,29 @@ void check(const Settings& settings) {
   const std::size_t samples = settings.environments * settings.horizon;
   const bool is_few = kRow % settings.environments == 0;
   if (!is_few && settings.environments % kRow != 0)
-    refuse(fmt::format("environments: {} is neither 8, 16, 32, 64 nor a multiple of {}",
-                       settings.environments, kRow));
-  if (settings.sac.batch % (kParts * kLanes) != 0)
-    refuse(fmt::format("sac_batch: {} is no multiple of {}", settings.sac.batch, kParts * kLanes));
+    refuse_settings({"environments"},
+                    fmt::format("environments: {} is neither 8, 16, 32, 64 nor a multiple of {}",
+                                settings.environments, kRow));
+  if (settings.sac.batch % kRow != 0)
+    refuse_settings({"sac_batch"},
+                    fmt::format("sac_batch: {} is no multiple of {}", settings.sac.batch, kRow));
   const bool remembers = settings.memory != Memory::none;
   const std::size_t steps = remembers ? settings.memory_steps : 1;
   if (settings.horizon % steps != 0)
-    refuse(fmt::format("horizon: {} is no multiple of memory_steps, {}", settings.horizon, steps));
+    refuse_settings(
+        {"horizon", "memory_steps"},
+        fmt::format("horizon: {} is no multiple of memory_steps, {}", settings.horizon, steps));
   if (samples % (kRow * steps) != 0)
-    refuse(fmt::format("horizon: {} of {} environments are {} steps, no multiple of {}{}",
-                       settings.horizon, settings.environments, samples, kRow,
-                       remembers ? " * memory_steps" : ""));
+    refuse_settings({"horizon", "environments", "memory_steps"},
+                    fmt::format("horizon: {} of {} environments are {} steps, no multiple of {}{}",
+                                settings.horizon, settings.environments, samples, kRow,
+                                remembers ? " * memory_steps" : ""));
   if (settings.least_deviation > settings.most_deviation)
-    refuse("least_deviation is more than most_deviation");
+    refuse_settings({"least_deviation", "most_deviation"},
+                    "least_deviation is more than most_deviation");
   if (settings.least_learning_rate > settings.most_learning_rate)
-    refuse("least_learning_rate is more than most_learning_rate");
+    refuse_settings({"least_learning_rate", "most_learning_rate"},
+                    "least_learning_rate is more than most_learning_rate");
 }
 
 void check_algorithm(const Settings& settings, std::string_view name) {
@@ -197,8 +212,10 @@ void check_algorithm(const Settings& settings, std::string_view name) {
   if (row == std::end(kTrainSettings) || *row->algorithm == '\0' ||
       row->algorithm == settings.algorithm)
     return;
-  refuse(fmt::format("{} is a setting of {}, and the algorithm is {}", name, row->algorithm,
-                     settings.algorithm));
+  refuse_settings({std::string(name)},
+                  fmt::format("{} is a setting of {}, and the algorithm is {}", name,
+                              row->algorithm, settings.algorithm),
+                  fmt::format("leave it out, or train with `--algorithm {}`", row->algorithm));
 }
 
 std::string text_of(const Settings& settings) {
@@ -209,9 +226,9 @@ std::string text_of(const Settings& settings) {
   return text;
 }
 
-std::string difference(std::string_view theirs, std::string_view ours) {
+std::vector<Difference> differences(std::string_view theirs, std::string_view ours) {
   const auto a = client::pieces_of(theirs, ';'), b = client::pieces_of(ours, ';');
-  std::vector<std::string> words;
+  std::vector<Difference> all;
   const auto name = [](std::string_view part) {
     part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
     return part.substr(0, part.find(' '));
@@ -224,16 +241,29 @@ std::string difference(std::string_view theirs, std::string_view ours) {
   for (const std::string_view one : a) {
     const auto other = std::ranges::find(b, name(one), name);
     if (other == b.end()) {
-      words.push_back(fmt::format("{} {} (here there is none)", name(one), value(one)));
+      all.push_back({std::string(name(one)),
+                     fmt::format("{} {} (here there is none)", name(one), value(one))});
     } else if (value(*other) != value(one)) {
-      words.push_back(fmt::format("{} {} (here {})", name(one), value(one), value(*other)));
+      all.push_back({std::string(name(one)),
+                     fmt::format("{} {} (here {})", name(one), value(one), value(*other))});
     }
   }
   for (const std::string_view one : b) {
     if (std::ranges::find(a, name(one), name) == a.end())
-      words.push_back(fmt::format("no {} (here {})", name(one), value(one)));
+      all.push_back(
+          {std::string(name(one)), fmt::format("no {} (here {})", name(one), value(one))});
   }
-  return fmt::format("{}", fmt::join(words, ", "));
+  return all;
+}
+
+std::string text_of(const std::vector<Difference>& differences) {
+  std::vector<std::string> texts;
+  for (const Difference& one : differences) texts.push_back(one.text);
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string difference(std::string_view theirs, std::string_view ours) {
+  return text_of(differences(theirs, ours));
 }
 
 }  // namespace eagerx::train

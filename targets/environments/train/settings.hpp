@@ -83,8 +83,16 @@ void check_algorithm(const Settings& settings, std::string_view name);
 /// All of the table in words, such as "layers 64,64; activation tanh; …".
 std::string text_of(const Settings& settings);
 
-/// Names and both values of what differs between two such texts: "layers 8 (here 64,64)".
+/// What two such texts say otherwise.
+struct Difference {
+  std::string name;
+  std::string text;  // with both values: "layers 8 (here 64,64)"
+};
+std::vector<Difference> differences(std::string_view theirs, std::string_view ours);
+
+/// The texts of all of them: "layers 8 (here 64,64), clip 0.1 (here 0.2)".
 std::string difference(std::string_view theirs, std::string_view ours);
+std::string text_of(const std::vector<Difference>& differences);
 
 /// A training is cut into so many parts, whatever the number of threads: sums are made within
 /// parts, then over them in order.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/export.hpp"
 #include "targets/environments/train/ppo.hpp"
 #include "targets/environments/train/sac/sac.hpp"
@@ -91,12 +92,13 @@ void check_files(const Options& options) {
     check_files_of_seeds(options);
   } else {
     if (!options.checkpoint.empty()) check_writable(options.checkpoint);
-    if (!options.resume.empty()) read_file(options.resume);
+    if (!options.resume.empty())
+      check_resumed(read_file(options.resume), options.resume, options.settings);
   }
   if (!options.tensorboard.empty()) check_folder(options.tensorboard);
-  for (const std::string* path : {&options.from, &options.hard_starts}) {
-    if (!path->empty()) read_file(*path);
-  }
+  if (!options.from.empty())
+    check_begun_from(read_file(options.from), options.from, options.settings);
+  if (!options.hard_starts.empty()) read_file(options.hard_starts);
   for (const std::string& path : options.replay) read_file(path);
 }
 

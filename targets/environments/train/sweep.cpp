@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "targets/environments/train/beside.hpp"
+#include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/export.hpp"
 #include "targets/environments/train/sweep_results.hpp"
 #include "targets/environments/train/sweep_table.hpp"
@@ -198,8 +199,14 @@ void check_files_of_sweep(const Options& options) {
   if (!options.csv.empty()) check_writable(options.csv);
   check_writable(options.results);
   const SweepResults known(options.results);
-  for (const std::string* path : {&options.from, &options.hard_starts}) {
-    if (!path->empty()) read_file(*path);
+  if (!options.hard_starts.empty()) read_file(options.hard_starts);
+  const std::string learnt = options.from.empty() ? std::string() : read_file(options.from);
+  for (const Case& one : options.cases) {
+    try {
+      if (!options.from.empty()) check_begun_from(learnt, options.from, one.settings);
+    } catch (const Problem& problem) {
+      throw told_in_words(problem, options, one.words);
+    }
   }
   for (const std::string& log : options.replay) read_file(log);
 }
