@@ -136,6 +136,8 @@ const std::vector<Place>& places() {
       number_at("sac_averaging", &sac::Settings::averaging),
       number_at("sac_first_temperature", &sac::Settings::first_temperature),
       number_at("sac_entropy", &sac::Settings::entropy),
+      number_at("sac_reward_scale", &sac::Settings::reward_scale),
+      number_at("sac_scale_steps", &sac::Settings::scale_steps),
       truth_at("normalise", &S::normalise),
       number_at("freeze_after", &S::freeze_after),
       number_at("averaging", &S::averaging),

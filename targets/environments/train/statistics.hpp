@@ -40,6 +40,12 @@ struct Statistics {
     }
     count = all;
   }
+  /// What comes next counts as much as if there had been at most `most` rows so far.
+  void forget_beyond(double most) {
+    if (count <= most) return;
+    for (double& one : squares) one *= most / count;
+    count = most;
+  }
   /// 1 / deviation. 1 for what never changes, which no scale would help.
   double scale(std::size_t i) const {
     const double variance = count > 0.0 ? squares[i] / count : 0.0;

@@ -162,8 +162,9 @@ Pack value(const sac::Model& model, std::size_t critic) {
   return answer;
 }
 
-TEST_F(TrainSac, WhatIsLearntStaysWhenScalesChange) {
+void expect_that_answers_stay(double scale_steps) {
   train::Settings settings;
+  settings.sac.scale_steps = scale_steps;
   settings.layers = {8};
   settings.sac.random_steps = 1;
   settings.sac.updates = 0.001F;  // one in the second iteration of 512 steps, none in the third
@@ -191,6 +192,53 @@ TEST_F(TrainSac, WhatIsLearntStaysWhenScalesChange) {
   EXPECT_NEAR(weight(after) / weight(before), 1.0, 1e-4);
   const std::vector<float> now = sac.deployed_parameters();
   for (std::size_t i = 0; i < policy.size(); ++i) EXPECT_NEAR(now[i], policy[i], 1e-4);
+}
+
+TEST_F(TrainSac, WhatIsLearntStaysWhenScalesChange) {
+  expect_that_answers_stay(0.0);
+}
+
+TEST_F(TrainSac, WhatIsLearntStaysWhenScalesAreForgotten) {
+  expect_that_answers_stay(300.0);
+}
+
+TEST_F(TrainSac, ScalesForgetWhatWasLongAgo) {
+  Statistics all(1), last(1);
+  for (const double size : {100.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}) {
+    Sums rows(1);
+    for (const double x : {size, -size, size, -size}) rows.add(0, x);
+    rows.count = 4.0;
+    last.forget_beyond(2.0);
+    last.add(rows);
+    all.forget_beyond(1e12);
+    all.add(rows);
+  }
+  EXPECT_NEAR(all.scale(0), 0.03, 1e-3);  // a ninth of the rows have 100² of the variance
+  EXPECT_GT(last.scale(0), 0.5);          // each time a third of it is left: 10,000 / 3⁸ = 1.5
+}
+
+/// Mean size of what a critic says where it learns the next reward alone, with this reward_scale.
+float mean_value(float reward_scale) {
+  train::Settings settings;
+  settings.layers = {8};
+  settings.discount = 0.0F;
+  settings.learning_rate = 0.01F;
+  settings.sac.random_steps = 1;
+  settings.sac.reward_scale = reward_scale;
+  Team team(1);
+  sac::Sac sac(settings, pendulum(), *kernels_here().back(), team, 0);
+  sac.begin_era();
+  for (int i = 0; i < 3; ++i) sac.iterate();
+  const Pack said = value(sac.model(), 0);
+  float sum = 0.0F;
+  for (const float x : said.lane) sum += std::fabs(x) / static_cast<float>(kLanes);
+  return sum;
+}
+
+TEST_F(TrainSac, CriticsLearnScaledRewards) {
+  const float plain = mean_value(1.0F);
+  EXPECT_GT(mean_value(8.0F), 6.0F * plain);
+  EXPECT_LT(mean_value(8.0F), 10.0F * plain);
 }
 
 TEST_F(TrainSac, ChoicesAreRefused) {

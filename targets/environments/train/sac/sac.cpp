@@ -74,8 +74,12 @@ Algorithm::Result Sac::iterate() {
 /// another scale, and so have the critics' answers and the weight of the entropy.
 void Sac::see() {
   const double scale = model_.returns.scale(0);
-  model_.returns.add(walk_.return_sums);
   const Statistics before = model_.observations;
+  if (settings_.sac.scale_steps > 0.0) {
+    model_.returns.forget_beyond(settings_.sac.scale_steps);
+    model_.observations.forget_beyond(settings_.sac.scale_steps);
+  }
+  model_.returns.add(walk_.return_sums);
   if (settings_.normalise) model_.observations.add(walk_.observation_sums);
   if (model_.actor_adam.steps == 0) return;
   const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
@@ -106,7 +110,7 @@ void Sac::update(const Normaliser& normaliser) {
                       settings_,
                       model_,
                       normaliser,
-                      static_cast<float>(model_.returns.scale(0)),
+                      static_cast<float>(model_.returns.scale(0)) * settings_.sac.reward_scale,
                       exp(model_.log_temperature.front())};
   team_.run_parts(kParts, [&](std::size_t part) {
     const Random random({settings_.seed, static_cast<std::uint32_t>(part), number},

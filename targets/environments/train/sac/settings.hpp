@@ -19,6 +19,8 @@ struct Settings {
   float averaging{};          // share of the actor that the policy takes over each update
   float first_temperature{};  // weight of the entropy against scaled rewards
   float entropy{};            // of each number of an action: what the temperature keeps
+  float reward_scale{};       // deviation of the returns that critics learn
+  double scale_steps{};       // that what scales is the mean of, at least; 0: all steps so far
 };
 
 /// The logarithm of an action's deviation before tanh.
