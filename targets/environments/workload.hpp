@@ -36,7 +36,7 @@ class Workload {
     const auto start = Clock::now();
     std::atomic<std::uint32_t> next{0};
     if (members == 1) block = environments;
-    team.run(members, [&](unsigned member) {
+    team.share(members, [&](unsigned member) {
       for (;;) {
         const std::uint32_t first = next.fetch_add(block, std::memory_order_relaxed);
         if (first >= environments) return;

@@ -13,6 +13,23 @@ namespace {
 constexpr int kSpins = 2000;   // some microseconds
 constexpr int kYields = 1000;  // some hundred more: waking up costs a caller of short jobs as much
 
+// Of Team::door_: as many bits for threads as a turn has for members.
+constexpr std::uint64_t kReturned = 1;
+constexpr std::uint64_t kCome = std::uint64_t{1} << 16U;
+constexpr std::uint64_t kClosed = std::uint64_t{1} << 32U;
+constexpr unsigned kNumberShift = 33;
+
+/// The door of a turn to which nobody has come.
+std::uint64_t door_of(std::uint64_t number) {
+  return number << kNumberShift;
+}
+unsigned returned(std::uint64_t door) {
+  return static_cast<unsigned>(door % kCome);
+}
+unsigned come(std::uint64_t door) {
+  return static_cast<unsigned>(door / kCome % kCome);
+}
+
 }  // namespace
 
 unsigned usable_cores() {
@@ -52,7 +69,7 @@ void Team::run_parts(std::size_t parts, const std::function<void(std::size_t)>& 
   std::exception_ptr failure;
   std::size_t failed = 0;
   const auto members = static_cast<unsigned>(std::clamp<std::size_t>(parts, 1, size()));
-  run(members, [&](unsigned) {
+  share(members, [&](unsigned) {
     for (std::size_t part = next++; part < parts; part = next++) {
       try {
         work(part);
@@ -69,8 +86,8 @@ void Team::run_parts(std::size_t parts, const std::function<void(std::size_t)>& 
 }
 
 void Team::begin(unsigned members) {
-  at_work_.store(members - 1, std::memory_order_relaxed);
   const std::uint64_t number = (turn_.load(std::memory_order_relaxed) >> kMemberBits) + 1;
+  door_.store(door_of(number), std::memory_order_release);
   turn_.store((number << kMemberBits) | members, std::memory_order_release);
   turn_.notify_all();
 }
@@ -84,19 +101,36 @@ void Team::call(unsigned i) noexcept {
   }
 }
 
-void Team::end() {
-  wait();
-  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+/// Whether a thread that has seen `turn` may take part in it. What the caller wrote before it began
+/// is seen then.
+bool Team::enter(std::uint64_t turn) {
+  std::uint64_t door = door_.load(std::memory_order_acquire);
+  do {
+    const bool is_over = door >> kNumberShift != door_of(turn >> kMemberBits) >> kNumberShift;
+    if (is_over || (door & kClosed) != 0) return false;
+  } while (!door_.compare_exchange_weak(door, door + kCome, std::memory_order_acq_rel,
+                                        std::memory_order_acquire));
+  return true;
 }
 
-void Team::wait() const {
+/// Nobody may come any more; returns how many have.
+unsigned Team::close() {
+  return come(door_.fetch_or(kClosed, std::memory_order_acq_rel));
+}
+
+void Team::wait_for(unsigned finished) const {
   int spin = 0;
-  for (unsigned left = 0; (left = at_work_.load(std::memory_order_acquire)) != 0; ++spin) {
+  for (std::uint64_t door = 0; returned(door = door_.load(std::memory_order_acquire)) != finished;
+       ++spin) {
     if (spin > kSpins + kYields)
-      at_work_.wait(left, std::memory_order_acquire);
+      door_.wait(door, std::memory_order_acquire);
     else if (spin > kSpins)
       std::this_thread::yield();
   }
+}
+
+void Team::end() {
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void Team::work(unsigned i) {
@@ -106,12 +140,13 @@ void Team::work(unsigned i) {
     for (int spin = 0; spin < kSpins && turn_.load(std::memory_order_relaxed) == seen; ++spin) {
     }
     turn_.wait(seen, std::memory_order_relaxed);
-    // Whoever takes part sees its turn, because run() waits for it; others may miss some.
+    // Whoever takes part in a run() sees its turn, because it waits for all; others may miss some.
     seen = turn_.load(std::memory_order_acquire);
     if ((seen & kMembers) == 0) return;
-    if (i >= (seen & kMembers)) continue;
+    if (i >= (seen & kMembers) || !enter(seen)) continue;
     call(i);
-    if (at_work_.fetch_sub(1, std::memory_order_release) == 1) at_work_.notify_one();
+    door_.fetch_add(kReturned, std::memory_order_release);
+    door_.notify_one();
   }
 }
 

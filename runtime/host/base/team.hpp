@@ -9,7 +9,6 @@
 #include <functional>
 #include <mutex>
 #include <thread>
-#include <type_traits>
 #include <vector>
 
 namespace eagerx::host {
@@ -39,10 +38,20 @@ class Team {
   template <class Job>
   void run(unsigned members, Job&& job) {
     if (members == 1) return job(0U);
-    call_ = [](void* what, unsigned i) { (*static_cast<std::remove_reference_t<Job>*>(what))(i); };
-    job_ = const_cast<void*>(static_cast<const void*>(&job));  // call_ knows what it is
-    begin(members);
+    begin(members, job);
     call(0);
+    wait_for(members - 1);
+    end();
+  }
+  /// job(0), and job(i) for those i < `members` that come before job(0) has returned: on a busy
+  /// machine a core may be free only when nothing is left to do. So each must take what is left
+  /// until nothing is. Returns when all that have come have returned; throws as run() does.
+  template <class Job>
+  void share(unsigned members, Job&& job) {
+    if (members == 1) return job(0U);
+    begin(members, job);
+    call(0);
+    wait_for(close());
     end();
   }
 
@@ -51,17 +60,27 @@ class Team {
   void run_parts(std::size_t parts, const std::function<void(std::size_t)>& work);
 
  private:
+  template <class Job>
+  void begin(unsigned members, Job& job) {
+    call_ = [](void* what, unsigned i) { (*static_cast<Job*>(what))(i); };
+    job_ = const_cast<void*>(static_cast<const void*>(&job));  // call_ knows what it is
+    begin(members);
+  }
   void begin(unsigned members);
+  bool enter(std::uint64_t turn);
   void call(unsigned i) noexcept;
+  unsigned close();
+  void wait_for(unsigned finished) const;
   void end();
-  void wait() const;
   void work(unsigned i);
   void stop();
 
   // A turn's number above, how many take part below.
   static constexpr unsigned kMemberBits = 16;
   std::atomic<std::uint64_t> turn_{0};
-  std::atomic<unsigned> at_work_{0};
+  // Of the turn with this number, from above: the number, whether nobody may come any more, how
+  // many threads have come, how many of them have returned.
+  std::atomic<std::uint64_t> door_{0};
   void (*call_)(void*, unsigned) = nullptr;
   void* job_ = nullptr;
   std::mutex mutex_;

@@ -3,6 +3,8 @@
 #include <pthread.h>
 #include <sys/stat.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
@@ -30,6 +32,31 @@ TEST(Team, EveryMemberDoesTheJob) {
   for (int again = 0; again < 200; ++again) team.run(2, [&](unsigned i) { ++done[i]; });
   team.run(1, [&](unsigned i) { ++done[i]; });
   EXPECT_EQ(done, (std::vector<int>{401, 400, 200}));
+}
+
+// Turns in which all must come, some may, and not all are asked, one after another: whoever comes
+// late finds another turn, and takes no part in the one that is over.
+TEST(Team, WhatIsSharedIsDoneOnceWhoeverComes) {
+  Team team(4);
+  std::array<std::atomic<int>, 4> done{};
+  int parts = 0;
+  for (int again = 0; again < 2000; ++again) {
+    std::atomic<int> next = 0;
+    const auto few = static_cast<unsigned>(1 + again % 4);
+    team.share(few, [&](unsigned i) {
+      ASSERT_LT(i, few);
+      while (next++ < 3) ++done[i];
+    });
+    parts += 3;
+    if (again % 8 == 0) team.run(4, [&](unsigned i) { ++done[i]; });
+  }
+  EXPECT_EQ(done[0] + done[1] + done[2] + done[3], parts + 4 * 250);
+  for (const auto& each : done) EXPECT_GE(each, 250);
+  EXPECT_THROW(team.share(4,
+                          [](unsigned i) {
+                            if (i == 0) throw std::runtime_error("no");
+                          }),
+               std::runtime_error);
 }
 
 // Before, what the caller's own job threw left the others at work on what was gone.
