@@ -38,7 +38,8 @@ class Team {
   template <class Job>
   void run(unsigned members, Job&& job) {
     if (members == 1) return job(0U);
-    begin(members, job);
+    auto one = [&job](unsigned i) { job(i); };
+    begin(members, one);
     call(0);
     wait_for(members - 1);
     end();
@@ -49,7 +50,8 @@ class Team {
   template <class Job>
   void share(unsigned members, Job&& job) {
     if (members == 1) return job(0U);
-    begin(members, job);
+    auto one = [&job](unsigned i) { job(i); };
+    begin(members, one);
     call(0);
     wait_for(close());
     end();
@@ -63,7 +65,7 @@ class Team {
   template <class Job>
   void begin(unsigned members, Job& job) {
     call_ = [](void* what, unsigned i) { (*static_cast<Job*>(what))(i); };
-    job_ = const_cast<void*>(static_cast<const void*>(&job));  // call_ knows what it is
+    job_ = &job;  // call_ knows what it is
     begin(members);
   }
   void begin(unsigned members);
