@@ -38,6 +38,8 @@ class Algorithm {
   Pace pace;  // where it is
 
   virtual std::size_t environments() const = 0;
+  /// Into which they are cut. A pack does not go beyond its part.
+  virtual std::size_t parts() const { return 1; }
   /// Of all environments so far.
   std::uint64_t steps() const { return pace.time * environments(); }
   /// How environments are stepped, and what made that slower.

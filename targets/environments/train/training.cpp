@@ -75,9 +75,10 @@ std::uint64_t Training::steps() const {
 
 int Training::run(const Stop& stop) {
   if (!options_.is_quiet) {
-    fmt::print(stderr, "{}{}{} environments step {}\n", options_.name,
+    const std::size_t parts = algorithm_->parts();
+    fmt::print(stderr, "{}{}{} environments{} step {}\n", options_.name,
                options_.name.empty() ? "" : ": ", algorithm_->environments(),
-               algorithm_->stepping());
+               parts == 1 ? "" : fmt::format(" in {} parts", parts), algorithm_->stepping());
   }
   showing_.open_events(progressed_.curve);
   const Ending ending = learn(stop);
