@@ -124,7 +124,7 @@ Parts parts_of(std::string_view bytes, const std::string& name) {
   return parts;
 }
 
-[[noreturn]] void refuse(std::string what, const std::vector<Difference>& differences,
+[[noreturn]] void refuse(const std::string& what, const std::vector<Difference>& differences,
                          std::string help) {
   Problem problem(kInputOutput, what + text_of(differences), std::move(help));
   for (const Difference& one : differences) problem.about.push_back(one.name);

@@ -258,6 +258,7 @@ std::vector<Difference> differences(std::string_view theirs, std::string_view ou
 
 std::string text_of(const std::vector<Difference>& differences) {
   std::vector<std::string> texts;
+  texts.reserve(differences.size());
   for (const Difference& one : differences) texts.push_back(one.text);
   return fmt::format("{}", fmt::join(texts, ", "));
 }
