@@ -60,6 +60,24 @@ std::string dominating(const Evaluation& evaluation, const Description& descript
                      description.terms[at], kPercent * most / sum);
 }
 
+/// Where each step costs and an end costs nothing, ending is learnt.
+std::string early_ends(const Evaluation& evaluation, const Description& description) {
+  constexpr double kMost = 0.9;
+  const auto ends_early = [&](const Outcome& episode) {
+    return !episode.success && episode.steps < description.episode_steps;
+  };
+  const auto count = std::ranges::count_if(evaluation.outcomes, ends_early);
+  const auto all = static_cast<double>(evaluation.outcomes.size());
+  if (evaluation.outcomes.empty() || static_cast<double>(count) < kMost * all ||
+      evaluation.mean_return >= 0.0)
+    return {};
+  return fmt::format(
+      "{} of {} episodes end early, on average after {:.4g} of {} steps, and the return is below "
+      "0: if each step costs and an end does not, ending is learnt. A term that is below 0 where "
+      "`terminated:` holds makes ends dear",
+      count, evaluation.outcomes.size(), evaluation.mean_steps, description.episode_steps);
+}
+
 /// The observation of this column, such as "angle[1]".
 std::string column_name(const Description& description, std::size_t column) {
   for (const Space& space : description.observations) {
@@ -80,6 +98,8 @@ std::vector<std::string> signs_of(const std::vector<CurvePoint>& curve,
     signs.emplace_back(
         "no episode has succeeded yet: `success:` may be out of reach, or episodes too short");
   if (std::string sign = flat(curve); !sign.empty()) signs.push_back(std::move(sign));
+  if (std::string sign = early_ends(evaluation, description); !sign.empty())
+    signs.push_back(std::move(sign));
   if (evaluation.saturated > kMostSaturated)
     signs.push_back(fmt::format("{:.0f} % of the actions are at their bounds",
                                 kPercent * evaluation.saturated));
