@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace eagerx::train {
 namespace {
@@ -41,6 +42,34 @@ std::string flat(const std::vector<CurvePoint>& curve) {
   if (std::abs(rise) > kLittle * scale) return {};
   return fmt::format("the return has stayed at {:.4g} since {} steps", before,
                      rounded(curve.back().steps * kHalf));
+}
+
+/// The evaluations of a while, or the last ones.
+struct Success {
+  double share, mean_return;
+};
+
+/// A return that rises while episodes no longer succeed.
+std::string at_odds(const std::vector<CurvePoint>& curve) {
+  constexpr std::size_t kLast = 3;
+  constexpr double kMuch = 0.5, kHalf = 0.5;
+  std::vector<Success> all;
+  for (const CurvePoint& point : curve) {
+    if (!std::isnan(point.evaluation_return))
+      all.push_back({point.evaluation_success, point.evaluation_return});
+  }
+  if (all.size() <= kLast) return {};
+  const auto last = std::span(all).last(kLast), before = std::span(all).first(all.size() - kLast);
+  const Success best = *std::ranges::max_element(before, {}, &Success::share);
+  const auto is_worse = [&](const Success& each) {
+    return each.share <= kHalf * best.share && each.mean_return > best.mean_return;
+  };
+  if (best.share < kMuch || !std::ranges::all_of(last, is_worse)) return {};
+  return fmt::format(
+      "success has fallen from {:.0f} to {:.0f} % of the episodes while the return has risen from "
+      "{:.4g} to {:.4g}: the reward wants something else than `success:`",
+      kPercent * best.share, kPercent * last.back().share, best.mean_return,
+      last.back().mean_return);
 }
 
 /// A term that is nearly all of the return hides the others.
@@ -97,6 +126,7 @@ std::vector<std::string> signs_of(const std::vector<CurvePoint>& curve,
   if (description.has_success && !any_success(curve))
     signs.emplace_back(
         "no episode has succeeded yet: `success:` may be out of reach, or episodes too short");
+  if (std::string sign = at_odds(curve); !sign.empty()) signs.push_back(std::move(sign));
   if (std::string sign = flat(curve); !sign.empty()) signs.push_back(std::move(sign));
   if (std::string sign = early_ends(evaluation, description); !sign.empty())
     signs.push_back(std::move(sign));

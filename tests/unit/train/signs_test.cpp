@@ -60,6 +60,16 @@ TEST_F(TrainSigns, AFlatReturn) {
   EXPECT_EQ(signs(), Signs{"the return has stayed at -60 since 164,000 steps"});
 }
 
+TEST_F(TrainSigns, AReturnThatRisesWhileSuccessFalls) {
+  curve_[20].evaluation_success = curve_[21].evaluation_success = 0.96;
+  for (int i = 41; i <= 46; ++i) add(i, -100.0 + 2.0 * i, 0.04);
+  EXPECT_EQ(signs(), Signs{"success has fallen from 96 to 4 % of the episodes while the return has "
+                           "risen from -56 to -8: the reward wants something else than "
+                           "`success:`"});
+  curve_.back().evaluation_return = -57.0;
+  EXPECT_EQ(signs(), Signs()) << "it has not risen";
+}
+
 TEST_F(TrainSigns, EndsThatAreWorthMoreThanGoingOn) {
   description_.episode_steps = 200;
   evaluation_.mean_return = -67.0;
