@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/plan/schedule.hpp"
 
 namespace eagerx::gen {
@@ -84,7 +85,7 @@ std::string why_not_in_time(const Plan& plan) {
     if (std::string reason = why_no_phases(plan, schedule); !reason.empty()) return reason;
   }
   // Its tick 0, at which it does nothing, is then in a reset.
-  if (graph.has_engine() && std::ranges::find(plan.before, Graph::kEngine) == plan.before.end())
+  if (graph.has_engine() && !ranges::contains(plan.before, Graph::kEngine))
     return "the engine waits for actions";
   for (const auto& node : plan.nodes) {
     for (const auto& reception : node.receptions) {
@@ -117,7 +118,7 @@ std::string why_not_in_memory(const Plan& plan) {
 
 bool runs_lane_by_lane(const GraphNode& node) {
   const bool counts_messages =
-      std::ranges::any_of(node.inputs, [](const Input& input) { return input.window == 0; });
+      ranges::any_of(node.inputs, [](const Input& input) { return input.window == 0; });
   return node.role == NodeRole::node && node.entity != nullptr && node.reset_targets.empty() &&
          (counts_messages || !runs_in_packs(node));
 }
@@ -132,8 +133,7 @@ std::vector<bool> rates_of_packs(const Plan& plan) {
 
 Schedule schedule_of_packs(const Plan& plan) {
   const std::vector<bool> needed = rates_of_packs(plan);
-  if (plan.schedule.form == ScheduleForm::constants &&
-      std::ranges::find(needed, false) == needed.end())
+  if (plan.schedule.form == ScheduleForm::constants && !ranges::contains(needed, false))
     return plan.schedule;
   std::vector<RateClass> rates;
   std::vector<std::size_t> bit;  // in masks of the plan
