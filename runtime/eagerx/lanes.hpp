@@ -261,11 +261,17 @@ class PaddedLanes : Window {
   using Window::Window;
 
   static constexpr std::uint32_t size() { return Window::kMaxSize; }
-  Message operator[](std::uint32_t i) const {
-    constexpr auto kMissing = std::numeric_limits<LaneOf<ScalarOf<Message>>>::quiet_NaN();
-    return detail::padded(static_cast<const Window&>(*this), i, kMissing);
+  /// Of a window that is always full, where the message is: a copy goes through memory.
+  decltype(auto) operator[](std::uint32_t i) const {
+    const auto& window = static_cast<const Window&>(*this);
+    if constexpr (Window::kAlwaysFull) {
+      return window[i];
+    } else {
+      constexpr auto kMissing = std::numeric_limits<LaneOf<ScalarOf<Message>>>::quiet_NaN();
+      return detail::padded(window, i, kMissing);
+    }
   }
-  Message back() const { return (*this)[size() - 1]; }
+  decltype(auto) back() const { return (*this)[size() - 1]; }
 };
 
 /// As FloorSequence, lane by lane, with values below 2^31.

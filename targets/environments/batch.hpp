@@ -275,7 +275,7 @@ class Batch {
       write_outcome<Graph>(column, k, rows);
       weigh(k, column, rows);
       critic_.step(k, column);
-      end_pack_step(k, column, rows);
+      end_pack_step(k, column, rows, [&](float* row) { packs_.write(column, layout_, row); });
     }
   }
 
@@ -315,18 +315,27 @@ class Batch {
       if ((alone >> lane & 1U) != 0) {
         step_alone(k, actions, rows);
       } else {
-        end_pack_step(k, packs_.column(member, first, lane), rows);
+        const PackColumn column = packs_.column(member, first, lane);
+        end_pack_step(k, column, rows, [&](float* row) {
+          if (rows.observation == nullptr) return packs_.write(column, layout_, row);
+          const std::size_t observed = layout_.observations.numbers();
+          const float* const written = rows.observation + k * observed;
+          if (row != written) std::copy_n(written, observed, row);
+        });
       }
     }
   }
 
-  void end_pack_step(std::uint32_t k, const PackColumn& column, const eagerx_rows& rows) {
+  /// write(row) writes the observation of the step.
+  template <class Write>
+  void end_pack_step(std::uint32_t k, const PackColumn& column, const eagerx_rows& rows,
+                     Write&& write) {
     const Ends ends = ends_of<Graph>(column);
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
         not_finite_.note(episodes_[k].place(k, steps_[k]), outcome_of<Graph>(column));
     }
-    end_step(k, ends, rows, [&](float* row) { packs_.write(column, layout_, row); });
+    end_step(k, ends, rows, std::forward<Write>(write));
     if (steps_[k] >= packs_.most_steps()) take_out(k);
   }
 
