@@ -142,6 +142,9 @@ struct ProgramNames {
 /// begin with that of the member that has all of it.
 bool is_drawn(const Plan& plan, const Ring& ring);
 
+/// packs/draws.hpp: what several episodes begin with.
+View draws_view(const Plan& plan, const ProgramNames& names);
+
 /// What the templates of one program are rendered with.
 View messages_view(const Plan& plan, const ProgramNames& names);
 /// Where headers are: those below `builtin_root` in angle brackets, others relative to `here`.

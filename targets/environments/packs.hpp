@@ -21,9 +21,9 @@ namespace eagerx::environments {
 struct NoAgent {};
 
 /// `Program` is the graph's over packs of `Lanes`, `Action` and `Observation` are its messages,
-/// `Agent` its policy.
+/// `Draws` draws for several environments, `Agent` is the graph's policy.
 template <class Graph, class Program, class Action, class Observation, std::size_t Lanes,
-          class Agent = NoAgent>
+          class Draws, class Agent = NoAgent>
 class Packs {
  public:
   using Kernel = PackKernel<Graph>;
@@ -51,6 +51,9 @@ class Packs {
     kernel.store = [](const void* pack, std::uint32_t lane, typename Kernel::Program& one) {
       static_cast<const Program*>(pack)->store(lane, one);
     };
+    if constexpr (Program::kPhases == 1 && !kHasResetNodes) kernel.restart = restart;
+    kernel.draw = Draws::draw;
+    kernel.most_draws = Draws::kMost;
     kernel.action_bytes = sizeof(Action);
     if constexpr (!Graph::kSafety.declared) kernel.take = take;
     kernel.put = [](void* actions, std::uint32_t lane, const typename Kernel::Action& action) {
@@ -73,6 +76,15 @@ class Packs {
   /// Whether a guard wants to know which observations are finite.
   static constexpr bool kWatches = Program::kAnswers && Graph::kSafety.declared;
   static constexpr std::uint32_t kMostTicks = 2'000'000'000;  // below 2^31
+  static constexpr bool kHasResetNodes = requires(const typename Kernel::Program& one) {
+    one.reset_timeouts();
+  };
+
+  static typename Graph::Observation restart(void* pack, std::uint32_t lane,
+                                             typename Kernel::Program& one,
+                                             const typename Graph::States& states) {
+    return static_cast<Program*>(pack)->restart(lane, one, states);
+  }
 
   static std::uint64_t take(const ActionRows& rows, void* actions) {
     Truth applicable = true;
