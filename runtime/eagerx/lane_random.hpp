@@ -21,6 +21,7 @@ template <std::size_t N>
   constexpr int kRounds = 10;
   const Words multiplier0(0xD2511F53U), multiplier1(0xCD9E8D57U);
   const Words weyl0(0x9E3779B9U), weyl1(0xBB67AE85U);
+#pragma GCC unroll 10
   for (int round = 0; round < kRounds; ++round) {
     const Words product0 = product_of_lower_halves(counter[0], multiplier0);
     const Words product1 = product_of_lower_halves(counter[2], multiplier1);

@@ -369,6 +369,7 @@ inline void load_lane(LanesPart& lanes, std::size_t lane, const Part& part) {
     check_lane<Word, N, LanesPart, Part>();
     auto* const to = reinterpret_cast<unsigned char*>(&lanes) + lane * sizeof(Word);
     const auto* const from = reinterpret_cast<const unsigned char*>(&part);
+#pragma GCC unroll 32
     for (std::size_t i = 0; i < sizeof(Part) / sizeof(Word); ++i)
       std::memcpy(to + i * N * sizeof(Word), from + i * sizeof(Word), sizeof(Word));
   }
@@ -379,6 +380,7 @@ inline void store_lane(const LanesPart& lanes, std::size_t lane, Part& part) {
     check_lane<Word, N, LanesPart, Part>();
     const auto* const from = reinterpret_cast<const unsigned char*>(&lanes) + lane * sizeof(Word);
     auto* const to = reinterpret_cast<unsigned char*>(&part);
+#pragma GCC unroll 32
     for (std::size_t i = 0; i < sizeof(Part) / sizeof(Word); ++i)
       std::memcpy(to + i * sizeof(Word), from + i * N * sizeof(Word), sizeof(Word));
   }
