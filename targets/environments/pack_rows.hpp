@@ -143,7 +143,7 @@ class RowWriter {
       out[2] = blocks<0, 2, 4, 6>(c, d);
       out[3] = blocks<1, 3, 5, 7>(c, d);
     }
-    std::memcpy(to, out, sizeof out);
+    for (std::size_t j = 0; j < 4; ++j) std::memcpy(to + j * kWidth, &out[j], sizeof out[j]);
   }
 };
 
