@@ -20,6 +20,9 @@
 
 namespace eagerx::gen {
 
+/// What messages of packs are members of that only the step needs that writes them.
+inline constexpr const char* kPassing = "now.";
+
 struct ProgramNames {
   /// `loops`: equal chains of nodes are loops over arrays, as packs have none.
   ProgramNames(const Plan& plan, Part part, Numbers of = Numbers::plain, bool loops = false);

@@ -152,7 +152,8 @@ class Packs {
 
   static std::uint64_t step(void* pack, const void* actions, float* columns, const PackRows* rows) {
     Program& program = *static_cast<Program*>(pack);
-    const auto observation = program.step(*static_cast<const Action*>(actions));
+    typename Program::Messages now;
+    const auto observation = program.step(*static_cast<const Action*>(actions), now);
     const bool writes_rows = rows != nullptr && rows->observation != nullptr;
     const float* numbers[Observation::kNumbers];
     write(observation, columns, !writes_rows || kWatches, numbers);
@@ -160,7 +161,7 @@ class Packs {
       RowWriter<Lanes>::spread_all(numbers, rows->places, rows->observation, rows->observed);
     const std::uint64_t last = rows != nullptr ? count_steps(*rows) : 0;
     if constexpr (has_task<Graph>) {
-      const auto outcome = program.outcome();
+      const auto outcome = program.outcome(now);
       float* const ends = columns + Observation::kNumbers * Lanes;
       outcome.reward.store(ends + kReward * Lanes);
       put(outcome.terminated, ends + kTerminated * Lanes);
