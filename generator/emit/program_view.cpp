@@ -231,7 +231,8 @@ class ProgramView {
 
   void add_memory() {
     View rings = list(), members = list(), counters = list();
-    View drawn_rings = list(), drawn_members = list(), by_lane = list(), passing = list();
+    View drawn_rings = list(), drawn_members = list(), by_lane = list(), passing = list(),
+         ticks = list();
     for (std::size_t r = 0; r < plan_.rings.size(); ++r) {
       const Ring& ring = plan_.rings[r];
       if (!names_.has_ring(r)) continue;
@@ -248,6 +249,10 @@ class ProgramView {
           "comment",
           text_or_false(ring.needed > 1 ? fmt::format("{} needs {}", ring.why, ring.needed) : ""));
       (drawn ? drawn_rings : passes ? passing : rings).push_back(item);
+      if (passes && ring.node == Graph::kEngine && !ring.reader_node) {
+        item.set("member", names_.ring_member[r]);
+        ticks.push_back(item);
+      }
     }
     const auto add = [](View& to, const std::string& type, const std::string& member) {
       View item = object();
@@ -286,6 +291,7 @@ class ProgramView {
     view_["rings"] = std::move(rings);
     view_.set("now", passing.is_non_empty_list() ? ", now" : "");
     view_["passing"] = std::move(passing);
+    view_["last_ticks"] = std::move(ticks);
     view_["members"] = std::move(members);
     view_.set("has_by_lane", by_lane.is_non_empty_list());
     view_["by_lane"] = std::move(by_lane);

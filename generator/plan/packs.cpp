@@ -125,7 +125,8 @@ std::vector<Place> places_in_step(const Plan& plan) {
 bool writes_first(const Plan& plan, const std::vector<Place>& places, std::size_t writer,
                   std::size_t reader) {
   if (reader == Graph::kEnvironment) return false;  // it sees the messages when the step is over
-  if (writer == Graph::kEnvironment) return true;   // actions are the first of a step
+  // Actions are the first of a step; what the engine sends are its ticks, which packs know.
+  if (writer == Graph::kEnvironment || writer == Graph::kEngine) return true;
   const Place &from = places[writer], &to = places[reader];
   if (from.is_after) return !to.is_after || from.position < to.position;
   const Rational ratio =

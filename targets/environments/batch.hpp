@@ -283,7 +283,8 @@ class Batch {
       write_outcome<Graph>(column, k, rows);
       weigh(k, column, rows);
       critic_.step(k, column);
-      end_pack_step(k, column, rows, [&](float* row) { packs_.write(column, layout_, row); });
+      end_pack_step(k, column, ends_of<Graph>(column), rows,
+                    [&](float* row) { packs_.write(column, layout_, row); });
     }
   }
 
@@ -324,7 +325,9 @@ class Batch {
         step_alone(k, actions, rows);
       } else {
         const PackColumn column = packs_.column(member, first, lane);
-        end_pack_step(k, column, rows, [&](float* row) {
+        const Ends ends =
+            pack_rows.have_ends() ? ends_in_rows<Graph>(column, k, rows) : ends_of<Graph>(column);
+        end_pack_step(k, column, ends, rows, [&](float* row) {
           if (rows.observation == nullptr) return packs_.write(column, layout_, row);
           const std::size_t observed = layout_.observations.numbers();
           const float* const written = rows.observation + k * observed;
@@ -336,9 +339,8 @@ class Batch {
 
   /// write(row) writes the observation of the step.
   template <class Write>
-  void end_pack_step(std::uint32_t k, const PackColumn& column, Step& rows,
+  void end_pack_step(std::uint32_t k, const PackColumn& column, Ends ends, Step& rows,
                      Write&& write) {
-    const Ends ends = ends_of<Graph>(column);
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
         not_finite_.note(episodes_[k].place(k, steps_[k]), outcome_of<Graph>(column));

@@ -20,6 +20,9 @@ struct PackRows {
   std::uint8_t* truncated = nullptr;
   std::uint32_t* steps = nullptr;  // of the episodes; never null
   std::uint32_t most_steps = 0;    // after so many a lane is notable
+
+  /// Whether they tell which episodes the task ends: no columns do then.
+  bool have_ends() const { return terminated != nullptr && truncated != nullptr; }
 };
 
 /// Rows of actions of a whole pack.
@@ -72,7 +75,8 @@ struct PackKernel {
   std::uint64_t (*take)(const ActionRows& rows, void* actions) = nullptr;
   void (*put)(void* actions, std::uint32_t lane, const Action& action) = nullptr;
   /// `actions` have gone through the guards. Columns: observations in the graph's order, unless
-  /// their rows are wanted and no guard looks at them, then those of PackColumns. `rows`: null, or also written. The lanes, a bit each, whose episode the task
+  /// their rows are wanted and no guard looks at them, then those of PackColumns, unless rows have
+  /// the ends. `rows`: null, or also written. The lanes, a bit each, whose episode the task
   /// ends, whose reward is no number or which have made the most steps.
   std::uint64_t (*step)(void* pack, const void* actions, float* columns,
                         const PackRows* rows) = nullptr;

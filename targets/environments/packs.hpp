@@ -164,9 +164,11 @@ class Packs {
       const auto outcome = program.outcome(now);
       float* const ends = columns + Observation::kNumbers * Lanes;
       outcome.reward.store(ends + kReward * Lanes);
-      put(outcome.terminated, ends + kTerminated * Lanes);
-      put(outcome.truncated, ends + kTruncated * Lanes);
-      put(outcome.success, ends + kSuccess * Lanes);
+      if (rows == nullptr || !rows->have_ends()) {
+        put(outcome.terminated, ends + kTerminated * Lanes);
+        put(outcome.truncated, ends + kTruncated * Lanes);
+        put(outcome.success, ends + kSuccess * Lanes);
+      }
       for (std::size_t i = 0; i < terms_of<Graph>; ++i)
         outcome.terms[i].store(ends + (kTerms + i) * Lanes);
       put_seen(outcome, ends + (kTerms + terms_of<Graph>)*Lanes);
