@@ -249,7 +249,7 @@ class ProgramView {
           "comment",
           text_or_false(ring.needed > 1 ? fmt::format("{} needs {}", ring.why, ring.needed) : ""));
       (drawn ? drawn_rings : passes ? passing : rings).push_back(item);
-      if (passes && ring.node == Graph::kEngine && !ring.reader_node) {
+      if (passes && graph_.has_engine() && ring.node == Graph::kEngine && !ring.reader_node) {
         item.set("member", names_.ring_member[r]);
         ticks.push_back(item);
       }
@@ -289,6 +289,7 @@ class ProgramView {
     view_.set("has_counts", names_.has_engine() || counters.is_non_empty_list());
     view_["node_counts"] = std::move(counters);
     view_["rings"] = std::move(rings);
+    view_.set("passes", passing.is_non_empty_list());
     view_.set("now", passing.is_non_empty_list() ? ", now" : "");
     view_["passing"] = std::move(passing);
     view_["last_ticks"] = std::move(ticks);

@@ -126,7 +126,8 @@ bool writes_first(const Plan& plan, const std::vector<Place>& places, std::size_
                   std::size_t reader) {
   if (reader == Graph::kEnvironment) return false;  // it sees the messages when the step is over
   // Actions are the first of a step; what the engine sends are its ticks, which packs know.
-  if (writer == Graph::kEnvironment || writer == Graph::kEngine) return true;
+  const bool is_engine = plan.graph->has_engine() && writer == Graph::kEngine;
+  if (writer == Graph::kEnvironment || is_engine) return true;
   const Place &from = places[writer], &to = places[reader];
   if (from.is_after) return !to.is_after || from.position < to.position;
   const Rational ratio =

@@ -84,8 +84,9 @@ class LaneRandom {
 
 /// As Space::sample() for each lane: into to(lane), for `count` of them.
 template <std::size_t N, class Message, class To>
-requires std::is_same_v<ScalarOf<Message>, float>
-void sample_lanes(LaneRandom<N>& random, const Space<Message>& space, std::size_t count, To&& to) {
+requires std::is_same_v < ScalarOf<Message>,
+float > void sample_lanes(LaneRandom<N>& random, const Space<Message>& space, std::size_t count,
+                          To&& to) {
   constexpr std::size_t kSize = size_of<Message>;
   float numbers[kSize][N];
   for (std::size_t i = 0; i < kSize; ++i)

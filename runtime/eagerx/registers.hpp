@@ -225,8 +225,8 @@ template <class Vector>
 #if defined(__AVX512F__)
   if constexpr (sizeof(Vector) == 64)
     return std::bit_cast<Vector>(__builtin_ia32_pmuludq512_mask(
-        std::bit_cast<Halves>(a), std::bit_cast<Halves>(b),
-        typename VectorOf<long long, 8>::type{}, static_cast<char>(-1)));
+        std::bit_cast<Halves>(a), std::bit_cast<Halves>(b), typename VectorOf<long long, 8>::type{},
+        static_cast<char>(-1)));
 #endif
 #if defined(__AVX2__)
   if constexpr (sizeof(Vector) == 32)

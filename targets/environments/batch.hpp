@@ -362,8 +362,7 @@ class Batch {
   }
 
   template <class AnyProgram>
-  void step_one(std::uint32_t k, AnyProgram& program, const float* actions,
-                Step& rows) {
+  void step_one(std::uint32_t k, AnyProgram& program, const float* actions, Step& rows) {
     const std::size_t acted = layout_.actions.numbers();
     const auto observation = program.step(layout_.action(actions + k * acted));
     const Ends ends = write_outcome<Graph>(program, k, rows);
@@ -418,6 +417,7 @@ class Batch {
     if (step.waiting == draws_.most()) begin_all(step);
   }
   void begin_all(Step& step) {
+    if (step.waiting == 0) return;
     EpisodeKey keys[Step::kMost];
     typename Graph::States states[Step::kMost];
     for (std::uint32_t i = 0; i < step.waiting; ++i)

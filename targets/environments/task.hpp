@@ -93,8 +93,7 @@ Ends ends_of(const PackColumn& column) {
 template <class Graph>
 Ends ends_in_rows(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
   if constexpr (has_task<Graph>) {
-    return {rows.terminated[k] != 0, rows.truncated[k] != 0,
-            eagerx::isfinite(column.end(kReward))};
+    return {rows.terminated[k] != 0, rows.truncated[k] != 0, eagerx::isfinite(column.end(kReward))};
   } else {
     return {};
   }
