@@ -33,7 +33,7 @@ const std::string kHead =
     "objects:\n  motor: {type: DcMotor, sensors: {theta: {rate: 1000}, theta_dot: {rate: 1000}},\n"
     "          actuators: {u: {rate: 1000}}}\n"
     "nodes:\n"
-    "  position: {type: PidController, rate: 250, config: {kp: 8, low: -40, high: 40},\n"
+    "  position: {type: PidController, rate: 200, config: {kp: 8, low: -40, high: 40},\n"
     "             inputs: [measured, setpoint]}\n"
     "  speed: {type: PidController, rate: 500, config: {kp: 0.3, low: -12, high: 12},\n"
     "          inputs: [measured, setpoint]}\n"
@@ -47,19 +47,20 @@ const std::string kHead =
     "  - {from: speed.u, to: motor.u}\n";
 
 TEST(PassingRings, AreReadOnlyBehindTheirWritersInEveryStep) {
-  // The speed goes back to what comes behind the environment: the next step reads it.
+  // The speed is not among them: it goes to what comes behind the environment in the next step. Nor
+  // is the angle, which is observed.
   EXPECT_EQ(passing(kHead + "  - {from: position.u, to: speed.setpoint}\n"),
-            "actions.angle\nengine.tick\nposition.u\nspeed.u\n");
+            "actions.angle\nengine.tick\nposition.u\nspeed.u\nmotor/x.observation\n");
 }
 
 TEST(PassingRings, OlderMessagesStay) {
   EXPECT_EQ(passing(kHead + "  - {from: position.u, to: speed.setpoint, delay: 20 ms}\n"),
-            "actions.angle\nengine.tick\nspeed.u\n");
+            "actions.angle\nengine.tick\nspeed.u\nmotor/x.observation\n");
 }
 
 TEST(PassingRings, ASlowerWriterMayBeSilentInAStep) {
   std::string text = kHead + "  - {from: position.u, to: speed.setpoint}\n";
-  text.replace(text.find("rate: 250"), 9, "rate: 50");
+  text.replace(text.find("rate: 200"), 9, "rate: 50");
   EXPECT_EQ(passing(text), "") << "a step is no hyperperiod";
 }
 

@@ -13,15 +13,15 @@
 
 namespace {
 
-constexpr std::size_t kLanes = eagerx::kRegisterBytes / sizeof(float);
-constexpr std::uint32_t kEntity = eagerx::entity_id("pendulum/model_state");
+constexpr std::size_t kEpisodes = eagerx::kRegisterBytes / sizeof(float);
+constexpr std::uint32_t kDrawnEntity = eagerx::entity_id("pendulum/model_state");
 
-std::uint32_t bits(float x) {
+std::uint32_t word_of(float x) {
   return std::bit_cast<std::uint32_t>(x);
 }
 
 /// Keys that differ in every part, in the upper halves of seeds, too.
-std::vector<eagerx::EpisodeKey> keys_of(std::uint32_t round, std::size_t count) {
+std::vector<eagerx::EpisodeKey> odd_keys(std::uint32_t round, std::size_t count) {
   std::vector<eagerx::EpisodeKey> keys;
   for (std::uint32_t k = 0; k < count; ++k)
     keys.push_back({0x9E3779B97F4A7C15U * (round + 1) + k, round + 5 * k, 0xFFFFFFF0U + k * round});
@@ -30,15 +30,15 @@ std::vector<eagerx::EpisodeKey> keys_of(std::uint32_t round, std::size_t count) 
 
 TEST(LaneRandom, DrawsWhatEachEpisodeDrawsAlone) {
   for (std::uint32_t round = 0; round < 500; ++round) {
-    const auto keys = keys_of(round, kLanes);
-    eagerx::LaneRandom<kLanes> together(keys.data(), keys.size(), kEntity);
+    const auto keys = odd_keys(round, kEpisodes);
+    eagerx::LaneRandom<kEpisodes> together(keys.data(), keys.size(), kDrawnEntity);
     std::vector<eagerx::Random> alone;
-    for (const auto& key : keys) alone.emplace_back(key, kEntity);
+    for (const auto& key : keys) alone.emplace_back(key, kDrawnEntity);
     for (int i = 0; i < 11; ++i) {  // more than two blocks of four words
       const float low = -0.05F * static_cast<float>(i), high = 0.7F;
       const auto drawn = together.uniform(low, high);
-      for (std::size_t k = 0; k < kLanes; ++k)
-        ASSERT_EQ(bits(lane(drawn, static_cast<int>(k))), bits(alone[k].uniform(low, high)))
+      for (std::size_t k = 0; k < kEpisodes; ++k)
+        ASSERT_EQ(word_of(lane(drawn, static_cast<int>(k))), word_of(alone[k].uniform(low, high)))
             << "lane " << k << ", number " << i;
     }
   }
@@ -48,32 +48,32 @@ TEST(LaneRandom, FewerEpisodesThanLanesAndMessages) {
   using Message = eagerx::Array<float, 6>;
   constexpr eagerx::Space<Message> kSpace{.low = {{-1, -2, 0, 3, -0.5F, -9}},
                                           .high = {{1, 2, 0, 4, 1e30F, -8}}};
-  for (std::size_t count = 1; count <= kLanes; ++count) {
-    const auto keys = keys_of(7, count);
-    eagerx::LaneRandom<kLanes> together(keys.data(), count, kEntity);
+  for (std::size_t count = 1; count <= kEpisodes; ++count) {
+    const auto keys = odd_keys(7, count);
+    eagerx::LaneRandom<kEpisodes> together(keys.data(), count, kDrawnEntity);
     std::vector<std::optional<Message>> drawn(count);
     eagerx::sample_lanes(
         together, kSpace, count, [&](std::size_t k) -> auto& { return drawn[k]; });
     for (std::size_t k = 0; k < count; ++k) {
-      eagerx::Random alone(keys[k], kEntity);
+      eagerx::Random alone(keys[k], kDrawnEntity);
       const Message message = kSpace.sample(alone);
       ASSERT_TRUE(drawn[k]);
       for (std::size_t i = 0; i < 6; ++i)
-        EXPECT_EQ(bits((*drawn[k])[i]), bits(message[i])) << "lane " << k << ", number " << i;
+        EXPECT_EQ(word_of((*drawn[k])[i]), word_of(message[i])) << "lane " << k << ", number " << i;
     }
   }
 }
 
 TEST(LaneRandom, ANumberAlone) {
   constexpr eagerx::Space<float> kSpace{.low = 1.0F, .high = 2.0F};
-  const auto keys = keys_of(3, kLanes);
-  eagerx::LaneRandom<kLanes> together(keys.data(), kLanes, kEntity);
-  std::optional<float> drawn[kLanes];
+  const auto keys = odd_keys(3, kEpisodes);
+  eagerx::LaneRandom<kEpisodes> together(keys.data(), kEpisodes, kDrawnEntity);
+  std::optional<float> drawn[kEpisodes];
   eagerx::sample_lanes(
-      together, kSpace, kLanes, [&](std::size_t k) -> auto& { return drawn[k]; });
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    eagerx::Random alone(keys[k], kEntity);
-    EXPECT_EQ(bits(drawn[k].value()), bits(kSpace.sample(alone)));
+      together, kSpace, kEpisodes, [&](std::size_t k) -> auto& { return drawn[k]; });
+  for (std::size_t k = 0; k < kEpisodes; ++k) {
+    eagerx::Random alone(keys[k], kDrawnEntity);
+    EXPECT_EQ(word_of(drawn[k].value()), word_of(kSpace.sample(alone)));
   }
 }
 
