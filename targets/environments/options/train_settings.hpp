@@ -327,8 +327,9 @@ inline constexpr Setting kTrainSettings[] = {
     {.name = "evaluation_every",
      .kind = SettingKind::whole,
      .otherwise = "5",
-     .about = "iterations between two evaluations; more, where episodes of one have more steps than "
-              "these and than a twentieth of all so far",
+     .about =
+         "iterations between two evaluations; more, where episodes of one have more steps than "
+         "these and than a twentieth of all so far",
      .low = 1,
      .high = 100000},
     {.name = "evaluation_episodes",

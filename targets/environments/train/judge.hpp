@@ -43,9 +43,9 @@ class Judge {
   bool is_worth_choosing(const Evaluation& evaluation) const;
 
   const double until_return_, success_share_;
-  const std::size_t every_;    // iterations
-  const double longest_;       // steps of an evaluation, at most
-  const bool has_success_;     // the task says it
+  const std::size_t every_;  // iterations
+  const double longest_;     // steps of an evaluation, at most
+  const bool has_success_;   // the task says it
   const bool has_aim_;
   const Head head_;
   Evaluator evaluator_;
