@@ -20,13 +20,18 @@ std::size_t steps_in_phases(const Plan& plan, const Schedule& schedule) {
       schedule.masks, [&](std::uint64_t mask) { return (mask & environment) != 0; }));
 }
 
+/// Of an entity that does not run in packs.
+const char* without_packs(const Entity& entity) {
+  return entity.packs.empty() ? "has no `packs: true` in its manifest"
+                              : "has packs under a condition, which does not hold";
+}
+
 std::string why_not(const GraphNode& node, bool by_lane_too) {
   const bool only_resets = !node.reset_targets.empty();  // packs pass its feedthroughs on
   const bool by_lane = by_lane_too && runs_lane_by_lane(node);
   if (node.entity != nullptr && !only_resets && !by_lane && !runs_in_packs(node))
-    return fmt::format(
-        "`{}` ({}) has no `packs: true` in its manifest, or its condition does not hold", node.name,
-        node.entity->id.value);
+    return fmt::format("`{}` ({}) {}", node.name, node.entity->id.value,
+                       without_packs(*node.entity));
   const auto converts = [&](const std::optional<Processor>& processor) {
     return !processor || by_lane_too || runs_in_packs(*processor);
   };
@@ -167,9 +172,8 @@ std::string why_no_packs(const Plan& plan) {
   }
   for (const auto& item : graph.objects) {
     if (!item.implementation->packs)
-      return fmt::format(
-          "`{}` ({}) has no `packs: true` in its manifest, or its condition does not hold",
-          item.name, item.entity->id.value);
+      return fmt::format("the `model:` of `{}` ({}) has no `packs: true` in its manifest",
+                         item.name, item.entity->id.value);
   }
   if (std::string reason = why_not_in_time(plan); !reason.empty()) return reason;
   return why_not_in_memory(plan);
