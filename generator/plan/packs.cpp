@@ -186,7 +186,7 @@ Schedule schedule_of_packs(const Plan& plan) {
 std::vector<bool> passing_rings(const Plan& plan) {
   const auto& nodes = plan.graph->nodes;
   const auto resets = [](const GraphNode& node) { return !node.reset_targets.empty(); };
-  if (plan.schedule.form != ScheduleForm::constants || std::ranges::any_of(nodes, resets))
+  if (plan.schedule.form != ScheduleForm::constants || ranges::any_of(nodes, resets))
     return std::vector<bool>(plan.rings.size());
   const std::vector<Place> places = places_in_step(plan);
   std::vector<bool> passing;
