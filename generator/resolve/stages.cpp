@@ -1,5 +1,6 @@
 // Stages of a training: what they draw, weigh and wait for.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
