@@ -33,10 +33,10 @@ std::string text_of(const fs::path& path) {
   return text.str();
 }
 
-class Checker {
+class CompileCheck {
  public:
-  Checker(const Plan& plan, const std::vector<GeneratedFile>& files, const std::string& folder,
-          const CompileOptions& options, SourceMap& sources, Diagnostics& diagnostics)
+  CompileCheck(const Plan& plan, const std::vector<GeneratedFile>& files, const std::string& folder,
+               const CompileOptions& options, SourceMap& sources, Diagnostics& diagnostics)
       : plan_(plan),
         files_(files),
         folder_(folder),
@@ -48,7 +48,9 @@ class Checker {
   void run() {
     if (!write_files() || !has_compiler() || !has_flags()) return;
     if (!find_classes()) return;  // what else is wrong follows from it
-    if (compile_program()) look_for_calls();
+    if (!compile_program()) return;
+    look_for_calls();
+    compile_packs();
   }
 
  private:
@@ -194,6 +196,29 @@ class Checker {
     return true;
   }
 
+  /// The program over packs of numbers, if the target has one.
+  void compile_packs() {
+    const std::string header = plan_.graph->name + "/packs/program.hpp";
+    if (std::ranges::find(files_, header, &GeneratedFile::path) == files_.end()) return;
+    if (!write("packs.cpp",
+               fmt::format("#include \"{}\"\ntemplate class graphs::{}::packs::Program<>;\n",
+                           header, plan_.graph->name)))
+      return;
+    const auto messages = messages_in(compile("packs.cpp", {"-fsyntax-only", "-Wno-psabi"}));
+    const auto error = std::ranges::find_if(messages, &CompilerMessage::error);
+    if (error == messages.end()) return;
+    CompilerMessage message = *error;
+    const auto says = [&](std::string_view word) {
+      return message.text.find(word) != std::string::npos;
+    };
+    if (says("Mask<") && says("'bool'"))  // names of templates over some lines
+      message.text = "a choice by a number, which each environment of a pack has another of";
+    report(message).help =
+        "its manifest says `packs: true`: then `Io::Real` is a pack of numbers, one of each "
+        "environment. `eagerx::select(a > b, x, y)` is for `if` and `? :`. Without "
+        "`packs: true` environments run one by one";
+  }
+
   void look_for_calls() {
     std::set<std::pair<std::string, std::uint32_t>> told;
     std::set<std::string> variables;  // each where it is used first
@@ -212,24 +237,20 @@ class Checker {
   }
 
   /// An error in a header, or in generated code: then it is the code of a node that does not fit.
-  void report(const CompilerMessage& message) {
-    if (is_of_entity(message.file)) {
-      diagnostics_.error("E0511", span_of(message.file, message.line, message.column),
-                         fmt::format("this does not compile: {}", message.text));
-      return;
-    }
+  Diagnostic& report(const CompilerMessage& message) {
+    if (is_of_entity(message.file))
+      return diagnostics_.error("E0511", span_of(message.file, message.line, message.column),
+                                fmt::format("this does not compile: {}", message.text));
     const std::string node = node_of(message);
     const auto found = std::ranges::find(plan_.graph->nodes, node, &GraphNode::name);
-    if (found == plan_.graph->nodes.end() || found->entity == nullptr) {
-      diagnostics_.error("E0511", plan_.graph->span,
-                         fmt::format("the program does not compile: {}", message.text));
-      return;
-    }
-    diagnostics_
-        .error("E0511", found->entity->cpp.span,
-               fmt::format("`{}` does not fit what its manifest says: {}", found->entity->cpp.name,
-                           message.text))
-        .notes.push_back({fmt::format("the node `{}`", node), found->span, ""});
+    if (found == plan_.graph->nodes.end() || found->entity == nullptr)
+      return diagnostics_.error("E0511", plan_.graph->span,
+                                fmt::format("the program does not compile: {}", message.text));
+    auto& problem = diagnostics_.error("E0511", found->entity->cpp.span,
+                                       fmt::format("`{}` does not fit what its manifest says: {}",
+                                                   found->entity->cpp.name, message.text));
+    problem.notes.push_back({fmt::format("the node `{}`", node), found->span, ""});
+    return problem;
   }
 
   /// Whose part of program.hpp it is; empty if it is nobody's.
@@ -311,7 +332,7 @@ TemporaryFolder::~TemporaryFolder() {
 void check_entities(const Plan& plan, const std::vector<GeneratedFile>& files,
                     const TemporaryFolder& folder, const CompileOptions& options,
                     SourceMap& sources, Diagnostics& diagnostics) {
-  Checker(plan, files, folder.path(), options, sources, diagnostics).run();
+  CompileCheck(plan, files, folder.path(), options, sources, diagnostics).run();
 }
 
 }  // namespace eagerx::gen

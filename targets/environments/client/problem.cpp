@@ -6,9 +6,9 @@
 
 namespace eagerx::client {
 
-int tell(const std::exception& error) {
+int tell(const std::exception& error, For whom) {
   const auto* const problem = dynamic_cast<const Problem*>(&error);
-  if (problem != nullptr && !problem->about.empty())
+  if (whom == For::eagerx_gen && problem != nullptr && !problem->about.empty())
     fmt::print(stderr, "settings: {}\n", fmt::join(problem->about, " "));
   fmt::print(stderr, "error: {}\n", error.what());
   if (problem == nullptr) return kProblems;

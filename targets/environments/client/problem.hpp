@@ -25,8 +25,10 @@ struct Problem : std::runtime_error {
   std::vector<std::string> about;  // settings by their names, the one to change first
 };
 
-/// Prints what is wrong, and what to do, to the standard error; before that the settings it is
-/// about, which eagerx-gen reads. The exit code.
-int tell(const std::exception& error);
+enum class For { people, eagerx_gen };
+
+/// Prints what is wrong, and what to do, to the standard error; for eagerx-gen, before that, the
+/// settings it is about. The exit code.
+int tell(const std::exception& error, For whom = For::people);
 
 }  // namespace eagerx::client

@@ -131,7 +131,9 @@ Parts parts_of(std::string_view bytes, const std::string& name) {
   throw problem;
 }
 
-[[noreturn]] void refuse_resumed(const std::string& name, const std::vector<Difference>& all) {
+[[noreturn]] void refuse_resumed(const std::string& name, std::vector<Difference> all) {
+  const auto graph = std::ranges::find(all, "graph", &Difference::name);  // its hash says nothing
+  if (graph != all.end()) graph->text = "another graph, or this one before a change";
   refuse(fmt::format("`{}` belongs to another training: ", name), all,
          "resume with the same graph and options, or begin with what it has learnt: `--from`");
 }

@@ -1,7 +1,9 @@
 // eagerx-train LIBRARY: trains a policy on the environments of a graph.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <runtime/host/base/interrupt.hpp>
+#include <string_view>
 #include <thread>
 
 #include "targets/environments/train/client.hpp"
@@ -62,7 +64,10 @@ int run(int argc, char** argv) {
     ranks = environments::make_ranks(argc, argv);
     return ranks->is_first() ? run_first(argc, argv, *ranks) : run_other(*ranks);
   } catch (const std::exception& error) {
-    const int code = client::tell(error);
+    const bool only_checks =
+        std::find(argv, argv + argc, std::string_view("--check")) != argv + argc;
+    const int code =
+        client::tell(error, only_checks ? client::For::eagerx_gen : client::For::people);
     if (ranks && ranks->size() > 1) ranks->abort(code);  // the others wait for this one
     return code;
   }

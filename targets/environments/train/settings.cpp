@@ -144,6 +144,7 @@ const std::vector<Place>& places() {
       number_at("hard_share", &S::hard_share),
       number_at("evaluation_every", &S::evaluation_every),
       number_at("evaluation_episodes", &S::evaluation_episodes),
+      number_at("success_share", &S::success_share),
   };
   return all;
 }
@@ -202,6 +203,14 @@ void check(const Settings& settings) {
   if (settings.least_deviation > settings.most_deviation)
     refuse_settings({"least_deviation", "most_deviation"},
                     "least_deviation is more than most_deviation");
+  if (settings.first_deviation < settings.least_deviation)
+    refuse_settings({"first_deviation", "least_deviation"},
+                    fmt::format("first_deviation: {} is less than least_deviation, {}",
+                                settings.first_deviation, settings.least_deviation));
+  if (settings.first_deviation > settings.most_deviation)
+    refuse_settings({"first_deviation", "most_deviation"},
+                    fmt::format("first_deviation: {} is more than most_deviation, {}",
+                                settings.first_deviation, settings.most_deviation));
   if (settings.least_learning_rate > settings.most_learning_rate)
     refuse_settings({"least_learning_rate", "most_learning_rate"},
                     "least_learning_rate is more than most_learning_rate");

@@ -59,6 +59,12 @@ TEST_F(TrainCheckpoint, IsReadAgain) {
   EXPECT_EQ(said(bytes()), "nothing");
 }
 
+TEST_F(TrainCheckpoint, AnotherGraphIsNamedWithoutItsHash) {
+  EXPECT_EQ(said(checkpoint_of("graph 1; clip 0.1", "interface", learnt_, progressed_)),
+            "`it` belongs to another training: another graph, or this one before a change, clip "
+            "0.1 (here there is none)");
+}
+
 TEST_F(TrainCheckpoint, ABestPolicyOfAnotherSizeIsRefused) {
   progressed_.best.parameters.resize(learnt_.actor_parameters.size() - 1);
   EXPECT_EQ(said(bytes()), "`it` is not complete");

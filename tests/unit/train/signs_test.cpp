@@ -60,6 +60,43 @@ TEST_F(TrainSigns, AFlatReturn) {
   EXPECT_EQ(signs(), Signs{"the return has stayed at -60 since 164,000 steps"});
 }
 
+TEST_F(TrainSigns, AReturnThatRisesWhileSuccessFalls) {
+  curve_[20].evaluation_success = curve_[21].evaluation_success = 0.96;
+  for (int i = 41; i <= 46; ++i) add(i, -100.0 + 2.0 * i, 0.04);
+  EXPECT_EQ(signs(), Signs{"success has fallen from 96 to 4 % of the episodes while the return has "
+                           "risen from -56 to -8: the reward wants something else than "
+                           "`success:`"});
+  curve_.back().evaluation_return = -57.0;
+  EXPECT_EQ(signs(), Signs()) << "it has not risen";
+}
+
+TEST_F(TrainSigns, EndsThatAreWorthMoreThanGoingOn) {
+  description_.episode_steps = 200;
+  evaluation_.mean_return = -67.0;
+  evaluation_.mean_steps = 42.25;
+  evaluation_.outcomes.assign(20, {1, 0, 42, -67.0, false});
+  evaluation_.outcomes.front().steps = 200;
+  EXPECT_EQ(signs(), Signs{"19 of 20 episodes end early, on average after 42.25 of 200 steps, and "
+                           "the return is below 0: if each step costs and an end does not, ending "
+                           "is learnt. A term that is below 0 where `terminated:` holds makes ends "
+                           "dear"});
+  evaluation_.mean_return = 67.0;
+  EXPECT_EQ(signs(), Signs());
+}
+
+TEST_F(TrainSigns, NoneOfEndsThatSucceedOrAreFew) {
+  description_.episode_steps = 200;
+  evaluation_.mean_return = -67.0;
+  evaluation_.outcomes.assign(20, {1, 0, 42, -67.0, true});
+  EXPECT_EQ(signs(), Signs());
+  evaluation_.outcomes.assign(20, {1, 0, 200, -67.0, false});
+  for (std::size_t i = 0; i < 17; ++i) evaluation_.outcomes[i].steps = 42;
+  EXPECT_EQ(signs(), Signs());
+  description_.episode_steps = 0;
+  for (Outcome& each : evaluation_.outcomes) each.steps = 42;
+  EXPECT_EQ(signs(), Signs()) << "nothing else ends them";
+}
+
 TEST_F(TrainSigns, ActionsAtTheirBounds) {
   evaluation_.saturated = 0.97;
   EXPECT_EQ(signs(), Signs{"97 % of the actions are at their bounds"});
