@@ -330,9 +330,13 @@ void Ppo::average() {
     model_.averaged = model_.actor_parameters;
     return;
   }
+  const auto iteration = static_cast<float>(pace.iteration);
+  // A mean of a growing tail, as Polyak's: the longer a training takes, the finer is what it still
+  // learns, and the less a single iteration is to move the policy.
+  const float later =
+      settings_.averaging_share > 0.0F ? 1.0F / max(1.0F, settings_.averaging_share * iteration) : 1.0F;
   // At first the mean of all so far: the first actor knows nothing and is forgotten soon.
-  const float weight =
-      max(1.0F - settings_.averaging, 2.0F / (static_cast<float>(pace.iteration) + 2.0F));
+  const float weight = max(min(1.0F - settings_.averaging, later), 2.0F / (iteration + 2.0F));
   for (std::size_t i = 0; i < model_.averaged.size(); ++i)
     model_.averaged[i] += weight * (model_.actor_parameters[i] - model_.averaged[i]);
 }

@@ -62,7 +62,8 @@ struct Settings {
 
   bool normalise{};
   double freeze_after{};  // steps; 0: never
-  float averaging{};
+  float averaging{};        // weight of the past after an iteration
+  float averaging_share{};  // of all iterations, later; 0: none
 
   double hard_share{};                            // of the environments
   std::shared_ptr<const HardStarts> hard_starts;  // of `--hard-starts`; nullptr: none
