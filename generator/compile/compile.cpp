@@ -33,10 +33,10 @@ std::string text_of(const fs::path& path) {
   return text.str();
 }
 
-class Checker {
+class CompileCheck {
  public:
-  Checker(const Plan& plan, const std::vector<GeneratedFile>& files, const std::string& folder,
-          const CompileOptions& options, SourceMap& sources, Diagnostics& diagnostics)
+  CompileCheck(const Plan& plan, const std::vector<GeneratedFile>& files, const std::string& folder,
+               const CompileOptions& options, SourceMap& sources, Diagnostics& diagnostics)
       : plan_(plan),
         files_(files),
         folder_(folder),
@@ -332,7 +332,7 @@ TemporaryFolder::~TemporaryFolder() {
 void check_entities(const Plan& plan, const std::vector<GeneratedFile>& files,
                     const TemporaryFolder& folder, const CompileOptions& options,
                     SourceMap& sources, Diagnostics& diagnostics) {
-  Checker(plan, files, folder.path(), options, sources, diagnostics).run();
+  CompileCheck(plan, files, folder.path(), options, sources, diagnostics).run();
 }
 
 }  // namespace eagerx::gen

@@ -34,7 +34,7 @@ YamlValue mux(std::size_t inputs, std::size_t size, const YamlValue& rate, Span 
 }
 
 /// A part of the message: who sends it, with which settings, and how many elements it has.
-struct Part {
+struct PartialMessage {
   Spanned<std::string> from;
   YamlValue connection;
   std::size_t size = 1;
@@ -65,13 +65,13 @@ std::optional<Gathered> gather(const Spanned<std::string>& to,
   std::ranges::stable_sort(elements, {}, &GatheredElement::element);
   if (!has_each_once(to, elements, diagnostics)) return std::nullopt;
   Gathered result;
-  std::vector<Part> parts;
+  std::vector<PartialMessage> parts;
   for (auto& each : elements) parts.push_back({each.from, std::move(each.connection), 1});
   std::string base = "mux/" + to.value;
   std::ranges::replace(base, '.', '/');
   // Nodes of up to four inputs, until one sends everything.
   while (parts.size() > 1) {
-    std::vector<Part> next;
+    std::vector<PartialMessage> next;
     for (std::size_t begin = 0; begin < parts.size(); begin += kInputsOfMux.size()) {
       const std::size_t count = std::min(kInputsOfMux.size(), parts.size() - begin);
       if (count == 1 && parts.size() > 1) {
@@ -83,7 +83,7 @@ std::optional<Gathered> gather(const Spanned<std::string>& to,
                                    : fmt::format("{}/part[{}]", base, result.nodes.size());
       std::size_t size = 0;
       for (std::size_t i = 0; i < count; ++i) {
-        Part& part = parts[begin + i];
+        PartialMessage& part = parts[begin + i];
         size += part.size;
         result.connections.push_back(joined(part.connection, part.from,
                                             {fmt::format("{}.{}", name, kInputsOfMux[i]), to.span},

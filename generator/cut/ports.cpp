@@ -65,9 +65,9 @@ class ComposedNames {
   std::map<std::string, std::vector<std::string>> out_;
 };
 
-class Finder {
+class CrossingsFinder {
  public:
-  Finder(const Graph& whole, const std::vector<bool>& inside, const CutRequest& request)
+  CrossingsFinder(const Graph& whole, const std::vector<bool>& inside, const CutRequest& request)
       : whole_(whole), inside_(inside), names_(request) {}
 
   Crossings run() {
@@ -180,7 +180,7 @@ class Finder {
 
 Crossings crossings_of(const Graph& whole, const std::vector<bool>& inside,
                        const CutRequest& request) {
-  return Finder(whole, inside, request).run();
+  return CrossingsFinder(whole, inside, request).run();
 }
 
 }  // namespace eagerx::gen

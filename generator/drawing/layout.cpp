@@ -9,15 +9,6 @@
 namespace eagerx::gen {
 namespace {
 
-using drawing_size::between_boxes;
-using drawing_size::between_layers;
-using drawing_size::detail;
-using drawing_size::header;
-using drawing_size::lane;
-using drawing_size::margin;
-using drawing_size::padding;
-using drawing_size::row;
-
 constexpr std::size_t kLongestText = 40;  // code points
 
 /// Pixels that a text may take in the usual fonts without serifs; generous, as fonts differ.
@@ -33,25 +24,25 @@ bool is_end(const Box& box) {
 /// Sizes of a box and the heights of its ports. Inputs and outputs share rows.
 PlacedBox measure(const Box& box) {
   PlacedBox placed;
-  std::int64_t y = is_end(box) ? 0 : header;
+  std::int64_t y = is_end(box) ? 0 : px::header;
   placed.width = std::max(width_of(box.name, 9), width_of(box.subtitle, 7));
   for (std::size_t i = 0; i < std::max(box.inputs.size(), box.outputs.size()); ++i) {
-    std::int64_t left = 0, right = 0, height = row;
+    std::int64_t left = 0, right = 0, height = px::row;
     const auto add = [&](const std::vector<BoxPort>& ports, std::vector<std::int64_t>& at,
                          std::int64_t& width) {
       if (i >= ports.size()) return;
-      at.push_back(y + row / 2);
+      at.push_back(y + px::row / 2);
       width = std::max(width_of(ports[i].name, 7), width_of(ports[i].detail, 6));
-      if (!ports[i].detail.empty()) height = row + detail;
+      if (!ports[i].detail.empty()) height = px::row + px::detail;
     };
     add(box.inputs, placed.input_y, left);
     add(box.outputs, placed.output_y, right);
-    placed.width = std::max(placed.width, left + right + 2 * padding);
+    placed.width = std::max(placed.width, left + right + 2 * px::padding);
     y += height;
   }
-  if (box.inside != nullptr) placed.width += 2 * padding;  // for the sign that opens it
-  placed.width += 2 * padding;
-  placed.height = y + padding / 2;
+  if (box.inside != nullptr) placed.width += 2 * px::padding;  // for the sign that opens it
+  placed.width += 2 * px::padding;
+  placed.height = y + px::padding / 2;
   return placed;
 }
 
@@ -70,8 +61,8 @@ void widen(const Drawing& drawing, Layout& layout, std::int64_t width) {
 PlacedBox measure_open(const Box& box) {
   PlacedBox placed;
   Layout inside = layout_of(*box.inside, Composites::open);
-  placed.width = std::max(inside.width,
-                          std::max(width_of(box.name, 9), width_of(box.subtitle, 7)) + 2 * padding);
+  placed.width = std::max(
+      inside.width, std::max(width_of(box.name, 9), width_of(box.subtitle, 7)) + 2 * px::padding);
   placed.height = inside.height;
   for (const std::int64_t y : inside.boxes[0].output_y)
     placed.input_y.push_back(inside.boxes[0].corner.y + y);
@@ -107,7 +98,7 @@ class Arrangement {
     place_down();
     place_across();
     for (std::size_t w = 0; w < drawing_.wires.size(); ++w) route(w);
-    layout_.height += is_frame_ ? padding : margin;
+    layout_.height += is_frame_ ? px::padding : px::margin;
     return std::move(layout_);
   }
 
@@ -201,7 +192,7 @@ class Arrangement {
       std::int64_t y = 0;
       for (const std::size_t item : column) {
         items_[item].y = y;
-        y += items_[item].height + between_boxes;
+        y += items_[item].height + px::between_boxes;
       }
     }
     constexpr int kSweeps = 16;
@@ -212,7 +203,7 @@ class Arrangement {
     }
     std::int64_t top = items_.front().y;  // of the actions: there is always an item
     for (const Item& item : items_) top = std::min(top, item.y);
-    for (Item& item : items_) item.y += (is_frame_ ? header : margin) - top;
+    for (Item& item : items_) item.y += (is_frame_ ? px::header : px::margin) - top;
     for (const Item& item : items_) layout_.height = std::max(layout_.height, item.y + item.height);
   }
 
@@ -254,36 +245,36 @@ class Arrangement {
         pools.back().weight += last.weight;
         pools.back().size += last.size;
       }
-      offset += items_[item].height + between_boxes;
+      offset += items_[item].height + px::between_boxes;
     }
     std::size_t at = 0;
     offset = 0;
     for (const Pool& pool : pools) {
       for (std::size_t i = 0; i < pool.size; ++i, ++at) {
         items_[column[at]].y = pool.mean() + offset;
-        offset += items_[column[at]].height + between_boxes;
+        offset += items_[column[at]].height + px::between_boxes;
       }
     }
   }
 
   void place_across() {
-    std::int64_t x = is_frame_ ? 0 : margin;
+    std::int64_t x = is_frame_ ? 0 : px::margin;
     lefts_.resize(layers_.count);
     used_left_.resize(layers_.count, 0);
     used_right_.resize(layers_.count, 0);
     std::vector<std::int64_t> before(layers_.count, 0), after(layers_.count, 0);
     for (std::size_t w = 0; w < drawing_.wires.size(); ++w) {
       if (!layers_.backwards[w]) continue;
-      before[layers_.layer[drawing_.wires[w].to]] += lane;
-      after[layers_.layer[drawing_.wires[w].from]] += lane;
+      before[layers_.layer[drawing_.wires[w].to]] += px::lane;
+      after[layers_.layer[drawing_.wires[w].from]] += px::lane;
     }
     for (std::size_t layer = 0; layer < layers_.count; ++layer) {
       x += before[layer];
       lefts_[layer] = x;
-      x += widths_[layer] + after[layer] + (layer + 1 < layers_.count ? between_layers : 0);
+      x += widths_[layer] + after[layer] + (layer + 1 < layers_.count ? px::between_layers : 0);
     }
-    layout_.width = x + (is_frame_ ? 0 : margin);
-    lane_y_ = layout_.height + lane;
+    layout_.width = x + (is_frame_ ? 0 : px::margin);
+    lane_y_ = layout_.height + px::lane;
     for (const Item& item : items_) {
       if (!item.box) continue;
       PlacedBox& box = layout_.boxes[*item.box];
@@ -304,13 +295,13 @@ class Arrangement {
     placed.backwards = layers_.backwards[w];
     placed.points.push_back(begin);
     if (placed.backwards) {
-      const std::int64_t right = begin.x + lane * ++used_right_[layers_.layer[wire.from]];
-      const std::int64_t left = end.x - lane * ++used_left_[layers_.layer[wire.to]];
+      const std::int64_t right = begin.x + px::lane * ++used_right_[layers_.layer[wire.from]];
+      const std::int64_t left = end.x - px::lane * ++used_left_[layers_.layer[wire.to]];
       for (const Point& point :
            {Point{right, begin.y}, {right, lane_y_}, {left, lane_y_}, {left, end.y}})
         placed.points.push_back(point);
       layout_.height = std::max(layout_.height, lane_y_);
-      lane_y_ += lane;
+      lane_y_ += px::lane;
     }
     std::size_t layer = layers_.layer[wire.from];
     for (const std::size_t item : passing_[w]) {

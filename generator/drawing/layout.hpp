@@ -46,10 +46,10 @@ Layout layout_of(const Drawing& drawing, Composites composites);
 /// What a box says of a port or of itself, cut to what is drawn: names may be as long as they like.
 std::string shown(const std::string& text);
 
-/// Sizes that the layout reserves and svg_of() uses.
-namespace drawing_size {
+/// Pixels that the layout reserves and svg_of() uses.
+namespace px {
 inline constexpr std::int64_t margin = 20, padding = 10, header = 40, row = 18, detail = 14;
 inline constexpr std::int64_t between_boxes = 22, between_layers = 56, lane = 12;
-}  // namespace drawing_size
+}  // namespace px
 
 }  // namespace eagerx::gen

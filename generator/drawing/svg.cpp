@@ -9,9 +9,6 @@
 namespace eagerx::gen {
 namespace {
 
-using drawing_size::detail;
-using drawing_size::padding;
-
 struct Look {
   BoxKind kind;
   const char* name;
@@ -110,7 +107,7 @@ std::string ports_text(const std::vector<BoxPort>& ports, const std::vector<std:
     if (!ports[i].detail.empty())
       text +=
           fmt::format("<text class=\"detail{}\" x=\"{}\" y=\"{}\">{}</text>", outputs ? " out" : "",
-                      x, y + detail - 1, xml_text(shown(ports[i].detail)));
+                      x, y + px::detail - 1, xml_text(shown(ports[i].detail)));
   }
   return text;
 }
@@ -129,11 +126,11 @@ std::string box_text(const Box& box, const PlacedBox& placed, Point origin) {
   text += fmt::format(
       "<text class=\"name\" x=\"{0}\" y=\"{1}\">{2}</text>"
       "<text class=\"type\" x=\"{0}\" y=\"{3}\">{4}</text>",
-      corner.x + padding, corner.y + 19, xml_text(shown(box.name)), corner.y + 34,
+      corner.x + px::padding, corner.y + 19, xml_text(shown(box.name)), corner.y + 34,
       xml_text(shown(box.subtitle)));
-  text += ports_text(box.inputs, placed.input_y, corner.x + padding, corner.y, false);
-  text +=
-      ports_text(box.outputs, placed.output_y, corner.x + placed.width - padding, corner.y, true);
+  text += ports_text(box.inputs, placed.input_y, corner.x + px::padding, corner.y, false);
+  text += ports_text(box.outputs, placed.output_y, corner.x + placed.width - px::padding, corner.y,
+                     true);
   text += "</g>\n";
   if (!placed.inside.empty()) text += contents_text(*box.inside, placed.inside.front(), corner);
   return text;

@@ -131,6 +131,7 @@ class Emitter {
     program.set("indented", indented());
     add_one("program.hpp", "cpp/packs_program.hpp.mustache", std::move(program));
     if (!failed_) files_.back().text = take_marks(files_.back().text).text;
+    add_one("draws.hpp", "cpp/packs_draws.hpp.mustache", draws_view(plan_, names_));
     if (acts_in_packs()) {
       View view = pack_policy_view(*network_, "policy");
       view["agent"] = pack_agent_view(plan_, *network_);

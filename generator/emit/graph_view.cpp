@@ -46,6 +46,12 @@ class GraphView {
     return std::move(view_);
   }
 
+  /// Only what is drawn.
+  View draws() {
+    add_draws();
+    return std::move(view_);
+  }
+
  private:
   View render_view() const {
     if (!graph_.render || !names_.runs(graph_.render->node)) return View(false);
@@ -202,6 +208,10 @@ class GraphView {
       View item = object();
       item.set("state", owner + "/" + state.name);
       item.set("needs_random", kind != RandomSpec::Kind::value);
+      item.set("constant", constant);
+      item.set("field", field);
+      item.set("is_together",
+               kind == RandomSpec::Kind::uniform && state.space.dtype == Dtype::float32);
       item.set("lines", draw_lines(*state.random, state.space, field, constant));
       randoms.push_back(item);
       draws = draws || kind != RandomSpec::Kind::value;
@@ -339,6 +349,11 @@ class GraphView {
 View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network,
                 const std::vector<NodePolicy>& node_policies) {
   return GraphView(plan, names, network, node_policies).make();
+}
+
+View draws_view(const Plan& plan, const ProgramNames& names) {
+  const std::optional<Network> no_network;
+  return GraphView(plan, names, no_network, {}).draws();
 }
 
 }  // namespace eagerx::gen

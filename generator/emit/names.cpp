@@ -113,6 +113,12 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_lo
     ring_member.push_back(members.unique(name + "_"));
     if (node.drawn) ring_member.back() = within_drawing(ring_member.back());
   }
+  if (has_packs()) {
+    const std::vector<bool> passing = passing_rings(plan);
+    for (std::size_t r = 0; r < passing.size(); ++r) {
+      if (passing[r]) ring_member[r] = kPassing + ring_member[r];
+    }
+  }
   for (const auto& object : graph.objects) {
     simulator_type.push_back(type(camel(object.name) + "Simulator"));
     simulator_member.push_back(members.unique(snake(object.name) + "_simulator_"));

@@ -20,6 +20,9 @@
 
 namespace eagerx::gen {
 
+/// What messages of packs are members of that only the step needs that writes them.
+inline constexpr const char* kPassing = "now.";
+
 struct ProgramNames {
   /// `loops`: equal chains of nodes are loops over arrays, as packs have none.
   ProgramNames(const Plan& plan, Part part, Numbers of = Numbers::plain, bool loops = false);
@@ -141,6 +144,9 @@ struct ProgramNames {
 /// Whether only pictures need what is in a ring; the names of its member and of its node's then
 /// begin with that of the member that has all of it.
 bool is_drawn(const Plan& plan, const Ring& ring);
+
+/// packs/draws.hpp: what several episodes begin with.
+View draws_view(const Plan& plan, const ProgramNames& names);
 
 /// What the templates of one program are rendered with.
 View messages_view(const Plan& plan, const ProgramNames& names);

@@ -231,7 +231,8 @@ class ProgramView {
 
   void add_memory() {
     View rings = list(), members = list(), counters = list();
-    View drawn_rings = list(), drawn_members = list(), by_lane = list();
+    View drawn_rings = list(), drawn_members = list(), by_lane = list(), passing = list(),
+         ticks = list();
     for (std::size_t r = 0; r < plan_.rings.size(); ++r) {
       const Ring& ring = plan_.rings[r];
       if (!names_.has_ring(r)) continue;
@@ -240,13 +241,18 @@ class ProgramView {
       const bool drawn = is_drawn(plan_, ring);
       const std::string member = names_.declared(names_.ring_member[r]);
       if (member.empty()) continue;
-      item.set("member", drawn ? without_owner(member) : member);
+      const bool passes = member.starts_with(kPassing);
+      item.set("member", drawn || passes ? without_owner(member) : member);
       item.set("clock", names_.counter[plan_.nodes[ring.node].rate]);
       item.set("capacity", fmt::format("{}", ring.capacity));
       item.set(
           "comment",
           text_or_false(ring.needed > 1 ? fmt::format("{} needs {}", ring.why, ring.needed) : ""));
-      (drawn ? drawn_rings : rings).push_back(item);
+      (drawn ? drawn_rings : passes ? passing : rings).push_back(item);
+      if (passes && graph_.has_engine() && ring.node == Graph::kEngine && !ring.reader_node) {
+        item.set("member", names_.ring_member[r]);
+        ticks.push_back(item);
+      }
     }
     const auto add = [](View& to, const std::string& type, const std::string& member) {
       View item = object();
@@ -283,6 +289,10 @@ class ProgramView {
     view_.set("has_counts", names_.has_engine() || counters.is_non_empty_list());
     view_["node_counts"] = std::move(counters);
     view_["rings"] = std::move(rings);
+    view_.set("passes", passing.is_non_empty_list());
+    view_.set("now", passing.is_non_empty_list() ? ", now" : "");
+    view_["passing"] = std::move(passing);
+    view_["last_ticks"] = std::move(ticks);
     view_["members"] = std::move(members);
     view_.set("has_by_lane", by_lane.is_non_empty_list());
     view_["by_lane"] = std::move(by_lane);

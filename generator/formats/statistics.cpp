@@ -18,7 +18,7 @@ constexpr const char* kStatisticsHelp =
     "save it with `VecNormalize.save`, or as JSON: {\"mean\": […], \"var\": […], \"clip_obs\": 10, "
     "\"epsilon\": 1e-8}";
 
-constexpr std::int64_t kMostNumbers = std::int64_t{1} << 23U;  // one array may be named often
+constexpr std::int64_t kMostStatistics = std::int64_t{1} << 23U;  // one array may be named often
 
 Refused unusable(PolicyProblem& problem, std::string how) {
   return refuse(problem, "E0627", std::move(how), kStatisticsHelp);
@@ -38,9 +38,9 @@ bool append_rms(const Pickle& pickle, const PickleValue& rms, Normalization& sta
   const auto variances = pickle.array(pickle.find(rms, "var"));
   if (!means || !variances) return false;
   const std::size_t count = statistics.mean.size() + statistics.variance.size();
-  const std::int64_t more = element_count(means->shape).value_or(kMostNumbers) +
-                            element_count(variances->shape).value_or(kMostNumbers);
-  if (static_cast<std::int64_t>(count) + more > kMostNumbers) return false;
+  const std::int64_t more = element_count(means->shape).value_or(kMostStatistics) +
+                            element_count(variances->shape).value_or(kMostStatistics);
+  if (static_cast<std::int64_t>(count) + more > kMostStatistics) return false;
   for (const double value : values_of(*means)) statistics.mean.push_back(value);
   for (const double value : values_of(*variances)) statistics.variance.push_back(value);
   return true;
@@ -53,10 +53,9 @@ bool append_all(const Pickle& pickle, const PickleValue& rms, Normalization& sta
   if (rms.kind != PickleValue::Kind::dictionary) return append_rms(pickle, rms, statistics);
   if (rms.items.size() > 2 * kMostParts) return false;
   for (std::size_t i = 0; i + 1 < rms.items.size(); i += 2) {
-    constexpr std::size_t kLongestName = 4096;  // one may be there often
     const std::string_view name = pickle.at(rms.items[i]).text;
     const std::size_t before = statistics.mean.size();
-    if (name.size() > kLongestName) return false;
+    if (name.size() > kLongestPickledName) return false;
     if (!append_rms(pickle, pickle.at(rms.items[i + 1]), statistics)) return false;
     statistics.parts.push_back({std::string(name), statistics.mean.size() - before});
   }

@@ -66,6 +66,8 @@ std::string packs_text(const Plan& plan);
 /// What the graph's task sees and gives; empty without one.
 std::string task_text(const Graph& graph);
 Json task_json(const Graph& graph);
+/// A time as its exact fraction and in seconds.
+Json time_json(const Rational& seconds);
 /// One JSON object with all of it; fractions as texts, beside them numbers in seconds.
 Json info_json(const PlanInfo& report);
 

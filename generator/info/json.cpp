@@ -6,30 +6,26 @@
 namespace eagerx::gen {
 namespace {
 
-Json time_of(const Rational& seconds) {
-  return {{"exact", seconds.to_string()}, {"seconds", seconds.to_double()}};
-}
-
 Json json_of(const std::vector<AgeHop>& way) {
   Json json = Json::list();
   for (const auto& hop : way)
-    json.push_back(Json{{"input", hop.input}, {"newest", time_of(hop.newest_s)}});
+    json.push_back(Json{{"input", hop.input}, {"newest", time_json(hop.newest_s)}});
   return json;
 }
 
 Json json_of(const DataAge& age) {
-  Json json = {{"sensor", age.from}, {"actuator", age.to}, {"newest", time_of(age.newest_s)}};
-  json["oldest"] = age.oldest_s ? time_of(*age.oldest_s) : Json(nullptr);
+  Json json = {{"sensor", age.from}, {"actuator", age.to}, {"newest", time_json(age.newest_s)}};
+  json["oldest"] = age.oldest_s ? time_json(*age.oldest_s) : Json(nullptr);
   json["reached"] = age.exact;
   json["way"] = json_of(age.way);
   return json;
 }
 
 Json json_of(const DataAge& age, const AgeLimit& limit) {
-  Json json = {{"from", age.from}, {"to", age.to}, {"newest", time_of(age.newest_s)}};
-  json["oldest"] = age.oldest_s ? time_of(*age.oldest_s) : Json(nullptr);
+  Json json = {{"from", age.from}, {"to", age.to}, {"newest", time_json(age.newest_s)}};
+  json["oldest"] = age.oldest_s ? time_json(*age.oldest_s) : Json(nullptr);
   json["reached"] = age.exact;
-  json["at_most"] = time_of(limit.at_most_s);
+  json["at_most"] = time_json(limit.at_most_s);
   json["kept"] = age.newest_s <= limit.at_most_s;
   json["agent"] = limit.ends.through_agent || limit.ends.from_actions;
   json["way"] = json_of(age.way);
@@ -44,6 +40,10 @@ Json json_of(const LinkLoad& load) {
 }
 
 }  // namespace
+
+Json time_json(const Rational& seconds) {
+  return {{"exact", seconds.to_string()}, {"seconds", seconds.to_double()}};
+}
 
 Json info_json(const PlanInfo& report) {
   const Plan& plan = *report.plan;
@@ -71,8 +71,8 @@ Json info_json(const PlanInfo& report) {
     for (const auto& input : node.inputs) {
       if (input.delay_s == Rational() && !input.max_delay_s) continue;
       Json delay{{"from", name_of_source(*plan.graph, input)}, {"input", input.written}};
-      delay["delay"] = time_of(input.delay_s);
-      delay["longest"] = time_of(input.max_delay_s.value_or(input.delay_s));
+      delay["delay"] = time_json(input.delay_s);
+      delay["longest"] = time_json(input.max_delay_s.value_or(input.delay_s));
       json["delays"].push_back(std::move(delay));
     }
   }

@@ -8,9 +8,9 @@
 namespace eagerx::gen {
 namespace {
 
-class Checker {
+class LanguageCheck {
  public:
-  Checker(const Plan& plan, std::size_t part, Diagnostics& diagnostics)
+  LanguageCheck(const Plan& plan, std::size_t part, Diagnostics& diagnostics)
       : plan_(plan), graph_(*plan.graph), part_(part), diagnostics_(diagnostics) {}
 
   void run() {
@@ -75,7 +75,7 @@ class Checker {
 }  // namespace
 
 void check_languages(const Plan& plan, std::size_t part, Diagnostics& diagnostics) {
-  Checker(plan, part, diagnostics).run();
+  LanguageCheck(plan, part, diagnostics).run();
 }
 
 }  // namespace eagerx::gen

@@ -8,10 +8,10 @@ namespace eagerx::gen {
 namespace {
 
 const std::string& unit_of(const std::vector<PortManifest>& ports, std::string_view name) {
-  static const std::string kNone;
+  static const std::string kNoUnit;
   const auto found = std::ranges::find_if(
       ports, [&](const PortManifest& port) { return port.name.value == name; });
-  return found == ports.end() ? kNone : found->unit;
+  return found == ports.end() ? kNoUnit : found->unit;
 }
 
 /// As the manifest of the node or, where it is the engine's, of the object says.

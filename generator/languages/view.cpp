@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A text of others for a docstring or a comment of any language.
-std::string plain(const std::string& text) {
+std::string plain_text(const std::string& text) {
   std::string result = in_comment(text);
   std::ranges::replace_if(
       result, [](char c) { return c == '"' || c == '\\'; }, '\'');
@@ -74,7 +74,7 @@ class LanguageView {
     const PartLink& link = plan_.split->links[layout_.part];
     View view = object();
     view.set("name", graph_.name);
-    view.set("part", plain(part.name));
+    view.set("part", plain_text(part.name));
     view.set("version", version);
     view.set("runtime", runtime_number(version));
     view.set("hash", fmt::format("0x{:016x}", hash));
@@ -153,7 +153,7 @@ class LanguageView {
     view.set("window",
              space.shape.empty() ? "[n]" : fmt::format("[n, {}]", join(space.shape, ", ")));
     const std::string& unit = layout_.messages[message].unit;
-    view.set("unit", unit.empty() ? "" : " in " + plain(unit));
+    view.set("unit", unit.empty() ? "" : " in " + plain_text(unit));
     view.set("zeros", zeros(space));
     return view;
   }

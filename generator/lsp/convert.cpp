@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "generator/edit/words.hpp"
 #include "generator/outline/lines.hpp"
 
 namespace eagerx::gen::lsp {
@@ -48,11 +49,6 @@ Json symbol(const std::string& name, int kind, const OutlineEntry& entry, const 
               {"kind", kind},
               {"range", range_of(where.lines, whole)},
               {"selectionRange", range_of(where.lines, chosen)}};
-}
-
-std::string text_at(const OutlineNode& node, std::string_view key) {
-  const OutlineNode* const value = node.find(key);
-  return value != nullptr ? value->text : std::string();
 }
 
 }  // namespace

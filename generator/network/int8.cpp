@@ -13,7 +13,7 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr double kMost = 127.0;
+constexpr double kLargestInt8 = 127.0;
 
 /// Rounds weights [scales][…] row by row.
 void round_rows(const std::vector<float>& weights, std::size_t rows,
@@ -25,13 +25,13 @@ void round_rows(const std::vector<float>& weights, std::size_t rows,
     const float* first = weights.data() + row * columns;
     float largest = 0.0F;
     for (std::size_t i = 0; i < columns; ++i) largest = std::max(largest, std::fabs(first[i]));
-    const auto scale = static_cast<float>(static_cast<double>(largest) / kMost);
+    const auto scale = static_cast<float>(static_cast<double>(largest) / kLargestInt8);
     scales[row] = scale;
     if (scale == 0.0F) continue;
     for (std::size_t i = 0; i < columns; ++i) {
       const double ratio = static_cast<double>(first[i]) / static_cast<double>(scale);
       rounded[row * columns + i] =
-          static_cast<std::int8_t>(std::clamp(std::nearbyint(ratio), -kMost, kMost));
+          static_cast<std::int8_t>(std::clamp(std::nearbyint(ratio), -kLargestInt8, kLargestInt8));
     }
   }
 }

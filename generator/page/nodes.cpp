@@ -6,16 +6,13 @@
 #include <type_traits>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/info/info.hpp"
 #include "generator/page/page.hpp"
 #include "generator/plan/counts.hpp"
 #include "generator/plan/hop.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-Json time_of(const Rational& seconds) {
-  return {{"exact", seconds.to_string()}, {"seconds", seconds.to_double()}};
-}
 
 template <class T>
 Json list_of(const std::vector<T>& values) {
@@ -205,13 +202,13 @@ class Nodes {
   }
 
   Json schedule() const {
-    Json json{{"quantum", time_of(quantum_s())},
+    Json json{{"quantum", time_json(quantum_s())},
               {"form", text_of(plan_.schedule.form)},
               {"asynchronous", graph_.asynchronous}};
     json["slots"] = plan_.schedule.slots ? Json(*plan_.schedule.slots) : Json(nullptr);
     const auto hyperperiod = hyperperiod_of(plan_.rates);
     json["hyperperiod"] =
-        hyperperiod ? time_of(Rational(*hyperperiod) * quantum_s()) : Json(nullptr);
+        hyperperiod ? time_json(Rational(*hyperperiod) * quantum_s()) : Json(nullptr);
     std::vector<std::size_t> order = plan_.before;
     order.push_back(Graph::kEnvironment);
     order.insert(order.end(), plan_.after.begin(), plan_.after.end());
@@ -267,7 +264,7 @@ class Nodes {
               {"source", Json::List{input.source_node, input.source_output}},
               {"space", json_of(input.space)},
               {"window", input.window},
-              {"delay", time_of(input.delay_s)},
+              {"delay", time_json(input.delay_s)},
               {"skip", input.skip},
               {"processor", json_of(input.processor)},
               {"random_delay", json_of(input.random_delay)},
@@ -275,7 +272,7 @@ class Nodes {
               {"most", reception.max_size},
               {"keep", reception.keep},
               {"line", line_of(input.span)}};
-    json["longest_delay"] = input.max_delay_s ? time_of(*input.max_delay_s) : Json(nullptr);
+    json["longest_delay"] = input.max_delay_s ? time_json(*input.max_delay_s) : Json(nullptr);
     const auto hop = graph_.asynchronous ? std::nullopt : make_hop(plan_, n, i);
     json["hop"] = hop_json(hop);
     json["received"] = hop ? received_json(*hop, input.skip, room_) : Json(nullptr);
@@ -287,8 +284,8 @@ class Nodes {
     if (!hop) return nullptr;
     return Json{{"a", hop->a},
                 {"b", hop->b},
-                {"newest", time_of(Rational(hop->newest_bound) * quantum_s())},
-                {"oldest", time_of(Rational(hop->oldest_bound) * quantum_s())}};
+                {"newest", time_json(Rational(hop->newest_bound) * quantum_s())},
+                {"oldest", time_json(Rational(hop->oldest_bound) * quantum_s())}};
   }
 
   Json object_json(const Object& object) const {
@@ -321,9 +318,9 @@ class Nodes {
     Json json{{"late", safety.late},
               {"missed", safety.missed},
               {"recover", safety.recover},
-              {"max_lateness", time_of(safety.max_lateness_s)},
-              {"link_timeout", time_of(safety.link_timeout_s)},
-              {"hang", time_of(safety.hang_s)},
+              {"max_lateness", time_json(safety.max_lateness_s)},
+              {"link_timeout", time_json(safety.link_timeout_s)},
+              {"hang", time_json(safety.hang_s)},
               {"clips", safety.clips},
               {"holds", safety.holds},
               {"line", line_of(safety.span)},

@@ -30,9 +30,9 @@ Rational shortest_gap(const Rational& a, const Rational& b) {
   return Rational(1) / lcm(a, b);
 }
 
-class Finder {
+class ReadAhead {
  public:
-  Finder(const Plan& plan, Split& split)
+  ReadAhead(const Plan& plan, Split& split)
       : plan_(plan), graph_(*plan.graph), part_of_(plan.graph->placement->part_of), split_(split) {}
 
   void run() {
@@ -197,7 +197,7 @@ class Finder {
 }  // namespace
 
 void plan_ahead(const Plan& plan, Split& split) {
-  Finder(plan, split).run();
+  ReadAhead(plan, split).run();
 }
 
 }  // namespace eagerx::gen

@@ -113,6 +113,33 @@ std::string why_not_in_memory(const Plan& plan) {
   return {};
 }
 
+/// Where nodes stand in a step: those behind the environment, then those up to its next tick. These
+/// come several times a step if they are faster than it, the others first then.
+struct Place {
+  bool is_after = false;
+  std::size_t position = 0;
+};
+std::vector<Place> places_in_step(const Plan& plan) {
+  std::vector<Place> places(plan.nodes.size());
+  for (std::size_t i = 0; i < plan.before.size(); ++i) places[plan.before[i]] = {false, i};
+  for (std::size_t i = 0; i < plan.after.size(); ++i) places[plan.after[i]] = {true, i};
+  return places;
+}
+
+/// Whether `writer` has sent a message in every step before `reader` looks.
+bool writes_first(const Plan& plan, const std::vector<Place>& places, std::size_t writer,
+                  std::size_t reader) {
+  if (reader == Graph::kEnvironment) return false;  // it sees the messages when the step is over
+  // Actions are the first of a step; what the engine sends are its ticks, which packs know.
+  const bool is_engine = plan.graph->has_engine() && writer == Graph::kEngine;
+  if (writer == Graph::kEnvironment || is_engine) return true;
+  const Place &from = places[writer], &to = places[reader];
+  if (from.is_after) return !to.is_after || from.position < to.position;
+  const Rational ratio =
+      plan.rates[plan.nodes[writer].rate].rate_hz / plan.rates[plan.nodes[reader].rate].rate_hz;
+  return !to.is_after && from.position < to.position && ratio == Rational(ratio.ceil());
+}
+
 }  // namespace
 
 bool runs_lane_by_lane(const GraphNode& node) {
@@ -154,6 +181,26 @@ Schedule schedule_of_packs(const Plan& plan) {
   std::ranges::for_each(schedule.kinds, widen);
   std::ranges::for_each(schedule.runs, widen, &Schedule::Run::mask);
   return schedule;
+}
+
+std::vector<bool> passing_rings(const Plan& plan) {
+  const auto& nodes = plan.graph->nodes;
+  const auto resets = [](const GraphNode& node) { return !node.reset_targets.empty(); };
+  if (plan.schedule.form != ScheduleForm::constants || std::ranges::any_of(nodes, resets))
+    return std::vector<bool>(plan.rings.size());
+  const std::vector<Place> places = places_in_step(plan);
+  std::vector<bool> passing;
+  for (const Ring& ring : plan.rings) passing.push_back(ring.capacity == 1);
+  for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
+    if (nodes[n].drawn) continue;  // packs show no pictures
+    for (const Reception& reception : plan.nodes[n].receptions) {
+      const bool is_plain = reception.count == Reception::Count::ticks ||
+                            reception.count == Reception::Count::ticks_but_one;
+      if (!is_plain || !writes_first(plan, places, plan.rings[reception.ring].node, n))
+        passing[reception.ring] = false;
+    }
+  }
+  return passing;
 }
 
 std::size_t steps_in_hyperperiod(const Plan& plan) {

@@ -29,4 +29,9 @@ std::vector<bool> rates_of_packs(const Plan& plan);
 /// other but for its pictures, which nobody sees.
 Schedule schedule_of_packs(const Plan& plan);
 
+/// By ring of a plan with the schedule of packs, whether nobody but the step that writes a message
+/// reads it: packs need not keep it then. None where that is not plain to see, or where a reset
+/// goes on from messages of the last episode.
+std::vector<bool> passing_rings(const Plan& plan);
+
 }  // namespace eagerx::gen

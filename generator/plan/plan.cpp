@@ -102,10 +102,11 @@ class Planner {
       // itself, the message it writes needs a place of its own.
       const bool writes_what_it_reads = input.source_node == n && !input.processor &&
                                         !node.outputs[input.source_output].processor;
-      const Ends ends{.source_rate_hz = graph_.nodes[input.source_node].rate_hz,
-                      .rate_hz = node.rate_hz,
-                      .source_first = place_[input.source_node] < place_[n] || writes_what_it_reads,
-                      .asynchronous = graph_.asynchronous};
+      const ReceptionEnds ends{
+          .source_rate_hz = graph_.nodes[input.source_node].rate_hz,
+          .rate_hz = node.rate_hz,
+          .source_first = place_[input.source_node] < place_[n] || writes_what_it_reads,
+          .asynchronous = graph_.asynchronous};
       auto reception = plan_reception(input, ends, diagnostics_);
       if (!reception) reception.emplace();
       reception->ring = input.processor || input.original

@@ -203,7 +203,7 @@ std::optional<Reception> arrived(const Input& input, const Counts& longest,
 
 }  // namespace
 
-std::optional<Reception> plan_reception(const Input& input, const Ends& ends,
+std::optional<Reception> plan_reception(const Input& input, const ReceptionEnds& ends,
                                         Diagnostics& diagnostics) {
   const auto counts = counts_of(input, ends.source_rate_hz, ends.rate_hz, diagnostics);
   if (!counts) return std::nullopt;

@@ -8,7 +8,7 @@
 namespace eagerx::gen {
 
 /// What two nodes are to each other.
-struct Ends {
+struct ReceptionEnds {
   Rational source_rate_hz, rate_hz;
   bool source_first = true;   // of a slot in which both are due
   bool asynchronous = false;  // the reader goes by the clock
@@ -16,7 +16,7 @@ struct Ends {
 
 /// How `input` of a node counts the messages of its source; its ring is left to the caller.
 /// Problems are reported.
-std::optional<Reception> plan_reception(const Input& input, const Ends& ends,
+std::optional<Reception> plan_reception(const Input& input, const ReceptionEnds& ends,
                                         Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

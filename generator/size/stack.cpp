@@ -18,12 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Function {
+struct StackOf {
   std::uint64_t frame = 0, begin = 0;
   std::map<std::string, std::uint64_t> calls;  // from which address, the first if there are more
   bool through_pointer = false;
 };
-using Functions = std::map<std::string, Function>;
+using StackOfEach = std::map<std::string, StackOf>;
 
 /// 0 for what does not fit.
 std::uint64_t number(const std::string& digits) {
@@ -78,7 +78,7 @@ class Disassembly {
     }
   }
 
-  Functions take() { return std::move(functions_); }
+  StackOfEach take() { return std::move(functions_); }
 
  private:
   static std::uint64_t address(const std::string& digits) {
@@ -97,12 +97,12 @@ class Disassembly {
     }
   }
 
-  Functions functions_;
-  Function* current_ = nullptr;
+  StackOfEach functions_;
+  StackOf* current_ = nullptr;
   std::string name_;
 };
 
-Functions read_disassembly(const std::string& prefix, const std::string& image) {
+StackOfEach read_disassembly(const std::string& prefix, const std::string& image) {
   Disassembly disassembly;
   for_each_line({prefix + "objdump", "-d", "--no-show-raw-insn", image},
                 [&](std::string_view line) {
@@ -112,7 +112,7 @@ Functions read_disassembly(const std::string& prefix, const std::string& image) 
 }
 
 /// The compiler's own figures, which know variable frames and where they overlap.
-void read_frames(const std::string& build, Functions& functions) {
+void read_frames(const std::string& build, StackOfEach& functions) {
   static const Pattern kNode(
       R"re(^node: \{ title: "([^"]+)" label: ".*\\n([0-9]+) bytes \([a-zA-Z0-9_]+\S*\))re");
   std::map<std::string, std::uint64_t> frames;
@@ -138,7 +138,7 @@ void read_frames(const std::string& build, Functions& functions) {
 
 class DeepestPath {
  public:
-  explicit DeepestPath(const Functions& functions) : functions_(functions) {}
+  explicit DeepestPath(const StackOfEach& functions) : functions_(functions) {}
 
   StackBound from(const std::string& start) {
     StackBound bound;
@@ -148,7 +148,7 @@ class DeepestPath {
       bound.path.push_back(name);
       const auto found = functions_.find(name);
       if (found == functions_.end()) continue;
-      const Function& function = found->second;
+      const StackOf& function = found->second;
       bound.calls.push_back({function_name(name), "", false, function.frame, function.begin,
                              bound.calls.empty() ? function.begin : called_from});
       if (const auto call = function.calls.find(next_[name]); call != function.calls.end())
@@ -179,7 +179,7 @@ class DeepestPath {
     return depth_[name] = deepest + found->second.frame;
   }
 
-  const Functions& functions_;
+  const StackOfEach& functions_;
   std::map<std::string, std::uint64_t> depth_;
   std::map<std::string, std::string> next_;
   std::set<std::string> active_, unbounded_;
@@ -189,7 +189,7 @@ class DeepestPath {
 
 StackBound stack_bound(const std::string& prefix, const std::string& image,
                        const std::string& build) {
-  Functions functions = read_disassembly(prefix, image);
+  StackOfEach functions = read_disassembly(prefix, image);
   read_frames(build, functions);
   return DeepestPath(functions).from(functions.contains("eagerx_start") ? "eagerx_start" : "main");
 }

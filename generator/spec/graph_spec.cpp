@@ -12,10 +12,10 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kNone = "none";
-constexpr const char* kAlways = "always";
+constexpr const char* kFreeOutput = "none";
+constexpr const char* kHoldAlways = "always";
 
-Spanned<std::string> text_of(const YamlValue& yaml) {
+Spanned<std::string> spanned_text(const YamlValue& yaml) {
   return {yaml.text, yaml.span};
 }
 
@@ -97,7 +97,7 @@ AgentSpec read_agent(const YamlValue* yaml, Diagnostics& diagnostics) {
     return spec;
   }
   spec.kind = policy != nullptr ? AgentSpec::Kind::policy : AgentSpec::Kind::csv;
-  spec.file = text_of(policy != nullptr ? *policy : *csv);
+  spec.file = spanned_text(policy != nullptr ? *policy : *csv);
   for (const char* key :
        {"observations", "output", "trained_at", "normalize", "activation", "output_activation",
         "actor", "output_name", "golden", "weights", "max_error", "profile"}) {
@@ -106,7 +106,7 @@ AgentSpec read_agent(const YamlValue* yaml, Diagnostics& diagnostics) {
                       fmt::format("`{}` goes with a `policy`, not with a `csv`", key));
   }
   if (const YamlValue* order = yaml->find("observations")) {
-    for (const auto& item : order->items) spec.observations.push_back(text_of(item));
+    for (const auto& item : order->items) spec.observations.push_back(spanned_text(item));
   }
   read_policy_settings(*yaml, spec);
   return spec;
@@ -117,7 +117,7 @@ AgentSpec read_node_policy(const YamlValue& yaml) {
   AgentSpec spec;
   spec.kind = AgentSpec::Kind::policy;
   spec.span = yaml.span;
-  spec.file = text_of(yaml.is_scalar() ? yaml : *yaml.find("file"));
+  spec.file = spanned_text(yaml.is_scalar() ? yaml : *yaml.find("file"));
   if (!yaml.is_scalar()) read_policy_settings(yaml, spec);
   return spec;
 }
@@ -147,10 +147,10 @@ SafeOutputSpec read_safe_output(const YamlValue::Entry& entry) {
     spec.high = value_at(yaml, "high");
     spec.ramp = value_at(yaml, "ramp");
     const YamlValue* hold = yaml.find("hold");
-    spec.holds_always = hold != nullptr && hold->text == kAlways;
+    spec.holds_always = hold != nullptr && hold->text == kHoldAlways;
     if (!spec.holds_always) spec.hold_s = optional_of<Rational>(yaml, "hold", rational_of);
   } else {
-    spec.is_free = yaml.is_scalar() && yaml.text == kNone;
+    spec.is_free = yaml.is_scalar() && yaml.text == kFreeOutput;
     if (!spec.is_free && !yaml.is_null()) spec.value = yaml;
   }
   return spec;
@@ -197,7 +197,7 @@ void read_task(const YamlValue::Entry& entry, GraphSpec& spec, Diagnostics& diag
 void read_render(const YamlValue::Entry& entry, GraphSpec& spec) {
   RenderSpec render;
   render.span = entry.key_span;
-  render.source = text_of(*entry.value.find("source"));
+  render.source = spanned_text(*entry.value.find("source"));
   render.rate = optional_of<Rational>(entry.value, "rate", rational_of);
   ConnectionSpec connection;
   connection.span = entry.key_span;
@@ -211,7 +211,7 @@ TelemetrySpec read_telemetry(const YamlValue::Entry& entry) {
   TelemetrySpec telemetry;
   telemetry.span = entry.key_span;
   for (const auto& item : entry.value.find("channels")->items)
-    telemetry.channels.push_back(text_of(item));
+    telemetry.channels.push_back(spanned_text(item));
   telemetry.share = optional_of<Rational>(entry.value, "share", rational_of);
   telemetry.rate = optional_of<Rational>(entry.value, "rate", rational_of);
   telemetry.baud = optional_of<Rational>(entry.value, "baud", rational_of);
@@ -238,8 +238,8 @@ std::vector<ConnectionSpec> read_connections(const YamlValue* yaml, Diagnostics&
   for (const auto& item : yaml->items) {
     ConnectionSpec spec;
     spec.span = item.span;
-    spec.from = text_of(*item.find("from"));
-    spec.to = text_of(*item.find("to"));
+    spec.from = spanned_text(*item.find("from"));
+    spec.to = spanned_text(*item.find("to"));
     spec.settings = read_connection_settings(item, diagnostics);
     result.push_back(std::move(spec));
   }
@@ -250,7 +250,7 @@ EntitySpec read_entity(const std::string& name, Span span, const YamlValue& yaml
                        Diagnostics& diagnostics) {
   EntitySpec spec;
   spec.name = {name, span};
-  if (const YamlValue* type = yaml.find("type")) spec.type = text_of(*type);
+  if (const YamlValue* type = yaml.find("type")) spec.type = spanned_text(*type);
   if (const YamlValue* rate = yaml.find("rate")) spec.rate = Spanned<YamlValue>{*rate, rate->span};
   spec.config = read_config(yaml.find("config"));
   if (const YamlValue* states = yaml.find("states")) {
@@ -303,12 +303,12 @@ PlacementSpec read_placement(const YamlValue::Entry& entry) {
   PlacementSpec item;
   item.name = {entry.key, entry.key_span};
   if (!entry.value.is_map()) {
-    item.target = text_of(entry.value);
+    item.target = spanned_text(entry.value);
     return item;
   }
   item.target = {"linux-sim", entry.value.span};
   const auto take = [&](const char* key, Spanned<std::string>& into) {
-    if (const YamlValue* value = entry.value.find(key)) into = text_of(*value);
+    if (const YamlValue* value = entry.value.find(key)) into = spanned_text(*value);
   };
   take("target", item.target);
   take("part", item.part);
@@ -325,11 +325,11 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
   GraphSpec spec;
   spec.file = root.span.file;
   spec.path = path;
-  spec.name = text_of(*root.find("name"));
+  spec.name = spanned_text(*root.find("name"));
   spec.rate = {rational_of(*root.find("rate")), root.find("rate")->span};
   if (const YamlValue* real = root.find("real")) spec.real = real->text;
   if (const YamlValue* library = root.find("library")) {
-    for (const auto& item : library->items) spec.library.push_back(text_of(item));
+    for (const auto& item : library->items) spec.library.push_back(spanned_text(item));
   }
   const auto engine = std::ranges::find(root.entries, "engine", &YamlValue::Entry::key);
   if (engine != root.entries.end()) {
@@ -361,7 +361,7 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
   if (telemetry != root.entries.end()) spec.telemetry = read_telemetry(*telemetry);
   spec.budget = value_at(root, "budget");
   if (const YamlValue* allow = root.find("allow")) {
-    for (const auto& item : allow->items) spec.allow.push_back(text_of(item));
+    for (const auto& item : allow->items) spec.allow.push_back(spanned_text(item));
   }
   if (const YamlValue* placement = root.find("placement")) {
     for (const auto& entry : placement->entries) spec.placement.push_back(read_placement(entry));

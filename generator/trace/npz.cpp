@@ -7,7 +7,6 @@
 namespace eagerx::gen {
 namespace {
 
-using trace_log::Dtype;
 using trace_log::Log;
 
 /// A zip file of stored entries (PKWARE's APPNOTE 6.3): numpy.savez writes the same.
@@ -72,7 +71,8 @@ struct Type {
   const char* name;
   std::size_t bytes;
 };
-Type type_of(Dtype dtype) {
+Type type_of(trace_log::Dtype dtype) {
+  using trace_log::Dtype;
   switch (dtype) {
     case Dtype::float32:
       return {"<f4", 4};

@@ -9,9 +9,9 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::size_t kMostPoints = 1000;  // of a line
+constexpr std::size_t kMostCurvePoints = 1000;  // of a line
 
-struct Point {
+struct CurvePoint {
   double x = 0.0, y = 0.0, low = 0.0, high = 0.0;
 };
 
@@ -51,15 +51,15 @@ std::vector<double> steps_of(const std::vector<LearningCurve>& curves, const Val
   return steps;
 }
 
-std::vector<Point> points_of(const std::vector<LearningCurve>& curves, const Values& values) {
+std::vector<CurvePoint> points_of(const std::vector<LearningCurve>& curves, const Values& values) {
   std::vector<Follower> followers;
   for (const LearningCurve& curve : curves) {
     if (const std::vector<double>* own = values(curve)) followers.emplace_back(curve, *own);
   }
-  std::vector<Point> points;
+  std::vector<CurvePoint> points;
   for (const double steps : steps_of(curves, values)) {
-    Point point{steps, 0.0, std::numeric_limits<double>::infinity(),
-                -std::numeric_limits<double>::infinity()};
+    CurvePoint point{steps, 0.0, std::numeric_limits<double>::infinity(),
+                     -std::numeric_limits<double>::infinity()};
     double count = 0.0;
     for (Follower& follower : followers) {
       const double value = follower.at(steps);
@@ -76,13 +76,13 @@ std::vector<Point> points_of(const std::vector<LearningCurve>& curves, const Val
 }
 
 /// So few that a page stays small: the last of each part, with the least and the most of it.
-std::vector<Point> thinned(const std::vector<Point>& points) {
-  if (points.size() <= kMostPoints) return points;
-  const std::size_t per = (points.size() + kMostPoints - 1) / kMostPoints;
-  std::vector<Point> few;
+std::vector<CurvePoint> thinned(const std::vector<CurvePoint>& points) {
+  if (points.size() <= kMostCurvePoints) return points;
+  const std::size_t per = (points.size() + kMostCurvePoints - 1) / kMostCurvePoints;
+  std::vector<CurvePoint> few;
   for (std::size_t first = 0; first < points.size(); first += per) {
     const std::size_t last = std::min(first + per, points.size()) - 1;
-    Point point = points[last];
+    CurvePoint point = points[last];
     for (std::size_t i = first; i < last; ++i) {
       point.low = std::min(point.low, points[i].low);
       point.high = std::max(point.high, points[i].high);
@@ -92,9 +92,9 @@ std::vector<Point> thinned(const std::vector<Point>& points) {
   return few;
 }
 
-Json numbers(const std::vector<Point>& points, double Point::*which) {
+Json numbers(const std::vector<CurvePoint>& points, double CurvePoint::*which) {
   Json list = Json::list();
-  for (const Point& point : points) list.push_back(point.*which);
+  for (const CurvePoint& point : points) list.push_back(point.*which);
   return list;
 }
 
@@ -104,13 +104,15 @@ class Chart {
       : curves_(curves), json_{{"name", name}, {"unit", unit}, {"lines", Json::list()}} {}
 
   void add(const std::string& name, const Values& values, std::optional<int> shade = std::nullopt) {
-    const std::vector<Point> all = points_of(curves_, values);
+    const std::vector<CurvePoint> all = points_of(curves_, values);
     if (all.empty()) return;
-    const std::vector<Point> points = thinned(all);
-    Json line{{"name", name}, {"x", numbers(points, &Point::x)}, {"y", numbers(points, &Point::y)}};
+    const std::vector<CurvePoint> points = thinned(all);
+    Json line{{"name", name},
+              {"x", numbers(points, &CurvePoint::x)},
+              {"y", numbers(points, &CurvePoint::y)}};
     if (curves_.size() > 1 || points.size() < all.size()) {
-      line["low"] = numbers(points, &Point::low);
-      line["high"] = numbers(points, &Point::high);
+      line["low"] = numbers(points, &CurvePoint::low);
+      line["high"] = numbers(points, &CurvePoint::high);
     }
     if (shade) line["shade"] = *shade;
     json_["lines"].push_back(std::move(line));

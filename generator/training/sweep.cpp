@@ -20,7 +20,7 @@ constexpr std::size_t kMostRows = 100'000;
 constexpr std::size_t kMostNames = 100;  // settings; there are not so many
 
 /// A training of a sweep.
-struct Row {
+struct SweptTraining {
   std::vector<std::string> values;  // of each setting
   std::string problem;              // why it broke; then there are no numbers
   double succeeds = 0.0, steps = 0.0, successes = 0.0, episodes = 0.0;
@@ -30,28 +30,28 @@ struct Row {
 /// All trainings with the same settings.
 struct Case {
   std::vector<std::string> values;
-  std::vector<const Row*> rows;  // without those that broke
+  std::vector<const SweptTraining*> rows;  // without those that broke
   std::vector<std::string> problems;
 
-  [[nodiscard]] double sum(double Row::*which) const {
+  [[nodiscard]] double sum(double SweptTraining::*which) const {
     double sum = 0.0;
-    for (const Row* row : rows) sum += row->*which;
+    for (const SweptTraining* row : rows) sum += row->*which;
     return sum;
   }
-  [[nodiscard]] double mean(double Row::*which) const {
+  [[nodiscard]] double mean(double SweptTraining::*which) const {
     return rows.empty() ? 0.0 : sum(which) / static_cast<double>(rows.size());
   }
   [[nodiscard]] double share() const {
-    const double episodes = sum(&Row::episodes);
-    return episodes > 0.0 ? sum(&Row::successes) / episodes : 0.0;
+    const double episodes = sum(&SweptTraining::episodes);
+    return episodes > 0.0 ? sum(&SweptTraining::successes) / episodes : 0.0;
   }
   /// As the table of the trainer has them.
   [[nodiscard]] bool is_better_than(const Case& other) const {
     if (rows.empty() != other.rows.empty()) return other.rows.empty();
-    const double mine = sum(&Row::succeeds), theirs = other.sum(&Row::succeeds);
+    const double mine = sum(&SweptTraining::succeeds), theirs = other.sum(&SweptTraining::succeeds);
     if (mine != theirs) return mine > theirs;
     if (share() != other.share()) return share() > other.share();
-    return mean(&Row::mean_return) > other.mean(&Row::mean_return);
+    return mean(&SweptTraining::mean_return) > other.mean(&SweptTraining::mean_return);
   }
 };
 
@@ -77,7 +77,7 @@ class SweepReader {
     if (cells.size() != kCells)
       return lines_.fail(fmt::format("it has {} cells in place of {}", cells.size(), kCells));
     if (rows_.size() >= kMostRows) return lines_.fail("there are more trainings than may be");
-    Row row;
+    SweptTraining row;
     if (!read_settings(cells[1], row)) return false;
     row.problem = std::string(cells[9]);
     const std::pair<std::size_t, double*> numbers[] = {
@@ -93,7 +93,7 @@ class SweepReader {
 
   /// "learning_rate=0.001 layers=64,64": all rows of a file have the same names, or it is of
   /// several sweeps.
-  bool read_settings(std::string_view text, Row& row) {
+  bool read_settings(std::string_view text, SweptTraining& row) {
     std::vector<std::string> names;
     while (!text.empty()) {
       const std::size_t end = std::min(text.find(' '), text.size());
@@ -113,7 +113,7 @@ class SweepReader {
   [[nodiscard]] Json cases_json() const {
     std::vector<Case> cases;
     std::map<std::vector<std::string>, std::size_t> places;
-    for (const Row& row : rows_) {
+    for (const SweptTraining& row : rows_) {
       const auto [place, is_new] = places.emplace(row.values, cases.size());
       if (is_new) cases.push_back(Case{row.values, {}, {}});
       Case& found = cases[place->second];
@@ -130,12 +130,13 @@ class SweepReader {
       list.push_back(
           Json{{"values", Json(one.values)},
                {"seeds", one.rows.size() + one.problems.size()},
-               {"succeed", one.sum(&Row::succeeds)},
-               {"successes", one.sum(&Row::successes)},
-               {"episodes", one.sum(&Row::episodes)},
-               {"return", one.rows.empty() ? Json(nullptr) : Json(one.mean(&Row::mean_return))},
-               {"steps", one.mean(&Row::steps)},
-               {"processor_s", one.mean(&Row::processor_s)},
+               {"succeed", one.sum(&SweptTraining::succeeds)},
+               {"successes", one.sum(&SweptTraining::successes)},
+               {"episodes", one.sum(&SweptTraining::episodes)},
+               {"return",
+                one.rows.empty() ? Json(nullptr) : Json(one.mean(&SweptTraining::mean_return))},
+               {"steps", one.mean(&SweptTraining::steps)},
+               {"processor_s", one.mean(&SweptTraining::processor_s)},
                {"problems", Json(one.problems)}});
     return list;
   }
@@ -143,7 +144,7 @@ class SweepReader {
   /// The different values of a setting: numbers in their order, before words in theirs.
   [[nodiscard]] std::vector<std::string> values_of(std::size_t setting) const {
     std::vector<std::string> values;
-    for (const Row& row : rows_) values.push_back(row.values[setting]);
+    for (const SweptTraining& row : rows_) values.push_back(row.values[setting]);
     std::ranges::sort(values, [](const std::string& a, const std::string& b) {
       double x = 0.0, y = 0.0;
       const bool first = host::read_number(a, x) && !std::isnan(x);
@@ -164,7 +165,7 @@ class SweepReader {
       std::map<std::string_view, std::size_t> places;
       for (const std::string& label : labels) places.emplace(label, places.size());
       Json x = Json::list(), y = Json::list();
-      for (const Row& row : rows_) {
+      for (const SweptTraining& row : rows_) {
         if (!row.problem.empty()) continue;
         x.push_back(places.at(row.values[setting]));
         y.push_back(row.mean_return);
@@ -182,7 +183,7 @@ class SweepReader {
 
   TrainingLines& lines_;
   std::vector<std::string> names_;  // of the settings
-  std::vector<Row> rows_;
+  std::vector<SweptTraining> rows_;
 };
 
 }  // namespace

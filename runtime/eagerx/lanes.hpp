@@ -261,11 +261,17 @@ class PaddedLanes : Window {
   using Window::Window;
 
   static constexpr std::uint32_t size() { return Window::kMaxSize; }
-  Message operator[](std::uint32_t i) const {
-    constexpr auto kMissing = std::numeric_limits<LaneOf<ScalarOf<Message>>>::quiet_NaN();
-    return detail::padded(static_cast<const Window&>(*this), i, kMissing);
+  /// Of a window that is always full, where the message is: a copy goes through memory.
+  decltype(auto) operator[](std::uint32_t i) const {
+    const auto& window = static_cast<const Window&>(*this);
+    if constexpr (Window::kAlwaysFull) {
+      return window[i];
+    } else {
+      constexpr auto kMissing = std::numeric_limits<LaneOf<ScalarOf<Message>>>::quiet_NaN();
+      return detail::padded(window, i, kMissing);
+    }
   }
-  Message back() const { return (*this)[size() - 1]; }
+  decltype(auto) back() const { return (*this)[size() - 1]; }
 };
 
 /// As FloorSequence, lane by lane, with values below 2^31.
@@ -363,6 +369,7 @@ inline void load_lane(LanesPart& lanes, std::size_t lane, const Part& part) {
     check_lane<Word, N, LanesPart, Part>();
     auto* const to = reinterpret_cast<unsigned char*>(&lanes) + lane * sizeof(Word);
     const auto* const from = reinterpret_cast<const unsigned char*>(&part);
+#pragma GCC unroll 32
     for (std::size_t i = 0; i < sizeof(Part) / sizeof(Word); ++i)
       std::memcpy(to + i * N * sizeof(Word), from + i * sizeof(Word), sizeof(Word));
   }
@@ -373,6 +380,7 @@ inline void store_lane(const LanesPart& lanes, std::size_t lane, Part& part) {
     check_lane<Word, N, LanesPart, Part>();
     const auto* const from = reinterpret_cast<const unsigned char*>(&lanes) + lane * sizeof(Word);
     auto* const to = reinterpret_cast<unsigned char*>(&part);
+#pragma GCC unroll 32
     for (std::size_t i = 0; i < sizeof(Part) / sizeof(Word); ++i)
       std::memcpy(to + i * sizeof(Word), from + i * N * sizeof(Word), sizeof(Word));
   }

@@ -264,6 +264,14 @@ template <std::size_t N, std::size_t W>
   return Real::of([&](auto i) { return std::bit_cast<typename Real::Vector>(x.v[i]); });
 }
 
+/// Lane by lane the product of what is in the lower 32 bits of each.
+template <std::size_t N, std::size_t W>
+[[gnu::always_inline]] inline Pack<std::uint64_t, N, W> product_of_lower_halves(
+    const Pack<std::uint64_t, N, W>& a, const Pack<std::uint64_t, N, W>& b) {
+  return Pack<std::uint64_t, N, W>::of(
+      [&](auto i) { return detail::product_of_lower_halves(a.v[i], b.v[i]); });
+}
+
 template <class T, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Pack<T, N, W> sqrt(const Pack<T, N, W>& x) {
   return Pack<T, N, W>::of([&](auto i) { return detail::roots(x.v[i]); });

@@ -78,21 +78,17 @@ struct PackConversion<Pack<T, N, W>, Pack<S, N, V>> {
       constexpr auto kMost = From(static_cast<S>(0x7fffffff));
       if (sizeof(S) >= 4 && any(from > kMost)) return false;
     } else if constexpr (sizeof(S) == 8) {
-      if (!halves_fit(from)) return false;
+      return halves_fit(from, words);
     }
     words = Words(from);
     return true;
   }
-  /// Whether the upper half of each number is the sign of the lower one.
-  [[gnu::always_inline]] static bool halves_fit(const From& from) {
-    using Halves = typename VectorOf<std::int32_t, 2 * From::kWidth>::type;
-    Halves wrong{};
-    unrolled<From::kCount>([&](auto i) {
-      const auto halves = std::bit_cast<Halves>(from.v[i]);
-      wrong |= (lower_halves(halves) >> 31) ^ halves;
-    });
-    const auto upper = std::bit_cast<typename From::Vector>(wrong) >> 32;
-    return !any_lane(upper != typename From::Vector{});
+  /// Whether the upper half of each number is the sign of the lower one, which are `words`.
+  [[gnu::always_inline]] static bool halves_fit(const From& from, Words& words) {
+    words = Words(from);
+    Words upper;
+    convert_integers<1>(from, upper);
+    return !any((words >> 31) != upper);
   }
 
   [[gnu::always_inline]] static To one_by_one(const From& from) {

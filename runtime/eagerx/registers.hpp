@@ -91,9 +91,56 @@ template <std::size_t First, std::size_t Count, std::size_t Width, class Vector>
   }
 }
 
-/// Integers of registers as those of others, which are as wide, twice as wide or half as wide, as
-/// `static_cast` does.
+/// Integers of 32 bits as such of 64: one instruction, where compilers make three of halves.
 template <class To, class From>
+[[gnu::always_inline]] inline To widened(const From& from) {
+  constexpr bool kWords = sizeof(from[0]) == 4 && sizeof(To) == 2 * sizeof(From);
+#if defined(__AVX2__) && !defined(__clang__)
+  using Words [[maybe_unused, gnu::vector_size(sizeof(From))]] = int;
+  constexpr bool kSigned [[maybe_unused]] =
+      std::is_signed_v<std::remove_cvref_t<decltype(from[0])>>;
+#if defined(__AVX512F__)
+  if constexpr (kWords && sizeof(To) == 64) {
+    using Vector = typename VectorOf<long long, 8>::type;
+    const auto words = std::bit_cast<Words>(from);
+    if constexpr (kSigned)
+      return std::bit_cast<To>(
+          __builtin_ia32_pmovsxdq512_mask(words, Vector{}, static_cast<char>(-1)));
+    if constexpr (!kSigned)
+      return std::bit_cast<To>(
+          __builtin_ia32_pmovzxdq512_mask(words, Vector{}, static_cast<char>(-1)));
+  }
+#endif
+  if constexpr (kWords && sizeof(To) == 32) {
+    const auto words = std::bit_cast<Words>(from);
+    if constexpr (kSigned) return std::bit_cast<To>(__builtin_ia32_pmovsxdq256(words));
+    if constexpr (!kSigned) return std::bit_cast<To>(__builtin_ia32_pmovzxdq256(words));
+  }
+#endif
+  static_cast<void>(kWords);
+  return __builtin_convertvector(from, To);
+}
+
+/// Of the pairs of numbers in two registers the first (`Half` = 0) or the second ones.
+template <std::size_t Half, class Vector>
+[[gnu::always_inline]] inline Vector halves_of(const Vector& a, const Vector& b) {
+#if defined(__AVX2__) && !defined(__clang__)
+  if constexpr (sizeof(Vector) == 32 && sizeof(a[0]) == 4) {
+    // Within blocks of 128 bits, then these in order: compilers need four instructions.
+    using Floats = typename VectorOf<float, 8>::type;
+    using Pairs = typename VectorOf<long long, 4>::type;
+    constexpr int kChoice = Half == 0 ? 0x88 : 0xdd;
+    const Floats mixed =
+        __builtin_ia32_shufps256(std::bit_cast<Floats>(a), std::bit_cast<Floats>(b), kChoice);
+    return std::bit_cast<Vector>(__builtin_ia32_permdi256(std::bit_cast<Pairs>(mixed), 0xd8));
+  }
+#endif
+  return picked<Half, 2, sizeof(Vector) / sizeof(a[0])>(a, b);
+}
+
+/// Integers of registers as those of others, which are as wide, twice as wide or half as wide, as
+/// `static_cast` does. `Half` = 1: of those twice as wide the upper halves.
+template <std::size_t Half = 0, class To, class From>
 [[gnu::always_inline]] inline void convert_integers(const From& from, To& to) {
   using T = typename To::Lane;
   using S = typename From::Lane;
@@ -101,28 +148,18 @@ template <class To, class From>
   unrolled<To::kCount>([&](auto i) {
     constexpr std::size_t kFirst = i * To::kWidth;
     if constexpr (sizeof(T) >= sizeof(S)) {
-      to.v[i] = __builtin_convertvector((lanes_from<kFirst, To::kWidth, From::kWidth>(&from.v[0])),
-                                        Vector);
+      to.v[i] = widened<Vector>(lanes_from<kFirst, To::kWidth, From::kWidth>(&from.v[0]));
     } else {  // the lower half of each: in memory, the first
       using Halves = typename VectorOf<T, 2 * From::kWidth>::type;
       if constexpr (From::kCount == 1) {
         const auto whole = std::bit_cast<Halves>(from.v[0]);
-        to.v[i] = picked<0, 2, To::kWidth>(whole, whole);
+        to.v[i] = picked<Half, 2, To::kWidth>(whole, whole);
       } else {
-        to.v[i] = picked<0, 2, To::kWidth>(std::bit_cast<Halves>(from.v[2 * i]),
-                                           std::bit_cast<Halves>(from.v[2 * i + 1]));
+        to.v[i] = halves_of<Half>(std::bit_cast<Halves>(from.v[2 * i]),
+                                  std::bit_cast<Halves>(from.v[2 * i + 1]));
       }
     }
   });
-}
-
-/// Of pairs of numbers: the first in the place of both.
-template <class Vector>
-[[gnu::always_inline]] inline Vector lower_halves(const Vector& x) {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
-    return __builtin_shufflevector(x, x, (I / 2 * 2)...);
-  }
-  (std::make_index_sequence<sizeof(Vector) / sizeof(x[0])>{});
 }
 
 /// Of truth values, which have all bits of a lane or none: whether there is one.
@@ -177,6 +214,31 @@ template <class Vector>
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < kWidth; ++i) bits |= std::uint64_t{lanes[i] & 1U} << i;
   return bits;
+}
+
+/// The products of the lower halves of numbers of 64 bits: one instruction, which compilers do not
+/// find everywhere.
+template <class Vector>
+[[gnu::always_inline]] inline Vector product_of_lower_halves(const Vector& a, const Vector& b) {
+#if defined(__SSE2__) && !defined(__clang__)
+  using Halves [[maybe_unused, gnu::vector_size(sizeof(Vector))]] = int;
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Vector) == 64)
+    return std::bit_cast<Vector>(__builtin_ia32_pmuludq512_mask(
+        std::bit_cast<Halves>(a), std::bit_cast<Halves>(b), typename VectorOf<long long, 8>::type{},
+        static_cast<char>(-1)));
+#endif
+#if defined(__AVX2__)
+  if constexpr (sizeof(Vector) == 32)
+    return std::bit_cast<Vector>(
+        __builtin_ia32_pmuludq256(std::bit_cast<Halves>(a), std::bit_cast<Halves>(b)));
+#endif
+  if constexpr (sizeof(Vector) == 16)
+    return std::bit_cast<Vector>(
+        __builtin_ia32_pmuludq128(std::bit_cast<Halves>(a), std::bit_cast<Halves>(b)));
+#endif
+  constexpr std::uint64_t kLower = 0xffffffffU;
+  return (a & kLower) * (b & kLower);
 }
 
 /// b < a ? b : a and a < b ? b : a: one instruction, where compilers make two or three.

@@ -34,12 +34,18 @@ if(EAGERX_BUILD_LIBRARIES AND NOT CMAKE_CROSSCOMPILING)
   file(GLOB_RECURSE texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/runtime/*.[ch]pp ${PROJECT_SOURCE_DIR}/runtime/*.cmake
        ${PROJECT_SOURCE_DIR}/targets/common/*.[ch]pp ${PROJECT_SOURCE_DIR}/targets/linux-sim/*.[ch]pp
        ${PROJECT_SOURCE_DIR}/targets/environments/*.[ch]pp ${PROJECT_SOURCE_DIR}/targets/*/libraries.cmake)
+  # Who tests judges these texts, too, in a build type of its own: the libraries are those of every type.
+  set(warnings)
+  if(EAGERX_BUILD_TESTS)
+    set(warnings "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror")
+  endif()
   add_custom_command(
     OUTPUT ${libraries}.stamp
     DEPENDS ${texts} ${cmake_files}/libraries/CMakeLists.txt
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${libraries}
     COMMAND ${CMAKE_COMMAND} -S ${cmake_files}/libraries -B ${libraries}-build -G ${CMAKE_GENERATOR}
-            -D CMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -D CMAKE_BUILD_TYPE= -D eagerx_gen_DIR=${PROJECT_BINARY_DIR}
+            -D CMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -D CMAKE_BUILD_TYPE=Judged "-D CMAKE_CXX_FLAGS_JUDGED=${warnings}"
+            -D eagerx_gen_DIR=${PROJECT_BINARY_DIR}
             -D EAGERX_LIBRARY_CACHE=${libraries}
     COMMAND ${CMAKE_COMMAND} --build ${libraries}-build --clean-first
     COMMAND ${CMAKE_COMMAND} -E touch ${libraries}.stamp

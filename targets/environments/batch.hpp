@@ -16,6 +16,7 @@
 #include <string_view>
 #include <targets/common/run.hpp>
 #include <targets/environments/agent.hpp>
+#include <targets/environments/beginning.hpp>
 #include <targets/environments/critic.hpp>
 #include <targets/environments/episode.hpp>
 #include <targets/environments/layout.hpp>
@@ -52,6 +53,7 @@ class Batch {
         programs_(std::make_unique<Program[]>(plain_programs())),
         packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
         agents_(kernel),
+        draws_(kernel),
         staging_(size_),
         critic_(size_),
         team_(std::min(options.threads != 0 ? options.threads : host::usable_cores(), blocks())) {
@@ -86,7 +88,10 @@ class Batch {
   bool draws() const { return drawn_.any(); }
 
   void reset(const std::uint8_t* mask, const std::uint64_t* seeds, float* observation) {
+    eagerx_rows rows{};
+    rows.observation = observation;
     each_block(resets_, [&](std::uint32_t first, std::uint32_t end, unsigned /*member*/) {
+      Step step(rows);
       for (std::uint32_t k = first; k < end; ++k) {
         if (mask != nullptr && mask[k] == 0) continue;
         Episode& episode = episodes_[k];
@@ -96,8 +101,9 @@ class Batch {
         } else if (episode.begun) {
           ++episode.index;
         }
-        begin(k, observation);
+        begin_later(k, step);
       }
+      begin_all(step);
     });
     if (!all_begun_) {
       all_begun_ = std::all_of(episodes_.get(), episodes_.get() + size_,
@@ -110,7 +116,9 @@ class Batch {
     require_begun();
     not_finite_.begin_step();
     each_block(stepping_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
-      step_block(first, end, member, actions, rows);
+      Step step(rows);
+      step_block(first, end, member, actions, step);
+      begin_all(step);
     });
     for (auto& [k, traces] : traces_) {
       if (traces.now) traces.now->hand_on();
@@ -242,7 +250,7 @@ class Batch {
   std::uint32_t plain_programs() const { return drawn_.any() ? 1 : size_; }
 
   void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
-                  const eagerx_rows& rows) {
+                  Step& rows) {
     const std::uint32_t lanes = packs_.lanes();
     if (lanes == 0) {
       for (std::uint32_t k = first; k < end; ++k) step_alone(k, actions, rows);
@@ -253,7 +261,7 @@ class Batch {
   }
 
   void step_pack(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
-                 const eagerx_rows& rows) {
+                 Step& rows) {
     const std::uint64_t all = ~std::uint64_t{0} >> (64 - (end - first));
     const std::uint64_t packed = packs_.packed(first);
     if (packed != 0) take_actions(first, end, member, actions);
@@ -275,7 +283,8 @@ class Batch {
       write_outcome<Graph>(column, k, rows);
       weigh(k, column, rows);
       critic_.step(k, column);
-      end_pack_step(k, column, rows);
+      end_pack_step(k, column, ends_of<Graph>(column), rows,
+                    [&](float* row) { packs_.write(column, layout_, row); });
     }
   }
 
@@ -292,7 +301,7 @@ class Batch {
 
   /// The rows of all lanes at once; then what is not the same for all.
   void step_whole_pack(std::uint32_t first, std::uint64_t alone, unsigned member,
-                       const float* actions, const eagerx_rows& rows) {
+                       const float* actions, Step& rows) {
     const PackRows pack_rows = packs_.rows_from(first, rows, steps_.get(), longest_);
     std::uint64_t notable = packs_.step(member, first, &pack_rows) | alone;
     if constexpr (PackMemory<Graph>::shows_guard()) {
@@ -315,18 +324,28 @@ class Batch {
       if ((alone >> lane & 1U) != 0) {
         step_alone(k, actions, rows);
       } else {
-        end_pack_step(k, packs_.column(member, first, lane), rows);
+        const PackColumn column = packs_.column(member, first, lane);
+        const Ends ends =
+            pack_rows.have_ends() ? ends_in_rows<Graph>(column, k, rows) : ends_of<Graph>(column);
+        end_pack_step(k, column, ends, rows, [&](float* row) {
+          if (rows.observation == nullptr) return packs_.write(column, layout_, row);
+          const std::size_t observed = layout_.observations.numbers();
+          const float* const written = rows.observation + k * observed;
+          if (row != written) std::copy_n(written, observed, row);
+        });
       }
     }
   }
 
-  void end_pack_step(std::uint32_t k, const PackColumn& column, const eagerx_rows& rows) {
-    const Ends ends = ends_of<Graph>(column);
+  /// write(row) writes the observation of the step.
+  template <class Write>
+  void end_pack_step(std::uint32_t k, const PackColumn& column, Ends ends, Step& rows,
+                     Write&& write) {
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
         not_finite_.note(episodes_[k].place(k, steps_[k]), outcome_of<Graph>(column));
     }
-    end_step(k, ends, rows, [&](float* row) { packs_.write(column, layout_, row); });
+    end_step(k, ends, rows, std::forward<Write>(write));
     if (steps_[k] >= packs_.most_steps()) take_out(k);
   }
 
@@ -334,7 +353,7 @@ class Batch {
     staging_.weigh(k, rows, [&](std::size_t i) { return column.end(kTerms + i); });
   }
 
-  void step_alone(std::uint32_t k, const float* actions, const eagerx_rows& rows) {
+  void step_alone(std::uint32_t k, const float* actions, Step& rows) {
     if (episodes_[k].ended) {
       stay_or_begin(k, rows);
     } else {
@@ -343,8 +362,7 @@ class Batch {
   }
 
   template <class AnyProgram>
-  void step_one(std::uint32_t k, AnyProgram& program, const float* actions,
-                const eagerx_rows& rows) {
+  void step_one(std::uint32_t k, AnyProgram& program, const float* actions, Step& rows) {
     const std::size_t acted = layout_.actions.numbers();
     const auto observation = program.step(layout_.action(actions + k * acted));
     const Ends ends = write_outcome<Graph>(program, k, rows);
@@ -363,7 +381,7 @@ class Batch {
 
   /// write(row) writes the observation of the step.
   template <class Write>
-  void end_step(std::uint32_t k, Ends ends, const eagerx_rows& rows, Write&& write) {
+  void end_step(std::uint32_t k, Ends ends, Step& rows, Write&& write) {
     Episode& episode = episodes_[k];
     const std::size_t observed = layout_.observations.numbers();
     ++steps_[k];
@@ -378,7 +396,7 @@ class Batch {
       if (rows.final_observation != nullptr) write(rows.final_observation + k * observed);
       critic_.end(k);
       ++episode.index;
-      begin(k, rows.observation);
+      begin_later(k, rows);
     } else {
       if (rows.observation != nullptr) write(rows.observation + k * observed);
       episode.ended = true;
@@ -387,28 +405,46 @@ class Batch {
   }
 
   /// In place of a step of an environment whose episode has ended.
-  void stay_or_begin(std::uint32_t k, const eagerx_rows& rows) {
+  void stay_or_begin(std::uint32_t k, Step& rows) {
     write_no_outcome<Graph>(k, rows);
     if (autoreset_ != EAGERX_NEXT_STEP) return;
     ++episodes_[k].index;
-    begin(k, rows.observation);
+    begin_later(k, rows);
   }
 
-  void begin(std::uint32_t k, float* observations) {
+  void begin_later(std::uint32_t k, Step& step) {
+    step.environments[step.waiting++] = k;
+    if (step.waiting == draws_.most()) begin_all(step);
+  }
+  void begin_all(Step& step) {
+    if (step.waiting == 0) return;
+    EpisodeKey keys[Step::kMost];
+    typename Graph::States states[Step::kMost];
+    for (std::uint32_t i = 0; i < step.waiting; ++i)
+      keys[i] = episodes_[step.environments[i]].key();
+    draws_.draw(keys, step.waiting, states);
+    for (std::uint32_t i = 0; i < step.waiting; ++i)
+      begin(step.environments[i], states[i], step.observation);
+    step.waiting = 0;
+  }
+
+  /// `states`: as the graph draws them.
+  void begin(std::uint32_t k, typename Graph::States& states, float* observations) {
     Episode& episode = episodes_[k];
     set_states_.begin(k);
     staging_.begin(k);
-    take_out(k);
-    const EpisodeKey key = episode.key();
-    const auto states = states_of(k);
-    const auto observation = reset_program(k, key, states);
+    put_own(k, states);
+    const bool goes_on = episode.packed && packs_.restarts() && !traces_.contains(k);
+    if (!goes_on) take_out(k);
+    const auto observation =
+        goes_on ? packs_.restart(k, programs_[k], states) : reset_program(k, episode.key(), states);
     with(k, [&](const auto& program) { critic_.begin(k, program, states); });
     if (observations != nullptr)
       layout_.write(observation, observations + k * layout_.observations.numbers());
     steps_[k] = 0;
     episode.begun = true;
     episode.ended = false;
-    if (packs_.lanes() != 0 && !episode.traced) put_in(k);
+    if (packs_.lanes() != 0 && !episode.traced && !goes_on) put_in(k);
   }
 
   void tune_one(std::uint32_t k, const float* row) {
@@ -452,9 +488,13 @@ class Batch {
   /// That the current episode begins with.
   typename Graph::States states_of(std::uint32_t k) const {
     typename Graph::States states = Graph::draw(episodes_[k].key());
+    put_own(k, states);
+    return states;
+  }
+  /// What the stage draws otherwise than the graph, and what was set.
+  void put_own(std::uint32_t k, typename Graph::States& states) const {
     staging_.draw(k, episodes_[k].key(), states);
     set_states_.read(k, states);
-    return states;
   }
 
   void require_begun() const {
@@ -475,6 +515,7 @@ class Batch {
   std::unique_ptr<Program[]> programs_;  // [size_], or one if `drawn_` has them
   PackMemory<Graph> packs_;
   Agents<Graph> agents_;
+  Draws<Graph> draws_;
   SetStates<Graph> set_states_;
   Staging<Graph> staging_;
   CriticRows<Graph> critic_;

@@ -37,7 +37,7 @@ inline const char* error_text() {
 class RightFloats {
  public:
   RightFloats() {
-    if (calculates_as_everywhere()) return;
+    if (says_so() || calculates_as_everywhere()) return;
     std::fegetenv(&callers_);
     std::fesetenv(FE_DFL_ENV);
     changed_ = true;
@@ -53,6 +53,17 @@ class RightFloats {
   }
 
  private:
+  /// What the processor says of itself, in a tenth of the time that it takes to calculate: neither
+  /// the bits of denormal numbers nor those of rounding are set.
+  static bool says_so() {
+#if defined(__SSE2__) && defined(__x86_64__)
+    constexpr unsigned kOtherwise = 0xe040U;
+    return (__builtin_ia32_stmxcsr() & kOtherwise) == 0;
+#else
+    return false;
+#endif
+  }
+
   std::fenv_t callers_{};
   bool changed_ = false;
 };

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/random.hpp>
 #include <eagerx/trace.hpp>
 
 namespace eagerx::environments {
@@ -19,6 +20,9 @@ struct PackRows {
   std::uint8_t* truncated = nullptr;
   std::uint32_t* steps = nullptr;  // of the episodes; never null
   std::uint32_t most_steps = 0;    // after so many a lane is notable
+
+  /// Whether they tell which episodes the task ends: no columns do then.
+  bool have_ends() const { return terminated != nullptr && truncated != nullptr; }
 };
 
 /// Rows of actions of a whole pack.
@@ -35,6 +39,7 @@ template <class Graph>
 struct PackKernel {
   using Program = typename Graph::template Program<NoTrace>;
   using Action = typename Graph::Action;
+  using States = typename Graph::States;
 
   const char* isa = "";  // as EAGERX_PACKS names it
   std::uint32_t lanes = 0;
@@ -58,12 +63,20 @@ struct PackKernel {
   void (*go_to)(void* pack, const Program& one) = nullptr;
   void (*load)(void* pack, std::uint32_t lane, const Program& one) = nullptr;
   void (*store)(const void* pack, std::uint32_t lane, Program& one) = nullptr;
+  /// As store(), reset() of `one` and load(), but nothing that the reset does not need. Null if one
+  /// of these may depend on more: reset nodes, several phases.
+  typename Graph::Observation (*restart)(void* pack, std::uint32_t lane, Program& one,
+                                         const States& states) = nullptr;
+  /// As the graph's draw() for each of `count` keys, at most `most_draws`.
+  void (*draw)(const EpisodeKey* keys, std::size_t count, States* states) = nullptr;
+  std::uint32_t most_draws = 0;
   /// Fills `actions` of a pack. The lanes, a bit each, whose action must go through the guard,
   /// which has not been done: put() takes what comes out. Null if all must.
   std::uint64_t (*take)(const ActionRows& rows, void* actions) = nullptr;
   void (*put)(void* actions, std::uint32_t lane, const Action& action) = nullptr;
-  /// `actions` have gone through the guards. Columns: observations in the graph's order, then those
-  /// of PackColumns. `rows`: null, or also written. The lanes, a bit each, whose episode the task
+  /// `actions` have gone through the guards. Columns: observations in the graph's order, unless
+  /// their rows are wanted and no guard looks at them, then those of PackColumns, unless rows have
+  /// the ends. `rows`: null, or also written. The lanes, a bit each, whose episode the task
   /// ends, whose reward is no number or which have made the most steps.
   std::uint64_t (*step)(void* pack, const void* actions, float* columns,
                         const PackRows* rows) = nullptr;

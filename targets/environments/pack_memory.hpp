@@ -94,6 +94,13 @@ class PackMemory {
   }
   void store(std::uint32_t k, Program& one) const { kernel_.store(pack(k), lane_of(k), one); }
 
+  /// Whether environments can begin another episode in their lanes.
+  bool restarts() const { return kernel_.restart != nullptr; }
+  typename Graph::Observation restart(std::uint32_t k, Program& one,
+                                      const typename Graph::States& states) {
+    return kernel_.restart(pack(k), lane_of(k), one, states);
+  }
+
   /// The lanes of `k`'s group that hold an environment, a bit each.
   std::uint64_t packed(std::uint32_t k) const { return packed_[group_of(k)]; }
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <new>
 #include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/pack_rows.hpp>
 #include <targets/environments/task.hpp>
 #include <type_traits>
 
@@ -20,9 +21,9 @@ namespace eagerx::environments {
 struct NoAgent {};
 
 /// `Program` is the graph's over packs of `Lanes`, `Action` and `Observation` are its messages,
-/// `Agent` its policy.
+/// `Draws` draws for several environments, `Agent` is the graph's policy.
 template <class Graph, class Program, class Action, class Observation, std::size_t Lanes,
-          class Agent = NoAgent>
+          class Draws, class Agent = NoAgent>
 class Packs {
  public:
   using Kernel = PackKernel<Graph>;
@@ -50,6 +51,9 @@ class Packs {
     kernel.store = [](const void* pack, std::uint32_t lane, typename Kernel::Program& one) {
       static_cast<const Program*>(pack)->store(lane, one);
     };
+    if constexpr (Program::kPhases == 1 && !kHasResetNodes) kernel.restart = restart;
+    kernel.draw = Draws::draw;
+    kernel.most_draws = Draws::kMost;
     kernel.action_bytes = sizeof(Action);
     if constexpr (!Graph::kSafety.declared) kernel.take = take;
     kernel.put = [](void* actions, std::uint32_t lane, const typename Kernel::Action& action) {
@@ -69,7 +73,18 @@ class Packs {
   using Real = Pack<float, Lanes>;
   using Truth = typename Real::Truth;
   static constexpr bool kTells = Program::kAnswers && Observation::kMayMiss;
+  /// Whether a guard wants to know which observations are finite.
+  static constexpr bool kWatches = Program::kAnswers && Graph::kSafety.declared;
   static constexpr std::uint32_t kMostTicks = 2'000'000'000;  // below 2^31
+  static constexpr bool kHasResetNodes = requires(const typename Kernel::Program& one) {
+    one.reset_timeouts();
+  };
+
+  static typename Graph::Observation restart(void* pack, std::uint32_t lane,
+                                             typename Kernel::Program& one,
+                                             const typename Graph::States& states) {
+    return static_cast<Program*>(pack)->restart(lane, one, states);
+  }
 
   static std::uint64_t take(const ActionRows& rows, void* actions) {
     Truth applicable = true;
@@ -137,24 +152,29 @@ class Packs {
 
   static std::uint64_t step(void* pack, const void* actions, float* columns, const PackRows* rows) {
     Program& program = *static_cast<Program*>(pack);
-    write(program.step(*static_cast<const Action*>(actions)), columns);
+    typename Program::Messages now;
+    const auto observation = program.step(*static_cast<const Action*>(actions), now);
+    const bool writes_rows = rows != nullptr && rows->observation != nullptr;
+    const float* numbers[Observation::kNumbers];
+    write(observation, columns, !writes_rows || kWatches, numbers);
+    if (writes_rows)
+      RowWriter<Lanes>::spread_all(numbers, rows->places, rows->observation, rows->observed);
     const std::uint64_t last = rows != nullptr ? count_steps(*rows) : 0;
-    if (rows != nullptr && rows->observation != nullptr) {
-      spread_all(columns, *rows);
-    }
     if constexpr (has_task<Graph>) {
-      const auto outcome = program.outcome();
+      const auto outcome = program.outcome(now);
       float* const ends = columns + Observation::kNumbers * Lanes;
       outcome.reward.store(ends + kReward * Lanes);
-      put(outcome.terminated, ends + kTerminated * Lanes);
-      put(outcome.truncated, ends + kTruncated * Lanes);
-      put(outcome.success, ends + kSuccess * Lanes);
+      if (rows == nullptr || !rows->have_ends()) {
+        put(outcome.terminated, ends + kTerminated * Lanes);
+        put(outcome.truncated, ends + kTruncated * Lanes);
+        put(outcome.success, ends + kSuccess * Lanes);
+      }
       for (std::size_t i = 0; i < terms_of<Graph>; ++i)
         outcome.terms[i].store(ends + (kTerms + i) * Lanes);
       put_seen(outcome, ends + (kTerms + terms_of<Graph>)*Lanes);
       if (rows != nullptr && rows->terms != nullptr) {
         for (std::size_t i = 0; i < terms_of<Graph>; ++i)
-          spread(ends + (kTerms + i) * Lanes, rows->terms + i, terms_of<Graph>);
+          RowWriter<Lanes>::spread(ends + (kTerms + i) * Lanes, rows->terms + i, terms_of<Graph>);
       }
       if (rows != nullptr)
         put_rows(outcome.reward, outcome.success, outcome.terminated, outcome.truncated, *rows);
@@ -193,43 +213,6 @@ class Packs {
     put_bytes(terminated, rows.terminated);
     put_bytes(truncated, rows.truncated);
   }
-  /// Four columns at a time where they are side by side in a row, which they mostly are.
-  static void spread_all(const float* columns, const PackRows& rows) {
-    std::size_t i = 0;
-    while (i < Observation::kNumbers) {
-      float* const to = rows.observation + rows.places[i];
-      const float* const from = columns + i * Lanes;
-      if (i + 4 <= Observation::kNumbers && rows.places[i + 3] == rows.places[i] + 3) {
-        for (std::size_t k = 0; k < Lanes; k += 4)
-          spread_four(from + k, to + k * rows.observed, rows.observed);
-        i += 4;
-      } else {
-        spread(from, to, rows.observed);
-        ++i;
-      }
-    }
-  }
-  /// Four lanes.
-  static void spread_four(const float* columns, float* to, std::size_t width) {
-    using Four = typename detail::VectorOf<float, 4>::type;
-    Four in[4];
-    for (std::size_t i = 0; i < 4; ++i) std::memcpy(&in[i], columns + i * Lanes, sizeof in[i]);
-    const Four low = __builtin_shufflevector(in[0], in[1], 0, 4, 1, 5);
-    const Four high = __builtin_shufflevector(in[0], in[1], 2, 6, 3, 7);
-    const Four next_low = __builtin_shufflevector(in[2], in[3], 0, 4, 1, 5);
-    const Four next_high = __builtin_shufflevector(in[2], in[3], 2, 6, 3, 7);
-    const Four rows[4] = {__builtin_shufflevector(low, next_low, 0, 1, 4, 5),
-                          __builtin_shufflevector(low, next_low, 2, 3, 6, 7),
-                          __builtin_shufflevector(high, next_high, 0, 1, 4, 5),
-                          __builtin_shufflevector(high, next_high, 2, 3, 6, 7)};
-    for (std::size_t k = 0; k < 4; ++k) std::memcpy(to + k * width, &rows[k], sizeof rows[k]);
-  }
-  /// A column into the rows of the lanes, each `width` numbers.
-  static void spread(const float* column, float* to, std::size_t width) {
-    constexpr std::size_t kAtATime = 8;
-    for (std::size_t k = 0; k < Lanes; k += kAtATime, to += kAtATime * width)
-      detail::unrolled<kAtATime>([&](auto j) { to[j * width] = column[k + j]; });
-  }
   /// 1 where true.
   static void bytes_of(const Truth& truth, std::uint8_t* to) {
     std::int32_t from[Lanes];
@@ -244,20 +227,24 @@ class Packs {
     for (std::size_t k = 0; k < Lanes; ++k) Agent::store_action(action, k, actions[k]);
   }
 
-  static void write(const Observation& observation, float* columns) {
+  /// `numbers`: where those of all lanes are afterwards, in `columns` or, unless `all` shall be
+  /// there, in the program's own memory.
+  static void write(const Observation& observation, float* columns, bool all,
+                    const float* (&numbers)[Observation::kNumbers]) {
     float* const ends = columns + Observation::kNumbers * Lanes;
     Truth finite = true;
+    const float** place = numbers;
     [[maybe_unused]] std::size_t channel = 0;
     observation.for_each([&](const char* /*name*/, const auto& window) {
-      const Truth own = write(window, columns);
+      const Truth own = write(window, columns, all, place);
       if constexpr (kTells) put(own, ends + (told_at<Graph> + channel++) * Lanes);
-      finite = finite && own;
+      if constexpr (kWatches) finite = finite && own;
     });
-    put(finite, ends + kFinite * Lanes);
+    if constexpr (kWatches) put(finite, ends + kFinite * Lanes);
   }
   /// Whether the messages that are there are finite. What is not there is NaN, or 0.
   template <class Window>
-  static Truth write(const Window& window, float*& columns) {
+  static Truth write(const Window& window, float*& columns, bool all, const float**& place) {
     using Message = typename Window::value_type;
     using Scalar = ScalarOf<Message>;
     constexpr bool kMisses = requires {
@@ -269,18 +256,25 @@ class Packs {
     }();
     Truth finite = true;
     for (std::uint32_t w = 0; w < kMessages; ++w) {
-      Message message = window[w];
       Truth missing = false;
+      decltype(auto) sent = window[w];
+      constexpr bool kStays =
+          std::is_lvalue_reference_v<decltype(sent)> && std::is_same_v<Scalar, Real> && !kMisses;
+      const auto put_number = [&](const Scalar& x) {
+        if constexpr (kStays) *place = reinterpret_cast<const float*>(&x);
+        if constexpr (!kStays) *place = columns;
+        if (!kStays || all) put(x, columns);
+        if constexpr (std::is_same_v<Scalar, Real> && (kWatches || kTells))
+          finite = finite && (missing || eagerx::isfinite(x));
+        columns += Lanes, ++place;
+      };
       if constexpr (kMisses) {
         missing = Truth(window.size() <= typename Window::Counts(w));
-        message = detail::unless(
-            missing, filled<Message>(std::numeric_limits<LaneOf<Scalar>>::quiet_NaN()), message);
-      }
-      for (std::size_t i = 0; i < size_of<Message>; ++i, columns += Lanes) {
-        const Scalar& x = element(message, i);
-        put(x, columns);
-        if constexpr (std::is_same_v<Scalar, Real>)
-          finite = finite && (missing || eagerx::isfinite(x));
+        const Message message = detail::unless(
+            missing, filled<Message>(std::numeric_limits<LaneOf<Scalar>>::quiet_NaN()), sent);
+        for (std::size_t i = 0; i < size_of<Message>; ++i) put_number(element(message, i));
+      } else {
+        for (std::size_t i = 0; i < size_of<Message>; ++i) put_number(element(sent, i));
       }
     }
     return finite;

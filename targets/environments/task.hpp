@@ -89,7 +89,17 @@ Ends ends_of(const PackColumn& column) {
   }
 }
 
-/// The same of a step in a pack.
+/// ends_of(), where the rows of environment `k` have been written.
+template <class Graph>
+Ends ends_in_rows(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
+  if constexpr (has_task<Graph>) {
+    return {rows.terminated[k] != 0, rows.truncated[k] != 0, eagerx::isfinite(column.end(kReward))};
+  } else {
+    return {};
+  }
+}
+
+/// write_outcome() of a step in a pack.
 template <class Graph>
 void write_outcome(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
   if (rows.reward != nullptr) rows.reward[k] = has_task<Graph> ? column.end(kReward) : 0.0F;

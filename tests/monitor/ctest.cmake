@@ -3,7 +3,7 @@ eagerx_add_graph(TARGET monitor_cascade GRAPH ${PROJECT_SOURCE_DIR}/examples/cas
 add_test(NAME monitor COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/check $<TARGET_FILE:eagerx-gen>
                               $<TARGET_FILE:replay_swing_up> $<TARGET_FILE:monitor_cascade>)
 # The screen, where the generator has one.
-get_target_property(definitions eagerx_gen_monitor COMPILE_DEFINITIONS)
+get_target_property(definitions eagerx_unit_tools COMPILE_DEFINITIONS)
 if(definitions MATCHES EAGERX_NCURSES)
   add_test(NAME monitor.screen COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/screen $<TARGET_FILE:eagerx-gen>
                                        $<TARGET_FILE:replay_swing_up>)

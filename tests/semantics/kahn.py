@@ -34,21 +34,26 @@ class Input:
     def __init__(self, name, source, output, window=1, delay=Fraction(0), skip=False, add=None):
         self.name, self.source, self.output = name, source, output
         self.window, self.delay, self.skip, self.add = window, delay, skip, add
+        self.counts = []  # messages of each tick, as far as it was asked for
 
     def reset(self):
         self.consumed = 0
 
+    def count(self, nodes, node, tick):
+        """count() of this input of `node`."""
+        for k in range(len(self.counts), tick + 1):
+            self.counts.append(count(nodes[self.source].rate, node.rate, self.delay, self.skip, k))
+        return self.counts[tick]
+
     def available(self, nodes, node, tick):
-        source = nodes[self.source]
-        return len(source.sent[self.output]) >= self.consumed + count(source.rate, node.rate, self.delay, self.skip, tick)
+        return len(nodes[self.source].sent[self.output]) >= self.consumed + self.count(nodes, node, tick)
 
     def take(self, nodes, node, tick):
         """The window at a tick as (seq, message) pairs."""
-        source = nodes[self.source]
-        new = count(source.rate, node.rate, self.delay, self.skip, tick)
+        new = self.count(nodes, node, tick)
         self.consumed += new
         held = new if self.window == 0 else min(self.window, self.consumed)
-        messages = source.sent[self.output]
+        messages = nodes[self.source].sent[self.output]
         result = []
         for seq in range(self.consumed - held, self.consumed):
             message = messages[seq]
@@ -70,7 +75,7 @@ class Input:
         full = max(1, self.window) * math.ceil(1 / ratio) + math.ceil(self.delay * node.rate)
         consumed, most = 0, 1
         for tick in range(full + 2 * ratio.denominator + 8):
-            new = count(source.rate, node.rate, self.delay, self.skip, tick)
+            new = self.count(nodes, node, tick)
             consumed += new
             held = new if self.window == 0 else min(self.window, consumed)
             latest = ratio * tick  # the source's newest tick, perhaps of this instant
@@ -90,6 +95,7 @@ class Node:
         self.add = add or {}  # output: what its processor adds
         # Of reset nodes: what they pass on in an episode, the object whose state they bring about in so many callbacks.
         self.feedthroughs, self.target, self.callbacks = list(feedthroughs), target, callbacks
+        self.times = []  # of each tick, as far as it was asked for
 
     def reset(self, state):
         self.tick = 0
@@ -100,7 +106,10 @@ class Node:
             item.reset()
 
     def time(self, tick=None):
-        return Fraction(self.tick if tick is None else tick) / self.rate
+        tick = self.tick if tick is None else tick
+        for k in range(len(self.times), tick + 1):
+            self.times.append(k / self.rate)
+        return self.times[tick]
 
 
 def fold(windows, h):

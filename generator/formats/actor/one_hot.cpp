@@ -14,13 +14,13 @@ namespace eagerx::gen {
 namespace {
 
 /// Which number of the observation each result comes from, and which choice it stands for.
-struct Places {
+struct OneHotPlaces {
   std::vector<std::uint32_t> from;
   std::vector<float> choice;
 };
 
 /// max(0, 1 - |x - choice|), which is exact for whole numbers.
-void add_hats(const Places& hats, std::uint32_t inputs, Network& network) {
+void add_hats(const OneHotPlaces& hats, std::uint32_t inputs, Network& network) {
   using Operation = Elementwise::Operation;
   const auto size = static_cast<std::uint32_t>(hats.from.size());
   const auto add = [&](LayerForm form, std::vector<float> with) {
@@ -40,7 +40,7 @@ bool add_one_hot(const ActorParts& parts) {
   const std::vector<std::uint32_t>& counts = parts.facts.contract.choices;
   if (std::ranges::all_of(counts, [](std::uint32_t count) { return count == 0; })) return true;
   const auto inputs = static_cast<std::uint32_t>(counts.size());
-  Places hats;
+  OneHotPlaces hats;
   std::vector<std::uint32_t> plain;                   // numbers that stay as they are
   std::vector<std::pair<bool, std::uint32_t>> order;  // of the results: of a choice, and where
   for (std::uint32_t i = 0; i < inputs; ++i) {

@@ -230,8 +230,7 @@ class DataReader {
     std::vector<std::uint32_t>& choices = facts_.contract.choices;
     for (std::size_t i = 0; i + 1 < spaces->items.size(); i += 2) {
       const PickleValue& name = pickle.at(spaces->items[i]);
-      constexpr std::size_t kLongestName = 4096;  // one may be there often
-      if (name.text.size() > kLongestName) {
+      if (name.text.size() > kLongestPickledName) {
         return fail("whose `observation_space` has a name of impossible length");
       }
       const auto part = choices_of(pickle, pickle.at(spaces->items[i + 1]));

@@ -22,7 +22,7 @@ constexpr std::uint32_t kInZip64 = 0xffffffff;
 constexpr std::uint32_t kEncrypted = 1;
 
 /// `count` bytes at `at`, little-endian; the caller has checked that they exist.
-std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t count) {
+std::uint32_t number_at(std::string_view bytes, std::size_t at, std::size_t count) {
   return static_cast<std::uint32_t>(little_endian(bytes.substr(at), count));
 }
 
@@ -32,7 +32,7 @@ std::optional<std::size_t> find_end(std::string_view bytes) {
   const std::size_t last = bytes.size() - kEndSize;
   const std::size_t first = last - std::min(last, kLongestComment);
   for (std::size_t at = last + 1; at-- > first;) {
-    if (number(bytes, at, 4) == kEndMark) return at;
+    if (number_at(bytes, at, 4) == kEndMark) return at;
   }
   return std::nullopt;
 }
@@ -59,24 +59,24 @@ std::optional<Archive> Archive::open(std::string_view bytes, PolicyProblem& prob
   };
   const auto end = find_end(bytes);
   if (!end) return damaged("without its directory");
-  const std::size_t count = number(bytes, *end + 10, 2);
-  std::size_t at = number(bytes, *end + 16, 4);
+  const std::size_t count = number_at(bytes, *end + 10, 2);
+  std::size_t at = number_at(bytes, *end + 16, 4);
   if (at == kInZip64 || at > *end) return damaged("whose directory lies outside of it");
   Archive archive;
   archive.bytes_ = bytes;
   for (std::size_t i = 0; i < count; ++i) {
-    if (*end - at < kDirectorySize || number(bytes, at, 4) != kDirectoryMark) {
+    if (*end - at < kDirectorySize || number_at(bytes, at, 4) != kDirectoryMark) {
       return damaged("with a broken directory");
     }
     Entry entry;
-    entry.flags = number(bytes, at + 8, 2);
-    entry.method = number(bytes, at + 10, 2);
-    entry.crc = number(bytes, at + 16, 4);
-    entry.packed = number(bytes, at + 20, 4);
-    entry.size = number(bytes, at + 24, 4);
-    const std::size_t name_size = number(bytes, at + 28, 2);
-    const std::size_t rest = number(bytes, at + 30, 2) + number(bytes, at + 32, 2);
-    entry.header = number(bytes, at + 42, 4);
+    entry.flags = number_at(bytes, at + 8, 2);
+    entry.method = number_at(bytes, at + 10, 2);
+    entry.crc = number_at(bytes, at + 16, 4);
+    entry.packed = number_at(bytes, at + 20, 4);
+    entry.size = number_at(bytes, at + 24, 4);
+    const std::size_t name_size = number_at(bytes, at + 28, 2);
+    const std::size_t rest = number_at(bytes, at + 30, 2) + number_at(bytes, at + 32, 2);
+    entry.header = number_at(bytes, at + 42, 4);
     at += kDirectorySize;
     if (*end - at < name_size + rest) return damaged("with a broken directory");
     std::string name(bytes.substr(at, name_size));
@@ -113,11 +113,11 @@ std::optional<std::string_view> Archive::read(std::string_view name, std::string
   if (entry.size > kMaxPolicyBytes)
     return fail("is larger than the 64 MB that are read", "use a smaller network");
   if (bytes_.size() < kHeaderSize || entry.header > bytes_.size() - kHeaderSize ||
-      number(bytes_, entry.header, 4) != kHeaderMark) {
+      number_at(bytes_, entry.header, 4) != kHeaderMark) {
     return fail("lies outside of the file");
   }
-  const std::size_t start = entry.header + kHeaderSize + number(bytes_, entry.header + 26, 2) +
-                            number(bytes_, entry.header + 28, 2);
+  const std::size_t start = entry.header + kHeaderSize + number_at(bytes_, entry.header + 26, 2) +
+                            number_at(bytes_, entry.header + 28, 2);
   if (start > bytes_.size() || entry.packed > bytes_.size() - start) {
     return fail("lies outside of the file");
   }

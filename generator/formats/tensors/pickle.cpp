@@ -13,7 +13,7 @@ namespace {
 using Kind = PickleValue::Kind;
 using Index = std::uint32_t;
 
-constexpr std::size_t kMaxValues = 500'000;
+constexpr std::size_t kMaxPickleValues = 500'000;
 constexpr std::size_t kMaxMemo = 500'000;
 
 /// Runs the instructions over a stack of indices. Every instruction makes at most one value.
@@ -69,7 +69,7 @@ class Reader {
   }
 
   bool push(PickleValue value) {
-    if (pickle_.values.size() >= kMaxValues) return fail("has too many values");
+    if (pickle_.values.size() >= kMaxPickleValues) return fail("has too many values");
     stack_.push_back(static_cast<Index>(pickle_.values.size()));
     pickle_.values.push_back(std::move(value));
     return true;
@@ -256,7 +256,7 @@ class Reader {
     if (!number(count, key)) return false;
     if (key >= memo_.size() || memo_[static_cast<std::size_t>(key)] == kNothing) return damaged();
     stack_.push_back(memo_[static_cast<std::size_t>(key)]);
-    return stack_.size() <= kMaxValues || fail("has too many values");
+    return stack_.size() <= kMaxPickleValues || fail("has too many values");
   }
   bool store(std::size_t count) {
     std::uint64_t key = 0;

@@ -3,6 +3,7 @@
 // is an error before anything else happens; a call is recorded, never made.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,6 +14,10 @@
 #include "generator/network/problem.hpp"
 
 namespace eagerx::gen {
+
+/// Letters of a name in a pickle: it is stored once, and may be in a dictionary half a million
+/// times.
+inline constexpr std::size_t kLongestPickledName = 4096;
 
 /// A value of a pickle. Values refer to each other by index, so that cycles cost nothing.
 struct PickleValue {

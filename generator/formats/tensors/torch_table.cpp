@@ -16,7 +16,6 @@ constexpr std::string_view kPickleName = "data.pkl";
 constexpr const char* kTorchHelp = "save it again with `torch.save`, or with Stable-Baselines3";
 constexpr int kDeepestDictionary = 8;
 constexpr std::size_t kMostVisits = 500'000;
-constexpr std::size_t kLongestName = 4096;
 
 class TorchReader {
  public:
@@ -137,8 +136,7 @@ class TorchReader {
       const PickleValue& key = pickle_.at(dictionary.items[i]);
       const PickleValue* item = &pickle_.at(dictionary.items[i + 1]);
       if (key.kind != Kind::text) continue;
-      // One key of megabytes may be in a dictionary half a million times.
-      if (key.text.size() > kLongestName) return fail("a name of impossible length");
+      if (key.text.size() > kLongestPickledName) return fail("a name of impossible length");
       const std::string name = prefix + std::string(key.text);
       if (pickle_.made_by(*item, "torch._utils._rebuild_parameter")) {
         const PickleValue& arguments = pickle_.at(item->arguments);

@@ -186,8 +186,7 @@ inline constexpr Setting kTrainSettings[] = {
      .about = "after so many steps learning rate and `divergence` are half, after twice as many a "
               "third; 0: never",
      .low = 0,
-     .high = 1e12,
-     .algorithm = "ppo"},
+     .high = 1e12},
     // What is tried.
     {.name = "first_deviation",
      .kind = SettingKind::number,
@@ -336,7 +335,9 @@ inline constexpr Setting kTrainSettings[] = {
     {.name = "evaluation_every",
      .kind = SettingKind::whole,
      .otherwise = "5",
-     .about = "iterations between two evaluations",
+     .about =
+         "iterations between two evaluations; more, where episodes of one have more steps than "
+         "these and than a twentieth of all so far",
      .low = 1,
      .high = 100000},
     {.name = "evaluation_episodes",
@@ -346,6 +347,12 @@ inline constexpr Setting kTrainSettings[] = {
               "as many",
      .low = 1,
      .high = 10000},
+    {.name = "success_share",
+     .kind = SettingKind::number,
+     .otherwise = "0.99",
+     .about = "share of the episodes of an evaluation that must succeed, so that the training ends",
+     .low = 0.01,
+     .high = 1},
 };
 
 }  // namespace eagerx::options

@@ -1,7 +1,9 @@
 // All that a training goes on from.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,10 @@ struct Score {
 struct Best {
   std::vector<float> parameters;  // folded; empty: none was evaluated
   Score seen;                     // of the evaluation that each policy has
-  Score judged;                   // of that and those that only what seems the best has
+  /// Of that and those that only what seems good has; a return that is no number: it has none.
+  Score judged{0, std::numeric_limits<double>::quiet_NaN()};
+
+  bool is_judged() const { return !std::isnan(judged.mean_return); }
 };
 
 /// Episodes that the mean return of a training is taken of.

@@ -34,7 +34,11 @@ struct Evaluation {
   std::vector<double> far;        // [inputs] share of the steps beyond kFar deviations
   std::vector<Outcome> outcomes;  // [episodes]
 
-  bool passed() const { return successes * 100 >= episodes * 99; }
+  /// Whether so many of the episodes, 0…1, have succeeded.
+  bool passed(double share) const {
+    constexpr double kRounding = 1e-9;  // 0.99 of 100 are 99
+    return static_cast<double>(successes) + kRounding >= share * static_cast<double>(episodes);
+  }
   /// As one evaluation of all the episodes.
   void add(const Evaluation& more);
 };

@@ -1,5 +1,6 @@
 #include "targets/environments/train/judge.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,10 @@ constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
 Judge::Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
              Ranks& ranks)
     : until_return_(settings.until_return),
+      success_share_(settings.success_share),
+      every_(settings.evaluation_every),
+      longest_(static_cast<double>(settings.evaluation_episodes) *
+               std::max(library.description().episode_steps, longest_of(library.description()))),
       has_success_(library.description().has_success),
       has_aim_(has_success_ || std::isfinite(until_return_)),
       head_(library.description()),
@@ -29,7 +34,23 @@ Policy Judge::policy(const Algorithm& algorithm, std::vector<float> parameters) 
 
 bool Judge::is_good(const Evaluation& evaluation) const {
   if (!has_aim_ || evaluation.mean_return < until_return_) return false;
-  return !has_success_ || evaluation.passed();
+  return !has_success_ || evaluation.passed(success_share_);
+}
+
+/// While many episodes fail, the next evaluations are better anyway, and most of them seem the
+/// best: 300 episodes more for each would choose nothing that is kept.
+bool Judge::is_worth_choosing(const Evaluation& evaluation) const {
+  constexpr double kNearly = 0.9;
+  return !has_success_ || evaluation.passed(kNearly * success_share_);
+}
+
+bool Judge::is_due(const std::vector<CurvePoint>& curve) const {
+  constexpr double kLate = 0.05;  // of all steps
+  const auto is_evaluated = [](const CurvePoint& x) { return !std::isnan(x.evaluation_return); };
+  if (curve.empty() || curve.size() % every_ != 0 || is_evaluated(curve.back())) return false;
+  const auto last = std::find_if(curve.rbegin(), curve.rend(), is_evaluated);
+  const double since = curve.back().steps - (last == curve.rend() ? 0.0 : last->steps);
+  return since >= std::min(longest_, kLate * curve.back().steps);
 }
 
 Evaluation Judge::evaluate_at_last(const Algorithm& algorithm, const Best& best) {
@@ -72,10 +93,14 @@ bool Judge::evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point) 
   const Score seen{evaluation.successes, evaluation.mean_return};
   bool succeeds = false;
   if (best.parameters.empty() || seen.is_better_than(best.seen) || is_good(evaluation)) {
-    const Evaluation all = choose(algorithm, now, evaluation);
-    const Score judged{all.successes, all.mean_return};
-    succeeds = is_good(all) && is_confirmed(algorithm, now);
-    if (best.parameters.empty() || judged.is_better_than(best.judged) || succeeds)
+    Score judged = Best().judged;
+    const bool is_chosen = is_worth_choosing(evaluation);
+    if (is_chosen) {
+      const Evaluation all = choose(algorithm, now, evaluation);
+      judged = {all.successes, all.mean_return};
+      succeeds = is_good(all) && is_confirmed(algorithm, now);
+    }
+    if (!best.is_judged() || judged.is_better_than(best.judged) || succeeds)
       best = {std::move(now.parameters), seen, judged};
   }
   seen_ = evaluation;

@@ -18,6 +18,10 @@ class Judge {
 
   /// Whether something says when a policy is good.
   bool has_aim() const { return has_aim_; }
+  /// Whether it is time for evaluate(): every few iterations, and where episodes are long, so
+  /// rarely that evaluations take no more steps than learning, or a twentieth of it is learnt
+  /// before one is late. It depends on the curve alone, so a resumed training does the same.
+  bool is_due(const std::vector<CurvePoint>& curve) const;
   /// Evaluates what was learnt: fills its part of `point` and, if nothing was better, `best`.
   /// Returns whether it is good, in episodes that did not choose it, too.
   bool evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point);
@@ -36,8 +40,12 @@ class Judge {
   Evaluation choose(const Algorithm& algorithm, const Policy& now, Evaluation seen);
   bool is_confirmed(const Algorithm& algorithm, const Policy& now);
 
-  const double until_return_;
-  const bool has_success_;  // the task says it
+  bool is_worth_choosing(const Evaluation& evaluation) const;
+
+  const double until_return_, success_share_;
+  const std::size_t every_;  // iterations
+  const double longest_;     // steps of an evaluation, at most
+  const bool has_success_;   // the task says it
   const bool has_aim_;
   const Head head_;
   Evaluator evaluator_;

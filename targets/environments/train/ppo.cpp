@@ -257,8 +257,7 @@ bool Ppo::is_frozen() const {
 }
 
 float Ppo::decay() const {
-  if (settings_.decay_steps <= 0.0) return 1.0F;
-  return static_cast<float>(1.0 / (1.0 + static_cast<double>(steps()) / settings_.decay_steps));
+  return settings_.decay(steps());
 }
 
 /// Once an iteration: the first minibatches do not diverge whatever the step is, and a step that

@@ -145,6 +145,7 @@ const std::vector<Place>& places() {
       number_at("hard_share", &S::hard_share),
       number_at("evaluation_every", &S::evaluation_every),
       number_at("evaluation_episodes", &S::evaluation_episodes),
+      number_at("success_share", &S::success_share),
   };
   return all;
 }

@@ -70,6 +70,13 @@ struct Settings {
 
   std::size_t evaluation_every{};  // iterations
   std::size_t evaluation_episodes{};
+  double success_share{};  // of them, for the training to end
+
+  /// What learning rate and divergence are multiplied by after so many steps.
+  float decay(std::uint64_t steps) const {
+    if (decay_steps <= 0.0) return 1.0F;
+    return static_cast<float>(1.0 / (1.0 + static_cast<double>(steps) / decay_steps));
+  }
 };
 
 /// Sets the one of this name by its text on a command line: "64,64". Throws Problem with kUsage.

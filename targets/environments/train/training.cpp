@@ -130,7 +130,7 @@ Ending Training::learn(const Stop& stop) {
 /// or the evaluation that is due.
 Ending Training::iterate(const Stop& stop) {
   while (!progressed_.succeeded) {
-    if (is_evaluation_due()) {
+    if (judge_.is_due(progressed_.curve)) {
       evaluate_all(progressed_.curve.back());
       if (progressed_.succeeded) {
         showing_.show(progressed_.curve, judge_.seen());
@@ -145,12 +145,6 @@ Ending Training::iterate(const Stop& stop) {
     progressed_.curve.push_back(note(algorithm_->iterate()));
   }
   return Ending::success;
-}
-
-bool Training::is_evaluation_due() const {
-  return algorithm_->pace.iteration > 0 &&
-         algorithm_->pace.iteration % options_.settings.evaluation_every == 0 &&
-         std::isnan(progressed_.curve.back().evaluation_return);
 }
 
 bool Training::evaluate(CurvePoint& point) {

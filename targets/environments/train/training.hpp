@@ -39,7 +39,6 @@ class Training {
   Ending learn(const Stop& stop);
   Ending iterate(const Stop& stop);
   void start_iteration();
-  bool is_evaluation_due() const;
   bool evaluate(CurvePoint& point);
   void evaluate_all(CurvePoint& point);
   void set_stage();

@@ -49,7 +49,7 @@ Input input_of(const Connection& c, std::uint32_t window) {
   return input;
 }
 
-Ends ends_of(const Connection& c, bool source_first) {
+ReceptionEnds ends_of(const Connection& c, bool source_first) {
   return {.source_rate_hz = c.source_rate, .rate_hz = c.rate, .source_first = source_first};
 }
 

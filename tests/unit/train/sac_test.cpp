@@ -104,6 +104,30 @@ TEST_F(TrainSac, LearnsToSwingUp) {
   EXPECT_EQ(Training(options(30'000), pendulum()).run(never), kDone);  // 99 of 100, four times
 }
 
+TEST_F(TrainSac, TheLearningRateDecays) {
+  const Options constant = quick(21);
+  Options decaying = constant;
+  decaying.settings.decay_steps = 8 * 64;  // an iteration
+  Training first(constant, pendulum()), second(decaying, pendulum());
+  first.run(never);
+  const std::string policy = read_file(constant.output);
+  second.run(never);
+  const std::string decayed = read_file(decaying.output);
+  EXPECT_NE(decayed, policy);
+  const float rate = constant.settings.learning_rate;
+  EXPECT_EQ(first.curve().back().step_size, double{rate});
+  // The curve has what the next iteration learns with.
+  EXPECT_FLOAT_EQ(static_cast<float>(second.curve().front().step_size), rate / 2.0F);
+  EXPECT_FLOAT_EQ(static_cast<float>(second.curve().back().step_size), rate / 22.0F);
+  Options begun = decaying;
+  begun.steps = std::uint64_t{18} * 8 * 64;
+  begun.checkpoint = path("checkpoint");
+  trained(begun);
+  Options rest = decaying;
+  rest.resume = begun.checkpoint;
+  EXPECT_EQ(trained(rest), decayed);
+}
+
 TEST_F(TrainSac, FineTuningBeginsWithWhatWasLearnt) {
   Options first = quick(4);
   first.checkpoint = path("checkpoint");

@@ -121,7 +121,7 @@ void Sac::update(const Normaliser& normaliser) {
   for (std::size_t part = 1; part < kParts; ++part) sum.add(kernels_, learners_[part]->gradient);
   const auto count = static_cast<double>(settings_.sac.batch);
   const auto scale = static_cast<float>(1.0 / count);
-  const float step_size = settings_.learning_rate;
+  const float step_size = settings_.learning_rate * settings_.decay(steps());
   model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, step_size, scale);
   average();
   for (std::size_t c = 0; c < 2; ++c) {

@@ -32,7 +32,7 @@ class Sac : public Algorithm {
   std::vector<float> deployed_parameters() const override;
   const Statistics& observations() const override { return model_.observations; }
   double deviation() const override { return deviation_; }
-  double step_size() const override { return settings_.learning_rate; }
+  double step_size() const override { return settings_.learning_rate * settings_.decay(steps()); }
   std::string checkpoint(const std::string& conditions, const std::string& interface,
                          Progressed& progressed) const override;
   void restore(const std::string& bytes, const std::string& name, const std::string& conditions,

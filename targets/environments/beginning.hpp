@@ -1,0 +1,49 @@
+// Episodes that begin during a step of a batch.
+#pragma once
+
+#include <targets/environments/eagerx_environments.h>
+
+#include <array>
+#include <cstdint>
+#include <eagerx/random.hpp>
+#include <targets/environments/pack_kernel.hpp>
+
+namespace eagerx::environments {
+
+/// The rows of a step, and the environments of which an episode begins at its end. These wait for
+/// each other, because what they begin with is drawn for several at once.
+struct Step : eagerx_rows {
+  static constexpr std::uint32_t kMost = 16;
+
+  explicit Step(const eagerx_rows& rows) : eagerx_rows(rows) {}
+
+  std::uint32_t waiting = 0;
+  std::array<std::uint32_t, kMost> environments{};
+};
+
+/// draw() of the graph for several episodes at once, where environments run in packs.
+template <class Graph>
+class Draws {
+ public:
+  using States = typename Graph::States;
+
+  explicit Draws(const PackKernel<Graph>& kernel) : draw_(kernel.draw) {
+    if (draw_ != nullptr && kernel.most_draws < most_) most_ = kernel.most_draws;
+  }
+
+  /// So many at most.
+  std::uint32_t most() const { return most_; }
+  void draw(const EpisodeKey* keys, std::uint32_t count, States* states) const {
+    if (draw_ != nullptr && count > 1) {
+      draw_(keys, count, states);
+    } else {
+      for (std::uint32_t i = 0; i < count; ++i) states[i] = Graph::draw(keys[i]);
+    }
+  }
+
+ private:
+  void (*draw_)(const EpisodeKey* keys, std::size_t count, States* states) = nullptr;
+  std::uint32_t most_ = Step::kMost;
+};
+
+}  // namespace eagerx::environments

@@ -1,0 +1,133 @@
+// The least that a step of CartPole costs: its model over SIMD registers, actions that are there as
+// numbers, rows of what a step gives, and nothing else. Where an episode ends another begins from a
+// state that is not drawn, at no cost but that of a choice. Prints environments, instruction set,
+// registers a pack, steps/s on one core of this, steps/s of the library over those. In turn, in one
+// process. The library also draws states, counts steps, looks at actions, tells truncation, and has
+// each environment's parameters, as this has.
+#include <targets/environments/eagerx_environments.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <eagerx/pack.hpp>
+#include <models/objects/gym_cart_pole/gym_cart_pole.hpp>
+#include <targets/environments/pack_rows.hpp>
+#include <vector>
+
+namespace {
+
+constexpr std::size_t kObserved = 4;
+constexpr std::size_t kRows = 64;  // of actions, in turn
+
+template <std::size_t Registers>
+struct Io {
+  using Real = eagerx::Pack<float, Registers * eagerx::kRegisterBytes / sizeof(float)>;
+};
+
+/// What a step writes.
+struct Rows {
+  explicit Rows(std::size_t environments)
+      : observation(kObserved * environments), reward(environments), ends(2 * environments) {
+    rows.size = sizeof(rows);
+    rows.observation = observation.data();
+    rows.reward = reward.data();
+    rows.terminated = ends.data();
+    rows.truncated = ends.data() + environments;
+  }
+  std::vector<float> observation, reward;
+  std::vector<std::uint8_t> ends;
+  eagerx_rows rows{};
+};
+
+template <std::size_t Registers>
+class Loop {
+ public:
+  using Model = eagerx::models::GymCartPole<Io<Registers>>;
+  using Real = typename Model::Real;
+  static constexpr std::size_t kWidth = sizeof(Real) / sizeof(float);
+
+  explicit Loop(std::size_t environments)
+      : states_(environments / kWidth), parameters_(states_.size(), Model::default_attributes()) {}
+
+  void step(const float* action, const eagerx_rows& rows) {
+    for (std::size_t pack = 0; pack < states_.size(); ++pack) {
+      const std::size_t at = pack * kWidth;
+      auto& state = states_[pack];
+      const auto outcome = Model::step(state, {{Real::load(action + at)}}, parameters_[pack]);
+      outcome.reward.store(rows.reward + at);
+      const std::uint64_t ends = lane_bits(outcome.terminated);
+      for (std::size_t i = 0; i < kWidth; ++i)
+        rows.terminated[at + i] = static_cast<std::uint8_t>(ends >> i & 1U);
+      for (std::size_t i = 0; i < kObserved; ++i)
+        state[i] = select(outcome.terminated, Real(0.01F), state[i]);
+      const float* columns[kObserved];
+      for (std::size_t i = 0; i < kObserved; ++i)
+        columns[i] = reinterpret_cast<const float*>(&state[i]);
+      constexpr std::size_t kPlaces[] = {0, 1, 2, 3};
+      eagerx::environments::RowWriter<kWidth>::spread_all(
+          columns, kPlaces, rows.observation + kObserved * at, kObserved);
+    }
+  }
+
+ private:
+  using State = eagerx::Array<Real, Model::kStates>;
+  std::vector<State> states_;
+  std::vector<eagerx::Array<Real, Model::kAttributes>> parameters_;
+};
+
+double cpu_ns() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
+}
+
+/// ns of `count` calls with actions in turn.
+template <class Step>
+double timed(std::uint32_t count, const float* action, Step&& step) {
+  const double start = cpu_ns();
+  for (std::uint32_t i = 0; i < count; ++i) step(action + i % kRows);
+  return cpu_ns() - start;
+}
+
+template <std::size_t Registers>
+int compare(std::uint32_t n) {
+  constexpr std::uint32_t kSteps = 400'000;
+  std::vector<float> action(n + kRows);
+  for (std::size_t i = 0; i < action.size(); ++i) action[i] = (i * 2654435761U >> 7U & 1U) != 0;
+  eagerx_options options{};
+  options.size = sizeof(options);
+  options.environments = n;
+  options.seed = 1;
+  options.autoreset = EAGERX_SAME_STEP;
+  options.threads = 1;
+  eagerx_environments* library = eagerx_create(&options);
+  Rows ours(n), theirs(n);
+  if (library == nullptr || eagerx_reset(library, nullptr, nullptr, ours.observation.data()) != 0) {
+    std::fprintf(stderr, "%s\n", eagerx_error());
+    return 1;
+  }
+  Loop<Registers> loop(n);
+  double best_library = 1e30, best_loop = 1e30;
+  for (int i = 0; i < 60; ++i) {
+    const auto step_library = [&](const float* a) { eagerx_step(library, a, &ours.rows); };
+    const auto step_loop = [&](const float* a) { loop.step(a, theirs.rows); };
+    best_library = std::min(best_library, timed(kSteps / n, action.data(), step_library));
+    best_loop = std::min(best_loop, timed(kSteps / n, action.data(), step_loop));
+  }
+  eagerx_destroy(library);
+  const double done = static_cast<double>(kSteps / n) * n;
+  std::printf("cart_pole %u %s %zu %.0f %.3f\n", n,
+              eagerx::kRegisterBytes == 64 ? "AVX-512" : "AVX2", Registers, 1e9 * done / best_loop,
+              best_loop / best_library);
+  return 0;
+}
+
+}  // namespace
+
+int main() {
+  for (const std::uint32_t n : {256U, 4096U}) {
+    if (compare<1>(n) != 0 || compare<2>(n) != 0 || compare<4>(n) != 0) return 1;
+  }
+  return 0;
+}
