@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "targets/environments/train/ppo.hpp"
+
 namespace eagerx::train {
 namespace {
 
@@ -48,7 +50,7 @@ TEST(TrainPace, PartsBeginTheirErasOneAfterTheOther) {
       ++begun[part];
       EXPECT_EQ(pace.eras[part].number, begun[part]);
     }
-    EXPECT_LE(begin, 1U) << "of " << pace.iteration;
+    EXPECT_LE(begin, 2U) << "of " << pace.iteration << ", where iterations have become longer";
     EXPECT_EQ(pace.begins_any(), begin > 0);
     EXPECT_FALSE(pace.begins_all());
   }
@@ -121,6 +123,24 @@ TEST(TrainPace, AStageBeginsInAllParts) {
   pace.go_to(122, course);
   EXPECT_TRUE(pace.begins(0));
   EXPECT_FALSE(pace.begins(1)) << "again one after the other";
+}
+
+TEST(TrainPace, ThePolicyIsAMeanOfAGrowingTail) {
+  Settings settings;
+  settings.averaging = 0.8F;
+  settings.averaging_share = 0.1F;
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 0), 1.0F) << "the first one";
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 4), 1.0F / 3.0F) << "the mean of all so far";
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 20), 0.2F);
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 50), 0.2F);
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 100), 0.1F);
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 0.01F);
+  settings.averaging_share = 0.5F;
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 0.002F);
+  settings.averaging_share = 0.0F;
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 0.2F);
+  settings.averaging = 0.0F;
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 1.0F) << "no mean";
 }
 
 }  // namespace
