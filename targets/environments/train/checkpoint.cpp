@@ -13,7 +13,7 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 7\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 6\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 /// The sizes of what it visits.

@@ -46,8 +46,7 @@ struct Progressed {
   std::vector<CurvePoint> curve;
   std::vector<Episode> recent;  // the last ones that ended, at most kRecent
   Best best;
-  std::vector<float>
-      actions;  // of each part in its era so far; empty: all begin, or it has succeeded
+  std::vector<float> actions;  // in this era so far; empty: it begins, or all has succeeded
 };
 
 /// What has to be the same when a training goes on, in words: "graph 0x…; seed 1; layers 64,64; …".

@@ -1,8 +1,7 @@
-// How long the iterations of a training are, and when its environments begin anew.
+// How long the iterations of a training are, and when all environments begin anew.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 #include "targets/environments/train/client.hpp"
@@ -13,33 +12,22 @@ namespace eagerx::train {
 
 inline constexpr std::uint32_t kLongest = 1000;  // steps of an episode that nothing ends
 
-/// Between two of them, all environments of a part of them begin anew.
-struct Era {
-  std::uint32_t number = 0;
-  std::uint32_t since = 0;  // steps of each environment since it began
-};
-
 /// Where a training is: a function of its settings and the number of iterations. The first
 /// iterations are short, because whoever knows little learns much from few steps. Later ones are
 /// longer: what is to be learnt then is finer than the noise of few steps.
 struct Pace {
   /// An iteration has a multiple of `least_steps` of each environment, and no more than the larger
-  /// of both. An era has at least `steps_of_era`. Of several parts of the environments the first
-  /// ones are of different length, so that later ones begin one after the other: there is no
-  /// iteration in which all environments are at the beginning of an episode, but the first ones.
-  Pace(std::uint32_t least_steps, std::uint32_t most_steps, std::uint32_t steps_of_era,
-       std::size_t of_parts = 1)
+  /// of both. An era has at least `steps_of_era`.
+  Pace(std::uint32_t least_steps, std::uint32_t most_steps, std::uint32_t steps_of_era)
       : least(least_steps),
         most(std::max(least_steps, most_steps / least_steps * least_steps)),
-        era_steps(steps_of_era),
-        parts(of_parts) {}
+        era_steps(steps_of_era) {}
 
   std::uint32_t least, most, era_steps;
-  std::size_t parts;  // at most kParts
   std::uint32_t iteration = 0;
-  std::uint64_t time = 0;          // steps of each environment before this iteration
-  std::uint64_t began = 0;         // when all parts began an era at once, the last time
-  std::array<Era, kParts> eras{};  // [parts]
+  std::uint64_t time = 0;       // steps of each environment before this iteration
+  std::uint32_t era = 0;        // all environments begin anew with each
+  std::uint32_t since_era = 0;  // steps of each environment since it began
 
   /// Steps of each environment in this iteration: a share of all before it.
   std::uint32_t horizon() const {
@@ -51,45 +39,22 @@ struct Pace {
     const std::uint32_t steps = horizon();
     ++iteration;
     time += steps;
-    for (std::size_t part = 0; part < parts; ++part) {
-      const bool is_first = began + eras[part].since + steps == time;
-      eras[part].since += steps;
-      if (eras[part].since >= era_steps + (is_first ? era_steps * part / parts : 0))
-        eras[part] = {eras[part].number + 1, 0};
-    }
+    since_era += steps;
+    if (since_era >= era_steps) end_era();
   }
-  /// Of a part, with the next iteration.
-  bool begins(std::size_t part) const { return eras[part].since == 0; }
-  bool begins_any() const {
-    return std::any_of(eras.begin(), end(), [](const Era& era) { return era.since == 0; });
-  }
-  bool begins_all() const {
-    return std::all_of(eras.begin(), end(), [&](const Era& era) {
-      return era.since == 0 && era.number == eras[0].number;
-    });
-  }
-  /// All environments begin anew with the next iteration, with an era that no part has had.
-  void end_eras() {
-    if (begins_all()) return;
-    std::uint32_t last = 0;
-    for (const Era& era : eras) last = std::max(last, era.number);
-    begin_all(last + 1);
+  /// All environments begin anew with the next iteration.
+  void end_era() {
+    if (since_era == 0) return;
+    since_era = 0;
+    ++era;
   }
   /// Where a training of this course is.
   void go_to(std::uint32_t other, const Course& course = {}) {
-    *this = Pace(least, most, era_steps, parts);
+    *this = Pace(least, most, era_steps);
     while (iteration < std::min(other, course.began)) next();
-    begin_all(course.eras);
+    since_era = 0;
+    era = course.eras;
     while (iteration < other) next();
-  }
-
- private:
-  std::array<Era, kParts>::const_iterator end() const {
-    return eras.begin() + static_cast<std::ptrdiff_t>(parts);
-  }
-  void begin_all(std::uint32_t number) {
-    eras.fill({number, 0});
-    began = time;
   }
 };
 
@@ -105,8 +70,7 @@ inline Pace pace_of(const Settings& settings, const Description& description) {
   const std::uint32_t episode = std::max(description.episode_steps, longest_of(description));
   const std::uint32_t era = std::max(kLeast, (is_sac ? 2 : 5) * episode);
   const auto least = static_cast<std::uint32_t>(is_sac ? settings.sac.horizon : settings.horizon);
-  return {least, is_sac ? least : static_cast<std::uint32_t>(settings.most_horizon), era,
-          is_sac ? 1 : kParts};
+  return {least, is_sac ? least : static_cast<std::uint32_t>(settings.most_horizon), era};
 }
 
 }  // namespace eagerx::train

@@ -214,11 +214,60 @@ void Ppo::set_stage(const std::string& name) {
   for (std::size_t part = own_.first; part < own_.end; ++part) rollout(part).set_stage(name);
 }
 
+void Ppo::begin_era() {
+  const std::uint64_t seed = settings_.seed + (std::uint64_t{pace.era} << 32U);
+  for (auto& part : parts_) part->taken.clear();
+  in_parts([&](std::size_t part) { rollout(part).reset(seed); });
+  if (model_.observations.count > 0.0 || !settings_.normalise) return;
+  for (auto& part : parts_) model_.observations.add(part->observation_sums);
+}
+
 void Ppo::in_parts(const std::function<void(std::size_t part)>& work) {
   share_seen(ranks_, parts_, [&] {
     const auto one = [&](std::size_t i) { work(own_.first + i); };
     if (has_threads_) return team_.run_parts(own_.end - own_.first, one);
     for (std::size_t i = 0; i < own_.end - own_.first; ++i) one(i);
+  });
+}
+
+void Ppo::remember_actions() {
+  remembers_ = true;
+  for (std::size_t part = own_.first; part < own_.end; ++part) rollout(part).remembers = true;
+}
+
+std::size_t Ppo::actions_of_part() const {
+  return pace.since_era * settings_.environments * head_.numbers / kParts;
+}
+
+std::vector<float> Ppo::actions() const {
+  std::vector<float> actions;
+  for (const auto& part : parts_) {
+    const std::size_t count = std::min(actions_of_part(), part->taken.size());
+    actions.insert(actions.end(), part->taken.begin(),
+                   part->taken.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  return actions;
+}
+
+void Ppo::take_up(const std::vector<float>& actions) {
+  const std::size_t count = actions_of_part();
+  if (actions.size() != count * kParts) return;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const auto first = actions.begin() + static_cast<std::ptrdiff_t>(part * count);
+    parts_[part]->taken.assign(first, first + static_cast<std::ptrdiff_t>(count));
+  }
+}
+
+void Ppo::go_on() {
+  std::vector<std::vector<float>> taken;
+  for (auto& part : parts_) taken.push_back(std::exchange(part->taken, {}));
+  const bool has_actions = !taken.front().empty();
+  begin_era();
+  for (std::size_t part = 0; part < kParts && remembers_; ++part) parts_[part]->taken = taken[part];
+  in_parts([&](std::size_t part) {
+    rollout(part).replay(taken[part], settings_.discount);
+    const std::size_t states = model_.remembered.size() / kParts;
+    if (has_actions) rollout(part).recall(model_.remembered.data() + part * states);
   });
 }
 
@@ -285,11 +334,11 @@ void Ppo::adapt_step_size() {
 }
 
 void Ppo::average() {
-  const float share = share_of_actor(settings_, pace.iteration);
-  if (share == 1.0F) {
+  if (settings_.averaging == 0.0F) {
     model_.averaged = model_.actor_parameters;
     return;
   }
+  const float share = share_of_actor(settings_, pace.iteration);
   for (std::size_t i = 0; i < model_.averaged.size(); ++i)
     model_.averaged[i] += share * (model_.actor_parameters[i] - model_.averaged[i]);
 }

@@ -66,10 +66,8 @@ class Ppo : public Algorithm {
   bool is_frozen() const;
   /// From 1 down, of the learning rate and of what keeps it.
   float decay() const;
-  /// The first episodes of the part's era.
-  void reset(std::size_t part);
-  /// Of a part in its era, when an iteration is over.
-  std::size_t actions_of(std::size_t part) const;
+  /// Of a part in this era, whose last iteration is over.
+  std::size_t actions_of_part() const;
   /// All of them, or fewer if they are not remembered.
   std::vector<float> actions() const;
   /// actions() gives these from now on, if they are as many.

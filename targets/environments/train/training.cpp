@@ -167,8 +167,8 @@ void Training::evaluate_all(CurvePoint& point) {
   if (progressed_.succeeded || success < stages[stage].success ||
       in_stage->mean_return < stages[stage].mean_return)
     return;
-  algorithm_->pace.end_eras();
-  progressed_.course.go_on(algorithm_->pace.iteration, algorithm_->pace.eras[0].number);
+  algorithm_->pace.end_era();
+  progressed_.course.go_on(algorithm_->pace.iteration, algorithm_->pace.era);
   progressed_.recent.clear();  // of other episodes
   set_stage();
   if (ranks_.is_first()) showing_.tell_stage(progressed_.curve);
@@ -182,15 +182,15 @@ void Training::set_stage() {
 }
 
 void Training::start_iteration() {
-  const Pace& pace = algorithm_->pace;
-  if (pace.iteration > first_iteration_) {
-    const std::optional<Problem> problem = saving_.save_if_due(pace.begins(0));
+  const bool begins_era = algorithm_->pace.since_era == 0;
+  if (algorithm_->pace.iteration > first_iteration_) {
+    const std::optional<Problem> problem = saving_.save_if_due(begins_era);
     if (problem) showing_.warn(problem->what(), "and tries again");
   }
-  if (goes_on_ && !pace.begins_all()) {
-    algorithm_->go_on();
-  } else if (pace.begins_any()) {
+  if (begins_era) {
     algorithm_->begin_era();
+  } else if (goes_on_) {
+    algorithm_->go_on();
   }
   goes_on_ = false;
 }

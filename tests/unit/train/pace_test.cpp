@@ -32,97 +32,36 @@ TEST(TrainPace, ErasEndBetweenIterations) {
   for (std::uint32_t i = 0; i < 200; ++i, pace.next()) {
     EXPECT_EQ(pace.iteration, i);
     EXPECT_EQ(pace.time, 32U * i);
-    EXPECT_EQ(pace.eras[0].number, i / 47) << "47 iterations have 1504 steps";
-    EXPECT_EQ(pace.eras[0].since, i % 47 * 32);
-  }
-}
-
-TEST(TrainPace, PartsBeginTheirErasOneAfterTheOther) {
-  Pace pace(32, 128, 1024, 8);
-  EXPECT_TRUE(pace.begins_all());
-  std::array<std::uint32_t, 8> begun{};
-  for (int i = 0; i < 1000; ++i) {
-    pace.next();
-    std::size_t begin = 0;
-    for (std::size_t part = 0; part < 8; ++part) {
-      if (!pace.begins(part)) continue;
-      ++begin;
-      ++begun[part];
-      EXPECT_EQ(pace.eras[part].number, begun[part]);
-    }
-    EXPECT_LE(begin, 2U) << "of " << pace.iteration << ", where iterations have become longer";
-    EXPECT_EQ(pace.begins_any(), begin > 0);
-    EXPECT_FALSE(pace.begins_all());
-  }
-  for (const std::uint32_t count : begun) EXPECT_GT(count, 80U);
-}
-
-// Where they are long enough, each of eight parts has at least the steps of an era.
-TEST(TrainPace, NoEraIsShorter) {
-  Pace pace(32, 128, 2500, 8);
-  for (int i = 0; i < 1000; ++i) {
-    const auto before = pace.eras;
-    const std::uint32_t steps = pace.horizon();
-    pace.next();
-    for (std::size_t part = 0; part < 8; ++part) {
-      if (pace.begins(part)) {
-        EXPECT_GE(before[part].since + steps, 2500U);
-      } else {
-        EXPECT_EQ(pace.eras[part].since, before[part].since + steps);
-        EXPECT_LT(pace.eras[part].since, 5000U);
-      }
-    }
+    EXPECT_EQ(pace.era, i / 47) << "47 iterations have 1504 steps";
+    EXPECT_EQ(pace.since_era, i % 47 * 32);
   }
 }
 
 TEST(TrainPace, ItGoesToAnyIteration) {
-  for (const std::size_t parts : {1U, 8U}) {
-    Pace walked(16, 128, 1000, parts), gone = walked;
-    for (int i = 0; i < 300; ++i) walked.next();
-    gone.go_to(400);
-    gone.go_to(300);
-    EXPECT_EQ(gone.time, walked.time);
-    for (std::size_t part = 0; part < parts; ++part) {
-      EXPECT_EQ(gone.eras[part].number, walked.eras[part].number);
-      EXPECT_EQ(gone.eras[part].since, walked.eras[part].since);
-    }
-  }
+  Pace walked(16, 128, 1000), gone = walked;
+  for (int i = 0; i < 300; ++i) walked.next();
+  gone.go_to(400);
+  gone.go_to(300);
+  EXPECT_EQ(gone.time, walked.time);
+  EXPECT_EQ(gone.era, walked.era);
+  EXPECT_EQ(gone.since_era, walked.since_era);
 }
 
 TEST(TrainPace, AStageBeginsWithAnEraThatThereHasNotBeen) {
   Pace pace(32, 32, 1024);  // 32 iterations
   pace.go_to(40);
-  pace.end_eras();
-  EXPECT_EQ(pace.eras[0].number, 2U);
-  EXPECT_TRUE(pace.begins_all());
+  pace.end_era();
+  EXPECT_EQ(pace.era, 2U);
+  EXPECT_EQ(pace.since_era, 0U);
   Course course;
-  course.go_on(pace.iteration, pace.eras[0].number);
+  course.go_on(pace.iteration, pace.era);
   EXPECT_EQ(course.stage, 1U);
   pace.go_to(73, course);
-  EXPECT_EQ(pace.eras[0].since, 32U);
-  EXPECT_EQ(pace.eras[0].number, 3U);
+  EXPECT_EQ(pace.since_era, 32U);
+  EXPECT_EQ(pace.era, 3U);
   pace.go_to(104, course);  // at the end of an era
-  pace.end_eras();
-  EXPECT_EQ(pace.eras[0].number, 4U) << "it has ended anyway";
-}
-
-TEST(TrainPace, AStageBeginsInAllParts) {
-  Pace pace(32, 32, 1024, 8);
-  pace.go_to(90);
-  std::uint32_t last = 0;
-  for (const Era& era : pace.eras) last = std::max(last, era.number);
-  EXPECT_EQ(last, 2U);
-  EXPECT_EQ(pace.eras[7].number, 1U) << "its first one was longer";
-  Course course;
-  pace.end_eras();
-  course.go_on(pace.iteration, pace.eras[0].number);
-  for (const Era& era : pace.eras) EXPECT_EQ(era.number, 3U);
-  pace.go_to(90, course);
-  EXPECT_TRUE(pace.begins_all());
-  for (const Era& era : pace.eras) EXPECT_EQ(era.number, 3U);
-  pace.go_to(122, course);
-  EXPECT_TRUE(pace.begins(0));
-  EXPECT_FALSE(pace.begins(1)) << "again one after the other";
+  pace.end_era();
+  EXPECT_EQ(pace.era, 4U) << "it has ended anyway";
 }
 
 TEST(TrainPace, ThePolicyIsAMeanOfAGrowingTail) {

@@ -41,14 +41,14 @@ void Sac::set_stage(const std::string& name) {
 }
 
 void Sac::begin_era() {
-  walk_.reset(settings_.seed + (std::uint64_t{pace.eras[0].number} << 32U));
+  walk_.reset(settings_.seed + (std::uint64_t{pace.era} << 32U));
   if (model_.observations.count == 0.0 && settings_.normalise)
     model_.observations.add(walk_.observation_sums);
 }
 
 void Sac::go_on() {
   begin_era();
-  const std::size_t transitions = pace.eras[0].since * environments();
+  const std::size_t transitions = pace.since_era * environments();
   if (transitions > model_.memory.size()) return;
   for (std::size_t back = transitions; back > 0; back -= environments())
     walk_.step_again(model_.memory, back - 1);
