@@ -319,7 +319,7 @@ inline constexpr Setting kTrainSettings[] = {
      .algorithm = "ppo"},
     {.name = "averaging_share",
      .kind = SettingKind::number,
-     .otherwise = "0.1",
+     .otherwise = "0",
      .about = "later the mean is of so large a share of all iterations so far, if that is more; "
               "0: never",
      .low = 0,

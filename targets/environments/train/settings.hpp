@@ -61,7 +61,7 @@ struct Settings {
   float first_deviation{}, least_deviation{}, most_deviation{};  // of the actions, in -1…1
 
   bool normalise{};
-  double freeze_after{};  // steps; 0: never
+  double freeze_after{};    // steps; 0: never
   float averaging{};        // weight of the past after an iteration
   float averaging_share{};  // of all iterations, later; 0: none
 
