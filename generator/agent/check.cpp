@@ -7,6 +7,7 @@
 
 #include "generator/agent/world.hpp"
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -52,14 +53,14 @@ void mark_connection(const PolicyUse& use, const Network& network, const Sum& ob
   const Input* wrong = nullptr;
   std::uint64_t wanted = 0;
   for (const NamedPart& part : network.contract.observations) {
-    const auto found = std::ranges::find(use.inputs, part.name, &Input::name);
+    const auto found = ranges::find(use.inputs, part.name, &Input::name);
     if (found == use.inputs.end() || numbers(*found) == part.size) continue;
     if (wrong != nullptr) return;
     wrong = *found;
     wanted = part.size;
   }
   if (wrong == nullptr && std::ranges::count_if(use.inputs, has_processor) == 1) {
-    wrong = *std::ranges::find_if(use.inputs, has_processor);
+    wrong = *ranges::find_if(use.inputs, has_processor);
     if (network.inputs() + numbers(wrong) <= observed.total) return;  // it is not this one alone
     wanted = network.inputs() + numbers(wrong) - observed.total;
   }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -12,7 +12,7 @@ std::vector<std::string> unknown(const std::vector<NamedPart>& parts,
                                  const std::vector<NamedPart>& others, std::uint64_t size) {
   std::vector<std::string> names;
   for (const NamedPart& part : parts) {
-    const bool known = std::ranges::find(others, part.name, &NamedPart::name) != others.end();
+    const bool known = ranges::contains(others, part.name, &NamedPart::name);
     if (!known && part.size == size) names.push_back(part.name);
   }
   return names;
@@ -24,7 +24,7 @@ std::optional<TrainingOrder> order_of_training(const std::vector<NamedPart>& the
                                                const std::vector<NamedPart>& ours) {
   TrainingOrder order;
   for (const NamedPart& part : theirs) {
-    if (std::ranges::find(ours, part.name, &NamedPart::name) != ours.end()) {
+    if (ranges::contains(ours, part.name, &NamedPart::name)) {
       order.names.push_back(part.name);
       continue;
     }

@@ -1,11 +1,11 @@
 #include "generator/agent/policies.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "generator/agent/check.hpp"
 #include "generator/agent/node_entity.hpp"
 #include "generator/agent/weights.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 
@@ -29,7 +29,7 @@ std::vector<NodePolicy> node_policies(const GraphSpec& spec, const Graph& graph,
   std::vector<NodePolicy> result;
   for (const NodeNetwork& item : policies.nodes) {
     const EntitySpec& node = spec.nodes[item.spec];
-    const auto found = std::ranges::find(graph.nodes, node.name.value, &GraphNode::name);
+    const auto found = ranges::find(graph.nodes, node.name.value, &GraphNode::name);
     const auto index = static_cast<std::size_t>(found - graph.nodes.begin());
     result.push_back({index, node_use(graph, index, *node.policy), &item.network});
   }

@@ -5,6 +5,7 @@
 
 #include "generator/agent/world_checks.hpp"
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -75,8 +76,7 @@ class ActionCheck {
   void check_choices() {
     const auto& theirs = network_.contract.groups;
     const std::vector<Number> ours = numbers();
-    const auto other =
-        std::ranges::find_if(ours, [](const Number& number) { return !number.is_whole; });
+    const auto other = ranges::find_if(ours, [](const Number& number) { return !number.is_whole; });
     if (other != ours.end() || (!theirs.empty() && theirs.size() != ours.size())) {
       return need_whole_numbers(other != ours.end() ? *other->action : *use_.outputs.front());
     }

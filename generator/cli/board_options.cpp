@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/text.hpp"
 #include "generator/spec/format.hpp"
 
@@ -75,7 +76,7 @@ class Checker {
       const std::size_t equals = words[i].find('=');
       const std::string name = words[i].substr(0, equals);
       if (always_ != nullptr && always_->find(name) != nullptr) continue;
-      const auto option = std::ranges::find(takes_.entries, name, &YamlValue::Entry::key);
+      const auto option = ranges::find(takes_.entries, name, &YamlValue::Entry::key);
       if (option == takes_.entries.end()) {
         refuse(name, i > 0 ? words[i - 1] : std::string());
         while (i + 1 < words.size() && !words[i + 1].starts_with("--")) ++i;  // its value
@@ -100,7 +101,7 @@ class Checker {
   Diagnostic& error(const std::string& message) { return diagnostics_.error("E0516", {}, message); }
 
   void refuse(const std::string& name, const std::string& before) {
-    const auto option = std::ranges::find(takes_.entries, before, &YamlValue::Entry::key);
+    const auto option = ranges::find(takes_.entries, before, &YamlValue::Entry::key);
     if (option != takes_.entries.end() && !name.starts_with("--"))
       return refuse_value(*option, name);
     auto& problem =
@@ -128,7 +129,7 @@ class Checker {
   void check_value(const YamlValue::Entry& option, const std::string& value) {
     const YamlValue* words = option.value.find("one_of");
     if (words != nullptr) {
-      if (std::ranges::find(words->items, value, &YamlValue::text) != words->items.end()) return;
+      if (ranges::contains(words->items, value, &YamlValue::text)) return;
     } else {
       const auto bound = [&](const char* key, std::uint64_t otherwise) {
         const YamlValue* limit = option.value.find(key);

@@ -14,6 +14,7 @@
 #include "generator/cli/image_budget.hpp"
 #include "generator/cli/start_parts.hpp"
 #include "generator/cli/targets.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -46,7 +47,7 @@ std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& pr
 }
 
 bool is_compiled(const Target& target) {
-  return target.language.empty() || std::ranges::any_of(target.partner, [](const auto& item) {
+  return target.language.empty() || ranges::any_of(target.partner, [](const auto& item) {
            return item.second == "CMakeLists.txt";
          });
 }
@@ -121,8 +122,7 @@ bool build_program(Run& run, const Tree& tree, const Target& target, const std::
   if (build_tree(tree, name, quiet, building, cmake_target)) return true;
   Diagnostics entities;
   const auto is_of_compiler = [](const Diagnostic& each) { return each.code == "E0514"; };
-  if (std::ranges::any_of(building.all(), is_of_compiler))
-    compile_entities(run, {&target}, entities);
+  if (ranges::any_of(building.all(), is_of_compiler)) compile_entities(run, {&target}, entities);
   const auto tell = [&](const Diagnostics& from, auto&& wanted) {
     bool told = false;
     for (const Diagnostic& each : from.all()) {

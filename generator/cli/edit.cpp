@@ -15,6 +15,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/edit/helps.hpp"
 #include "generator/files/files.hpp"
 #include "generator/outline/lines.hpp"
@@ -78,7 +79,7 @@ bool is_in(const Run& run, const Diagnostic& diagnostic, const std::string& path
 
 /// Whether there is an error where the other one was.
 bool is_wrong_at(const Run& run, const Span& place, const std::string& path) {
-  return std::ranges::any_of(run.diagnostics.all(), [&](const Diagnostic& each) {
+  return ranges::any_of(run.diagnostics.all(), [&](const Diagnostic& each) {
     return each.severity == Severity::error && is_in(run, each, path) &&
            each.span.line == place.line && each.span.column == place.column;
   });

@@ -1,7 +1,6 @@
 // eagerx-gen explain: what a code means, or which codes there are.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/diagnostics/pages.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/diagnostics/utf8.hpp"
 
 namespace eagerx::gen {
@@ -36,7 +36,7 @@ std::optional<std::string> code_of(std::string_view word) {
   constexpr std::size_t kDigits = 4;
   const bool warning = word.starts_with('W') || word.starts_with('w');
   if (warning || word.starts_with('E') || word.starts_with('e')) word.remove_prefix(1);
-  const bool digits = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
+  const bool digits = ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
   if (word.empty() || word.size() > kDigits || !digits) return std::nullopt;
   return fmt::format("{}{:0>{}}", warning ? 'W' : 'E', word, kDigits);
 }
@@ -56,7 +56,7 @@ void list_all() {
 std::string neighbours(const std::string& code) {
   const auto pages = code_pages();
   const auto behind =
-      std::ranges::find_if(pages, [&](const CodePage& page) { return page.code > code; });
+      ranges::find_if(pages, [&](const CodePage& page) { return page.code > code; });
   std::string text;
   const auto add = [&](const CodePage& page) {
     text += fmt::format("{}{} ({})", text.empty() ? "" : " and ", page.code, page.title());

@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/entity_json.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/compose/flat_text.hpp"
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/spec/schema.hpp"
@@ -163,8 +162,7 @@ bool print_family(const Library& library, const std::string& name) {
     std::vector<std::string> objects;
     for (const auto& id : library.ids(EntityKind::object)) {
       const auto& made_for = library.find(id)->object_engines;
-      if (std::ranges::any_of(made_for,
-                              [&](const auto& each) { return each.engine.value == name; }))
+      if (ranges::any_of(made_for, [&](const auto& each) { return each.engine.value == name; }))
         objects.push_back(id);
     }
     say("{0} (family of engines)\nA name, not an engine: an object that is implemented for {0} "

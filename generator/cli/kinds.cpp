@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "generator/cli/paths.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/tree.hpp"
 #include "generator/spec/format.hpp"
 
@@ -52,7 +53,7 @@ std::vector<std::string> kinds_of_new() {
 std::optional<Kind> read_kind(const std::string& name, SourceMap& sources,
                               Diagnostics& diagnostics) {
   const auto kinds = kinds_of_new();
-  if (std::ranges::find(kinds, name) == kinds.end()) {
+  if (!ranges::contains(kinds, name)) {
     diagnostics.io_error("E0301", {}, fmt::format("there are no templates for a new `{}`", name))
         .help =
         "install eagerx-gen with `cmake --install`, or set EAGERX_HOME to the folder that "

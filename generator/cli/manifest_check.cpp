@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <utility>
 
 #include "generator/cli/judge.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/files/unsaved.hpp"
 
 namespace eagerx::gen {
@@ -32,7 +32,7 @@ void take(const Diagnostics& found, const SourceMap& sources, const fs::path& pa
     // Of two that say the same the other one is told of.
     if (each.code == "E0302" && !each.notes.empty() && is_here(each.notes.front().span))
       each.span = each.notes.front().span;
-    if (std::ranges::find(kOfValues, each.code) != kOfValues.end()) continue;
+    if (ranges::contains(kOfValues, each.code)) continue;
     if (!is_here(each.span)) continue;
     each.span.file = file;
     std::erase_if(each.notes, [&](const Diagnostic::Note& note) {
@@ -126,7 +126,7 @@ LibraryOptions with_folder_of(LibraryOptions options, const Run& run, const fs::
   std::vector<std::string> folders = options.paths;
   for (const char* const part : {"models", "targets"})
     folders.push_back((fs::path(run.root) / part).string());
-  const bool is_known = std::ranges::any_of(folders, [&](const std::string& folder) {
+  const bool is_known = ranges::any_of(folders, [&](const std::string& folder) {
     const std::string inside = path.lexically_relative(full_path(folder)).string();
     return !inside.empty() && !inside.starts_with("..");
   });
@@ -177,7 +177,7 @@ void check_manifest(Run& run, const LibraryOptions& options, const std::string& 
   library = Run();
   load(library, with);
   take(library.diagnostics, library.sources, here, file, run.diagnostics);
-  const auto entity = std::ranges::find_if(library.library.entities, [&](const auto& each) {
+  const auto entity = ranges::find_if(library.library.entities, [&](const auto& each) {
     return full_path(each.second.path) == here;
   });
   if (run.diagnostics.has_errors() || entity == library.library.entities.end()) return;

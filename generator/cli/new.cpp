@@ -1,7 +1,6 @@
 // eagerx-gen new KIND NAME: a folder to begin with, made from the templates of its kind.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdlib>
@@ -13,6 +12,7 @@
 #include "generator/cli/kinds.hpp"
 #include "generator/cli/new_folder.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/format.hpp"
 
 namespace eagerx::gen {
@@ -27,7 +27,7 @@ bool is_plain(std::string_view name, char between) {
   };
   constexpr std::size_t kLongest = 64;
   return !name.empty() && name.size() <= kLongest && name.front() >= 'a' && name.front() <= 'z' &&
-         name.back() != between && std::ranges::all_of(name, allowed);
+         name.back() != between && ranges::all_of(name, allowed);
 }
 
 /// Whether C++ and generated code leave the name free.

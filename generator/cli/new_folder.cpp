@@ -8,6 +8,7 @@
 
 #include "generator/cli/paths.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/process/process.hpp"
 
@@ -29,8 +30,8 @@ std::string program_command() {
 
 /// Where CMake looks for packages by itself.
 bool is_usual(const std::string& package) {
-  return std::ranges::any_of(std::array{"/usr/share/", "/usr/local/share/"},
-                             [&](const char* each) { return package.starts_with(each); });
+  return ranges::any_of(std::array{"/usr/share/", "/usr/local/share/"},
+                        [&](const char* each) { return package.starts_with(each); });
 }
 
 }  // namespace

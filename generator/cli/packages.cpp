@@ -8,6 +8,7 @@
 #include <set>
 
 #include "generator/cli/standalone.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/read/tree.hpp"
 #include "generator/resolve/needs.hpp"
@@ -162,7 +163,7 @@ void place_headers(const Run& run, const GenerateOptions& options,
   if (!options.makes_library() || packages.empty()) return;
   std::vector<GeneratedFile> headers;
   const auto is_other = [&](const GeneratedFile& file) {
-    return std::ranges::find(others, file.path, &ExtraTemplate::output) != others.end();
+    return ranges::contains(others, file.path, &ExtraTemplate::output);
   };
   for (const auto& file : files) {
     if (is_other(file) || file.path.ends_with(".map")) continue;

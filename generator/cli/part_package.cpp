@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/read/text.hpp"
 
@@ -70,7 +69,7 @@ void keep_part(const std::string& part, std::vector<GeneratedFile>& files) {
 
 std::string next_steps_of_part(const Run& run, const std::string& part, const std::string& folder) {
   const auto& parts = run.graph->placement->parts;
-  const Target& target = *std::ranges::find(parts, part, &PlacedPart::name)->target;
+  const Target& target = *ranges::find(parts, part, &PlacedPart::name)->target;
   if (target.language.empty() || target.yours.empty() || target.run.empty()) return "";
   const std::string build = shell_word(folder + "/build");
   std::string compile, start = target.run.front() + " " + shell_word(folder);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -11,6 +10,7 @@
 #include "generator/compose/compose.hpp"
 #include "generator/compose/variants.hpp"
 #include "generator/diagnostics/pages.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/files/files.hpp"
 #include "generator/tables/tables.hpp"
 
@@ -201,7 +201,7 @@ void prepare_for_cut(Run& run) {
 
 /// Whether everything is for a target that runs whole graphs only: a library of environments.
 bool wants_whole_graph(const Run& run, const GraphOptions& options) {
-  return std::ranges::all_of(wanted_targets(options), [&](const std::string& id) {
+  return ranges::all_of(wanted_targets(options), [&](const std::string& id) {
     const Target* target = run.library.find_target(id);
     return target != nullptr && target->system == "linux" && target->partner.empty();
   });

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <span>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -27,7 +29,7 @@ std::string_view setting_name(std::string_view word) {
 
 const Span* SettingPlaces::find(std::string_view word) const {
   for (const std::string_view wanted : {word, setting_name(word)}) {
-    const auto found = std::ranges::find(
+    const auto found = ranges::find(
         places_, wanted, [](const auto& place) { return std::string_view(place.first); });
     if (found != places_.end()) return &found->second;
   }

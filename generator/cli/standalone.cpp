@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -37,7 +39,7 @@ std::optional<Included> included(std::string_view line) {
 /// Whether it may lead elsewhere in another tree: `"../x.hpp"`, `"a/../../x.hpp"`,
 /// `"/home/me/x.hpp"`.
 bool leads_away(const fs::path& name) {
-  return name.is_absolute() || std::ranges::find(name, fs::path("..")) != name.end();
+  return name.is_absolute() || ranges::contains(name, fs::path(".."));
 }
 
 /// The file that a compiler finds at `place`: `..` behind a symbolic link is where that points to.

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/process/companions.hpp"
 #include "generator/quote/quote.hpp"
 
@@ -52,7 +52,7 @@ std::vector<const BuiltProgram*> without_line(const std::vector<BuiltProgram>& p
     if (program.part != nullptr) result.push_back(&program);
   if (result.size() == 1 && !lines.empty()) return {};
   std::erase_if(result, [&](const BuiltProgram* program) {
-    return std::ranges::any_of(lines, [&](const std::string& line) {
+    return ranges::any_of(lines, [&](const std::string& line) {
       return line.starts_with(program->part->name + "=");
     });
   });
@@ -113,7 +113,7 @@ void tell_elsewhere(Run& run, const BuiltProgram& program, const std::vector<std
 
 /// Whether one of the options is a TCP line to `part`: others take no key.
 bool has_tcp_line(const PlacedPart& part, const std::vector<std::string>& words) {
-  return std::ranges::any_of(values_in(words, kLink), [&](const std::string& line) {
+  return ranges::any_of(values_in(words, kLink), [&](const std::string& line) {
     const std::size_t equals = line.find('=');
     if (equals != std::string::npos && line.substr(0, equals) != part.name) return false;
     const std::string address = line.substr(equals == std::string::npos ? 0 : equals + 1);

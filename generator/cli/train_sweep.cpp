@@ -8,6 +8,7 @@
 #include <random>
 
 #include "generator/cli/train_settings.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/library/schema.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/read/tree.hpp"
@@ -110,7 +111,7 @@ class Reader {
  private:
   void read(const YamlValue::Entry& entry) {
     Swept one;
-    one.row = std::ranges::find(eagerx::options::kTrainSettings, entry.key, &SettingRow::name);
+    one.row = ranges::find(eagerx::options::kTrainSettings, entry.key, &SettingRow::name);
     const YamlValue& value = entry.value;
     if (value.is_map()) {
       read_range(value, one);
@@ -127,7 +128,7 @@ class Reader {
 
   void read_layers(const YamlValue& value, Swept& one) {
     const auto is_list = [](const YamlValue& item) { return item.is_sequence(); };
-    if (std::ranges::none_of(value.items, is_list)) {
+    if (ranges::none_of(value.items, is_list)) {
       check_layers(value, diagnostics_);
       return add_value(one, value);
     }
@@ -248,7 +249,7 @@ class Reader {
 
   /// What there is already would be trained twice.
   static void add(std::vector<std::string>& all, std::string& words) {
-    if (std::ranges::find(all, words) == all.end()) all.push_back(std::move(words));
+    if (!ranges::contains(all, words)) all.push_back(std::move(words));
   }
 
   const YamlValue& yaml_;

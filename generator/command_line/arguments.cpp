@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/command_line/command_line.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 
@@ -34,7 +35,7 @@ Argument texts(std::string names, std::vector<std::string>& values, std::string 
                     [&values](const auto& all) {
                       values.clear();
                       for (const std::string& each : all) {
-                        if (std::ranges::find(values, each) == values.end()) values.push_back(each);
+                        if (!ranges::contains(values, each)) values.push_back(each);
                       }
                     }};
   argument.repeated = true;

@@ -10,6 +10,7 @@
 
 #include "generator/command_line/output.hpp"
 #include "generator/command_line/usage.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/files/files.hpp"
 
 namespace eagerx::gen {
@@ -19,9 +20,8 @@ namespace {
 CLI::Validator validator_of(const Argument& argument) {
   if (argument.choices.empty()) return {argument.check, ""};
   return {[&argument](const std::string& word) {
-            return std::ranges::find(argument.choices, word) != argument.choices.end()
-                       ? std::string()
-                       : not_a_choice(word, argument.choices);
+            return ranges::contains(argument.choices, word) ? std::string()
+                                                            : not_a_choice(word, argument.choices);
           },
           ""};
 }
@@ -96,10 +96,10 @@ std::string remember_files(const Command& command, const GivenFiles& given) {
                                       : std::vector{argument.otherwise};
   };
   const auto is_gone_on_with = [&](const Argument& input, const std::string& value) {
-    return std::ranges::any_of(command.arguments, [&](const Argument& output) {
+    return ranges::any_of(command.arguments, [&](const Argument& output) {
       if (long_name(output) != input.goes_on) return false;
       std::error_code ignored;
-      return std::ranges::any_of(values_of(output), [&](const std::string& path) {
+      return ranges::any_of(values_of(output), [&](const std::string& path) {
         return path == value || std::filesystem::equivalent(path, value, ignored);
       });
     });
@@ -137,15 +137,15 @@ int told(int code) {
 }
 
 const Command* find_command(const Command& top, const std::string& name) {
-  const auto found = std::ranges::find(top.commands, name, &Command::name);
+  const auto found = ranges::find(top.commands, name, &Command::name);
   return found == top.commands.end() ? nullptr : &*found;
 }
 
 const Argument* find_option(const Command& command, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
-  const auto found = std::ranges::find_if(command.arguments, [&](const Argument& argument) {
+  const auto found = ranges::find_if(command.arguments, [&](const Argument& argument) {
     const std::vector<std::string> names = comma_separated(argument.names);
-    return std::ranges::find(names, name) != names.end();
+    return ranges::contains(names, name);
   });
   return found == command.arguments.end() ? nullptr : &*found;
 }
@@ -243,7 +243,7 @@ int print_help(const CommandLine& line, const CLI::App& app,
       found = inner.front();
       continue;
     }
-    const auto topic = std::ranges::find(line.topics, word, &Topic::name);
+    const auto topic = ranges::find(line.topics, word, &Topic::name);
     if (found == &app && words.size() == 1 && topic != line.topics.end()) {
       say_text(topic->text);
       return kDone;
@@ -292,7 +292,7 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
   const Command help = help_command();
   if (!line.top.commands.empty()) add(*app.add_subcommand(help.name, help.about), help, files);
   if (!line.top.commands.empty() && !arguments.empty() && arguments.front() == help.name &&
-      std::ranges::find(arguments, "--help") == arguments.end())
+      !ranges::contains(arguments, "--help"))
     return told(print_help(line, app, {arguments.begin() + 1, arguments.end()}));
   if (const std::string problem = put_command_first(app, line, arguments); !problem.empty()) {
     complain_text(problem);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -233,8 +234,7 @@ std::string fish_completion(const CommandLine& line, const std::vector<Command>&
     std::vector<std::string> done;
     for (const Command* each : with_options) {
       for (const Argument& argument : each->arguments) {
-        if (!argument.is_option() || std::ranges::find(done, argument.names) != done.end())
-          continue;
+        if (!argument.is_option() || ranges::contains(done, argument.names)) continue;
         done.push_back(argument.names);
         text += fish_option(seen, argument);
       }

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
 
 #include "generator/diagnostics/diagnostics.hpp"
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -49,7 +49,7 @@ std::string too_much(const CLI::App& reached, const std::string& typed,
   const std::vector<std::string> rest = reached.remaining(true);
   if (rest.empty()) return message("too many arguments", otherwise);
   // An option that is not known leaves its value behind, too.
-  const auto option = std::ranges::find_if(
+  const auto option = ranges::find_if(
       rest, [](const std::string& each) { return each.size() > 1 && each.front() == '-'; });
   const std::string& first = option == rest.end() ? rest.front() : *option;
   const std::string word = first.substr(0, first.find('='));
@@ -91,7 +91,7 @@ std::string not_a_choice(const std::string& word, const std::vector<std::string>
 }
 
 std::string not_a_command(const CLI::App& app, const std::string& word) {
-  const bool like_one = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
+  const bool like_one = !word.empty() && ranges::all_of(word, [](unsigned char c) {
     return std::isalpha(c) != 0 || c == '-';
   });
   std::error_code ignored;

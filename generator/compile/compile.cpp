@@ -15,6 +15,7 @@
 #include "generator/compile/flags.hpp"
 #include "generator/compile/forbidden.hpp"
 #include "generator/compile/messages.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/process/process.hpp"
 #include "generator/program_map/program_map.hpp"
 
@@ -69,8 +70,8 @@ class CompileCheck {
   }
 
   bool write_files() {
-    return std::ranges::all_of(
-        files_, [&](const GeneratedFile& file) { return write(file.path, file.text); });
+    return ranges::all_of(files_,
+                          [&](const GeneratedFile& file) { return write(file.path, file.text); });
   }
 
   bool has_compiler() {
@@ -104,7 +105,7 @@ class CompileCheck {
                                "-I" + options_.root + "/runtime", "-I" + options_.root});
     for (const std::string& each : options_.include_folders) words.push_back("-I" + each);
     const bool portable =
-        std::ranges::all_of(classes_, [](const UsedClass& each) { return each.system.empty(); });
+        ranges::all_of(classes_, [](const UsedClass& each) { return each.system.empty(); });
     if (portable) words.insert(words.end(), {"-fno-exceptions", "-fno-rtti"});
     if (!options_.packages.empty()) {
       std::vector<std::string> ask = {"pkg-config", "--cflags"};
@@ -180,7 +181,7 @@ class CompileCheck {
                            name)))
       return false;
     const auto messages = messages_in(compile("program.cpp", {"-c", "-o", folder_ + "/program.o"}));
-    const auto error = std::ranges::find_if(messages, &CompilerMessage::error);
+    const auto error = ranges::find_if(messages, &CompilerMessage::error);
     if (error != messages.end()) {
       report(*error);  // the first one; the others follow from it
       return false;
@@ -199,13 +200,13 @@ class CompileCheck {
   /// The program over packs of numbers, if the target has one.
   void compile_packs() {
     const std::string header = plan_.graph->name + "/packs/program.hpp";
-    if (std::ranges::find(files_, header, &GeneratedFile::path) == files_.end()) return;
+    if (!ranges::contains(files_, header, &GeneratedFile::path)) return;
     if (!write("packs.cpp",
                fmt::format("#include \"{}\"\ntemplate class graphs::{}::packs::Program<>;\n",
                            header, plan_.graph->name)))
       return;
     const auto messages = messages_in(compile("packs.cpp", {"-fsyntax-only", "-Wno-psabi"}));
-    const auto error = std::ranges::find_if(messages, &CompilerMessage::error);
+    const auto error = ranges::find_if(messages, &CompilerMessage::error);
     if (error == messages.end()) return;
     CompilerMessage message = *error;
     const auto says = [&](std::string_view word) {
@@ -223,7 +224,7 @@ class CompileCheck {
     std::set<std::pair<std::string, std::uint32_t>> told;
     std::set<std::string> variables;  // each where it is used first
     for (const ForbiddenCall& call : forbidden_calls(folder_ + "/program.o")) {
-      const auto place = std::ranges::find_if(
+      const auto place = ranges::find_if(
           call.places, [&](const auto& each) { return is_of_portable_entity(each.file); });
       if (place == call.places.end() || !told.insert({place->file, place->line}).second) continue;
       const bool named = call.variable.starts_with('_');
@@ -242,7 +243,7 @@ class CompileCheck {
       return diagnostics_.error("E0511", span_of(message.file, message.line, message.column),
                                 fmt::format("this does not compile: {}", message.text));
     const std::string node = node_of(message);
-    const auto found = std::ranges::find(plan_.graph->nodes, node, &GraphNode::name);
+    const auto found = ranges::find(plan_.graph->nodes, node, &GraphNode::name);
     if (found == plan_.graph->nodes.end() || found->entity == nullptr)
       return diagnostics_.error("E0511", plan_.graph->span,
                                 fmt::format("the program does not compile: {}", message.text));
@@ -256,7 +257,7 @@ class CompileCheck {
   /// Whose part of program.hpp it is; empty if it is nobody's.
   std::string node_of(const CompilerMessage& message) {
     const std::string map_name = plan_.graph->name + "/program.map";
-    const auto file = std::ranges::find(files_, map_name, &GeneratedFile::path);
+    const auto file = ranges::find(files_, map_name, &GeneratedFile::path);
     if (file == files_.end() || !message.file.ends_with("program.hpp")) return {};
     const auto map = parse_program_map(file->text, map_name, diagnostics_);
     const std::string* node = map ? map->node_of_line(message.line) : nullptr;

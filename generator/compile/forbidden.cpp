@@ -11,6 +11,7 @@
 #include <set>
 #include <tuple>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/process/process.hpp"
 
 namespace eagerx::gen {
@@ -50,9 +51,7 @@ bool is_of_cmath(std::string_view name) {
       "sin",   "cos",   "tan",   "asin",  "acos",  "atan", "atan2", "sincos", "sinh",  "cosh",
       "tanh",  "asinh", "acosh", "atanh", "exp",   "exp2", "exp10", "expm1",  "log",   "log2",
       "log10", "log1p", "pow",   "cbrt",  "hypot", "erf",  "erfc",  "tgamma", "lgamma"};
-  const auto is = [&](std::string_view base) {
-    return std::ranges::find(kNames, base) != kNames.end();
-  };
+  const auto is = [&](std::string_view base) { return ranges::contains(kNames, base); };
   const bool suffix = name.ends_with('f') || name.ends_with('l');
   return is(name) || (suffix && is(name.substr(0, name.size() - 1)));
 }
@@ -64,8 +63,7 @@ std::pair<std::string, std::string> judge(std::string_view name) {
         fmt::format("calls `{}` of <cmath>, whose last bit differs from machine to machine", name),
         "use the function of this name in <eagerx/math.hpp>"};
   for (const Kind& kind : kinds()) {
-    if (std::ranges::find(kind.names, name) != kind.names.end())
-      return {std::string(kind.what), std::string(kind.mend)};
+    if (ranges::contains(kind.names, name)) return {std::string(kind.what), std::string(kind.mend)};
   }
   return {};
 }
@@ -75,7 +73,7 @@ std::pair<std::string, std::string> judge(std::string_view name) {
 bool is_writable(std::string_view section) {
   constexpr std::array<std::string_view, 4> kWritable = {".bss", ".data", ".tbss", ".tdata"};
   return !section.starts_with(".data.rel.ro") &&
-         std::ranges::any_of(kWritable, [&](std::string_view kind) {
+         ranges::any_of(kWritable, [&](std::string_view kind) {
            return section == kind || section.starts_with(std::string(kind) + ".");
          });
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -17,6 +16,7 @@
 #include "generator/compose/scope.hpp"
 #include "generator/compose/tunable.hpp"
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
 
@@ -40,7 +40,7 @@ class Composer {
     YamlValue flat = root_;
     replace(flat, "objects", std::move(objects_));
     replace(flat, "nodes", std::move(nodes_));
-    const auto list = std::ranges::find(flat.entries, "connections", &YamlValue::Entry::key);
+    const auto list = ranges::find(flat.entries, "connections", &YamlValue::Entry::key);
     if (list != flat.entries.end() && list->value.is_sequence())
       list->value.items = std::move(connections_);
     rename_ports(flat, inner_.ends, counter({}), diagnostics_);
@@ -51,7 +51,7 @@ class Composer {
   enum class Section : std::uint8_t { objects, nodes };
 
   static void replace(YamlValue& root, const char* key, std::vector<YamlValue::Entry> entities) {
-    const auto found = std::ranges::find(root.entries, key, &YamlValue::Entry::key);
+    const auto found = ranges::find(root.entries, key, &YamlValue::Entry::key);
     if (found == root.entries.end()) {
       if (entities.empty()) return;
       YamlValue map;
@@ -138,7 +138,7 @@ class Composer {
   }
 
   static bool contains_entity(const std::vector<const Entity*>& list, const Entity& entity) {
-    return std::ranges::find(list, &entity) != list.end();
+    return ranges::contains(list, &entity);
   }
 
   void add_composite(const Scope& outer, const YamlValue::Entry& entry, const std::string& name,
@@ -326,7 +326,7 @@ class Composer {
 
   void connect_elements(const Spanned<std::string>& to, std::vector<GatheredElement> elements) {
     const std::string sender = parse_port(elements.front().from.value).owner;
-    const auto found = std::ranges::find(nodes_, sender, &YamlValue::Entry::key);
+    const auto found = ranges::find(nodes_, sender, &YamlValue::Entry::key);
     const YamlValue* rate = found == nodes_.end() ? root_.find("rate") : found->value.find("rate");
     if (rate == nullptr) return;  // said of the node, or of the graph
     const YamlValue rate_of_nodes = *rate;
@@ -363,8 +363,8 @@ FlatGraph compose(const YamlValue& root, const Library& library, SourceMap& sour
 std::vector<std::string> entities_of_patterns(const YamlValue& root) {
   const YamlValue* connections = root.find("connections");
   const bool has_pattern =
-      connections != nullptr && std::ranges::any_of(connections->items, [](const YamlValue& item) {
-        return std::ranges::any_of(item.entries, [](const YamlValue::Entry& entry) {
+      connections != nullptr && ranges::any_of(connections->items, [](const YamlValue& item) {
+        return ranges::any_of(item.entries, [](const YamlValue::Entry& entry) {
           return (entry.key == "from" || entry.key == "to") &&
                  entry.value.text.find('[') != std::string::npos;
         });

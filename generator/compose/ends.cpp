@@ -1,7 +1,6 @@
 #include "generator/compose/ends.hpp"
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
@@ -71,7 +70,7 @@ CompositeSpec shown_composite(const std::string& name, Span span, const Entity& 
 }
 
 void set_entry(YamlValue& map, const std::string& key, Span span, YamlValue value) {
-  const auto found = std::ranges::find(map.entries, key, &YamlValue::Entry::key);
+  const auto found = ranges::find(map.entries, key, &YamlValue::Entry::key);
   if (found != map.entries.end())
     found->value = std::move(value);
   else
@@ -79,7 +78,7 @@ void set_entry(YamlValue& map, const std::string& key, Span span, YamlValue valu
 }
 
 YamlValue& map_at(YamlValue& map, const std::string& key, Span span) {
-  auto found = std::ranges::find(map.entries, key, &YamlValue::Entry::key);
+  auto found = ranges::find(map.entries, key, &YamlValue::Entry::key);
   if (found == map.entries.end()) {
     YamlValue empty;
     empty.span = span;

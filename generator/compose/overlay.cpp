@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "generator/compose/ends.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/format.hpp"
 #include "generator/spec/port_name.hpp"
 
@@ -25,7 +25,7 @@ std::string text_at(const YamlValue& map, const char* key) {
 void lay_over_connections(YamlValue& base, YamlValue over) {
   for (auto& item : over.items) {
     const std::string to = text_at(item, "to");
-    const auto same = std::ranges::find_if(
+    const auto same = ranges::find_if(
         base.items, [&](const YamlValue& each) { return text_at(each, "to") == to; });
     if (to.empty() || same == base.items.end())
       base.items.push_back(std::move(item));
@@ -44,7 +44,7 @@ void lay_over(YamlValue& base, YamlValue over, bool top) {
     return;
   }
   for (auto& entry : over.entries) {
-    const auto below = std::ranges::find(base.entries, entry.key, &YamlValue::Entry::key);
+    const auto below = ranges::find(base.entries, entry.key, &YamlValue::Entry::key);
     if (below == base.entries.end()) {
       base.entries.push_back(std::move(entry));
     } else if (top && entry.key == kConnections && below->value.is_sequence() &&
@@ -68,7 +68,7 @@ bool take_away(YamlValue& yaml, std::string_view path, bool top) {
     return std::erase_if(yaml.entries, [&](const auto& each) { return each.key == key; }) > 0 ||
            item;
   }
-  const auto found = std::ranges::find(yaml.entries, key, &YamlValue::Entry::key);
+  const auto found = ranges::find(yaml.entries, key, &YamlValue::Entry::key);
   if (found == yaml.entries.end()) return false;
   const std::string_view rest = path.substr(dot + 1);
   if (top && key == kConnections)
@@ -133,8 +133,8 @@ void check_removed(const YamlValue& graph, Diagnostics& diagnostics) {
       if (port == nullptr) continue;
       const PortName name = parse_port(port->text);
       for (const char* section : {"nodes", "objects"}) {
-        const auto gone = std::ranges::find(
-            removed->entries, fmt::format("{}.{}", section, name.owner), &YamlValue::Entry::key);
+        const auto gone = ranges::find(removed->entries, fmt::format("{}.{}", section, name.owner),
+                                       &YamlValue::Entry::key);
         const YamlValue* now = graph.find(section);
         if (gone == removed->entries.end() || (now != nullptr && now->find(name.owner) != nullptr))
           continue;

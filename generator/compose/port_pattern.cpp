@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/format.hpp"
 
@@ -235,8 +236,7 @@ std::vector<IndexedConnection> indexed_connections(const PortPattern& from, cons
   if (!ranges.add(from) || !ranges.add(to)) return {};
   for (const PatternIndex& index : from.indices) {
     const bool shared =
-        index.name.empty() ||
-        std::ranges::find(to.indices, index.name, &PatternIndex::name) != to.indices.end();
+        index.name.empty() || ranges::contains(to.indices, index.name, &PatternIndex::name);
     if (shared || ranges.count(index.name) == 1) continue;
     diagnostics
         .error("E0391", from.span,

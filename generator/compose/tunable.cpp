@@ -6,6 +6,7 @@
 
 #include "generator/compose/ends.hpp"
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
@@ -39,9 +40,9 @@ void take(YamlValue& nodes, const YamlValue& item, const Library& library,
   const std::size_t dot = std::min(item.text.rfind('.'), item.text.size());
   const std::string name = item.text.substr(0, dot);
   const std::string parameter = item.text.substr(std::min(dot + 1, item.text.size()));
-  const auto node = std::ranges::find(nodes.entries, name, &YamlValue::Entry::key);
+  const auto node = ranges::find(nodes.entries, name, &YamlValue::Entry::key);
   if (node == nodes.entries.end()) {
-    const auto inside = std::ranges::find_if(
+    const auto inside = ranges::find_if(
         nodes.entries, [&](const auto& each) { return each.key.starts_with(name + "/"); });
     const std::string near = nearest_node(nodes, name);
     report(item, fmt::format("there is no node `{}`", name),
@@ -74,7 +75,7 @@ void take(YamlValue& nodes, const YamlValue& item, const Library& library,
 
 void take_tunable(YamlValue& root, const Library& library, Diagnostics& diagnostics) {
   const YamlValue* list = root.find("tunable");
-  const auto nodes = std::ranges::find(root.entries, "nodes", &YamlValue::Entry::key);
+  const auto nodes = ranges::find(root.entries, "nodes", &YamlValue::Entry::key);
   if (list == nullptr || !list->is_sequence() || nodes == root.entries.end()) return;
   const YamlValue items = *list;
   for (const YamlValue& item : items.items)

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "generator/compose/inner_files.hpp"
 #include "generator/compose/overlay.hpp"
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/format.hpp"
 
 namespace eagerx::gen {
@@ -36,7 +36,7 @@ void erase(YamlValue& map, std::string_view key) {
 }
 
 std::optional<YamlValue> taken(YamlValue& map, std::string_view key) {
-  const auto found = std::ranges::find(map.entries, key, &YamlValue::Entry::key);
+  const auto found = ranges::find(map.entries, key, &YamlValue::Entry::key);
   if (found == map.entries.end()) return std::nullopt;
   YamlValue value = std::move(found->value);
   map.entries.erase(found);
@@ -88,7 +88,7 @@ class Chooser {
         report_unknown(name, variants, span);
         return root;
       }
-      if (std::ranges::find(names, name) != names.end()) {
+      if (ranges::contains(names, name)) {
         diagnostics_.error("E0394", found->span, fmt::format("variant `{}` extends itself", name));
         return root;
       }
@@ -123,7 +123,7 @@ class Chooser {
     std::error_code error;
     if (files_.empty()) files_.push_back(fs::weakly_canonical(path, error));
     const fs::path next = fs::weakly_canonical(base, error);
-    const bool circle = std::ranges::find(files_, next) != files_.end();
+    const bool circle = ranges::contains(files_, next);
     if (!circle && files_.size() < kMostFiles) {
       files_.push_back(next);
       return true;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/chosen_nodes.hpp"
 #include "generator/resolve/config.hpp"
 #include "generator/spec/named.hpp"
@@ -39,7 +40,7 @@ void report_not_found(const Graph& whole, const std::string& name, Diagnostics& 
       "nodes are cut out, and composites and arrays of them: the rest is what your main loop "
       "brings";
   const bool simulated =
-      name == "engine" || std::ranges::any_of(whole.objects, [&](const Object& object) {
+      name == "engine" || ranges::any_of(whole.objects, [&](const Object& object) {
         return is_called(object.name, name) != Called::no;
       });
   if (simulated || name == "environment" || name == "actions" || name == "observations" ||
@@ -68,8 +69,7 @@ void add_gathering(const Graph& whole, std::vector<bool>& inside) {
   };
   std::vector<bool> from_inside = inside;
   const auto gathers_from_inside = [&](const GraphNode& node) {
-    return std::ranges::all_of(node.inputs,
-                               [&](const Input& i) { return from_inside[i.source_node]; });
+    return ranges::all_of(node.inputs, [&](const Input& i) { return from_inside[i.source_node]; });
   };
   for (bool more = true; more;) {
     more = false;

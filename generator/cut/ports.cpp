@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/chosen_nodes.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
@@ -34,7 +34,7 @@ class ComposedNames {
   explicit ComposedNames(const CutRequest& request) {
     std::vector<const std::string*> composites;
     for (const auto& [composite, ports] : request.composites.composites()) {
-      const bool chosen = std::ranges::any_of(request.names, [&name = composite](const auto& each) {
+      const bool chosen = ranges::any_of(request.names, [&name = composite](const auto& each) {
         return is_called(name, each) == Called::itself;
       });
       if (chosen) composites.push_back(&composite);

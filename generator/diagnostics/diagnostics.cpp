@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -56,7 +58,7 @@ void Diagnostics::drop_notes() {
 
 void Diagnostics::drop_warnings(const std::vector<std::string>& codes) {
   std::erase_if(all_, [&](const Diagnostic& d) {
-    return d.severity == Severity::warning && std::ranges::find(codes, d.code) != codes.end();
+    return d.severity == Severity::warning && ranges::contains(codes, d.code);
   });
 }
 

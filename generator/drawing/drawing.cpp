@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <set>
 #include <tuple>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/drawing/groups.hpp"
 
 namespace eagerx::gen {
@@ -114,7 +114,7 @@ class Builder {
   /// Its number among the ports of the box; a new one if it is not there yet.
   static std::size_t port(std::vector<BoxPort>& ports, const std::string& name,
                           const std::string& detail = {}) {
-    const auto found = std::ranges::find(ports, name, &BoxPort::name);
+    const auto found = ranges::find(ports, name, &BoxPort::name);
     if (found != ports.end()) return static_cast<std::size_t>(found - ports.begin());
     ports.push_back({name, detail});
     return ports.size() - 1;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
@@ -55,7 +56,7 @@ bool differs_only_at(const Written& before, const Written& after, const OutlineP
 
 bool has_name(const Written& written, const std::string& section, const std::string& name) {
   const OutlineNode* const all = written.top().find(section);
-  return all != nullptr && std::ranges::any_of(all->entries, [&](const OutlineEntry& entry) {
+  return all != nullptr && ranges::any_of(all->entries, [&](const OutlineEntry& entry) {
            return entry.key == name || entry.value.text == name;
          });
 }
@@ -65,13 +66,13 @@ bool is_name(const std::string& name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
   return !name.empty() && is_letter(name.front()) &&
-         std::ranges::all_of(name, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
+         ranges::all_of(name, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
 }
 
 bool is_taken(const Written& written, const std::string& section, const std::string& name) {
   if (is_among(kAgentSections, section)) return has_name(written, section, name);
-  return std::ranges::any_of(kEntitySections,
-                             [&](const char* each) { return has_name(written, each, name); });
+  return ranges::any_of(kEntitySections,
+                        [&](const char* each) { return has_name(written, each, name); });
 }
 
 bool add_name(Written& written, const OutlinePath& path, const std::string& name) {

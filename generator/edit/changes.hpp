@@ -1,12 +1,12 @@
 // What changes of a graph's structure have in common. Inside edit/ only.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/edit/structure.hpp"
 #include "generator/edit/written.hpp"
 
@@ -18,7 +18,7 @@ inline constexpr const char* kByHand = "change it in the text of the file";
 
 template <std::size_t N>
 bool is_among(const std::array<const char*, N>& words, std::string_view word) {
-  return std::ranges::find(words, word) != words.end();
+  return ranges::contains(words, word);
 }
 
 Change refused(std::string problem, std::string help = {});

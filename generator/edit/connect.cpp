@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/edit/changes.hpp"
 #include "generator/edit/words.hpp"
 #include "generator/quote/quote.hpp"
@@ -79,7 +80,7 @@ bool choose_port(Written& written, const std::string& port, bool sends) {
     if (chosen == nullptr ||
         (chosen->kind != OutlineNode::Kind::list && chosen->kind != OutlineNode::Kind::map))
       continue;
-    const bool has = std::ranges::any_of(chosen->entries, [&](const OutlineEntry& entry) {
+    const bool has = ranges::any_of(chosen->entries, [&](const OutlineEntry& entry) {
       return entry.key == name || entry.value.text == name;
     });
     if (!has && !add_name(written, path, name)) return false;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 
 std::string applied(std::string_view text, std::vector<Splice> splices) {
   std::vector<Splice> chosen;
   for (Splice& splice : splices) {
-    const bool overlaps = std::ranges::any_of(chosen, [&](const Splice& other) {
+    const bool overlaps = ranges::any_of(chosen, [&](const Splice& other) {
       return splice.place.begin < other.place.end && other.place.begin < splice.place.end;
     });
     if (!overlaps && splice.place.end <= text.size()) chosen.push_back(std::move(splice));

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/edit/insert.hpp"
 #include "generator/outline/lines.hpp"
 
@@ -74,7 +74,7 @@ class Reader {
     if (const std::size_t found = help_.find("did you mean `"); found != std::string_view::npos) {
       if (!quoted_in(help_.substr(found)).empty()) replace(quoted_in(help_.substr(found)).front());
     } else if (help_.starts_with("write `") && !words.empty() && !has_hole(words.front()) &&
-               std::ranges::find(kWritten, diagnostic_.code) != kWritten.end()) {
+               ranges::contains(kWritten, diagnostic_.code)) {
       written_instead(words.front());
     } else if (help_.starts_with("put it in quotes")) {
       replace(fmt::format("\"{}\"", here()));
@@ -240,7 +240,7 @@ class Reader {
     return nullptr;
   }
   static const OutlineEntry* entry_of(const OutlineNode& map, std::string_view key) {
-    const auto found = std::ranges::find(map.entries, key, &OutlineEntry::key);
+    const auto found = ranges::find(map.entries, key, &OutlineEntry::key);
     return found != map.entries.end() ? &*found : nullptr;
   }
   static std::string word_of(const OutlineEntry& map, std::string_view key) {
@@ -286,7 +286,7 @@ std::vector<Help> helps_of(const Diagnostic& diagnostic, std::string_view text) 
 
 std::optional<Edit> fix_of(const Diagnostic& diagnostic, std::string_view text) {
   const std::vector<Help> helps = helps_of(diagnostic, text);
-  const auto certain = std::ranges::find_if(helps, &Help::is_certain);
+  const auto certain = ranges::find_if(helps, &Help::is_certain);
   return certain != helps.end() ? std::optional(certain->edit) : std::nullopt;
 }
 

@@ -1,9 +1,9 @@
 // Keys and items that are added to a text, as those around them are written.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/edit/written.hpp"
 #include "generator/quote/quote.hpp"
 
@@ -16,7 +16,7 @@ constexpr std::array kSections = {"extends",     "name",    "rate",   "real",   
                                   "connections", "task",    "render", "agent",   "safety"};
 
 std::size_t rank_of(std::string_view section) {
-  return static_cast<std::size_t>(std::ranges::find(kSections, section) - kSections.begin());
+  return static_cast<std::size_t>(ranges::find(kSections, section) - kSections.begin());
 }
 
 /// Sections whose entries are each on a line of their own.
@@ -24,7 +24,7 @@ bool has_lines(const OutlinePath& path) {
   if (path.size() != 1) return false;
   constexpr std::array kOnLines = {"objects", "nodes", "actions", "connections", "variants"};
   const auto* const key = std::get_if<std::string>(&path.front());
-  return key != nullptr && std::ranges::find(kOnLines, *key) != kOnLines.end();
+  return key != nullptr && ranges::contains(kOnLines, *key);
 }
 
 /// Behind the last entry of a collection in braces or brackets: behind its comma if it has one.

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/edit/edit.hpp"
 #include "generator/edit/words.hpp"
 
@@ -18,7 +19,7 @@ constexpr std::array kOfWords = {"placement", "remove", "safety", "tunable", "bu
 
 template <std::size_t N>
 bool is_one_of(const std::array<const char*, N>& words, std::string_view word) {
-  return std::ranges::find(words, word) != words.end();
+  return ranges::contains(words, word);
 }
 
 class Uses {
@@ -99,7 +100,7 @@ std::vector<std::string> owners_of(std::string_view text) {
 
 std::vector<Bytes> uses_of(std::string_view text, const std::string& name) {
   const auto owners = owners_of(text);
-  if (name.empty() || std::ranges::find(owners, name) == owners.end()) return {};
+  if (name.empty() || !ranges::contains(owners, name)) return {};
   return Uses(text, name).all();
 }
 
@@ -107,8 +108,8 @@ bool is_free_name(std::string_view text, const std::string& name) {
   constexpr std::array kTaken = {"actions", "observations", "engine", "environment"};
   const auto owners = owners_of(text);
   return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
-         std::ranges::all_of(name, is_letter) && !is_one_of(kTaken, name) &&
-         std::ranges::find(owners, name) == owners.end();
+         ranges::all_of(name, is_letter) && !is_one_of(kTaken, name) &&
+         !ranges::contains(owners, name);
 }
 
 std::string name_at(std::string_view text, std::size_t at) {
@@ -117,7 +118,7 @@ std::string name_at(std::string_view text, std::size_t at) {
   while (end < text.size() && is_letter(text[end])) ++end;
   std::string name(text.substr(begin, end - begin));
   const std::vector<Bytes> uses = uses_of(text, name);
-  return std::ranges::find(uses, begin, &Bytes::begin) != uses.end() ? name : std::string();
+  return ranges::contains(uses, begin, &Bytes::begin) ? name : std::string();
 }
 
 std::optional<Edit> rename(std::string_view text, const std::string& from, const std::string& to) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/edit/words.hpp"
 
 namespace eagerx::gen {
@@ -17,7 +18,7 @@ constexpr std::array kPortLists = {"sensors", "actuators", "inputs",
                                    "outputs", "states",    "targets"};
 
 bool is_port_list(std::string_view key) {
-  return std::ranges::find(kPortLists, key) != kPortLists.end();
+  return ranges::contains(kPortLists, key);
 }
 std::string_view part(std::string_view text, Bytes place) {
   return text.substr(place.begin, place.end - place.begin);
@@ -114,7 +115,7 @@ class Finder {
     if (variants == nullptr) return;
     for (const OutlineEntry& variant : variants->entries) {
       for (Owner& other : owners_in(variant.value)) {
-        const auto known = std::ranges::find(owners, other.name, &Owner::name);
+        const auto known = ranges::find(owners, other.name, &Owner::name);
         if (other.type.empty() && known != owners.end()) other.type = known->type;
         each_selected(other.entry->value, [&](Bytes place) { f(other, place); });
       }
@@ -198,7 +199,7 @@ class OwnManifest {
     each_scalar(node, [&](Bytes place) {
       for (const Bytes& word : words_in(text_, place, port_)) {
         const std::string_view before = part(text_, {place.begin, word.begin});
-        const bool is_named = std::ranges::any_of(kPortLists, [&](std::string_view section) {
+        const bool is_named = ranges::any_of(kPortLists, [&](std::string_view section) {
           return before.ends_with(fmt::format("{}.", section)) ||
                  before.ends_with(fmt::format("({} ", section));
         });
@@ -273,7 +274,7 @@ std::vector<Bytes> uses_of_port_in_header(std::string_view header, const std::st
   std::vector<Bytes> found;
   for (const Bytes& word : words_in(header, {0, header.size()}, port)) {
     const std::string_view before = header.substr(0, word.begin);
-    const bool is_member = std::ranges::any_of(kBefore, [&](std::string_view way) {
+    const bool is_member = ranges::any_of(kBefore, [&](std::string_view way) {
       return before.ends_with(way) &&
              (before.size() == way.size() || !is_letter(before[before.size() - way.size() - 1]));
     });
@@ -284,7 +285,7 @@ std::vector<Bytes> uses_of_port_in_header(std::string_view header, const std::st
 
 std::string why_no_port(std::string_view manifest, const std::string& from, const std::string& to) {
   if (to.empty() || std::isalpha(static_cast<unsigned char>(to[0])) == 0 ||
-      !std::ranges::all_of(to, is_letter))
+      !ranges::all_of(to, is_letter))
     return fmt::format("`{}` cannot be the name of a port", to);
   const OutlineNode top = outline_of(manifest);
   int meanings = 0;

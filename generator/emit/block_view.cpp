@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/emit/arrival_view.hpp"
 #include "generator/emit/link_view.hpp"
 #include "generator/emit/reset_view.hpp"
@@ -92,7 +93,7 @@ class BlockView {
   void add_waiting() {
     view_.set("posts", names_.posts(n_));
     const bool reads = names_.runs(n_) && node_.role != NodeRole::engine;
-    view_.set("waits", reads && std::ranges::any_of(node_.inputs, [&](const Input& input) {
+    view_.set("waits", reads && ranges::any_of(node_.inputs, [&](const Input& input) {
                          return names_.posts(input.source_node);
                        }));
     if (!names_.posts(n_)) return;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <runtime/host/base/hash.hpp>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/policy_answers.hpp"
 #include "generator/emit/policy_view.hpp"
@@ -33,7 +34,7 @@ class Emitter {
         names_(plan, options.part, Numbers::plain, true) {
     why_no_packs_ = why_no_packs(plan);
     has_packs_ = why_no_packs_.empty() && options.part == Part::whole &&
-                 std::ranges::any_of(options.targets, &Target::packs);
+                 ranges::any_of(options.targets, &Target::packs);
     // Where the agent is, and in the hub, which has everything of the graph's own sources.
     const bool decides = !options.part.is_placed() || names_.runs(Graph::kEnvironment);
     if (decides) network_ = network;
@@ -168,7 +169,7 @@ class Emitter {
     MarkedText program = take_marks(files_.back().text);
     if (options_.cmake)
       files_.push_back({folder + "program.map", to_text(program_map(plan_, names, program))});
-    std::ranges::find(files_, folder + "program.hpp", &GeneratedFile::path)->text =
+    ranges::find(files_, folder + "program.hpp", &GeneratedFile::path)->text =
         std::move(program.text);
   }
 

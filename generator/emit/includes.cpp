@@ -1,13 +1,13 @@
 // The headers of entities that a program includes.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/emit/names.hpp"
 
@@ -110,7 +110,7 @@ std::vector<UsedClass> used_classes(const Plan& plan) {
   std::vector<UsedClass> result;
   const auto add = [&](const std::string& root, const CppClass& cpp, const Span& place) {
     if (root.empty() || cpp.name.empty()) return;
-    if (std::ranges::find(result, cpp.name, &UsedClass::name) != result.end()) return;
+    if (ranges::contains(result, cpp.name, &UsedClass::name)) return;
     result.push_back({cpp.include.empty() ? "" : (fs::path(root) / cpp.include).string(), cpp.name,
                       systems[place.file], cpp.span});
   };

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -113,8 +112,7 @@ View pack_agent_view(const Plan& plan, const Network& network) {
 }
 
 bool needs_lane_by_lane(const Network& network) {
-  return network.profile == Profile::fast ||
-         std::ranges::any_of(network.layers, [](const Layer& layer) {
+  return network.profile == Profile::fast || ranges::any_of(network.layers, [](const Layer& layer) {
            return !layer.rounded.empty() || std::holds_alternative<Convolution>(layer.form) ||
                   std::holds_alternative<Pooling>(layer.form);
          });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/emit/arrival_view.hpp"
 #include "generator/emit/block_view.hpp"
 #include "generator/emit/link_view.hpp"
@@ -80,9 +81,8 @@ class ProgramView {
               decides && acts ? "const Action& action" : "const Action& /*action*/");
     view_.set("guards", decides && acts);
     const bool has_actuators =
-        !decides && names_.is_hub() && std::ranges::any_of(plan_.rings, [&](const Ring& ring) {
-          return is_kept_within(plan_, ring);
-        });
+        !decides && names_.is_hub() &&
+        ranges::any_of(plan_.rings, [&](const Ring& ring) { return is_kept_within(plan_, ring); });
     view_.set("has_actuators", has_actuators);
     view_.set("needs_limits", (decides && acts) || has_actuators);
     const bool outputs = guards_outputs(plan_, names_);

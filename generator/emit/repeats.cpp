@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/plan/split.hpp"
 
 namespace eagerx::gen {
@@ -134,13 +135,12 @@ class Finder {
   }
 
   static bool belongs_to(std::size_t ring, const std::vector<std::vector<std::size_t>>& arrays) {
-    return std::ranges::any_of(
-        arrays, [&](const auto& array) { return std::ranges::find(array, ring) != array.end(); });
+    return ranges::any_of(arrays, [&](const auto& array) { return ranges::contains(array, ring); });
   }
 
   /// False if these rings cannot be an array, or if one of them is in another.
   bool add(std::vector<std::size_t> column, std::vector<std::vector<std::size_t>>& arrays) const {
-    if (std::ranges::find(arrays, column) != arrays.end()) return true;
+    if (ranges::contains(arrays, column)) return true;
     const auto known = array_of_.find(column.front());
     if (known != array_of_.end()) return found_.arrays[known->second] == column;
     const Ring& first = plan_.rings[column.front()];

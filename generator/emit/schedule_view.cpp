@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -108,7 +109,7 @@ class ScheduleView {
       item.set("due", constant(schedule_.kinds[i]));
       item.set("observes", (schedule_.kinds[i] & environment) != 0);
       if (i > 0) cases.push_back(item);  // the first kind is that of the first slot alone
-      const bool all = std::ranges::all_of(
+      const bool all = ranges::all_of(
           schedule_.kinds, [&](std::uint64_t mask) { return (mask & environment) != 0; });
       if (!all) item.set("is_last", false);
       if ((schedule_.kinds[i] & environment) != 0) observing.push_back(item);
@@ -124,7 +125,7 @@ class ScheduleView {
   View table_of_kinds() const {
     std::vector<std::string> values;
     for (const std::uint64_t mask : schedule_.masks) {
-      const auto kind = std::ranges::find(schedule_.kinds, mask) - schedule_.kinds.begin();
+      const auto kind = ranges::find(schedule_.kinds, mask) - schedule_.kinds.begin();
       values.push_back(fmt::format("{}", kind));
     }
     View view = table(values, "std::uint8_t");

@@ -1,9 +1,8 @@
 // What Graph.save does not write: the engine, its rate and the environment's.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/spec/named.hpp"
 
@@ -19,7 +18,7 @@ bool has_all(const Translation& t, const SavedEntity& object, const ObjectEngine
       return find_named(implementation.states, port) != nullptr ||
              find_named(implementation.node_states, port) != nullptr;
     }
-    return std::ranges::any_of(inside, [&](const ConnectionSpec& c) {
+    return ranges::any_of(inside, [&](const ConnectionSpec& c) {
       return c.from.value == name || c.to.value == name;
     });
   };
@@ -27,10 +26,9 @@ bool has_all(const Translation& t, const SavedEntity& object, const ObjectEngine
     return end.entity != object.name.value || has(end.section, end.port);
   };
   const auto& states = object.selected.at("states");
-  return std::ranges::all_of(
-             t.saved.links,
-             [&](const SavedLink& link) { return used(link.from) && used(link.to); }) &&
-         std::ranges::all_of(states, [&](const auto& state) { return has("states", state.value); });
+  return ranges::all_of(t.saved.links,
+                        [&](const SavedLink& link) { return used(link.from) && used(link.to); }) &&
+         ranges::all_of(states, [&](const auto& state) { return has("states", state.value); });
 }
 
 /// Engines that every object is implemented for, with all that the graph uses of it. They are in
@@ -45,7 +43,7 @@ std::vector<std::string> common_engines(const Translation& t) {
     if (object.kind != SavedEntity::Kind::object) continue;
     const Entity* entity = t.entity(object.name.value);
     std::erase_if(result, [&](const std::string& engine) {
-      return std::ranges::none_of(entity->object_engines, [&](const ObjectEngine& o) {
+      return ranges::none_of(entity->object_engines, [&](const ObjectEngine& o) {
         return o.engine.value == engine && has_all(t, object, o);
       });
     });

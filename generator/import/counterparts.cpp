@@ -6,6 +6,7 @@
 #include <array>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/import/written.hpp"
 #include "generator/read/scalar.hpp"
@@ -52,17 +53,16 @@ std::string differing(const A& saved, const B& ours, const char* what) {
 }
 
 bool is_condition(const Entity& entity, std::string_view name) {
-  return std::ranges::any_of(entity.eagerx_ids, [&](const EagerxId& eagerx) {
-    return std::ranges::any_of(eagerx.when, [&](const Setting& s) { return s.name == name; });
+  return ranges::any_of(entity.eagerx_ids, [&](const EagerxId& eagerx) {
+    return ranges::any_of(eagerx.when, [&](const Setting& s) { return s.name == name; });
   });
 }
 
 /// Where a class in a file has another interface than our entity; empty: nowhere.
 std::string difference(const Entity& entity, const SavedEntity& saved) {
   for (const auto& entry : saved.config.entries) {
-    const bool known =
-        std::ranges::find(entity.config, entry.key, &Parameter::eagerx) != entity.config.end() ||
-        std::ranges::find(kAlways, entry.key) != kAlways.end() || is_condition(entity, entry.key);
+    const bool known = ranges::contains(entity.config, entry.key, &Parameter::eagerx) ||
+                       ranges::contains(kAlways, entry.key) || is_condition(entity, entry.key);
     if (!known) return fmt::format("parameters (`{}`)", entry.key);
   }
   // What the class does not have keeps our default.
@@ -111,7 +111,7 @@ bool is_kind(const Entity& entity, Use use) {
   static constexpr std::array kOthers = {EntityKind::engine, EntityKind::object,
                                          EntityKind::processor, EntityKind::engine_node,
                                          EntityKind::engine_state};
-  return std::ranges::find(kOthers, entity.kind) == kOthers.end();
+  return !ranges::contains(kOthers, entity.kind);
 }
 
 /// Scripts share the name of their module, so these are nobody's.
@@ -120,7 +120,7 @@ bool is_of_script(const std::string& id) {
 }
 
 bool holds(const std::vector<Setting>& when, const YamlValue& config) {
-  return std::ranges::all_of(when, [&](const Setting& setting) {
+  return ranges::all_of(when, [&](const Setting& setting) {
     const YamlValue* value = config.find(setting.name);
     return value != nullptr ? same_value(setting.value, *value) : setting.value.is_null();
   });
@@ -135,7 +135,7 @@ YamlValue value_of(Parameter::Type type, const YamlValue& saved) {
     const auto names = joined_names(saved);
     return names ? made_scalar(*names, saved.span) : saved;
   }
-  const bool alike = std::ranges::all_of(
+  const bool alike = ranges::all_of(
       saved.items, [&](const YamlValue& item) { return same_value(item, saved.items[0]); });
   return alike ? saved.items[0] : saved;
 }
@@ -163,7 +163,7 @@ void widen(SavedEntity& known, const SavedEntity& other) {
   for (const auto& [section, ports] : other.ports) {
     for (const auto& port : ports) {
       auto& mine = known.ports[section];
-      const auto found = std::ranges::find(
+      const auto found = ranges::find(
           mine, port.name.value, [](const SavedPort& p) { return std::string_view(p.name.value); });
       if (found == mine.end()) {
         mine.push_back(port);
@@ -193,7 +193,7 @@ const char* to_string(Use use) {
 }
 
 bool is_common_parameter(std::string_view name) {
-  return std::ranges::find(kAlways, name) != kAlways.end();
+  return ranges::contains(kAlways, name);
 }
 
 bool same_value(const YamlValue& a, const YamlValue& b) {
@@ -256,8 +256,7 @@ const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue
     const auto first = [](const auto& other) -> const auto& {
       return other.first;
     };
-    if (std::ranges::find(missing.users, user, first) == missing.users.end())
-      missing.users.emplace_back(user, id.span);
+    if (!ranges::contains(missing.users, user, first)) missing.users.emplace_back(user, id.span);
   } else if (choice.ambiguous) {
     diagnostics_
         .error("E0801", id.span, fmt::format("more than one entity stands for `{}`", id.value))
@@ -311,13 +310,13 @@ bool Counterparts::may_stand_in(const Entity& entity, const SavedEntity& saved,
 }
 
 bool Counterparts::knows(const std::string& id) const {
-  return std::ranges::any_of(library_.entities,
-                             [&](const auto& item) { return stands_for(item.second, id); });
+  return ranges::any_of(library_.entities,
+                        [&](const auto& item) { return stands_for(item.second, id); });
 }
 
 bool Counterparts::stands_for(const Entity& entity, const std::string& id) {
-  return std::ranges::any_of(entity.eagerx_ids,
-                             [&](const EagerxId& eagerx) { return eagerx.id.value == id; });
+  return ranges::any_of(entity.eagerx_ids,
+                        [&](const EagerxId& eagerx) { return eagerx.id.value == id; });
 }
 
 std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValue& config,
@@ -326,7 +325,7 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValu
   std::vector<std::string> taken;
   for (const auto& parameter : entity.config) {
     taken.push_back(parameter.eagerx);
-    const auto entry = std::ranges::find(config.entries, parameter.eagerx, &YamlValue::Entry::key);
+    const auto entry = ranges::find(config.entries, parameter.eagerx, &YamlValue::Entry::key);
     if (entry == config.entries.end() || entry->value.is_null() ||
         is_condition(entity, parameter.eagerx))
       continue;
@@ -348,8 +347,7 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValu
   std::vector<std::string> unknown;
   Span span;
   for (const auto& entry : config.entries) {
-    if (entry.value.is_null() || contains(taken, entry.key) ||
-        std::ranges::find(kAlways, entry.key) != kAlways.end())
+    if (entry.value.is_null() || contains(taken, entry.key) || ranges::contains(kAlways, entry.key))
       continue;
     if (unknown.empty()) span = entry.key_span;
     unknown.push_back(entry.key);

@@ -1,11 +1,11 @@
 // Names, objects, nodes and the engine's own parameters.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <filesystem>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
@@ -150,7 +150,7 @@ class EntityTranslator {
   }
 
   bool is_linked(const std::string& entity, std::string_view section, const std::string& port) {
-    return std::ranges::any_of(t_.saved.links, [&](const SavedLink& link) {
+    return ranges::any_of(t_.saved.links, [&](const SavedLink& link) {
       const SavedEnd& end = section == "sensors" ? link.from : link.to;
       return end.entity == entity && end.section == section && end.port == port;
     });
@@ -218,13 +218,12 @@ class EntityTranslator {
     for (const auto& implementation : entity.object_engines) {
       for (const auto& node : implementation.nodes) {
         if (reference_in(node.rate->value) != reference) continue;
-        const bool own =
-            std::ranges::any_of(implementation.connections, [&](const ConnectionSpec& c) {
-              return (c.to.value == fmt::format("{}.{}", section, name) &&
-                      c.from.value.starts_with(node.name.value + ".")) ||
-                     (c.from.value == fmt::format("{}.{}", section, name) &&
-                      c.to.value.starts_with(node.name.value + "."));
-            });
+        const bool own = ranges::any_of(implementation.connections, [&](const ConnectionSpec& c) {
+          return (c.to.value == fmt::format("{}.{}", section, name) &&
+                  c.from.value.starts_with(node.name.value + ".")) ||
+                 (c.from.value == fmt::format("{}.{}", section, name) &&
+                  c.to.value.starts_with(node.name.value + "."));
+        });
         if (!own) return true;
       }
     }
@@ -292,7 +291,7 @@ class EntityTranslator {
       }
       result.push_back(std::move(component));
     }
-    const bool all = std::ranges::all_of(known, [&](const PortManifest& port) {
+    const bool all = ranges::all_of(known, [&](const PortManifest& port) {
       return saved.is_selected(section, port.name.value);
     });
     if (all && !needed && result.size() == known.size()) return std::nullopt;
@@ -310,7 +309,7 @@ const ObjectEngine* Translation::implementation(const Entity& object) const {
 }
 
 bool has_only_names(const std::vector<ComponentSpec>& components) {
-  return std::ranges::none_of(components, [](const ComponentSpec& component) {
+  return ranges::none_of(components, [](const ComponentSpec& component) {
     return component.rate || component.space || component.settings.processor;
   });
 }
@@ -347,7 +346,7 @@ void add_states_of_engine_nodes(Translation& t) {
     if (implementation == nullptr) continue;
     EntitySpec& object = *find_named(t.result.spec.objects, t.names.at(saved.name.value));
     const auto in_use = [&](const std::string& node) {
-      return std::ranges::any_of(implementation->connections, [&](const ConnectionSpec& c) {
+      return ranges::any_of(implementation->connections, [&](const ConnectionSpec& c) {
         const PortName from = parse_port(c.from.value), to = parse_port(c.to.value);
         return (to.owner == node && from.owner == "actuators" &&
                 saved.is_selected("actuators", from.name)) ||

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/port_match.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/import/written.hpp"
@@ -141,8 +141,8 @@ class ImplementationWriter {
       for (const auto& parameter : known->config) {
         const YamlValue& length = space->shape->items[0];
         if (reference_in(shape->items[0]) != parameter_reference(parameter.name.value)) continue;
-        if (std::ranges::any_of(config,
-                                [&](const Setting& s) { return s.name == parameter.name.value; }) ||
+        if (ranges::any_of(config,
+                           [&](const Setting& s) { return s.name == parameter.name.value; }) ||
             (parameter.fallback && same_value(*parameter.fallback, length)))
           continue;
         if (port->find("processor") != nullptr && !parameter.fallback) continue;  // is asked for
@@ -159,8 +159,8 @@ class ImplementationWriter {
   void note_required(const Entity& known, const std::vector<Setting>& config) {
     std::vector<std::string> names;
     for (const auto& parameter : known.config) {
-      const bool given = std::ranges::any_of(
-          config, [&](const Setting& s) { return s.name == parameter.name.value; });
+      const bool given =
+          ranges::any_of(config, [&](const Setting& s) { return s.name == parameter.name.value; });
       if (!given && !parameter.fallback) names.push_back(parameter.name.value);
     }
     if (!names.empty())
@@ -219,7 +219,7 @@ class ImplementationWriter {
                          const std::string& state) {
     const auto is_taken = [&](const std::string& name) {
       return stated_.contains(name) ||
-             std::ranges::any_of(saved_.objects, [&](const SavedObject& object) {
+             ranges::any_of(saved_.objects, [&](const SavedObject& object) {
                return find_named(object.engine_states, name) != nullptr;
              });
     };

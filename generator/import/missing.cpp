@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/implementation.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/import/written.hpp"
@@ -114,7 +115,7 @@ class ManifestWriter {
           named_in_eagerx(entry.key), type, names ? yaml_text(*names) : text_of(entry.value),
           yaml_text(names ? entry.key + ", with blanks between them" : entry.key)));
     }
-    const bool any = std::ranges::any_of(lines, [](const auto& text) { return text[2] != '#'; });
+    const bool any = ranges::any_of(lines, [](const auto& text) { return text[2] != '#'; });
     if (!lines.empty()) line(any ? "config:" : "# config:");
     for (const auto& text : lines) line(text);
   }

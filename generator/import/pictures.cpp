@@ -1,11 +1,11 @@
 // What only draws: EAGERx's nodes for pictures, and the sensors that feed them.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <set>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/counterparts.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/spec/named.hpp"
@@ -49,12 +49,12 @@ class PictureRemover {
 
  private:
   static bool is_for_display(const SavedEntity& entity) {
-    return std::ranges::find(kDrawing, entity.id.value) != kDrawing.end();
+    return ranges::contains(kDrawing, entity.id.value);
   }
 
   static bool gives_pictures(const SavedEntity& entity) {
     const auto& outputs = entity.selected.at("outputs");
-    return !outputs.empty() && std::ranges::all_of(outputs, [&](const auto& name) {
+    return !outputs.empty() && ranges::all_of(outputs, [&](const auto& name) {
       const SavedPort* port = entity.port("outputs", name.value);
       return port != nullptr && is_picture(*port);
     });
@@ -129,7 +129,7 @@ std::string source_of(const Translation& t, const Pictures& pictures) {
   const PortManifest* drawing = object != nullptr ? drawing_of(*object) : nullptr;
   const ObjectEngine* made = drawing != nullptr ? t.implementation(*object) : nullptr;
   if (made == nullptr) return {};
-  const bool draws = std::ranges::any_of(made->connections, [&](const ConnectionSpec& c) {
+  const bool draws = ranges::any_of(made->connections, [&](const ConnectionSpec& c) {
     return c.to.value == "sensors." + drawing->name.value;
   });
   return draws ? fmt::format("{}.{}", t.names.at(pictures.object), drawing->name.value) : "";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/counterparts.hpp"
 #include "generator/import/translate.hpp"
 
@@ -121,7 +122,7 @@ class Matcher {
       found = false;
       for (auto port = ports.begin(); port != ports.end() && !found; ++port) {
         const auto fits = [&](const Candidate& c) { return test(c, **port); };
-        const auto first = std::ranges::find_if(open, fits);
+        const auto first = ranges::find_if(open, fits);
         if (first == open.end() || std::ranges::count_if(open, fits) != 1 ||
             std::ranges::count_if(ports, [&](const SavedPort* p) { return test(*first, *p); }) != 1)
           continue;

@@ -2,11 +2,11 @@
 // numpy.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/saved.hpp"
 #include "generator/json/base64.hpp"
 #include "generator/read/scalar.hpp"
@@ -24,7 +24,7 @@ bool is_plain(std::string_view tag) {
       "python/long", "python/float", "python/bool", "python/none",    "timestamp"};
   if (tag.empty() || tag == "!" || tag == "?") return true;
   if (!tag.starts_with(kYaml)) return false;
-  return std::ranges::find(kPlain, tag.substr(kYaml.size())) != kPlain.end();
+  return ranges::find(kPlain, tag.substr(kYaml.size())) != kPlain.end();
 }
 
 bool has_python_tag(const YamlValue& yaml, std::string_view ending) {

@@ -2,9 +2,9 @@
 // node stands for which sensor and actuator is told by the object's manifest.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/counterparts.hpp"
 #include "generator/import/rebuilt.hpp"
 #include "generator/read/rational.hpp"
@@ -194,8 +194,7 @@ class Rebuilder {
       for (const auto& [node, local] : rebuilt.matches) {
         const SavedEntity& saved = *saved_.find(node);
         if (local != wanted.owner || !saved.is_selected("states", wanted.name)) continue;
-        if (std::ranges::find(states, state.name.value, &Spanned<std::string>::value) ==
-            states.end())
+        if (!ranges::contains(states, state.name.value, &Spanned<std::string>::value))
           states.push_back({state.name.value, saved.port("states", wanted.name) != nullptr
                                                   ? saved.port("states", wanted.name)->name.span
                                                   : saved.name.span});
@@ -226,9 +225,9 @@ class Rebuilder {
 
   static const ConnectionSpec* first_from(const ObjectEngine& implementation,
                                           const std::string& from) {
-    return &*std::ranges::find_if(
-        implementation.connections,
-        [&](const ConnectionSpec& connection) { return connection.from.value == from; });
+    return &*ranges::find_if(implementation.connections, [&](const ConnectionSpec& connection) {
+      return connection.from.value == from;
+    });
   }
 
   static void take_port(SavedEntity& object, const char* section, const std::string& name,

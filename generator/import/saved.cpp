@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
@@ -37,9 +37,9 @@ class Substitution {
   bool afford(const YamlValue& yaml) {
     constexpr std::size_t kTextOfAValue = 64;
     return spend(values_, 1 + yaml.text.size() / kTextOfAValue) &&
-           std::ranges::all_of(yaml.items, [&](const YamlValue& item) { return afford(item); }) &&
-           std::ranges::all_of(yaml.entries,
-                               [&](const YamlValue::Entry& entry) { return afford(entry.value); });
+           ranges::all_of(yaml.items, [&](const YamlValue& item) { return afford(item); }) &&
+           ranges::all_of(yaml.entries,
+                          [&](const YamlValue::Entry& entry) { return afford(entry.value); });
   }
 
   std::size_t searches_ = 50'000'000;  // entries looked at
@@ -178,8 +178,7 @@ class SavedReader {
       return result;
     }
     for (const auto& item : list->items) {
-      const bool twice =
-          std::ranges::find(result, item.text, &Spanned<std::string>::value) != result.end();
+      const bool twice = ranges::contains(result, item.text, &Spanned<std::string>::value);
       if (item.is_scalar() && twice) {
         fail(item.span, fmt::format("`{}` is listed twice", item.text));
       } else if (item.is_scalar()) {
@@ -262,8 +261,7 @@ const SavedPort* SavedEntity::port(std::string_view section, std::string_view wa
 bool SavedEntity::is_selected(std::string_view section, std::string_view wanted) const {
   const auto found = selected.find(section);
   return found != selected.end() &&
-         std::ranges::find(found->second, wanted, &Spanned<std::string>::value) !=
-             found->second.end();
+         ranges::contains(found->second, wanted, &Spanned<std::string>::value);
 }
 
 const YamlValue* SavedEntity::parameter(std::string_view key) const {

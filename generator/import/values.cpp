@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
@@ -68,8 +69,8 @@ bool is_unbounded(double bound, std::string_view dtype) {
 
 bool all_unbounded(const YamlValue& bound, std::string_view dtype) {
   if (bound.is_sequence()) {
-    return std::ranges::all_of(bound.items,
-                               [&](const YamlValue& item) { return all_unbounded(item, dtype); });
+    return ranges::all_of(bound.items,
+                          [&](const YamlValue& item) { return all_unbounded(item, dtype); });
   }
   const auto number = parse_number(bound.text);
   return number && is_unbounded(*number, dtype);
@@ -208,7 +209,7 @@ std::optional<SpaceSpec> missing_of(const SpaceSpec& saved, const SpaceSpec& man
   result.span = saved.span;
   const bool dtype = manifest.dtype && saved.dtype && manifest.dtype->value == saved.dtype->value;
   if (!dtype) result.dtype = saved.dtype;
-  const bool literal = manifest.shape && std::ranges::none_of(manifest.shape->items, is_expression);
+  const bool literal = manifest.shape && ranges::none_of(manifest.shape->items, is_expression);
   const bool shape =
       manifest.shape && saved.shape && (!literal || same_shape(*manifest.shape, *saved.shape));
   if (!shape) result.shape = saved.shape;

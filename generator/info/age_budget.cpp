@@ -1,10 +1,10 @@
 // Which ages `budget:` limits.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/info/info.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
@@ -73,7 +73,7 @@ class AgeBudget {
   /// Whether an entry that says it more exactly limits the same ways.
   static bool has_own(const std::vector<Entry>& entries, const AgeLimit& limit,
                       const DataAge& age) {
-    return std::ranges::any_of(entries, [&](const Entry& other) {
+    return ranges::any_of(entries, [&](const Entry& other) {
       return other.limit.ends == limit.ends && exactness(other.limit) > exactness(limit) &&
              is_about(other.limit, age);
     });
@@ -156,7 +156,7 @@ class AgeBudget {
     const auto& around = ages(with_agent).known();
     const bool through_agent =
         limit.ends != with_agent &&
-        std::ranges::any_of(around, [&](const DataAge& age) { return is_about(limit, age); });
+        ranges::any_of(around, [&](const DataAge& age) { return is_about(limit, age); });
     const bool named = exactness(limit) > 0;
     auto& problem = named
                         ? diagnostics_.error("E0425", entry.name,

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/languages/layout.hpp"
 
 namespace eagerx::gen {
@@ -82,7 +81,7 @@ class LayoutWriter {
 
   /// What other parts send and the hub hands on later.
   void add_late(const PartLink& link, Json& json) const {
-    if (std::ranges::all_of(link.lags, [](std::uint64_t lag) { return lag == 0; })) return;
+    if (ranges::all_of(link.lags, [](std::uint64_t lag) { return lag == 0; })) return;
     Json late = Json::object();
     for (std::size_t n = 0; n < link.lags.size(); ++n)
       if (link.lags[n] > 0) late[graph_.nodes[n].name] = link.lags[n];

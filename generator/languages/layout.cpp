@@ -1,7 +1,6 @@
 #include "generator/languages/layout.hpp"
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/plan/split.hpp"
 
 namespace eagerx::gen {
@@ -9,8 +8,8 @@ namespace {
 
 const std::string& unit_of(const std::vector<PortManifest>& ports, std::string_view name) {
   static const std::string kNoUnit;
-  const auto found = std::ranges::find_if(
-      ports, [&](const PortManifest& port) { return port.name.value == name; });
+  const auto found =
+      ranges::find_if(ports, [&](const PortManifest& port) { return port.name.value == name; });
   return found == ports.end() ? kNoUnit : found->unit;
 }
 
@@ -62,7 +61,7 @@ class LayoutMaker {
   }
 
   std::size_t channel_of(std::size_t node, std::size_t output) const {
-    const auto found = std::ranges::find_if(plan_.channels, [&](const Channel& channel) {
+    const auto found = ranges::find_if(plan_.channels, [&](const Channel& channel) {
       return channel.node == node && channel.output == output;
     });
     return static_cast<std::size_t>(found - plan_.channels.begin());
@@ -85,7 +84,7 @@ class LayoutMaker {
 }  // namespace
 
 std::size_t PartLayout::find(const Plan& plan, std::size_t node, std::size_t output) const {
-  const auto found = std::ranges::find_if(messages, [&](const LayoutMessage& message) {
+  const auto found = ranges::find_if(messages, [&](const LayoutMessage& message) {
     const Channel& channel = plan.channels[message.channel];
     return channel.node == node && channel.output == output;
   });

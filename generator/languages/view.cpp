@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/languages/timetable.hpp"
 #include "generator/quote/quote.hpp"
@@ -201,7 +202,7 @@ class LanguageView {
 }  // namespace
 
 bool is_imported(const Target& target, const GraphNode& node) {
-  return !node.entity->python.empty() && std::ranges::any_of(target.yours, [](const auto& item) {
+  return !node.entity->python.empty() && ranges::any_of(target.yours, [](const auto& item) {
     return item.second.ends_with(kPython);
   });
 }
@@ -210,7 +211,7 @@ bool is_module(const std::string& file) {
   const std::string_view stem = std::string_view(file).substr(0, file.rfind('.'));
   const auto in_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
   return file.ends_with(kPython) && !stem.empty() && std::isdigit(stem.front()) == 0 &&
-         std::ranges::all_of(stem, in_word);
+         ranges::all_of(stem, in_word);
 }
 
 View language_view(const Plan& plan, const PartLayout& layout, std::uint64_t hash,

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/expression/expression.hpp"
 #include "generator/spec/reference.hpp"
 
@@ -192,7 +193,7 @@ class Stack {
     std::vector<Value> choices;
     for (std::size_t i = 0; i < count; ++i) choices.push_back(pop());
     const Value value = pop();
-    return std::ranges::any_of(choices, [&](const Value& choice) { return equal(value, choice); });
+    return ranges::any_of(choices, [&](const Value& choice) { return equal(value, choice); });
   }
 
   std::vector<Value> values_;
@@ -200,8 +201,8 @@ class Stack {
 
 bool speaks_of(const Expression& tree, const std::string& name) {
   return (tree.op == Expression::Op::reference && tree.text == name) ||
-         std::ranges::any_of(tree.operands,
-                             [&](const Expression& each) { return speaks_of(each, name); });
+         ranges::any_of(tree.operands,
+                        [&](const Expression& each) { return speaks_of(each, name); });
 }
 
 }  // namespace
@@ -212,9 +213,9 @@ bool refers_to(const YamlValue& yaml, const Reference& reference) {
     const auto tree = expression::parse(text, NameForm::dollar);
     return tree && speaks_of(*tree, to_string(reference));
   }
-  return std::ranges::any_of(yaml.items,
-                             [&](const YamlValue& item) { return refers_to(item, reference); }) ||
-         std::ranges::any_of(yaml.entries, [&](const YamlValue::Entry& entry) {
+  return ranges::any_of(yaml.items,
+                        [&](const YamlValue& item) { return refers_to(item, reference); }) ||
+         ranges::any_of(yaml.entries, [&](const YamlValue::Entry& entry) {
            return refers_to(entry.value, reference);
          });
 }

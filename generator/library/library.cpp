@@ -1,7 +1,6 @@
 #include "generator/library/library.hpp"
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
@@ -33,7 +32,7 @@ const PortManifest* Entity::reset_target(std::string_view name) const {
 
 bool Entity::works_on(const Entity& engine) const {
   const auto has = [&](const std::string& name) { return contains(engines, name); };
-  return engines.empty() || has(engine.id.value) || std::ranges::any_of(engine.runs, has);
+  return engines.empty() || has(engine.id.value) || ranges::any_of(engine.runs, has);
 }
 
 const ObjectEngine* Entity::implementation(const Entity& engine) const {

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/library/library.hpp"
 #include "generator/library/mentions.hpp"
 #include "generator/spec/named.hpp"
@@ -124,7 +125,7 @@ void add_to_object(Library& library, Implementation implementation, const Source
     return;
   }
   auto& engines = found->second.object_engines;
-  const auto first = std::ranges::find(
+  const auto first = ranges::find(
       engines, engine.engine.value, [](const auto& each) -> auto& { return each.engine.value; });
   if (first != engines.end()) {
     if (are_copies(first->engine.span, engine.engine.span, sources)) return;

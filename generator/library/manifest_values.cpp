@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/format.hpp"
 
 namespace eagerx::gen {
@@ -13,7 +13,7 @@ namespace {
 bool is_cpp_name(std::string_view text) {
   const auto in_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
   return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
-         std::ranges::all_of(text, in_name);
+         ranges::all_of(text, in_name);
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/spec/graph_spec.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/schema.hpp"
@@ -181,7 +180,7 @@ void specialise(Json& schema, const Library& library, EntityKind kind) {
     Json then;
     then["properties"] = std::move(properties);
     const bool needs_config =
-        std::ranges::any_of(entity.config, [](const Parameter& each) { return !each.fallback; });
+        ranges::any_of(entity.config, [](const Parameter& each) { return !each.fallback; });
     if (needs_config) then["required"] = Json::List{"config"};
     const Json is_type = {{"properties", Json{{"type", Json{{"const", id}}}}},
                           {"required", Json::List{"type"}}};

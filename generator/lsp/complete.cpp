@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/lsp/schema_view.hpp"
 #include "generator/lsp/snippets.hpp"
 
@@ -79,7 +80,7 @@ class Completer {
     const OutlineNode* const map = node_at(top_, cursor_.path);
     std::vector<SchemaKey> missing = keys_in(schemas_at(library_.schema, top_, cursor_.path));
     // People write keys in the order of the format: what comes next is what the last one is before.
-    const auto last = std::ranges::find(missing, key_before(map), &SchemaKey::name);
+    const auto last = ranges::find(missing, key_before(map), &SchemaKey::name);
     if (last != missing.end()) std::rotate(missing.begin(), std::next(last), missing.end());
     std::erase_if(missing, [&](const SchemaKey& key) { return is_written(map, key.name); });
     if (!cursor_.path.empty())
@@ -112,7 +113,7 @@ class Completer {
   /// Elsewhere than under the cursor.
   [[nodiscard]] bool is_written(const OutlineNode* map, const std::string& key) const {
     return map != nullptr && map->kind == OutlineNode::Kind::map &&
-           std::ranges::any_of(map->entries, [&](const OutlineEntry& entry) {
+           ranges::any_of(map->entries, [&](const OutlineEntry& entry) {
              return entry.key == key && (entry.key_place.end < cursor_.word.begin ||
                                          entry.key_place.begin > cursor_.word.end);
            });
@@ -130,7 +131,7 @@ class Completer {
       const std::vector<std::string> used = types_in(top_);
       std::ranges::stable_sort(values, std::less{}, [&](const SchemaValue& value) {
         if (are_alike(value.text, owner)) return 0;
-        return std::ranges::find(used, value.text) != used.end() ? 1 : 2;
+        return ranges::contains(used, value.text) ? 1 : 2;
       });
     }
     for (SchemaValue& value : values) {
@@ -176,7 +177,7 @@ class Completer {
     // First what is in no connection yet, and what the graph has chosen to have.
     const auto taken = connected(top_, side);
     std::ranges::stable_sort(ports, std::less{}, [&](const NamedPort& port) {
-      const bool is_taken = std::ranges::find(taken, port.name) != taken.end();
+      const bool is_taken = ranges::contains(taken, port.name);
       return (is_taken ? 2 : 0) + (port.is_chosen ? 0 : 1);
     });
     for (NamedPort& port : ports)

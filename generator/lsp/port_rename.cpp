@@ -1,9 +1,9 @@
 // A new name of a port: in its manifest, its header, and all that names it.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/edit/rename_port.hpp"
 #include "generator/files/uri.hpp"
 #include "generator/lsp/convert.hpp"
@@ -48,10 +48,10 @@ std::vector<Server::Change> Server::changes_of(const PortToRename& port, const s
   const auto add = [&](const std::string& path, const std::vector<Bytes>& places,
                        std::string text) {
     const bool is_known =
-        std::ranges::any_of(changes, [&](const Change& each) { return each.path == path; });
+        ranges::any_of(changes, [&](const Change& each) { return each.path == path; });
     if (places.empty() || is_known) return;
-    const auto open = std::ranges::find_if(
-        documents_, [&](const auto& each) { return each.second.path == path; });
+    const auto open =
+        ranges::find_if(documents_, [&](const auto& each) { return each.second.path == path; });
     changes.push_back({path, open != documents_.end() ? open->first : uri_of_path(path),
                        std::move(text), splices_of(places, to)});
   };
@@ -89,8 +89,8 @@ std::string Server::why_not(const std::vector<Change>& changes) {
       why = fmt::format("there would be an error: {}", checked.diagnostics.all().front().message);
   }
   for (const Change& each : changes) {
-    const auto open = std::ranges::find_if(
-        documents_, [&](const auto& one) { return one.second.path == each.path; });
+    const auto open =
+        ranges::find_if(documents_, [&](const auto& one) { return one.second.path == each.path; });
     analyst_.set_text(each.path,
                       open != documents_.end() ? std::optional(open->second.text) : std::nullopt);
   }

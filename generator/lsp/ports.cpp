@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
+
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {
@@ -37,8 +38,7 @@ class Collector {
       for (const Group& group : groups) {
         const std::vector<std::string> chosen = names_in(owner.value.find(group.key));
         for (const SchemaKey& port : keys_of(section, owner.key, group.key)) {
-          const bool is_chosen =
-              chosen.empty() || std::ranges::find(chosen, port.name) != chosen.end();
+          const bool is_chosen = chosen.empty() || ranges::contains(chosen, port.name);
           add({fmt::format("{}.{}", owner.key, port.name), port.about, group.side, is_chosen});
         }
         for (const std::string& name : chosen)
@@ -87,10 +87,9 @@ class Collector {
     return keys_in(schemas_at(library_.schema, graph_, {section, owner, group}));
   }
   void add(NamedPort port) {
-    const bool known =
-        port.name.ends_with('.') || std::ranges::any_of(ports_, [&](const auto& each) {
-          return each.name == port.name && each.side == port.side;
-        });
+    const bool known = port.name.ends_with('.') || ranges::any_of(ports_, [&](const auto& each) {
+                         return each.name == port.name && each.side == port.side;
+                       });
     if (!known) ports_.push_back(std::move(port));
   }
 

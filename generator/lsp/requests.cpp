@@ -1,10 +1,10 @@
 // What is asked of a document that is open.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/edit/helps.hpp"
 #include "generator/edit/rename_port.hpp"
 #include "generator/files/uri.hpp"
@@ -47,7 +47,7 @@ Server::Answer Server::at_position(const std::string& method, const Document& do
   constexpr std::array kAtPositions = {"textDocument/completion",    "textDocument/hover",
                                        "textDocument/definition",    "textDocument/references",
                                        "textDocument/prepareRename", "textDocument/rename"};
-  if (std::ranges::find(kAtPositions, method) == kAtPositions.end())
+  if (!ranges::contains(kAtPositions, method))
     return {{}, kMethodNotFound, fmt::format("there is no `{}`", method)};
   if (!position) return {{}, kInvalidParams, "`position` is none"};
   if (method == "textDocument/references") return {references(document, *position)};

@@ -1,6 +1,6 @@
 #include "generator/lsp/schema_view.hpp"
 
-#include <algorithm>
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {
@@ -21,14 +21,14 @@ bool holds(const Json& condition, const OutlineNode* node) {
   }
   const auto* const properties = member(&condition, "properties");
   if (properties == nullptr || !properties->is<Json::Object>()) return true;
-  return std::ranges::all_of(*properties->as<Json::Object>(), [&](const JsonMember& each) {
+  return ranges::all_of(*properties->as<Json::Object>(), [&](const JsonMember& each) {
     const OutlineNode* const value = node != nullptr ? node->find(each.name) : nullptr;
     if (value == nullptr) return true;
     if (const Json* const only = member(&each.value, "const")) return is_one(*only, value->text);
     const Json* const some = member(&each.value, "enum");
     return some == nullptr || !some->is<Json::List>() ||
-           std::ranges::any_of(*some->as<Json::List>(),
-                               [&](const Json& one) { return is_one(one, value->text); });
+           ranges::any_of(*some->as<Json::List>(),
+                          [&](const Json& one) { return is_one(one, value->text); });
   });
 }
 
@@ -58,7 +58,7 @@ bool is_only(const Json& schema, const std::string& type) {
   const Json* const types = member(&schema, "type");
   if (types == nullptr) return false;
   if (!types->is<Json::List>()) return text_of(types) == type;
-  return std::ranges::all_of(*types->as<Json::List>(), [&](const Json& each) {
+  return ranges::all_of(*types->as<Json::List>(), [&](const Json& each) {
     return text_of(&each) == type || text_of(&each) == "null";
   });
 }
@@ -66,8 +66,8 @@ bool is_only(const Json& schema, const std::string& type) {
 /// Whether a `required` has the name.
 bool names(const Json* list, const std::string& name) {
   return list != nullptr && list->is<Json::List>() &&
-         std::ranges::any_of(*list->as<Json::List>(),
-                             [&](const Json& each) { return text_of(&each) == name; });
+         ranges::any_of(*list->as<Json::List>(),
+                        [&](const Json& each) { return text_of(&each) == name; });
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ std::vector<SchemaKey> keys_in(const Schemas& schemas) {
     const Json* const properties = member(schema, "properties");
     if (properties == nullptr || !properties->is<Json::Object>()) continue;
     for (const JsonMember& each : *properties->as<Json::Object>()) {
-      auto known = std::ranges::find(keys, each.name, &SchemaKey::name);
+      auto known = ranges::find(keys, each.name, &SchemaKey::name);
       if (known == keys.end()) known = keys.insert(keys.end(), {.name = each.name, .about = {}});
       if (known->about.empty()) known->about = text_of(member(&each.value, "description"));
       known->is_map = known->is_map || is_only(each.value, "object");
@@ -103,7 +103,7 @@ std::vector<SchemaKey> keys_in(const Schemas& schemas) {
     }
   }
   for (SchemaKey& key : keys) {
-    key.required = std::ranges::any_of(
+    key.required = ranges::any_of(
         schemas, [&](const Json* each) { return names(member(each, "required"), key.name); });
   }
   return keys;
@@ -112,7 +112,7 @@ std::vector<SchemaKey> keys_in(const Schemas& schemas) {
 std::vector<SchemaValue> values_in(const Schemas& schemas) {
   std::vector<SchemaValue> values;
   const auto add = [&](std::string text, std::string about) {
-    if (std::ranges::find(values, text, &SchemaValue::text) == values.end())
+    if (!ranges::contains(values, text, &SchemaValue::text))
       values.push_back({std::move(text), std::move(about)});
   };
   for (const Json* const schema : schemas) {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/lsp/schema_view.hpp"
 
 namespace eagerx::gen::lsp {
@@ -40,7 +40,7 @@ OutlineNode with_type(OutlineNode node, const OutlinePath& path, std::size_t fro
   if (!is_there && step == nullptr) return node;
   const std::string key = is_there ? "type" : *step;
   node.kind = OutlineNode::Kind::map;
-  auto entry = std::ranges::find(node.entries, key, &OutlineEntry::key);
+  auto entry = ranges::find(node.entries, key, &OutlineEntry::key);
   if (entry == node.entries.end()) {
     OutlineEntry added;
     added.key = key;

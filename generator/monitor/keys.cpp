@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -79,7 +81,7 @@ void press(const KeyPress& press, const Model& model, ScreenView& view) {
   const auto shown = shown_channels(model, view.filter);
   view.selected = std::min(view.selected, shown.empty() ? 0 : shown.size() - 1);
   if (view.zoomed) {
-    const auto channel = std::ranges::find(model.channels(), *view.zoomed, &WatchedChannel::name);
+    const auto channel = ranges::find(model.channels(), *view.zoomed, &WatchedChannel::name);
     const std::size_t rows = channel == model.channels().end() ? 0 : channel->values.size();
     if (travel(press.key, rows, view.rows, view.first)) return;
     view.zoomed.reset();  // enter, escape

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -132,7 +134,7 @@ WatchedChannel& Model::add(std::string name) {
     if (facts_.one_message_a_step)
       channel.planned_hz = std::min(*channel.planned_hz, expected_->step_hz);
   } else {
-    const auto said = std::ranges::find(facts_.channels, name, &trace_log::RecordedChannel::name);
+    const auto said = ranges::find(facts_.channels, name, &trace_log::RecordedChannel::name);
     if (said != facts_.channels.end()) channel.planned_hz = hz(*said);
   }
   if (channel.planned_hz && channels_.size() <= facts_.every.size())

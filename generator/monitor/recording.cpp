@@ -13,6 +13,7 @@
 #include <runtime/host/publish/datagrams.hpp>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/monitor/monitor.hpp"
 #include "generator/monitor/recorded_file.hpp"
 
@@ -129,7 +130,7 @@ class Recording::Destinations {
   [[nodiscard]] bool has_some() const { return !path.empty() || !forwards.empty() || has_clients_; }
   [[nodiscard]] bool has_clients() const { return has_clients_; }
   [[nodiscard]] bool wants_scenes() const {
-    return has_clients_ || std::ranges::any_of(forwards, [](const std::string& to) {
+    return has_clients_ || ranges::any_of(forwards, [](const std::string& to) {
              return to.starts_with(kFoxgloveTo);
            });
   }

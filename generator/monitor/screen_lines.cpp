@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/diagnostics/utf8.hpp"
 #include "generator/monitor/columns.hpp"
 #include "generator/monitor/numbers.hpp"
@@ -94,7 +95,7 @@ class Page {
     if (view_.helps) return help_lines(size_.columns);
     const auto& channels = model_.channels();
     if (view_.zoomed) {
-      const auto found = std::ranges::find(channels, *view_.zoomed, &WatchedChannel::name);
+      const auto found = ranges::find(channels, *view_.zoomed, &WatchedChannel::name);
       if (found != channels.end()) return zoomed(*found, rows);
       view_.zoomed.reset();
     }

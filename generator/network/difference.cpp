@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/network/cost.hpp"
 #include "generator/network/evaluate.hpp"
 #include "generator/network/limits.hpp"
@@ -124,7 +125,7 @@ class Comparison {
       const std::vector<double> x = answer(a_, a_memory_, i, a_results_);
       const std::vector<double> y = answer(b_, b_memory_, i, b_results_);
       for (const auto& [network, values] : {std::pair{&a_, &x}, std::pair{&b_, &y}}) {
-        if (std::ranges::all_of(*values, [](double value) { return std::isfinite(value); })) {
+        if (ranges::all_of(*values, [](double value) { return std::isfinite(value); })) {
           continue;
         }
         diagnostics.error("E0759", {},
@@ -240,8 +241,8 @@ class Comparison {
 }  // namespace
 
 bool PolicyDifference::within() const {
-  return std::ranges::all_of(outputs,
-                             [](const auto& output) { return output.largest <= output.allowed; });
+  return ranges::all_of(outputs,
+                        [](const auto& output) { return output.largest <= output.allowed; });
 }
 
 std::string other_structure(const Network& a, const Network& b) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/network/cost.hpp"
 #include "generator/network/evaluate.hpp"
 
@@ -54,7 +55,7 @@ double placed(const Network& network, Range range, std::size_t i, double x) {
 }
 
 bool is_finite(const std::vector<double>& values) {
-  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+  return ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ bool check_observations(const Network& network, const GoldenRows& rows, const st
     return false;
   };
   if (rows.observations.empty()) return misfit("have no rows");
-  const auto wrong = std::ranges::find_if(
+  const auto wrong = ranges::find_if(
       rows.observations, [&](const auto& row) { return row.size() != network.inputs(); });
   if (wrong != rows.observations.end()) {
     return misfit(fmt::format("have rows of {} numbers, but the policy `{}` takes {}",

@@ -8,6 +8,7 @@
 #include <limits>
 #include <runtime/host/trace/log_file.hpp>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/json/base64.hpp"
 #include "generator/page/page.hpp"
 #include "generator/page/scenes.hpp"
@@ -273,7 +274,7 @@ Json log_json(const Log& log, const Amount& amount) {
 
 /// What `log` says of a channel and the graph does not; empty if they agree.
 std::string difference(const RecordedChannel& recorded, const Plan& plan) {
-  const auto channel = std::ranges::find(plan.channels, recorded.name, &Channel::name);
+  const auto channel = ranges::find(plan.channels, recorded.name, &Channel::name);
   if (channel == plan.channels.end())
     return fmt::format("the graph has no channel `{}`", recorded.name);
   const GraphNode& node = plan.graph->nodes[channel->node];

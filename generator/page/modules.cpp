@@ -11,6 +11,8 @@
 #include <map>
 #include <string_view>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -67,8 +69,8 @@ class Joiner {
         const std::string_view declared = line.substr(std::string_view("export ").size());
         constexpr std::array kDeclarations = {"function ", "const ", "let ", "class ",
                                               "async function "};
-        if (std::ranges::none_of(kDeclarations,
-                                 [&](const char* word) { return declared.starts_with(word); }))
+        if (ranges::none_of(kDeclarations,
+                            [&](const char* word) { return declared.starts_with(word); }))
           return problem(path, fmt::format("`{}` is no `export` before a declaration", line));
         own += fmt::format("{}\n", declared);
       } else {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/json/base64.hpp"
 
 namespace eagerx::gen {
@@ -92,7 +93,7 @@ Json page_json(const PageContents& contents) {
 
 bool check_image(const PageImage& image, const Graph& graph, Diagnostics& diagnostics) {
   for (const auto& [name, usage] : image.size.nodes) {
-    if (std::ranges::find(graph.nodes, name, &GraphNode::name) != graph.nodes.end()) continue;
+    if (ranges::contains(graph.nodes, name, &GraphNode::name)) continue;
     diagnostics
         .error("E0361", {},
                fmt::format("`{}` is an image of another graph: `{}` has no node `{}`", image.name,

@@ -7,6 +7,7 @@
 #include <runtime/host/trace/scene_line.hpp>
 #include <string>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/json/base64.hpp"
 #include "generator/page/page.hpp"
 
@@ -89,7 +90,7 @@ Json scenes_json(const Log& log, std::uint32_t episode, std::size_t most_bytes) 
   static_assert(trace_log::kMostSceneRows * kSceneColumns <= 0xffff, "indexes are 16 bits");
   Json json = nullptr;
   const auto of_episode = [&](const RecordedScene& scene) { return scene.episode == episode; };
-  if (std::ranges::none_of(log.scenes, of_episode)) return json;
+  if (ranges::none_of(log.scenes, of_episode)) return json;
   std::size_t every = 1;
   Encoder encoder = encode(log, episode, every);
   while (encoder.bytes().size() > most_bytes && encoder.scenes() > 1) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/plan/split.hpp"
 
 namespace eagerx::gen {
@@ -43,7 +44,7 @@ class ReadAhead {
     find_lags();
     for (std::size_t part = 0; part < split_.links.size(); ++part)
       if (split_.links[part].posts) look_at(part);
-    if (std::ranges::none_of(split_.links, &PartLink::posts)) return;
+    if (ranges::none_of(split_.links, &PartLink::posts)) return;
     // The first message after a reset, and the one that is being sent, beside those on their way.
     constexpr double kMoreSteps = 2.0;
     double steps = kMoreSteps, ticks = 1.0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/plan/schedule.hpp"
 
 namespace eagerx::gen {
@@ -84,7 +85,7 @@ std::string why_not_in_time(const Plan& plan) {
     if (std::string reason = why_no_phases(plan, schedule); !reason.empty()) return reason;
   }
   // Its tick 0, at which it does nothing, is then in a reset.
-  if (graph.has_engine() && std::ranges::find(plan.before, Graph::kEngine) == plan.before.end())
+  if (graph.has_engine() && !ranges::contains(plan.before, Graph::kEngine))
     return "the engine waits for actions";
   for (const auto& node : plan.nodes) {
     for (const auto& reception : node.receptions) {
@@ -144,7 +145,7 @@ bool writes_first(const Plan& plan, const std::vector<Place>& places, std::size_
 
 bool runs_lane_by_lane(const GraphNode& node) {
   const bool counts_messages =
-      std::ranges::any_of(node.inputs, [](const Input& input) { return input.window == 0; });
+      ranges::any_of(node.inputs, [](const Input& input) { return input.window == 0; });
   return node.role == NodeRole::node && node.entity != nullptr && node.reset_targets.empty() &&
          (counts_messages || !runs_in_packs(node));
 }
@@ -159,8 +160,7 @@ std::vector<bool> rates_of_packs(const Plan& plan) {
 
 Schedule schedule_of_packs(const Plan& plan) {
   const std::vector<bool> needed = rates_of_packs(plan);
-  if (plan.schedule.form == ScheduleForm::constants &&
-      std::ranges::find(needed, false) == needed.end())
+  if (plan.schedule.form == ScheduleForm::constants && !ranges::contains(needed, false))
     return plan.schedule;
   std::vector<RateClass> rates;
   std::vector<std::size_t> bit;  // in masks of the plan
@@ -186,7 +186,7 @@ Schedule schedule_of_packs(const Plan& plan) {
 std::vector<bool> passing_rings(const Plan& plan) {
   const auto& nodes = plan.graph->nodes;
   const auto resets = [](const GraphNode& node) { return !node.reset_targets.empty(); };
-  if (plan.schedule.form != ScheduleForm::constants || std::ranges::any_of(nodes, resets))
+  if (plan.schedule.form != ScheduleForm::constants || ranges::any_of(nodes, resets))
     return std::vector<bool>(plan.rings.size());
   const std::vector<Place> places = places_in_step(plan);
   std::vector<bool> passing;

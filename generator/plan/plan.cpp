@@ -7,6 +7,7 @@
 #include <map>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/plan/order.hpp"
 #include "generator/plan/receptions.hpp"
 #include "generator/plan/schedule.hpp"
@@ -55,7 +56,7 @@ class Planner {
  private:
   void assign_rates() {
     for (const auto& node : graph_.nodes) {
-      const auto rate = std::ranges::find(plan_.rates, node.rate_hz, &RateClass::rate_hz);
+      const auto rate = ranges::find(plan_.rates, node.rate_hz, &RateClass::rate_hz);
       PlannedNode planned;
       planned.rate = static_cast<std::size_t>(rate - plan_.rates.begin());
       plan_.nodes.push_back(std::move(planned));

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -63,7 +65,7 @@ std::vector<Schedule::Run> runs_of(const std::vector<std::uint64_t>& masks) {
 std::vector<std::uint64_t> kinds_of(const std::vector<std::uint64_t>& masks) {
   std::vector<std::uint64_t> kinds;
   for (const std::uint64_t mask : masks) {
-    if (std::ranges::find(kinds, mask) == kinds.end()) kinds.push_back(mask);
+    if (!ranges::contains(kinds, mask)) kinds.push_back(mask);
   }
   return kinds;
 }
@@ -115,7 +117,7 @@ std::optional<std::vector<Rational>> fitting_rates(const Rates& nodes,
   for (Rational step(1, kFinest); step < Rational(kFinest); step = step * Rational(10)) {
     std::vector<Rational> all = others;
     for (const GraphNode* node : nodes) all.push_back(rounded(node->rate_hz, step));
-    const bool any_zero = std::ranges::find(all, Rational()) != all.end();
+    const bool any_zero = ranges::contains(all, Rational());
     if (!any_zero && !grid_of(all).overflowed())
       return std::vector<Rational>(all.end() - static_cast<std::ptrdiff_t>(nodes.size()),
                                    all.end());
@@ -163,7 +165,7 @@ std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) 
   Rates nodes;  // one of each rate
   std::vector<Rational> rates;
   for (const auto& node : graph.nodes) {
-    if (std::ranges::find(rates, node.rate_hz) != rates.end()) continue;
+    if (ranges::contains(rates, node.rate_hz)) continue;
     rates.push_back(node.rate_hz);
     nodes.push_back(&node);
   }
@@ -199,7 +201,7 @@ const char* text_of(ScheduleForm form) {
 std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics& diagnostics) {
   std::vector<RateClass> rates;
   for (const auto& node : graph.nodes) {
-    if (std::ranges::find(rates, node.rate_hz, &RateClass::rate_hz) == rates.end())
+    if (!ranges::contains(rates, node.rate_hz, &RateClass::rate_hz))
       rates.push_back({node.rate_hz, 1});
   }
   std::ranges::sort(rates, std::ranges::greater(), &RateClass::rate_hz);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/plan/ahead.hpp"
 
 namespace eagerx::gen {
@@ -155,7 +156,7 @@ Split make_split(const Plan& plan) {
 LinkUse link_use(const Plan& plan, Part part, std::size_t node, std::size_t output) {
   LinkUse use;
   if (part == Part::whole) return use;
-  const auto channel = std::ranges::find_if(plan.channels, [&](const Channel& item) {
+  const auto channel = ranges::find_if(plan.channels, [&](const Channel& item) {
     return item.node == node && item.output == output;
   });
   if (channel == plan.channels.end()) return use;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/plan/link.hpp"
 
 namespace eagerx::gen {
@@ -82,7 +83,7 @@ class Teller {
   }
 
   std::size_t channel_of(const TelemetryChannel& wanted) const {
-    const auto found = std::ranges::find_if(plan_.channels, [&](const Channel& channel) {
+    const auto found = ranges::find_if(plan_.channels, [&](const Channel& channel) {
       return channel.node == wanted.node && channel.output == wanted.output;
     });
     return static_cast<std::size_t>(found - plan_.channels.begin());
@@ -146,7 +147,7 @@ class Teller {
         fmt::format("telemetry needs {:.0f} bytes/s at its slowest, and may take {:.0f} of a line "
                     "of {} baud",
                     std::ceil(load()), std::floor(allowed()), telemetry_.baud));
-    const auto of = std::ranges::find_if(telemetry_.channels, [&](const auto& channel) {
+    const auto of = ranges::find_if(telemetry_.channels, [&](const auto& channel) {
       return channel_of(channel) == most->channels.front().channel;
     });
     problem.notes.push_back({fmt::format("records with `{}` take most of it", of->port), of->span,

@@ -1,8 +1,7 @@
 // Budgets that name nothing, and buffers that cannot be in the memory they are meant for.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/program_map/program_map.hpp"
 #include "generator/read/scalar.hpp"
@@ -19,9 +18,7 @@ void check_budget_names(const Judged& judged, const YamlValue& budget, Diagnosti
     if (node.role != NodeRole::environment) known.push_back(node.name);
   }
   for (const auto& entry : nodes->entries) {
-    if (contains(known, entry.key) ||
-        std::ranges::find(kSharedParts, entry.key) != kSharedParts.end())
-      continue;
+    if (contains(known, entry.key) || ranges::contains(kSharedParts, entry.key)) continue;
     diagnostics.error("E0421", entry.key_span, fmt::format("there is no node `{}`", entry.key))
         .help = suggestion(entry.key, known);
   }

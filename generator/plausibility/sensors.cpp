@@ -1,9 +1,8 @@
 // Sensors: how often they have something new, and whether a policy knows what to expect of them.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
@@ -31,7 +30,7 @@ struct Fast {
 void add_fast(const Judged& judged, const GraphNode& node, const std::string& sensor,
               std::vector<Fast>& result) {
   const Span place = place_of_rate(judged.spec, sensor);
-  const auto same = std::ranges::find_if(result, [&](const Fast& fast) {
+  const auto same = ranges::find_if(result, [&](const Fast& fast) {
     return fast.place.line == place.line && fast.place.column == place.column &&
            fast.rate_hz == node.rate_hz;
   });

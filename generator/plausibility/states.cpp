@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/plausibility/plausibility.hpp"
 
 namespace eagerx::gen {
@@ -48,8 +49,8 @@ const TaskExpression* end_of_episodes(const Task& task) {
 /// Whether a reset node brings a state of the object about. One whose goal is a state of a node
 /// moves what it is connected to.
 bool is_brought_about(const Graph& graph, std::size_t object) {
-  return std::ranges::any_of(graph.nodes, [&](const GraphNode& node) {
-    return std::ranges::any_of(node.reset_targets, [&](const ResetTarget& target) {
+  return ranges::any_of(graph.nodes, [&](const GraphNode& node) {
+    return ranges::any_of(node.reset_targets, [&](const ResetTarget& target) {
       return !target.object || *target.object == object;
     });
   });
@@ -73,7 +74,7 @@ std::vector<const KeptState*> still_moving(const Object& object) {
   }
   std::vector<const KeptState*> result;
   for (const Moving& one : moving) {
-    const bool within = std::ranges::any_of(moving, [&](const Moving& other) {
+    const bool within = ranges::any_of(moving, [&](const Moving& other) {
       return other.moved.size() > one.moved.size() && std::ranges::includes(other.moved, one.moved);
     });
     if (!within) result.push_back(one.state);

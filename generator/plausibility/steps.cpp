@@ -1,9 +1,8 @@
 // Nodes that tick several times within a step of a graph whose world is outside of it.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/spec/named.hpp"
 
@@ -49,7 +48,7 @@ class Readers {
   [[nodiscard]] bool is_seen_whole(std::size_t node) const {
     std::vector<bool> reached = behind({node});
     reached[node] = true;
-    return std::ranges::any_of(graph_.environment().inputs, [&](const Input& input) {
+    return ranges::any_of(graph_.environment().inputs, [&](const Input& input) {
       return input.window != 1 && reached[input.source_node];
     });
   }
@@ -77,7 +76,7 @@ std::vector<Burst> bursts(const Judged& judged) {
   for (std::size_t a = 0; a < graph.environment().outputs.size(); ++a) {
     std::vector<std::size_t> direct;
     for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
-      const bool reads = std::ranges::any_of(graph.nodes[n].inputs, [&](const Input& input) {
+      const bool reads = ranges::any_of(graph.nodes[n].inputs, [&](const Input& input) {
         return input.source_node == Graph::kEnvironment && input.source_output == a;
       });
       if (reads) direct.push_back(n);
@@ -90,7 +89,7 @@ std::vector<Burst> bursts(const Judged& judged) {
           node.rate_hz <= graph.environment().rate_hz || readers.is_seen_whole(n))
         continue;
       told[n] = true;
-      const auto same = std::ranges::find(result, node.rate_hz, &Burst::rate_hz);
+      const auto same = ranges::find(result, node.rate_hz, &Burst::rate_hz);
       if (same != result.end()) {
         same->nodes.push_back(node.name);
         continue;

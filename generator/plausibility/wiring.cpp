@@ -1,11 +1,11 @@
 // What is connected to nothing, and what is connected though it was left out.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
@@ -27,17 +27,16 @@ struct Connected {
 };
 
 bool is_implemented(const Object& object, const std::string& actuator) {
-  return std::ranges::any_of(object.implementation->connections,
-                             [&](const ConnectionSpec& connection) {
-                               const PortName from = parse_port(connection.from.value);
-                               return from.owner == "actuators" && from.within_owner() == actuator;
-                             });
+  return ranges::any_of(object.implementation->connections, [&](const ConnectionSpec& connection) {
+    const PortName from = parse_port(connection.from.value);
+    return from.owner == "actuators" && from.within_owner() == actuator;
+  });
 }
 
 /// Robots offer torque, speed and position of the same joint: one is driven, the others are not
 /// missed. Another actuator in the unit of a driven one is.
 bool is_alternative(const PortManifest& actuator, const std::vector<const PortManifest*>& driven) {
-  return !driven.empty() && std::ranges::none_of(driven, [&](const PortManifest* other) {
+  return !driven.empty() && ranges::none_of(driven, [&](const PortManifest* other) {
     return !other->unit.empty() && other->unit == actuator.unit;
   });
 }
@@ -66,7 +65,7 @@ void check_driven(const Object& object, const EntitySpec& said,
 
 /// A list selects. A mapping may be there for the settings in it.
 bool is_plain_list(const std::vector<ComponentSpec>& components) {
-  return std::ranges::none_of(components, [](const ComponentSpec& component) {
+  return ranges::none_of(components, [](const ComponentSpec& component) {
     const ConnectionSettings& settings = component.settings;
     return component.rate || component.space || settings.processor || settings.window ||
            settings.delay || settings.random_delay || settings.max_delay || settings.skip;

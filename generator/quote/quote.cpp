@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/diagnostics/utf8.hpp"
 
 namespace eagerx::gen {
@@ -108,7 +109,7 @@ std::string in_json_string(std::string_view text) {
 }
 
 std::string yaml_string(std::string_view text) {
-  const bool simple = std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
+  const bool simple = ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
   if (!simple) return '"' + in_json_string(text) + '"';
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
@@ -123,12 +124,12 @@ std::string yaml_text(std::string_view text) {
   for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   const bool letter = !lower.empty() && lower.front() >= 'a' && lower.front() <= 'z';
   const bool word =
-      letter && is_plain_word(text) && std::ranges::find(kWords, lower) == std::end(kWords);
+      letter && is_plain_word(text) && ranges::find(kWords, lower) == std::end(kWords);
   return word ? std::string(text) : yaml_string(text);
 }
 
 std::string yaml_scalar(std::string_view text) {
-  const bool plain = is_plain_word(text) && std::ranges::any_of(text, is_letter_or_digit);
+  const bool plain = is_plain_word(text) && ranges::any_of(text, is_letter_or_digit);
   // `- ` and `---` have a meaning, and no blank is in a plain word.
   return plain ? std::string(text) : yaml_string(text);
 }
@@ -225,7 +226,7 @@ std::string mermaid_text(std::string_view text) {
 }
 
 std::string shell_word(std::string_view text) {
-  const bool plain = std::ranges::all_of(text, [](char c) {
+  const bool plain = ranges::all_of(text, [](char c) {
     return is_letter_or_digit(c) || is_one_of(c, "_-./=+:,@%") ||
            static_cast<unsigned char>(c) >= 0x80U;
   });
@@ -264,7 +265,7 @@ std::string make_path(std::string_view path) {
 }
 
 bool is_plain_word(std::string_view text) {
-  return !text.empty() && std::ranges::all_of(text, [](char c) {
+  return !text.empty() && ranges::all_of(text, [](char c) {
     return is_letter_or_digit(c) || is_one_of(c, "_.+-/");
   });
 }

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/quantity.hpp"
 #include "generator/read/scalar.hpp"
 
@@ -16,7 +17,7 @@ constexpr std::int64_t kKilo = 1024;
 
 /// 0 for what is none.
 std::int64_t bytes_of_unit(std::string_view unit) {
-  if (std::ranges::find(units_of_memory(), unit) == units_of_memory().end()) return 0;
+  if (!ranges::contains(units_of_memory(), unit)) return 0;
   if (unit.starts_with('M')) return kKilo * kKilo;
   return unit == "B" ? 1 : kKilo;
 }
@@ -50,7 +51,7 @@ std::string with_right_unit_of_memory(std::string_view text) {
   const auto [number, name] = take_unit_off(text);
   if (!Rational::parse(number)) return {};
   const auto same = [&name = name](const std::string& unit) { return has_no_case(unit, name); };
-  const auto found = std::ranges::find_if(units_of_memory(), same);
+  const auto found = ranges::find_if(units_of_memory(), same);
   const std::string near =
       found != units_of_memory().end() ? *found : nearest(name, units_of_memory());
   return near.empty() ? "" : fmt::format("{} {}", number, near);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -122,7 +124,7 @@ class Assembly {
       : file_(file), lines_(lines_of(text)), limits_(limits), parse_(parse), parts_(parts) {}
 
   std::optional<YamlValue> all() {
-    const bool is_clean = std::ranges::all_of(lines_, [](const Line& line) {
+    const bool is_clean = ranges::all_of(lines_, [](const Line& line) {
       return !line.says_something || line.indent > 0 || line.is_item || begins_key(line.text[0]);
     });
     const auto sections = cut(0, lines_.size(), [&](std::size_t i) {

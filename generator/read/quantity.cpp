@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/scalar.hpp"
 
 namespace eagerx::gen {
@@ -51,14 +51,14 @@ NumberAndUnit take_unit_off(std::string_view text) {
 }
 
 const Unit* find_unit(std::string_view name) {
-  const auto* const found = std::ranges::find(units(), name, &Unit::name);
+  const auto* const found = ranges::find(units(), name, &Unit::name);
   return found == units().end() ? nullptr : found;
 }
 
 std::vector<std::string> units_of(Quantity quantity) {
   std::vector<std::string> names;
   for (const Unit& unit : units()) {
-    const bool ascii = std::ranges::all_of(unit.name, [](unsigned char c) { return c < 0x80; });
+    const bool ascii = ranges::all_of(unit.name, [](unsigned char c) { return c < 0x80; });
     if (unit.quantity == quantity && ascii) names.emplace_back(unit.name);
   }
   return names;

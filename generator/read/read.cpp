@@ -3,12 +3,12 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
-#include <algorithm>
 #include <exception>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/locator.hpp"
 #include "generator/read/memory.hpp"
 #include "generator/read/text.hpp"
@@ -123,7 +123,7 @@ YamlValue read_text(FileId file, std::string_view text, Diagnostics& diagnostics
 }  // namespace
 
 const YamlValue* YamlValue::find(std::string_view key) const {
-  const auto entry = std::ranges::find(entries, key, &Entry::key);
+  const auto entry = ranges::find(entries, key, &Entry::key);
   return entry == entries.end() ? nullptr : &entry->value;
 }
 

@@ -1,10 +1,10 @@
 // The user's connections: names to ports, each input once, nothing left open.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -47,13 +47,13 @@ std::vector<PortIndex> find_ports(const Draft& draft, const PortName& port, Side
   const DraftNode& node = draft.nodes[*index];
   if (side == Side::from) {
     if (!port.section.empty() && port.section != "outputs") return {};
-    const auto found = std::ranges::find(node.outputs, port.name, &DraftOutput::name);
+    const auto found = ranges::find(node.outputs, port.name, &DraftOutput::name);
     if (found == node.outputs.end()) return {};
     return {{*index, static_cast<std::size_t>(found - node.outputs.begin())}};
   }
   const bool feedthrough = port.section == "feedthroughs";
   if (!feedthrough && !port.section.empty() && port.section != "inputs") return {};
-  const auto found = std::ranges::find_if(node.inputs, [&](const DraftInput& i) {
+  const auto found = ranges::find_if(node.inputs, [&](const DraftInput& i) {
     return i.name == port.name && i.feedthrough == feedthrough;
   });
   if (found == node.inputs.end()) return {};

@@ -1,8 +1,7 @@
 // What the critic of a training sees besides the observations: inputs of the task, and states.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -69,8 +68,8 @@ void resolve_critic(Draft& draft) {
   const std::vector<CriticInput> states = states_of(draft);
   const GraphNode& node = draft.graph.nodes[*draft.task];
   for (const Spanned<std::string>& name : draft.spec.task->critic) {
-    const auto input = std::ranges::find(node.inputs, name.value, &Input::name);
-    const auto state = std::ranges::find(states, name.value, &CriticInput::name);
+    const auto input = ranges::find(node.inputs, name.value, &Input::name);
+    const auto state = ranges::find(states, name.value, &CriticInput::name);
     if (input != node.inputs.end()) {
       const auto place = static_cast<std::size_t>(input - node.inputs.begin());
       draft.graph.task->critic.push_back({name.value, place, input->space, true, name.span});

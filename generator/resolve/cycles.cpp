@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -60,7 +61,7 @@ class CycleFinder {
 
   void note_cycle(std::size_t back_to) {
     std::vector<std::size_t> cycle;
-    const auto first = std::ranges::find(stack_, back_to, &Frame::node);
+    const auto first = ranges::find(stack_, back_to, &Frame::node);
     std::ranges::transform(first, stack_.end(), std::back_inserter(cycle), &Frame::node);
     cycles_.push_back(std::move(cycle));
   }
@@ -73,8 +74,8 @@ class CycleFinder {
 
 const DraftInput& connection_between(const Draft& draft, std::size_t from, std::size_t to) {
   const auto& inputs = draft.nodes[to].inputs;
-  return *std::ranges::find_if(
-      inputs, [&](const DraftInput& i) { return waits(i) && i.edge->node == from; });
+  return *ranges::find_if(inputs,
+                          [&](const DraftInput& i) { return waits(i) && i.edge->node == from; });
 }
 
 std::string source_name(const Draft& draft, const DraftEdge& edge) {

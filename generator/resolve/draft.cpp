@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/scalar.hpp"
 
 namespace eagerx::gen {
@@ -49,7 +50,7 @@ DraftInput* DraftNode::input(std::string_view name) {
 }
 
 const DraftInput* DraftNode::input(std::string_view name) const {
-  const auto found = std::ranges::find_if(
+  const auto found = ranges::find_if(
       inputs, [&](const DraftInput& i) { return i.name == name && !i.feedthrough; });
   return found == inputs.end() ? nullptr : &*found;
 }

@@ -2,7 +2,6 @@
 // checked.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/expression/expression.hpp"
 #include "generator/library/library.hpp"
 #include "generator/spec/dtype.hpp"
@@ -367,7 +367,7 @@ struct Graph {
     return has_engine() ? engine().entity->id.value : "none";
   }
   [[nodiscard]] bool has_reset_nodes() const {
-    return std::ranges::any_of(nodes, &GraphNode::is_reset_node);
+    return ranges::any_of(nodes, &GraphNode::is_reset_node);
   }
 };
 

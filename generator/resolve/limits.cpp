@@ -1,9 +1,8 @@
 // What manifests require of parameters, ports and rates together.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -72,7 +71,7 @@ std::string shown(const Condition& condition, const Facts& facts) {
 /// The first parameter of the condition that was given, else the entity.
 Span place_of(const Condition& condition, const Config& config, Span entity) {
   for (const auto& step : condition) {
-    const auto item = std::ranges::find_if(config, [&](const ConfigValue& c) {
+    const auto item = ranges::find_if(config, [&](const ConfigValue& c) {
       return c.given && c.parameter->name.value == step.fact;
     });
     if (item != config.end()) return item->span;
@@ -91,7 +90,7 @@ bool runs_in_packs(const Entity& entity, const Config& config, Facts facts) {
     const auto* const model = std::get_if<std::shared_ptr<const ModelUse>>(&value.value);
     return model == nullptr || *model == nullptr || (*model)->implementation->packs;
   };
-  if (!std::ranges::all_of(config, has_packs)) return false;
+  if (!ranges::all_of(config, has_packs)) return false;
   add_config(facts, config);
   return holds(entity.packs, facts).value_or(false);
 }
@@ -157,7 +156,7 @@ bool runs_in_packs(const GraphNode& node) {
   return runs_in_packs(*node.entity, node.config, facts_of(node));
 }
 bool runs_in_packs(const Processor& processor) {
-  return std::ranges::all_of(processor.stages(), [](const Processor* stage) {
+  return ranges::all_of(processor.stages(), [](const Processor* stage) {
     return runs_in_packs(*stage->entity, stage->config, facts_of(*stage));
   });
 }

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -66,7 +66,7 @@ std::string missing(const Entity& entity, const Target& target) {
 
 void report_no_class(const Graph& graph, const Entity& entity, Span span,
                      Diagnostics& diagnostics) {
-  const auto node = std::ranges::find(graph.nodes, &entity, &GraphNode::entity);
+  const auto node = ranges::find(graph.nodes, &entity, &GraphNode::entity);
   diagnostics.error("E0351", span, fmt::format("`{}` is written in Python alone", entity.id.value))
       .help = fmt::format(
       "place it in a part: `placement: {{{}: {{part: PART, target: python}}}}`; or write its class "

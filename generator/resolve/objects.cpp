@@ -2,9 +2,9 @@
 // remains but its states and its simulator.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 #include "generator/resolve/prune.hpp"
 
@@ -290,7 +290,7 @@ class ObjectBuilder {
   /// Of the same output, in use or not, so that a message does not depend on what else a graph
   /// connects.
   [[nodiscard]] bool has_other_sensors(const ConnectionSpec& connection) const {
-    return std::ranges::any_of(implementation_.connections, [&](const ConnectionSpec& other) {
+    return ranges::any_of(implementation_.connections, [&](const ConnectionSpec& other) {
       return &other != &connection && other.from.value == connection.from.value &&
              parse_port(other.to.value).owner == "sensors";
     });

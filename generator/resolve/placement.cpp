@@ -1,10 +1,10 @@
 // Which program of a graph each node is in.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/chosen_nodes.hpp"
 #include "generator/resolve/draft.hpp"
 
@@ -44,7 +44,7 @@ class Placer {
                                         : !item.host.value.empty() ? item.host
                                                                    : item.target;
     auto& parts = placement_.parts;
-    const auto found = std::ranges::find(parts, named.value, &PlacedPart::name);
+    const auto found = ranges::find(parts, named.value, &PlacedPart::name);
     if (found == parts.end()) {
       if (!check_new(item, *target, named)) return std::nullopt;
       parts.push_back({named.value, target, item.host.value, item.name.span, path_of_key(item)});
@@ -209,7 +209,7 @@ class Placer {
 
   /// `board`, if nobody has given it a name.
   void name_the_only_part(const std::vector<PlacementSpec>& items) {
-    const bool is_named = std::ranges::any_of(items, [](const PlacementSpec& item) {
+    const bool is_named = ranges::any_of(items, [](const PlacementSpec& item) {
       return !item.part.value.empty() || !item.host.value.empty();
     });
     if (placement_.parts.size() == 1 && !is_named) placement_.parts.front().name = "board";

@@ -1,8 +1,7 @@
 // What a program shows, and what only its pictures need.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -36,7 +35,7 @@ std::shared_ptr<const Entity> render_entity(const GraphSpec& spec) {
 /// Whether an engine node acts on the engine, or passes on what does.
 bool acts(const Graph& graph, const GraphNode& node) {
   if (node.role != NodeRole::engine_node) return false;
-  return std::ranges::any_of(node.inputs, [&](const Input& input) {
+  return ranges::any_of(node.inputs, [&](const Input& input) {
     return input.actuator || (input.source_node != Graph::kEngine && !input.skip &&
                               acts(graph, graph.nodes[input.source_node]));
   });
@@ -56,8 +55,8 @@ void mark_drawn(Graph& graph) {
     for (const auto& input : node.inputs) {
       const GraphNode& source = graph.nodes[input.source_node];
       const bool can_wait = source.role == NodeRole::node || source.role == NodeRole::engine_node;
-      const bool only_here = std::ranges::all_of(
-          readers[input.source_node], [&](std::size_t n) { return graph.nodes[n].drawn; });
+      const bool only_here = ranges::all_of(readers[input.source_node],
+                                            [&](std::size_t n) { return graph.nodes[n].drawn; });
       if (can_wait && only_here && !source.drawn && !source.is_reset_node() && !acts(graph, source))
         todo.push_back(input.source_node);
     }

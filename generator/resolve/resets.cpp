@@ -2,8 +2,7 @@
 // do.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -202,7 +201,7 @@ class ResetTargetResolver {
   void report_idle(const DraftNode& node) {
     const Entity* entity = node.node.entity;
     if (entity == nullptr || node.node.role != NodeRole::node || !entity->is_reset_node()) return;
-    const bool tried = std::ranges::any_of(draft_.spec.connections, [&](const auto& c) {
+    const bool tried = ranges::any_of(draft_.spec.connections, [&](const auto& c) {
       return is_reset_target(c) && parse_port(c.to.value).owner == node.node.name;
     });
     if (tried) return;
@@ -252,7 +251,7 @@ void mark_waiting(Graph& graph) {
     todo.pop_back();
     for (std::size_t n = Graph::kEngine + 1; n < graph.nodes.size(); ++n) {
       GraphNode& node = graph.nodes[n];
-      const bool reads = std::ranges::any_of(
+      const bool reads = ranges::any_of(
           node.inputs, [&](const Input& i) { return i.source_node == source && !i.feedthrough; });
       if (!reads || node.waits_during_reset) continue;
       node.waits_during_reset = true;
@@ -264,9 +263,8 @@ void mark_waiting(Graph& graph) {
 /// Whether a reset would wait for this node for ever: the engine for its engine nodes, everybody
 /// for reset nodes.
 bool is_stuck(const GraphNode& node) {
-  const bool synchronised =
-      node.role == NodeRole::engine_node &&
-      std::ranges::find(node.inputs, Graph::kEngine, &Input::source_node) != node.inputs.end();
+  const bool synchronised = node.role == NodeRole::engine_node &&
+                            ranges::contains(node.inputs, Graph::kEngine, &Input::source_node);
   return node.waits_during_reset && (synchronised || node.is_reset_node());
 }
 
@@ -290,7 +288,7 @@ void check_resets(Graph& graph, Diagnostics& diagnostics) {
   mark_waiting(graph);
   for (const auto& node : graph.nodes) {
     if (!is_stuck(node)) continue;
-    const auto input = std::ranges::find_if(node.inputs, [&](const Input& i) {
+    const auto input = ranges::find_if(node.inputs, [&](const Input& i) {
       const GraphNode& source = graph.nodes[i.source_node];
       const bool waits = i.source_node == Graph::kEnvironment || source.waits_during_reset;
       return !i.feedthrough && waits && !is_stuck(source);

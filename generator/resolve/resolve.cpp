@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -27,7 +28,7 @@ void check_graph_name(const Spanned<std::string>& name, Diagnostics& diagnostics
                                           "preinstall",
                                           "rebuild_cache",
                                           "test"};
-  if (std::ranges::find(kOfCMake, name.value) == kOfCMake.end()) return;
+  if (!ranges::contains(kOfCMake, name.value)) return;
   diagnostics.error("E0315", name.span, fmt::format("the name `{}` is taken", name.value)).help =
       "CMake has a target of this name, and the program gets the name of the graph: choose another "
       "one";
@@ -50,7 +51,7 @@ void check_names(Draft& draft) {
             .notes.push_back({"what the graph shows", spec.render->span, ""});
         draft.doubtful.insert(entity.name.value);
       }
-      if (std::ranges::find(kTaken, entity.name.value) != kTaken.end()) {
+      if (ranges::contains(kTaken, entity.name.value)) {
         draft.diagnostics
             .error("E0315", entity.name.span,
                    fmt::format("the name `{}` is taken", entity.name.value))
@@ -90,9 +91,8 @@ void resolve_agent(Draft& draft) {
   const auto& inputs = draft.nodes[Graph::kEnvironment].inputs;
   const std::vector<std::string> known = names_of(inputs);
   for (const auto& name : spec.observations) {
-    const auto found = std::ranges::find(known, name.value);
-    const auto earlier =
-        std::ranges::find(spec.observations, name.value, &Spanned<std::string>::value);
+    const auto found = ranges::find(known, name.value);
+    const auto earlier = ranges::find(spec.observations, name.value, &Spanned<std::string>::value);
     if (&*earlier != &name) {
       draft.diagnostics.error("E0206", name.span, fmt::format("`{}` is listed twice", name.value))
           .notes.push_back({"first here", earlier->span, ""});
@@ -117,8 +117,7 @@ void check_random_agent(Draft& draft) {
   const auto infinite = [](double bound) { return std::isinf(bound); };
   for (const auto& action : draft.graph.environment().outputs) {
     const Space& space = action.space;
-    if (std::ranges::none_of(space.low, infinite) && std::ranges::none_of(space.high, infinite))
-      continue;
+    if (ranges::none_of(space.low, infinite) && ranges::none_of(space.high, infinite)) continue;
     auto& problem = draft.diagnostics.error(
         "E0326", draft.graph.agent.span,
         fmt::format("no random `{}` can be drawn: its bounds are not finite", action.name));

@@ -1,9 +1,9 @@
 // Stages of a training: what they draw, weigh and wait for.
 #include <fmt/format.h>
-
-#include <algorithm>
+#include <fmt/ranges.h>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -50,7 +50,7 @@ class StagesResolver {
   }
 
   void add_state(const StageStateSpec& spec, Stage& stage) {
-    const auto found = std::ranges::find(known_, spec.state.value, &Known::name);
+    const auto found = ranges::find(known_, spec.state.value, &Known::name);
     if (found == known_.end()) {
       report_unknown(spec.state);
     } else if (!found->what->random) {
@@ -88,7 +88,7 @@ class StagesResolver {
   void weigh(const StageSpec& spec, Stage& stage) {
     for (const TaskExpression& term : task_.terms) stage.weights.push_back(term.weight);
     for (const auto& [name, weight] : spec.weights) {
-      const auto term = std::ranges::find(task_.terms, name.value, &TaskExpression::name);
+      const auto term = ranges::find(task_.terms, name.value, &TaskExpression::name);
       if (term == task_.terms.end()) {
         draft_.diagnostics
             .error("E0307", name.span, fmt::format("the reward has no term `{}`", name.value))

@@ -1,11 +1,11 @@
 // How states get their values at a reset, checked against their spaces.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -56,7 +56,7 @@ class RandomReader {
     if (yaml.is_scalar()) result->assign(size, result->front());
     if (result->size() != size) return wrong_size(yaml, result->size());
     const bool fraction = !is_floating(space_.dtype) &&
-                          std::ranges::any_of(*result, [](double v) { return v != std::trunc(v); });
+                          ranges::any_of(*result, [](double v) { return v != std::trunc(v); });
     if (fraction)
       return fail("E0327", yaml.span,
                   fmt::format("`{}` is {} and takes whole numbers", name_, space_.describe()));
@@ -124,7 +124,7 @@ class RandomReader {
 
   template <class Test>
   void require(const std::vector<double>& numbers, Test&& test, const char* message) {
-    if (good_ && !std::ranges::all_of(numbers, test)) fail("E0327", spec_.span, message);
+    if (good_ && !ranges::all_of(numbers, test)) fail("E0327", spec_.span, message);
   }
 
   /// A bound as it was written: float32(3.14) is shown as 3.14.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -42,7 +43,7 @@ DraftOutput output_of(const std::string& name, Dtype dtype, Span span) {
 /// A term's channel stands beside those of the whole.
 void check_term_name(const Spanned<std::string>& name, const DraftNode& node,
                      Diagnostics& diagnostics) {
-  if (std::ranges::find(node.outputs, name.value, &DraftOutput::name) == node.outputs.end()) return;
+  if (!ranges::contains(node.outputs, name.value, &DraftOutput::name)) return;
   diagnostics.error("E0315", name.span, fmt::format("the name `{}` is taken", name.value)).help =
       "every task already has reward, terminated, truncated, success: choose another name";
 }

@@ -1,8 +1,7 @@
 // What a board sends of itself while it runs.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -70,13 +69,13 @@ void resolve_telemetry(Draft& draft) {
   }
   const std::vector<TelemetryChannel> all = published(draft);
   for (const auto& name : spec.channels) {
-    const auto found = std::ranges::find(all, name.value, &TelemetryChannel::port);
+    const auto found = ranges::find(all, name.value, &TelemetryChannel::port);
     if (found == all.end()) {
       const std::string owner = name.value.substr(0, name.value.find('.'));
       if (!draft.doubtful.contains(owner)) report_unknown(draft, name, all);
       continue;
     }
-    const auto earlier = std::ranges::find_if(telemetry.channels, [&](const auto& channel) {
+    const auto earlier = ranges::find_if(telemetry.channels, [&](const auto& channel) {
       return channel.node == found->node && channel.output == found->output;
     });
     if (earlier != telemetry.channels.end()) {

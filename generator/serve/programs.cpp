@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/process/beside.hpp"
 #include "generator/serve/status.hpp"
 
@@ -92,7 +93,7 @@ std::string Programs::place_of(const char* name) const {
 Reply Programs::start(const Json& request) {
   std::unique_lock lock(mutex_);
   const std::string kind = text_of(member(&request, "kind"));
-  if (std::ranges::find(kKinds, kind) == kKinds.end())
+  if (!ranges::contains(kKinds, kind))
     return failure(kBadRequest, fmt::format("there is no program `{}`", kind),
                    "there is check, run, report, simulate, train");
   const auto words = words_of(member(&request, "arguments"));
@@ -111,7 +112,7 @@ Reply Programs::start(const Json& request) {
   if (makes_page) command.insert(command.end(), {"--output", place_of(kResult)});
   if (kind == "simulate") command.emplace_back("--simulate");
   if (kind == "train") {
-    const auto own = std::ranges::find(*words, "--csv");
+    const auto own = ranges::find(*words, "--csv");
     const bool is_told = own != words->end() && own + 1 != words->end();
     curve_file_ =
         is_told ? (fs::path(graph_).parent_path() / *(own + 1)).string() : place_of(kCurve);

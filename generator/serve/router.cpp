@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/serve/status.hpp"
 
 namespace eagerx::gen::serve {
@@ -19,7 +20,7 @@ constexpr std::array kPosts = {"edit", "undo", "redo", "layout", "run", "stop"};
 
 template <std::size_t N>
 bool is_among(const std::array<const char*, N>& words, std::string_view word) {
-  return std::ranges::find(words, word) != words.end();
+  return ranges::contains(words, word);
 }
 
 /// Takes as long for every text of this length.
@@ -46,8 +47,7 @@ bool is_json(std::string_view type) {
 /// A whole number that is a parameter; `otherwise` where there is none, nothing where it is none.
 std::optional<std::int64_t> whole(const Asked& asked, const std::string& name,
                                   std::int64_t otherwise) {
-  const auto found =
-      std::ranges::find(asked.query, name, &std::pair<std::string, std::string>::first);
+  const auto found = ranges::find(asked.query, name, &std::pair<std::string, std::string>::first);
   if (found == asked.query.end()) return otherwise;
   const std::string* const text = &found->second;
   std::int64_t number = 0;
@@ -85,7 +85,7 @@ Answer Router::error(int status) const {
 }
 
 std::optional<Answer> Router::refusal(const Asked& asked) const {
-  if (std::ranges::find(hosts_, asked.host) == hosts_.end())
+  if (!ranges::contains(hosts_, asked.host))
     return refused(kForbidden, "the request is for another host");
   if (!asked.origin.empty() && asked.origin != "http://" + asked.host)
     return refused(kForbidden, "the request comes from another page");

@@ -8,6 +8,7 @@
 #include <runtime/host/base/hash.hpp>
 #include <sstream>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/program_map/program_map.hpp"
 #include "generator/size/size.hpp"
 #include "generator/size/stack.hpp"
@@ -199,12 +200,10 @@ class Measurement {
     return {false, "libraries"};
   }
 
-  bool is_known(std::uint64_t address) const {
-    return std::ranges::find(places_, address) != places_.end();
-  }
+  bool is_known(std::uint64_t address) const { return ranges::contains(places_, address); }
 
   Owner owner_of_address(std::uint64_t address) const {
-    const auto found = std::ranges::find(places_, address);
+    const auto found = ranges::find(places_, address);
     if (found == places_.end()) return {false, "libraries"};
     return owner(addresses_[static_cast<std::size_t>(found - places_.begin())]);
   }

@@ -1,8 +1,9 @@
 #include "generator/spec/dtype.hpp"
 
-#include <algorithm>
 #include <array>
 #include <limits>
+
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -44,7 +45,7 @@ std::string_view to_string(Dtype dtype) {
 }
 
 std::optional<Dtype> dtype_of(std::string_view name) {
-  const auto* found = std::ranges::find(kFacts, name, &DtypeFacts::name);
+  const auto* found = ranges::find(kFacts, name, &DtypeFacts::name);
   if (found == kFacts.end()) return std::nullopt;
   return static_cast<Dtype>(found - kFacts.begin());
 }

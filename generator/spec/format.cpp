@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace format {
@@ -153,7 +154,7 @@ bool is_macro(std::string_view text) {
       "WCHAR_MAX",   "WCHAR_MIN",   "WINT_MAX",         "WINT_MIN",     "CHAR_BIT",
       "SCHAR_MAX",   "SCHAR_MIN",   "CHAR_MAX",         "CHAR_MIN"};
   if (kMacros.contains(text)) return true;
-  const bool capitals = std::ranges::all_of(text, [](char c) {
+  const bool capitals = ranges::all_of(text, [](char c) {
     return c == '_' || std::isupper(static_cast<unsigned char>(c)) != 0 ||
            std::isdigit(static_cast<unsigned char>(c)) != 0;
   });
@@ -168,9 +169,9 @@ bool is_macro(std::string_view text) {
     return [word](const char* prefix) { return word.starts_with(prefix); };
   };
   const auto ends = [&](const char* end) { return text.ends_with(end); };
-  if (std::ranges::any_of(kTypes, starts(type)) && std::ranges::any_of(kEnds, ends)) return true;
+  if (ranges::any_of(kTypes, starts(type)) && ranges::any_of(kEnds, ends)) return true;
   static constexpr std::array kFloating = {"FLT_", "DBL_", "LDBL_", "FP_"};
-  return std::ranges::any_of(kFloating, starts(text));
+  return ranges::any_of(kFloating, starts(text));
 }
 
 }  // namespace
@@ -214,7 +215,7 @@ bool is_identifier(std::string_view text) {
       std::isdigit(static_cast<unsigned char>(text[0])) != 0) {
     return false;
   }
-  const bool letters = std::ranges::all_of(
+  const bool letters = ranges::all_of(
       text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
   const bool implementation = text[0] == '_' || text.find("__") != std::string_view::npos;
   return letters && !implementation && !is_reserved_name(text);

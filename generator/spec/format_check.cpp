@@ -1,9 +1,8 @@
 // A tree against its table, with every problem in plain words.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/bytes.hpp"
 #include "generator/read/rational.hpp"
 #include "generator/read/scalar.hpp"
@@ -58,7 +57,7 @@ bool check_list(const YamlValue& yaml, const Format& format, Diagnostics& diagno
 
 /// `theta:` with nothing behind it is a record without settings, where nothing is required.
 bool is_empty_record(const YamlValue& yaml, const Format& format) {
-  return yaml.is_null() && std::ranges::none_of(format.fields, &Field::required);
+  return yaml.is_null() && ranges::none_of(format.fields, &Field::required);
 }
 
 /// Returns the key that was meant; empty if nobody can say.
@@ -124,8 +123,8 @@ bool takes(const YamlValue& yaml, const Format& format) {
     case Format::Kind::record:
       return yaml.is_map() || is_empty_record(yaml, format);
     case Format::Kind::one_of:
-      return std::ranges::any_of(format.options,
-                                 [&](const FormatPtr& option) { return takes(yaml, *option); });
+      return ranges::any_of(format.options,
+                            [&](const FormatPtr& option) { return takes(yaml, *option); });
     case Format::Kind::integer:
       return yaml.is_scalar() && !yaml.quoted && parse_int(yaml.text);
     case Format::Kind::number:
@@ -186,8 +185,8 @@ namespace {
 
 void put_in_base_units(YamlValue& yaml, const Format& format) {
   if (format.kind == Format::Kind::one_of) {
-    const auto option = std::ranges::find_if(
-        format.options, [&](const FormatPtr& each) { return takes(yaml, *each); });
+    const auto option =
+        ranges::find_if(format.options, [&](const FormatPtr& each) { return takes(yaml, *each); });
     if (option != format.options.end()) put_in_base_units(yaml, **option);
     return;
   }

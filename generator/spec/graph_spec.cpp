@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
 
@@ -169,7 +168,7 @@ std::optional<SafetySpec> read_safety(const YamlValue* yaml) {
   spec.actions = read_config(yaml->find("actions"));
   spec.actuators = read_config(yaml->find("actuators"));
   spec.frozen = read_config(yaml->find("frozen"));
-  const auto outputs = std::ranges::find(yaml->entries, "outputs", &YamlValue::Entry::key);
+  const auto outputs = ranges::find(yaml->entries, "outputs", &YamlValue::Entry::key);
   if (outputs != yaml->entries.end()) read_safe_outputs(outputs->value, outputs->key_span, spec);
   for (const auto& setting : read_config(yaml)) {
     const std::string& key = setting.name;
@@ -331,7 +330,7 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
   if (const YamlValue* library = root.find("library")) {
     for (const auto& item : library->items) spec.library.push_back(spanned_text(item));
   }
-  const auto engine = std::ranges::find(root.entries, "engine", &YamlValue::Entry::key);
+  const auto engine = ranges::find(root.entries, "engine", &YamlValue::Entry::key);
   if (engine != root.entries.end()) {
     spec.engine = read_entity("engine", engine->key_span, engine->value, diagnostics);
     spec.simulate_delays = optional_of<bool>(engine->value, "simulate_delays", bool_of);
@@ -353,11 +352,11 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
   spec.connections = read_connections(root.find("connections"), diagnostics);
   spec.agent = read_agent(root.find("agent"), diagnostics);
   spec.safety = read_safety(root.find("safety"));
-  const auto task = std::ranges::find(root.entries, kTask, &YamlValue::Entry::key);
+  const auto task = ranges::find(root.entries, kTask, &YamlValue::Entry::key);
   if (task != root.entries.end()) read_task(*task, spec, diagnostics);
-  const auto render = std::ranges::find(root.entries, kRender, &YamlValue::Entry::key);
+  const auto render = ranges::find(root.entries, kRender, &YamlValue::Entry::key);
   if (render != root.entries.end()) read_render(*render, spec);
-  const auto telemetry = std::ranges::find(root.entries, kTelemetry, &YamlValue::Entry::key);
+  const auto telemetry = ranges::find(root.entries, kTelemetry, &YamlValue::Entry::key);
   if (telemetry != root.entries.end()) spec.telemetry = read_telemetry(*telemetry);
   spec.budget = value_at(root, "budget");
   if (const YamlValue* allow = root.find("allow")) {

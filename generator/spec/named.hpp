@@ -6,9 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 
-/// Projection of algorithms: `std::ranges::find(states, "x", name_of)`.
+/// Projection of algorithms: `ranges::find(states, "x", name_of)`.
 struct NameOf {
   template <class Named>
   const std::string& operator()(const Named& named) const {
@@ -24,7 +26,7 @@ inline constexpr NameOf name_of;
 /// The element of this name, or nullptr.
 template <class Range>
 auto* find_named(Range& range, std::string_view name) {
-  const auto found = std::ranges::find(range, name, name_of);
+  const auto found = ranges::find(range, name, name_of);
   return found == std::ranges::end(range) ? nullptr : &*found;
 }
 
@@ -38,7 +40,7 @@ std::vector<std::string> names_of(const Range& range) {
 }
 
 inline bool contains(const std::vector<std::string>& texts, std::string_view text) {
-  return std::ranges::find(texts, text) != texts.end();
+  return ranges::contains(texts, text);
 }
 
 }  // namespace eagerx::gen

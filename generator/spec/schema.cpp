@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/bytes.hpp"
 
 namespace eagerx::gen {
@@ -20,7 +19,7 @@ Json object_type(bool may_be_empty) {
 }
 
 Json record_schema(const Format& format) {
-  const bool empty = std::ranges::none_of(format.fields, &Field::required);
+  const bool empty = ranges::none_of(format.fields, &Field::required);
   Json schema = {{"type", object_type(empty)},
                  {"additionalProperties", format.item ? schema_of(*format.item) : Json(false)}};
   Json properties = Json::object();
@@ -135,7 +134,7 @@ Json taken_needs(Json& schema) {
   Json needs = Json::object();
   auto* members = std::get_if<Json::Object>(&schema.value);
   if (members == nullptr) return needs;
-  const auto found = std::ranges::find(*members, "required", &JsonMember::name);
+  const auto found = ranges::find(*members, "required", &JsonMember::name);
   if (found == members->end()) return needs;
   needs["required"] = found->value;
   members->erase(found);

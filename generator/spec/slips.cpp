@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/slips.hpp"
 #include "generator/spec/named.hpp"
 
@@ -43,7 +42,7 @@ std::string outdented_from(const YamlValue& record, std::size_t i, const Format&
     const Field* field = find_named(format.fields, entry.key);
     if (field == nullptr || !is_map_of_records(*field->format)) continue;
     if (!entry.value.is_null() && !entry.value.is_map()) continue;
-    const bool fits = std::ranges::all_of(value.entries, [&](const YamlValue::Entry& inner) {
+    const bool fits = ranges::all_of(value.entries, [&](const YamlValue::Entry& inner) {
       return find_named(field->format->item->fields, inner.key) != nullptr;
     });
     if (fits) return entry.key;
@@ -56,7 +55,7 @@ std::size_t report_not_indented(const YamlValue& map, std::size_t i, const Forma
   if (!is_map_of_records(format) || i == 0 || !map.entries[i - 1].value.is_null()) return 0;
   const auto& fields = format.item->fields;
   // A record without required keys may be empty, and a key of it may be a name.
-  if (std::ranges::none_of(fields, &Field::required)) return 0;
+  if (ranges::none_of(fields, &Field::required)) return 0;
   std::size_t count = 0;
   while (i + count < map.entries.size() &&
          find_named(fields, map.entries[i + count].key) != nullptr &&

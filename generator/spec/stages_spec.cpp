@@ -1,8 +1,7 @@
 // `stages:` of a task: what a training begins with.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/graph_spec.hpp"
 
@@ -84,7 +83,7 @@ std::vector<StageSpec> read_stages(const YamlValue* yaml, Diagnostics& diagnosti
   if (yaml == nullptr) return stages;
   for (const YamlValue& item : yaml->items) {
     StageSpec stage = read_stage(item, diagnostics);
-    const auto earlier = std::ranges::find_if(
+    const auto earlier = ranges::find_if(
         stages, [&](const StageSpec& each) { return each.name.value == stage.name.value; });
     if (earlier != stages.end()) {
       diagnostics

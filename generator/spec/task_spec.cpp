@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/graph_spec.hpp"
 
@@ -49,7 +48,7 @@ std::vector<Spanned<std::string>> read_critic(const YamlValue* yaml, Diagnostics
   std::vector<Spanned<std::string>> names;
   if (yaml == nullptr) return names;
   for (const YamlValue& item : yaml->items) {
-    const auto earlier = std::ranges::find(names, item.text, &Spanned<std::string>::value);
+    const auto earlier = ranges::find(names, item.text, &Spanned<std::string>::value);
     if (earlier == names.end()) {
       names.push_back({item.text, item.span});
     } else {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/diagnostics/utf8.hpp"
 #include "generator/read/scalar.hpp"
 
@@ -54,7 +55,7 @@ CsvRow read_row(std::string_view line, FileId file, std::uint32_t number) {
 
 /// A row with a number is none: what else is in it is a mistake.
 bool is_header(const CsvRow& row) {
-  return std::ranges::none_of(row, [](const CsvCell& cell) {
+  return ranges::none_of(row, [](const CsvCell& cell) {
     return cell.text.empty() || parse_number(cell.text).has_value();
   });
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/read/text.hpp"
 #include "generator/spec/named.hpp"
@@ -124,7 +125,7 @@ class TableReader {
 
   std::optional<std::size_t> find_column(const CsvTable& table, const YamlValue& column) {
     const auto has_name = [&](const CsvCell& cell) { return cell.text == column.text; };
-    const auto named = std::ranges::find_if(table.header, has_name);
+    const auto named = ranges::find_if(table.header, has_name);
     if (named != table.header.end()) {
       const auto again = std::find_if(named + 1, table.header.end(), has_name);
       if (again == table.header.end())

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <runtime/host/base/cells.hpp>
 #include <runtime/host/base/number.hpp>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/training/curves.hpp"
 #include "generator/training/tables.hpp"
 
@@ -47,7 +47,7 @@ class CurveReader {
 
  private:
   [[nodiscard]] std::size_t place_of(std::string_view name) const {
-    const auto found = std::ranges::find(names_, name);
+    const auto found = ranges::find(names_, name);
     return found == names_.end() ? kNowhere : static_cast<std::size_t>(found - names_.begin());
   }
   [[nodiscard]] bool has_seeds() const { return place_of("seed") != kNowhere; }
@@ -84,7 +84,7 @@ class CurveReader {
   }
 
   LearningCurve* curve_of(std::uint64_t seed) {
-    const auto found = std::ranges::find(curves_, seed, &LearningCurve::seed);
+    const auto found = ranges::find(curves_, seed, &LearningCurve::seed);
     if (found != curves_.end()) return &*found;
     if (curves_.size() >= kMostTrainings) return nullptr;
     curves_.emplace_back();

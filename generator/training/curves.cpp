@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "generator/diagnostics/search.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -121,7 +123,7 @@ class Chart {
   /// `shade`: its colour on the page; without one it is that of its place.
   void add_column(const std::string& name, std::string_view column,
                   std::optional<int> shade = std::nullopt) {
-    const auto found = std::ranges::find(kCurveColumns, column);
+    const auto found = ranges::find(kCurveColumns, column);
     const auto place = static_cast<std::size_t>(found - kCurveColumns.begin());
     add(
         name, [place](const LearningCurve& curve) { return &curve.columns.at(place); }, shade);

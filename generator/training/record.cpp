@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <runtime/host/base/number.hpp>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/training/curves.hpp"
 #include "generator/training/settings.hpp"
 
@@ -141,7 +141,7 @@ class RecordReader {
 
   Training* training_of(std::uint64_t seed) {
     const auto is_it = [&](const Training& one) { return one.curve.seed == seed; };
-    const auto found = std::ranges::find_if(trainings_, is_it);
+    const auto found = ranges::find_if(trainings_, is_it);
     if (found != trainings_.end()) return &*found;
     if (trainings_.size() >= kMostTrainings) return nullptr;
     trainings_.emplace_back();
@@ -198,8 +198,7 @@ class RecordReader {
       return !lines_.has_failed();
     }
     constexpr std::array kEnds = {"success", "steps", "interrupted"};
-    if (std::ranges::find(kEnds, ended) == kEnds.end())
-      return lines_.fail("no training ends so: `ended`");
+    if (!ranges::contains(kEnds, ended)) return lines_.fail("no training ends so: `ended`");
     training.policy = fields.text("policy");
     training.policy_hash = fields.text("policy_hash");
     training.end["steps"] = fields.whole("steps");

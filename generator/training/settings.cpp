@@ -4,6 +4,7 @@
 #include <runtime/host/base/number.hpp>
 #include <string>
 
+#include "generator/diagnostics/search.hpp"
 #include "targets/environments/options/train_settings.hpp"
 
 namespace eagerx::gen {
@@ -34,7 +35,7 @@ Json settings_json(std::string_view text, std::string_view algorithm) {
     const std::size_t blank = std::min(part.find(' '), part.size());
     const std::string_view name = part.substr(0, blank);
     const std::string_view value = without_blanks(part.substr(blank));
-    const SettingRow* const row = std::ranges::find(kTrainSettings, name, &SettingRow::name);
+    const SettingRow* const row = ranges::find(kTrainSettings, name, &SettingRow::name);
     const bool is_known = row != std::end(kTrainSettings);
     if (name.empty() || (is_known && *row->algorithm != '\0' && row->algorithm != algorithm))
       continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/files/files.hpp"
 #include "generator/read/text.hpp"
 #include "generator/training/lines.hpp"
@@ -41,8 +42,7 @@ std::optional<TrainingRecord> read(FileId file, const std::string& text, const S
   if (header && *header == kSweepHeader) return read_sweep(lines);
   if (header) {
     const auto names = cells_of(*header);
-    if (std::ranges::find(names, "steps") != names.end() &&
-        std::ranges::find(names, "return") != names.end())
+    if (ranges::contains(names, "steps") && ranges::contains(names, "return"))
       return read_curves(*header, lines);
   }
   lines.fail("nothing that a training has written begins so");

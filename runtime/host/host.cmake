@@ -64,7 +64,7 @@ endif()
 list(TRANSFORM eagerx_web_socket_sources PREPEND ${eagerx_host_folder}/web_socket/)
 list(TRANSFORM eagerx_web_socket_sources APPEND .cpp)
 eagerx_compiled_library(
-  eagerx_web_sockets
+  eagerx_web_sockets UNITY
   SOURCES ${eagerx_web_socket_sources} ${eagerx_host_folder}/web_socket/listener.cpp
   FOLDERS ${eagerx_host_folder}
   LINK eagerx_base ${CMAKE_DL_LIBS}

@@ -6,4 +6,4 @@ add_test(NAME architecture COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINAR
 add_test(NAME architecture.falsified COMMAND ${CMAKE_CURRENT_LIST_DIR}/falsify ${PROJECT_BINARY_DIR})
 # Drawn again, and compared.
 add_test(NAME architecture.drawn COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR} --draw)
-set_tests_properties(architecture.drawn PROPERTIES LABELS long)
+set_tests_properties(architecture.drawn PROPERTIES COST 35 LABELS long)

@@ -18,7 +18,7 @@ if(EAGERX_LIBWEBSOCKETS)
   add_test(NAME report.live COMMAND ${CMAKE_CURRENT_LIST_DIR}/../browser/live ${PROJECT_BINARY_DIR}
                                     $<TARGET_FILE:replay_swing_up>)
   # A browser is a package of the long tests.
-  set_tests_properties(report.live PROPERTIES SKIP_RETURN_CODE 77 LABELS long)
+  set_tests_properties(report.live PROPERTIES SKIP_RETURN_CODE 77 COST 5 LABELS long)
 else()
   eagerx_left_out(monitor.foxglove "there is no libwebsockets (toolchains/install-packages publish)")
   eagerx_left_out(report.live "there is no libwebsockets (toolchains/install-packages publish)")

@@ -1,9 +1,9 @@
 // Modules of an actor as layers: Linear, LayerNorm, and what other files have.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/actor/parts.hpp"
 #include "generator/network/limits.hpp"
 
@@ -151,7 +151,7 @@ bool check_size(const ActorParts& parts) {
 
 bool add_modules(const ActorParts& parts, const ActorLayout& layout, Activation activation) {
   Layers layers(parts, layout, activation);
-  return std::ranges::all_of(layout.modules, [&](const ActorModule& module) {
+  return ranges::all_of(layout.modules, [&](const ActorModule& module) {
     return layers.add(module) && check_size(parts);
   });
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/actor/known_layouts.hpp"
 #include "generator/formats/actor/parts.hpp"
 #include "generator/formats/common/foreign.hpp"
@@ -80,7 +81,7 @@ class Layouts {
       const std::string_view name = mark;
       return name.ends_with('.') ? any_starts_with(name) : table_.find(name) != nullptr;
     };
-    return is_zip_ || known.marks.front() == nullptr || std::ranges::any_of(known.marks, is_there);
+    return is_zip_ || known.marks.front() == nullptr || ranges::any_of(known.marks, is_there);
   }
 
   /// What libraries have besides the layouts that are known, by its names.

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/actor/actor.hpp"
 #include "generator/formats/tensors/numbers.hpp"
 
@@ -127,7 +128,7 @@ class Notes {
   bool whole_numbers(const char* key, double least, std::vector<double>& values) {
     if (text(key).empty()) return true;
     if (!bounds(key, values)) return false;
-    const bool good = std::ranges::all_of(values, [&](double value) {
+    const bool good = ranges::all_of(values, [&](double value) {
       return std::trunc(value) == value && value >= least && value <= kMostChoice;
     });
     return good || fail(key);

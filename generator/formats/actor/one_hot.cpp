@@ -2,11 +2,11 @@
 // networks.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/actor/parts.hpp"
 #include "generator/network/limits.hpp"
 
@@ -38,7 +38,7 @@ void add_hats(const OneHotPlaces& hats, std::uint32_t inputs, Network& network) 
 
 bool add_one_hot(const ActorParts& parts) {
   const std::vector<std::uint32_t>& counts = parts.facts.contract.choices;
-  if (std::ranges::all_of(counts, [](std::uint32_t count) { return count == 0; })) return true;
+  if (ranges::all_of(counts, [](std::uint32_t count) { return count == 0; })) return true;
   const auto inputs = static_cast<std::uint32_t>(counts.size());
   OneHotPlaces hats;
   std::vector<std::uint32_t> plain;                   // numbers that stay as they are

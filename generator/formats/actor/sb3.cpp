@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/actor/actor.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/formats/tensors/containers.hpp"
@@ -183,7 +184,7 @@ class DataReader {
       const auto array = pickle.array(start);
       if (!array) return pickle.number(start) == 0.0;
       const std::vector<double> starts = values_of(*array);
-      return std::ranges::all_of(starts, [](double value) { return value == 0.0; });
+      return ranges::all_of(starts, [](double value) { return value == 0.0; });
     };
     if (is_space(pickle, space, ".Discrete")) {
       const auto n = pickle.number(pickle.find(space, "n"));
@@ -274,7 +275,7 @@ class DataReader {
       }
     }
     facts_.observations = static_cast<std::int64_t>(choices.size());
-    if (std::ranges::all_of(choices, [](std::uint32_t count) { return count == 0; })) {
+    if (ranges::all_of(choices, [](std::uint32_t count) { return count == 0; })) {
       choices.clear();
     }
     return true;

@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/network/element_type.hpp"
 
 namespace eagerx::gen {
@@ -76,19 +76,18 @@ PolicyProblem foreign(std::string_view what, std::string_view way) {
 
 bool is_printable(std::string_view bytes) {
   constexpr unsigned char kDelete = 0x7f;
-  return std::ranges::all_of(bytes, [](unsigned char c) { return c >= ' ' && c < kDelete; });
+  return ranges::all_of(bytes, [](unsigned char c) { return c >= ' ' && c < kDelete; });
 }
 
 /// By its beginning: no format that is read has only letters, blanks and line ends there.
 bool is_text(std::string_view bytes) {
   constexpr std::size_t kLooked = 512;
   constexpr unsigned char kDelete = 0x7f;
-  return std::ranges::all_of(bytes.substr(0, kLooked),
-                             [](unsigned char c) {
-                               return (c >= ' ' && c != kDelete) || c == '\n' || c == '\r' ||
-                                      c == '\t';
-                             }) &&
-         std::ranges::none_of(bytes.substr(0, kLooked), [](unsigned char c) { return c >= 0xf8; });
+  return ranges::all_of(bytes.substr(0, kLooked),
+                        [](unsigned char c) {
+                          return (c >= ' ' && c != kDelete) || c == '\n' || c == '\r' || c == '\t';
+                        }) &&
+         ranges::none_of(bytes.substr(0, kLooked), [](unsigned char c) { return c >= 0xf8; });
 }
 
 /// Barracuda's version in eight bytes, how many inputs there are, and the name of the first one.
@@ -184,8 +183,8 @@ constexpr std::array kFolders = {
 
 std::optional<PolicyProblem> among(const auto& known, const std::vector<std::string>& names) {
   for (const Mark& entry : known) {
-    const bool there = std::ranges::any_of(
-        names, [&](const std::string& name) { return name.ends_with(entry.text); });
+    const bool there =
+        ranges::any_of(names, [&](const std::string& name) { return name.ends_with(entry.text); });
     if (there) return foreign(entry.what, entry.way);
   }
   return std::nullopt;

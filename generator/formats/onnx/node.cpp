@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
@@ -121,7 +121,7 @@ void renew(NetNode& node, std::int64_t opset, std::vector<const NetValue*>& inpu
     }
   }
   if ((node.type == "Softmax" || node.type == "LogSoftmax") && opset < kSoftmaxHasOneAxis) {
-    auto axis = std::ranges::find(node.attributes, "axis", &NetAttribute::name);
+    auto axis = ranges::find(node.attributes, "axis", &NetAttribute::name);
     if (axis == node.attributes.end()) {
       axis = node.attributes.insert(axis, NetAttribute{"axis"});
     }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/onnx/inputs.hpp"
 #include "generator/network/graph/evaluate.hpp"
 #include "generator/network/shape.hpp"
@@ -37,13 +38,13 @@ bool is_action(std::string_view name) {
                                  "mu",           "action_mean",   "mean_action",
                                  "mean",         "policy",        "pi",
                                  "actor_output", "output_action", "output_actions"};
-  return std::ranges::find(kNames, lower(name)) != kNames.end();
+  return ranges::contains(kNames, lower(name));
 }
 
 bool has_part(std::string_view name, const auto& parts) {
   const std::string text = lower(name);
-  return std::ranges::any_of(
-      parts, [&](const char* part) { return text.find(part) != std::string::npos; });
+  return ranges::any_of(parts,
+                        [&](const char* part) { return text.find(part) != std::string::npos; });
 }
 
 /// Weights that take no part in a deterministic action, by their names.
@@ -173,11 +174,11 @@ class Chooser {
     if (static_cast<std::size_t>(graph_.output_size()) * nodes > kMostVisits) return unknown();
     const auto first = needed_for(0);
     if (!first) return std::nullopt;
-    if (std::ranges::none_of(first->nodes, is_layer)) return unknown();
+    if (ranges::none_of(first->nodes, is_layer)) return unknown();
     const Nodes on_the_way(first->nodes.begin(), first->nodes.end());
     const Weights its_own = weights_of(*first);
-    const bool is_recurrent = std::ranges::any_of(
-        first->nodes, [](const auto* node) { return has_memory(node->op_type()); });
+    const bool is_recurrent =
+        ranges::any_of(first->nodes, [](const auto* node) { return has_memory(node->op_type()); });
     for (int i = 1; i < graph_.output_size(); ++i) {
       if (is_no_action(name(i)) || is_one_number_more(i)) continue;
       const auto producer = names_.producers.find(name(i));
@@ -185,7 +186,7 @@ class Chooser {
       const auto other = needed_for(i);
       if (!other) return std::nullopt;
       const auto more = parameters_only_in(*other, its_own);
-      if (more.empty() ? is_recurrent : std::ranges::all_of(more, is_no_weight_of_action)) continue;
+      if (more.empty() ? is_recurrent : ranges::all_of(more, is_no_weight_of_action)) continue;
       return unknown();
     }
     return 0;

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -13,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/onnx/external.hpp"
 #include "generator/formats/onnx/graph.hpp"
 #include "generator/formats/onnx/guard.hpp"
@@ -86,8 +86,8 @@ class Reading {
         chosen_(chosen),
         problem_(problem),
         wanted_(chosen.needed.inputs.begin(), chosen.needed.inputs.end()) {
-    is_recurrent_ = std::ranges::any_of(
-        chosen.needed.nodes, [](const auto* node) { return has_memory(node->op_type()); });
+    is_recurrent_ = ranges::any_of(chosen.needed.nodes,
+                                   [](const auto* node) { return has_memory(node->op_type()); });
   }
 
   std::optional<Network> run() {
@@ -112,8 +112,8 @@ class Reading {
     if (!layers) return std::nullopt;
     network_.layers = std::move(*layers);
     network_.ignored = ignored_parts(used);
-    if (std::ranges::any_of(network_.layers,
-                            [](const Layer& layer) { return layer.depends_on_shape(); })) {
+    if (ranges::any_of(network_.layers,
+                       [](const Layer& layer) { return layer.depends_on_shape(); })) {
       const auto first = observed->begin() + (observed->size() > 1 ? 1 : 0);
       network_.input_shape.assign(first, observed->end());
     }
@@ -242,7 +242,7 @@ class Reading {
       for (const bool is_cell : {false, true}) {
         const NetStateSource* source = state_before(state_.steps, {at, is_cell});
         if (source == nullptr) continue;
-        const bool found = std::ranges::any_of(
+        const bool found = ranges::any_of(
             others_, [&](const NetValue* given) { return gives_back(*given, *source, is_cell); });
         const std::string key = fmt::format("{}/{}", source->name, source->slot);
         if (found && taken.insert(key).second) continue;

@@ -1,12 +1,12 @@
 // Expressions of TorchScript code.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/torchscript/interpreter.hpp"
 
 namespace eagerx::gen {
@@ -39,7 +39,7 @@ bool is_same(const std::string& name) {
   constexpr std::array kSame = {"contiguous", "detach",          "dropout",
                                 "alias",      "feature_dropout", "float",
                                 "cpu",        "type_as",         "alpha_dropout"};
-  return std::ranges::find(kSame, name) != kSame.end();
+  return ranges::contains(kSame, name);
 }
 
 /// A condition that was made a number; anything else is itself.

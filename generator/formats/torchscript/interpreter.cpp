@@ -2,8 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <utility>
+
+#include "generator/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -46,8 +47,7 @@ std::optional<TorchValue> TorchInterpreter::call(const TorchFunction& function,
   bool bound = arguments.size() <= function.parameters.size();
   for (std::size_t i = 0; bound && i < function.parameters.size(); ++i) {
     const TorchFunction::Parameter& parameter = function.parameters[i];
-    const auto given =
-        std::ranges::find(named, parameter.name, [](const auto& n) { return n.first; });
+    const auto given = ranges::find(named, parameter.name, [](const auto& n) { return n.first; });
     std::optional<TorchValue> value;
     if (i < arguments.size()) {
       value = std::move(arguments[i]);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/torchscript/interpreter.hpp"
 
 namespace eagerx::gen {
@@ -23,7 +24,7 @@ bool same_value(const TorchValue& a, const TorchValue& b) {
 }
 
 bool is_known(const TorchValue& value) {
-  if (value.kind == What::sequence) return std::ranges::all_of(value.items, is_known);
+  if (value.kind == What::sequence) return ranges::all_of(value.items, is_known);
   return value.kind != What::unknown && value.kind != What::tensor;
 }
 
@@ -94,7 +95,7 @@ Plain of_shape(const std::string& name, const Arguments& arguments) {
 }
 
 bool is_one_of(const std::string& name, const auto& names) {
-  return std::ranges::find(names, name) != names.end();
+  return ranges::contains(names, name);
 }
 
 }  // namespace
@@ -122,7 +123,7 @@ Plain run_plain_operator(const std::string& name, const Arguments& arguments) {
   if (name == "__contains__") {
     if (a.kind != What::sequence || !is_known(a) || !is_known(b)) return std::nullopt;
     return TorchValue::of(
-        std::ranges::any_of(a.items, [&](const TorchValue& item) { return same_value(item, b); }));
+        ranges::any_of(a.items, [&](const TorchValue& item) { return same_value(item, b); }));
   }
   if (name == "__is__" || name == "__isnot__") {
     if (!a.is_none() && !b.is_none()) return std::nullopt;

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 #include <unordered_set>
 #include <utility>
 
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/formats/torchscript/interpreter.hpp"
 #include "generator/network/graph/ends.hpp"
 #include "generator/network/graph/lower.hpp"
@@ -261,7 +261,7 @@ class TorchReading {
       }
       const NetValue* start = archive_.tensor(0, index, std::string(cell->buffer), ignored);
       const auto numbers = start != nullptr ? read_floats(start->constant, ignored) : std::nullopt;
-      if (!numbers || std::ranges::any_of(*numbers, [](float x) { return x != 0.0F; })) {
+      if (!numbers || ranges::any_of(*numbers, [](float x) { return x != 0.0F; })) {
         return fail(std::string(cell->buffer),
                     "that does not begin with zeros: reset it before the export");
       }
@@ -289,8 +289,8 @@ class TorchReading {
 }  // namespace
 
 bool is_torchscript(const Archive& archive) {
-  return std::ranges::any_of(
-      archive.names(), [](const std::string& name) { return name.ends_with("/constants.pkl"); });
+  return ranges::any_of(archive.names(),
+                        [](const std::string& name) { return name.ends_with("/constants.pkl"); });
 }
 
 std::optional<Network> read_torchscript(const Archive& archive, const std::string& output,

@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
+#include "generator/diagnostics/search.hpp"
 #include "generator/network/graph/operators.hpp"
 #include "generator/network/limits.hpp"
 
@@ -15,7 +14,7 @@ const NetValue& NetCall::input(std::size_t i) const {
 }
 
 const NetAttribute* NetCall::attribute(std::string_view name) const {
-  const auto found = std::ranges::find(node_.attributes, name, &NetAttribute::name);
+  const auto found = ranges::find(node_.attributes, name, &NetAttribute::name);
   return found == node_.attributes.end() ? nullptr : &*found;
 }
 

@@ -2,6 +2,7 @@
 // runs the file.
 #include <algorithm>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
@@ -40,7 +41,7 @@ std::optional<NetValue> each_of_integers(const NetCall& call, std::size_t inputs
   }
   const auto fits = [&](const Integers& one) { return one.size() == count || one.size() == 1; };
   if (!shape || element_count(*shape) != static_cast<std::int64_t>(count) || count > kMaxRank ||
-      !std::ranges::all_of(given, fits)) {
+      !ranges::all_of(given, fits)) {
     return std::nullopt;
   }
   Integers result;

@@ -1,10 +1,10 @@
 // Operators over images and sequences: [1, channels, height, width] or [1, channels, width].
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/network/graph/operators.hpp"
 
 namespace eagerx::gen {
@@ -182,7 +182,7 @@ NetValue pool(const NetCall& call, Pooling::Kind kind, bool global) {
   if (kind == Pooling::Kind::average && (counts || from.pad != nullptr)) {
     const NetAttribute* pads = call.attribute("pads");
     const auto pads_more = [](std::int64_t side) { return side != 0; };
-    if (!counts && pads != nullptr && std::ranges::any_of(pads->integers(), pads_more)) {
+    if (!counts && pads != nullptr && ranges::any_of(pads->integers(), pads_more)) {
       return call.misused("with two kinds of padding");
     }
     kind = Pooling::Kind::average_with_padding;

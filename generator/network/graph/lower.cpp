@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "generator/diagnostics/search.hpp"
 #include "generator/network/graph/operators.hpp"
 #include "generator/network/limits.hpp"
 
@@ -103,7 +104,7 @@ class LayerBuilder {
     if (elementwise != nullptr) {
       layer.bias = values.size() > 1 ? broadcast_to(values, work.bias->dims, work.shape) : values;
       const bool divides = elementwise->operation == Elementwise::Operation::divide;
-      return !divides || std::ranges::find(layer.bias, 0.0F) == layer.bias.end() ||
+      return !divides || !ranges::contains(layer.bias, 0.0F) ||
              fail("E0616", fmt::format("divides by zero (node `{}`)", node_),
                   "the training diverged: export a policy that works");
     }
@@ -119,7 +120,7 @@ class LayerBuilder {
   bool is_finite(const NetLayer& work, const Layer& layer) {
     if (work.scale == 1.0F && work.bias_scale == 1.0F) return true;
     for (const auto* values : {&layer.weights, &layer.bias}) {
-      if (std::ranges::all_of(*values, [](float x) { return std::isfinite(x); })) continue;
+      if (ranges::all_of(*values, [](float x) { return std::isfinite(x); })) continue;
       return fail("E0616",
                   fmt::format("has a layer whose factors turn `{}` into NaN or infinity",
                               printable(work.weights->tensor->name)),

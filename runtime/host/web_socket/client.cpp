@@ -7,8 +7,6 @@
 namespace eagerx::web_socket {
 namespace {
 
-constexpr lws_retry_bo_t kAliveness{nullptr, 0, 0, 10, 30, 0};
-
 class LwsClient final : public WebSocketClient {
  public:
   LwsClient(WebSocketListener& listener, WebSocketAddress to, std::size_t message_bytes)

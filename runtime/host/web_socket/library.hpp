@@ -36,6 +36,9 @@ struct Library {
 };
 extern Library lws;  // of the one library
 
+/// Who is idle for 10 s is asked whether it is there, and is gone after 30 s.
+inline constexpr lws_retry_bo_t kAliveness{nullptr, 0, 0, 10, 30, 0};
+
 /// Loads it. Empty, or what is wrong.
 std::string load();
 

@@ -89,9 +89,6 @@ class LwsServer final : public WebSocketServer {
   std::uint64_t written_ = 0, refused_ = 0, disconnected_ = 0;
 };
 
-// Idle clients are asked whether they are there.
-constexpr lws_retry_bo_t kAliveness{nullptr, 0, 0, 10, 30, 0};
-
 bool LwsServer::open() {
   // Who asks for no protocol, or another one, gets the first.
   protocols_[0].name = "none";

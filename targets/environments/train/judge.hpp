@@ -35,12 +35,11 @@ class Judge {
 
  private:
   bool is_good(const Evaluation& evaluation) const;
+  bool is_worth_choosing(const Evaluation& evaluation) const;
   Evaluation run(const Algorithm& algorithm, const Policy& policy, std::uint64_t seed,
                  const std::string& stage = {});
   Evaluation choose(const Algorithm& algorithm, const Policy& now, Evaluation seen);
   bool is_confirmed(const Algorithm& algorithm, const Policy& now);
-
-  bool is_worth_choosing(const Evaluation& evaluation) const;
 
   const double until_return_, success_share_;
   const std::size_t every_;  // iterations
