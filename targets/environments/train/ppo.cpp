@@ -23,6 +23,15 @@ float clipped_scale(const std::vector<float>& gradient, double count, double lon
 
 }  // namespace
 
+float share_of_actor(const Settings& settings, std::uint32_t iteration) {
+  if (settings.averaging == 0.0F) return 1.0F;
+  const auto so_far = static_cast<float>(iteration);
+  // At first the mean of all so far: the first actor knows nothing and is forgotten soon.
+  const float first = 2.0F / (so_far + 2.0F);
+  const float tail = max(1.0F, settings.averaging_share * so_far);
+  return max(min(1.0F - settings.averaging, 1.0F / tail), first);
+}
+
 /// The gradient of every Mth tile of one rollout; with a memory, of every Mth sequence of them.
 class Ppo::Learner {
  public:
@@ -329,11 +338,9 @@ void Ppo::average() {
     model_.averaged = model_.actor_parameters;
     return;
   }
-  // At first the mean of all so far: the first actor knows nothing and is forgotten soon.
-  const float weight =
-      max(1.0F - settings_.averaging, 2.0F / (static_cast<float>(pace.iteration) + 2.0F));
+  const float share = share_of_actor(settings_, pace.iteration);
   for (std::size_t i = 0; i < model_.averaged.size(); ++i)
-    model_.averaged[i] += weight * (model_.actor_parameters[i] - model_.averaged[i]);
+    model_.averaged[i] += share * (model_.actor_parameters[i] - model_.averaged[i]);
 }
 
 /// Learns from every Mth tile, from `minibatch` on.

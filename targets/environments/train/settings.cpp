@@ -141,6 +141,7 @@ const std::vector<Place>& places() {
       truth_at("normalise", &S::normalise),
       number_at("freeze_after", &S::freeze_after),
       number_at("averaging", &S::averaging),
+      number_at("averaging_share", &S::averaging_share),
       number_at("hard_share", &S::hard_share),
       number_at("evaluation_every", &S::evaluation_every),
       number_at("evaluation_episodes", &S::evaluation_episodes),

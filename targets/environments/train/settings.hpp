@@ -61,8 +61,9 @@ struct Settings {
   float first_deviation{}, least_deviation{}, most_deviation{};  // of the actions, in -1…1
 
   bool normalise{};
-  double freeze_after{};  // steps; 0: never
-  float averaging{};
+  double freeze_after{};    // steps; 0: never
+  float averaging{};        // weight of the past after an iteration
+  float averaging_share{};  // of all iterations, later; 0: none
 
   double hard_share{};                            // of the environments
   std::shared_ptr<const HardStarts> hard_starts;  // of `--hard-starts`; nullptr: none

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "targets/environments/train/ppo.hpp"
+
 namespace eagerx::train {
 namespace {
 
@@ -60,6 +62,24 @@ TEST(TrainPace, AStageBeginsWithAnEraThatThereHasNotBeen) {
   pace.go_to(104, course);  // at the end of an era
   pace.end_era();
   EXPECT_EQ(pace.era, 4U) << "it has ended anyway";
+}
+
+TEST(TrainPace, ThePolicyIsAMeanOfAGrowingTail) {
+  Settings settings;
+  settings.averaging = 0.8F;
+  settings.averaging_share = 0.1F;
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 0), 1.0F) << "the first one";
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 4), 1.0F / 3.0F) << "the mean of all so far";
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 20), 0.2F);
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 50), 0.2F);
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 100), 0.1F);
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 0.01F);
+  settings.averaging_share = 0.5F;
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 0.002F);
+  settings.averaging_share = 0.0F;
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 0.2F);
+  settings.averaging = 0.0F;
+  EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 1.0F) << "no mean";
 }
 
 }  // namespace
