@@ -12,7 +12,7 @@
 namespace eagerx::gen {
 namespace {
 
-void append(std::string& list, const std::string& item) {
+void append_item(std::string& list, const std::string& item) {
   list += (list.empty() ? "" : ", ") + item;
 }
 
@@ -22,15 +22,15 @@ std::string via(const std::optional<Processor>& processor) {
 
 std::string detail_of(const Input& input) {
   std::string text;
-  if (input.processor) append(text, via(input.processor));
-  if (input.window != 1) append(text, fmt::format("window {}", input.window));
+  if (input.processor) append_item(text, via(input.processor));
+  if (input.window != 1) append_item(text, fmt::format("window {}", input.window));
   if (input.random_delay && input.max_delay_s)
-    append(text, fmt::format("delay drawn, up to {} s", input.max_delay_s->to_string()));
+    append_item(text, fmt::format("delay drawn, up to {} s", input.max_delay_s->to_string()));
   else if (input.max_delay_s)
-    append(text, fmt::format("delay up to {} s", input.max_delay_s->to_string()));
+    append_item(text, fmt::format("delay up to {} s", input.max_delay_s->to_string()));
   else if (!(input.delay_s == Rational()))
-    append(text, fmt::format("delay {} s", input.delay_s.to_string()));
-  if (input.skip) append(text, "skip");
+    append_item(text, fmt::format("delay {} s", input.delay_s.to_string()));
+  if (input.skip) append_item(text, "skip");
   return text;
 }
 

@@ -14,7 +14,7 @@ using trace_log::Row;
 
 constexpr unsigned kWordBits = 32;
 
-void append(std::string& words, std::uint64_t word) {
+void append_word(std::string& words, std::uint64_t word) {
   for (unsigned shift = 0; shift < kWordBits; shift += 8)
     words += static_cast<char>(static_cast<unsigned char>(word >> shift));
 }
@@ -39,8 +39,8 @@ class Recorded {
     const std::uint64_t* values =
         log_.values_of(*rows_[episode][step / static_cast<std::uint64_t>(steps_)]);
     for (std::uint64_t i = 0; i < channel_.size; ++i) {
-      append(words, values[i]);
-      if (has_two_words()) append(words, values[i] >> kWordBits);
+      append_word(words, values[i]);
+      if (has_two_words()) append_word(words, values[i] >> kWordBits);
     }
   }
 
@@ -76,13 +76,13 @@ std::optional<Recording> recording_of(const std::string& path, const Graph& grap
   }
   Recording result;
   result.episodes = log->episodes();
-  append(result.words, log->seed);
-  append(result.words, log->seed >> kWordBits);
-  append(result.words, result.episodes);
+  append_word(result.words, log->seed);
+  append_word(result.words, log->seed >> kWordBits);
+  append_word(result.words, result.episodes);
   for (std::uint32_t episode = 0; episode < result.episodes; ++episode) {
     std::uint64_t steps = ~std::uint64_t{0};
     for (const Recorded& port : ports) steps = std::min(steps, port.steps(episode));
-    append(result.words, steps);
+    append_word(result.words, steps);
     for (std::uint64_t step = 0; step < steps; ++step)
       for (const Recorded& port : ports) port.append_to(result.words, episode, step);
     result.steps += steps;
