@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <eagerx/math.hpp>
 #include <eagerx/pack.hpp>
 #include <models/engines/ode_engine/rk4.hpp>
@@ -17,6 +16,8 @@
 #include <models/objects/pendulum/pendulum_ode.hpp>
 #include <models/objects/test_pendulum/test_pendulum_ode.hpp>
 #include <vector>
+
+#include "beside.hpp"
 
 namespace {
 
@@ -26,7 +27,6 @@ constexpr std::size_t kRegister = 16;
 constexpr std::size_t kRegister = 8;
 #endif
 constexpr std::uint32_t kLongest = 150;
-constexpr std::size_t kRows = 64;  // of actions, in turn
 constexpr std::size_t kObserved = 3;
 
 template <std::size_t Registers>
@@ -142,35 +142,6 @@ class ByHand {
   std::uint32_t age_ = 0, random_ = 1;
 };
 
-/// What a step writes.
-struct Rows {
-  explicit Rows(std::size_t environments)
-      : observation(environments * kObserved), reward(environments), ends(2 * environments) {
-    rows.size = sizeof(rows);
-    rows.observation = observation.data();
-    rows.reward = reward.data();
-    rows.terminated = ends.data();
-    rows.truncated = ends.data() + environments;
-  }
-  std::vector<float> observation, reward;
-  std::vector<std::uint8_t> ends;
-  eagerx_rows rows{};
-};
-
-double cpu_ns() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
-}
-
-/// ns of `count` calls with actions in turn.
-template <class Step>
-double timed(std::uint32_t count, const float* action, Step&& step) {
-  const double start = cpu_ns();
-  for (std::uint32_t i = 0; i < count; ++i) step(action + i % kRows);
-  return cpu_ns() - start;
-}
-
 int failed(const char* what) {
   std::fprintf(stderr, "%s: %s\n", what, eagerx_error());
   return 1;
@@ -183,7 +154,7 @@ struct Times {
 /// The library's environments and the loop's begin alike and stay so; then both are timed.
 template <class Graph>
 int compare(std::uint32_t n, std::size_t state_numbers, std::uint32_t steps, Times& best) {
-  std::vector<float> action(n + kRows), states(n * state_numbers);
+  std::vector<float> action(n + bench::kRows), states(n * state_numbers);
   for (std::size_t i = 0; i < action.size(); ++i)
     action[i] = static_cast<float>(i * 37 % 61) / 10.0F - 3.0F;
   eagerx_options options{};
@@ -194,15 +165,15 @@ int compare(std::uint32_t n, std::size_t state_numbers, std::uint32_t steps, Tim
   options.autoreset = EAGERX_SAME_STEP;
   options.threads = 1;
   eagerx_environments* library = eagerx_create(&options);
-  Rows ours(n), theirs(n);
+  bench::Rows ours(n, kObserved), theirs(n, kObserved);
   if (library == nullptr || eagerx_reset(library, nullptr, nullptr, ours.observation.data()) != 0 ||
       eagerx_get_states(library, states.data()) != 0)
     return failed("the library");
   ByHand<Graph> by_hand(n);
   by_hand.set(states.data(), state_numbers);
   for (std::uint32_t i = 0; i + 1 < kLongest; ++i) {
-    eagerx_step(library, action.data() + i % kRows, &ours.rows);
-    by_hand.step(action.data() + i % kRows, theirs.rows);
+    eagerx_step(library, action.data() + i % bench::kRows, &ours.rows);
+    by_hand.step(action.data() + i % bench::kRows, theirs.rows);
     if (ours.observation != theirs.observation) {
       std::fprintf(stderr, "%s: observations differ after %u steps\n", Graph::kName, i + 1);
       return 1;
@@ -211,8 +182,8 @@ int compare(std::uint32_t n, std::size_t state_numbers, std::uint32_t steps, Tim
   for (int i = 0; i < 7; ++i) {
     const auto step_library = [&](const float* a) { eagerx_step(library, a, &ours.rows); };
     const auto step_loop = [&](const float* a) { by_hand.step(a, theirs.rows); };
-    best.library = std::min(best.library, timed(steps / n, action.data(), step_library));
-    best.loop = std::min(best.loop, timed(steps / n, action.data(), step_loop));
+    best.library = std::min(best.library, bench::timed(steps / n, action.data(), step_library));
+    best.loop = std::min(best.loop, bench::timed(steps / n, action.data(), step_loop));
   }
   eagerx_destroy(library);
   return 0;

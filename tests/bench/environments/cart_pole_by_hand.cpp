@@ -9,35 +9,20 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <eagerx/pack.hpp>
 #include <models/objects/gym_cart_pole/gym_cart_pole.hpp>
 #include <targets/environments/pack_rows.hpp>
 #include <vector>
 
+#include "beside.hpp"
+
 namespace {
 
 constexpr std::size_t kObserved = 4;
-constexpr std::size_t kRows = 64;  // of actions, in turn
 
 template <std::size_t Registers>
 struct Io {
   using Real = eagerx::Pack<float, Registers * eagerx::kRegisterBytes / sizeof(float)>;
-};
-
-/// What a step writes.
-struct Rows {
-  explicit Rows(std::size_t environments)
-      : observation(kObserved * environments), reward(environments), ends(2 * environments) {
-    rows.size = sizeof(rows);
-    rows.observation = observation.data();
-    rows.reward = reward.data();
-    rows.terminated = ends.data();
-    rows.truncated = ends.data() + environments;
-  }
-  std::vector<float> observation, reward;
-  std::vector<std::uint8_t> ends;
-  eagerx_rows rows{};
 };
 
 template <std::size_t Registers>
@@ -76,24 +61,10 @@ class Loop {
   std::vector<eagerx::Array<Real, Model::kAttributes>> parameters_;
 };
 
-double cpu_ns() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
-}
-
-/// ns of `count` calls with actions in turn.
-template <class Step>
-double timed(std::uint32_t count, const float* action, Step&& step) {
-  const double start = cpu_ns();
-  for (std::uint32_t i = 0; i < count; ++i) step(action + i % kRows);
-  return cpu_ns() - start;
-}
-
 template <std::size_t Registers>
 int compare(std::uint32_t n) {
   constexpr std::uint32_t kSteps = 400'000;
-  std::vector<float> action(n + kRows);
+  std::vector<float> action(n + bench::kRows);
   for (std::size_t i = 0; i < action.size(); ++i) action[i] = (i * 2654435761U >> 7U & 1U) != 0;
   eagerx_options options{};
   options.size = sizeof(options);
@@ -102,7 +73,7 @@ int compare(std::uint32_t n) {
   options.autoreset = EAGERX_SAME_STEP;
   options.threads = 1;
   eagerx_environments* library = eagerx_create(&options);
-  Rows ours(n), theirs(n);
+  bench::Rows ours(n, kObserved), theirs(n, kObserved);
   if (library == nullptr || eagerx_reset(library, nullptr, nullptr, ours.observation.data()) != 0) {
     std::fprintf(stderr, "%s\n", eagerx_error());
     return 1;
@@ -112,8 +83,8 @@ int compare(std::uint32_t n) {
   for (int i = 0; i < 60; ++i) {
     const auto step_library = [&](const float* a) { eagerx_step(library, a, &ours.rows); };
     const auto step_loop = [&](const float* a) { loop.step(a, theirs.rows); };
-    best_library = std::min(best_library, timed(kSteps / n, action.data(), step_library));
-    best_loop = std::min(best_loop, timed(kSteps / n, action.data(), step_loop));
+    best_library = std::min(best_library, bench::timed(kSteps / n, action.data(), step_library));
+    best_loop = std::min(best_loop, bench::timed(kSteps / n, action.data(), step_loop));
   }
   eagerx_destroy(library);
   const double done = static_cast<double>(kSteps / n) * n;
