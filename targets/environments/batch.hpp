@@ -7,31 +7,25 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <eagerx/random.hpp>
 #include <map>
-#include <memory>
 #include <runtime/host/base/team.hpp>
 #include <string>
 #include <string_view>
 #include <targets/common/run.hpp>
 #include <targets/environments/agent.hpp>
 #include <targets/environments/beginning.hpp>
-#include <targets/environments/critic.hpp>
-#include <targets/environments/episode.hpp>
+#include <targets/environments/held.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/not_finite.hpp>
-#include <targets/environments/pack_memory.hpp>
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
-#include <targets/environments/set_states.hpp>
-#include <targets/environments/stages.hpp>
+#include <targets/environments/resets.hpp>
 #include <targets/environments/task.hpp>
-#include <targets/environments/traced.hpp>
 #include <targets/environments/tuning.hpp>
 #include <targets/environments/workload.hpp>
 #include <utility>
-#include <vector>
 
 namespace eagerx::environments {
 
@@ -44,69 +38,52 @@ class Batch {
 
   /// `options` are in range; `kernel` has lanes where environments can run in packs.
   Batch(const eagerx_options& options, const PackKernel<Graph>& kernel)
-      : size_(options.environments),
-        longest_(options.longest),
+      : longest_(options.longest),
         autoreset_(options.autoreset),
-        episodes_(std::make_unique<Episode[]>(size_)),
-        steps_(std::make_unique<std::uint32_t[]>(size_)),
-        drawn_(options.pictures != 0 ? size_ : 0),
-        programs_(std::make_unique<Program[]>(plain_programs())),
-        packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
+        held_(options, kernel),
+        resets_(kernel, held_.size),
         agents_(kernel),
-        draws_(kernel),
-        staging_(size_),
-        critic_(size_),
         team_(std::min(options.threads != 0 ? options.threads : host::usable_cores(), blocks())) {
-    packs_.make_room(team_.size());
+    held_.packs.make_room(team_.size());
     agents_.make_room(team_.size());
-    if (target::is_real(programs_[0])) {
+    if (target::is_real(held_.programs[0])) {
       throw Problem("engine `" + std::string(Graph::kEngine) +
                     "` moves real hardware, of which there is one: generate the library with "
                     "`--engine` and an engine that simulates");
     }
-    for (std::uint32_t k = 0; k < size_; ++k) {
-      episodes_[k].seed = options.seed;
-      episodes_[k].number = options.numbers != nullptr ? options.numbers[k] : k;
-    }
     // By all members: a library may need memory for each thread, too.
     team_.run(team_.size(), [&](unsigned i) {
-      for (std::uint32_t k = i; k < size_; k += team_.size())
-        with(k, [](auto& program) { target::warm_up(program); });
+      for (std::uint32_t k = i; k < size(); k += team_.size())
+        held_.with(k, [](auto& program) { target::warm_up(program); });
     });
   }
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
-  ~Batch() {
-    for (std::uint32_t k = 0; k < size_; ++k)
-      untraced(k, [](auto& program) { target::stop(program); });
-    for (auto& [k, traces] : traces_) {
-      if (traces.now) target::stop(traces.now->program);
-    }
-  }
+  ~Batch() { held_.stop(); }
 
-  std::uint32_t size() const { return size_; }
-  bool draws() const { return drawn_.any(); }
+  std::uint32_t size() const { return held_.size; }
+  bool draws() const { return held_.drawn.any(); }
 
   void reset(const std::uint8_t* mask, const std::uint64_t* seeds, float* observation) {
     eagerx_rows rows{};
     rows.observation = observation;
-    each_block(resets_, [&](std::uint32_t first, std::uint32_t end, unsigned /*member*/) {
+    each_block(resetting_, [&](std::uint32_t first, std::uint32_t end, unsigned /*member*/) {
       Step step(rows);
       for (std::uint32_t k = first; k < end; ++k) {
         if (mask != nullptr && mask[k] == 0) continue;
-        Episode& episode = episodes_[k];
+        Episode& episode = held_.episodes[k];
         if (seeds != nullptr) {
           episode.seed = seeds[k];
           episode.index = 0;
         } else if (episode.begun) {
           ++episode.index;
         }
-        begin_later(k, step);
+        resets_.begin_later(held_, k, step);
       }
-      begin_all(step);
+      resets_.begin_all(held_, step);
     });
     if (!all_begun_) {
-      all_begun_ = std::all_of(episodes_.get(), episodes_.get() + size_,
+      all_begun_ = std::all_of(held_.episodes.get(), held_.episodes.get() + held_.size,
                                [](const Episode& episode) { return episode.begun; });
     }
   }
@@ -118,11 +95,9 @@ class Batch {
     each_block(stepping_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
       Step step(rows);
       step_block(first, end, member, actions, step);
-      begin_all(step);
+      resets_.begin_all(held_, step);
     });
-    for (auto& [k, traces] : traces_) {
-      if (traces.now) traces.now->hand_on();
-    }
+    held_.hand_on_traces();
     return not_finite_.is_any() ? not_finite_.text() : std::string();
   }
 
@@ -130,14 +105,15 @@ class Batch {
   void act(const float* observations, float* actions) {
     require_begun();
     const target::Agent agent = agent_of_graph<Graph>();
-    const auto is_running = [&](std::uint32_t k) { return !episodes_[k].ended; };
+    const auto is_running = [&](std::uint32_t k) { return !held_.episodes[k].ended; };
     const auto act_alone = [&](std::uint32_t k, const auto& observation) {
-      return with(k, [&](auto& program) {
-        return target::act<Graph>(agent, episodes_[k].key(), steps_[k], observation, program);
+      return held_.with(k, [&](auto& program) {
+        return target::act<Graph>(agent, held_.episodes[k].key(), held_.steps[k], observation,
+                                  program);
       });
     };
     std::atomic<const char*> refused = nullptr;
-    each_block(acts_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
+    each_block(acting_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
       const Rows rows{first, end, observations, actions};
       if (const char* name = agents_.act(member, rows, is_running, act_alone)) refused = name;
     });
@@ -145,52 +121,39 @@ class Batch {
   }
 
   void set_states(const std::uint8_t* mask, const float* states) {
-    set_states_.set(size_, mask, states);
+    resets_.set_states.set(held_.size, mask, states);
   }
 
   /// Of the next episodes; empty: the graph as it is written. Throws Problem, with nothing changed.
-  void set_stage(const std::uint8_t* mask, std::string_view stage) { staging_.set(mask, stage); }
+  void set_stage(const std::uint8_t* mask, std::string_view stage) {
+    resets_.staging.set(mask, stage);
+  }
 
   /// Parameters of episodes that go on; NaN: as it is. Throws Problem, with nothing changed.
   void tune(const std::uint8_t* mask, const float* states) {
     require_begun();
-    check_tuning<Graph>(size_, mask, states);
-    for (std::uint32_t k = 0; k < size_; ++k) {
-      if (mask == nullptr || mask[k] != 0) tune_one(k, states + k * layout_.states.numbers());
+    check_tuning<Graph>(held_.size, mask, states);
+    for (std::uint32_t k = 0; k < held_.size; ++k) {
+      if (mask == nullptr || mask[k] != 0) held_.tune(k, states + k * layout_.states.numbers());
     }
   }
 
   void get_states(float* states) const {
     require_begun();
-    for (std::uint32_t k = 0; k < size_; ++k)
-      layout_.write(states_of(k), states + k * layout_.states.numbers());
+    for (std::uint32_t k = 0; k < held_.size; ++k)
+      layout_.write(resets_.states_of(k, held_.episodes[k].key()),
+                    states + k * layout_.states.numbers());
   }
 
   /// What the critic of a training sees; null is not written.
   void critic(float* rows, float* final_rows) const {
     require_begun();
-    critic_.read(rows, final_rows);
+    held_.critic.read(rows, final_rows);
   }
 
   /// Null: ends the file. Empty: only the hash. What cannot be written leaves the old trace.
-  void trace(std::uint32_t k, const char* path) {
-    Traces<Graph>& traces = traces_[k];
-    if (path == nullptr) {
-      traces.end();
-      return;
-    }
-    if constexpr (requires(const Program& program) { program.reset_timeouts(); }) {
-      if (episodes_[k].begun)
-        throw Problem("a trace of a graph with reset nodes begins before the first reset");
-    }
-    traces.begin(path, drawn_.any());
-  }
-
-  std::uint64_t hash(std::uint32_t k) const {
-    const auto found = traces_.find(k);
-    return found != traces_.end() && found->second.now ? found->second.now->program.trace.hash()
-                                                       : 0;
-  }
+  void trace(std::uint32_t k, const char* path) { held_.trace(k, path); }
+  std::uint64_t hash(std::uint32_t k) const { return held_.hash(k); }
 
   /// Sums over all environments of what is not 0.
   std::map<std::string, std::uint64_t> counts() const {
@@ -198,60 +161,38 @@ class Batch {
     const auto add = [&](const char* name, std::uint64_t count) {
       if (count != 0) sums[name] += count;
     };
-    for (std::uint32_t k = 0; k < size_; ++k) {
-      if (episodes_[k].packed) packs_.store(k, programs_[k]);
-      untraced(k, [&](auto& program) { target::for_each_fault(program, add); });
-    }
-    for (const auto& [k, traces] : traces_) {
-      if (traces.now) target::for_each_fault(traces.now->program, add);
-    }
+    held_.for_each_fault(add);
     not_finite_.for_each_count(add);
     return sums;
   }
 
   /// `pixels` [height][width][3]: what the environment showed last; white before that.
   void picture(std::uint32_t k, const picture::Image& pixels) {
-    if (!drawn_.any())
+    if (!held_.drawn.any())
       throw Problem("these environments draw nothing: set `pictures` of eagerx_options to 1");
-    with(k, [&](auto& program) {
-      if constexpr (requires { program.trace.paint(drawn_.painter(), pixels); })
-        program.trace.paint(drawn_.painter(), pixels);
+    held_.with(k, [&](auto& program) {
+      if constexpr (requires { program.trace.paint(held_.drawn.painter(), pixels); })
+        program.trace.paint(held_.drawn.painter(), pixels);
     });
   }
 
   bool has_threads() const { return team_.is_complete(); }
 
  private:
-  std::uint32_t block() const { return block_of(size_, packs_.lanes()); }
-  unsigned blocks() const { return (size_ + block() - 1) / block(); }
+  std::uint32_t block() const { return block_of(held_.size, held_.packs.lanes()); }
+  unsigned blocks() const { return (held_.size + block() - 1) / block(); }
 
   /// f(first, end, member of the team) for all environments, by as many threads as the work is
   /// worth.
   template <class F>
   void each_block(Workload& workload, F&& f) {
-    if (team_.size() == 1) return f(0U, size_, 0U);
-    workload.run(team_, size_, block(), std::forward<F>(f));
+    if (team_.size() == 1) return f(0U, held_.size, 0U);
+    workload.run(team_, held_.size, block(), std::forward<F>(f));
   }
-
-  /// f(program) of environment `k`.
-  template <class F>
-  decltype(auto) with(std::uint32_t k, F&& f) {
-    return episodes_[k].traced ? f(traces_.find(k)->second.now->program)
-                               : untraced(k, std::forward<F>(f));
-  }
-  template <class F>
-  decltype(auto) untraced(std::uint32_t k, F&& f) const {
-    if constexpr (has_render<Graph>) {
-      if (drawn_.any()) return f(drawn_[k]);
-    }
-    return f(programs_[k]);
-  }
-  /// Where environments draw, only the one that tells what the graph has.
-  std::uint32_t plain_programs() const { return drawn_.any() ? 1 : size_; }
 
   void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
                   Step& rows) {
-    const std::uint32_t lanes = packs_.lanes();
+    const std::uint32_t lanes = held_.packs.lanes();
     if (lanes == 0) {
       for (std::uint32_t k = first; k < end; ++k) step_alone(k, actions, rows);
     } else {
@@ -263,72 +204,74 @@ class Batch {
   void step_pack(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
                  Step& rows) {
     const std::uint64_t all = ~std::uint64_t{0} >> (64 - (end - first));
-    const std::uint64_t packed = packs_.packed(first);
+    const std::uint64_t packed = held_.packs.packed(first);
     if (packed != 0) take_actions(first, end, member, actions);
     const std::uint64_t alone = all & ~packed;  // a bit for each lane
     // Where an episode has ended its row stays as it is, if nothing begins there.
-    if (packed != 0 && packs_.writes_rows(end - first) &&
+    if (packed != 0 && held_.packs.writes_rows(end - first) &&
         (alone == 0 || autoreset_ != EAGERX_DISABLED)) {
       step_whole_pack(first, alone, member, actions, rows);
       return;
     }
-    if (packed != 0) packs_.step(member, first, nullptr);
+    if (packed != 0) held_.packs.step(member, first, nullptr);
     for (std::uint32_t k = first; k < end; ++k) {
-      if (!episodes_[k].packed) {
+      if (!held_.episodes[k].packed) {
         step_alone(k, actions, rows);
         continue;
       }
-      const PackColumn column = packs_.column(member, k, k - first);
-      packs_.show_guard(column, programs_[k]);
+      const PackColumn column = held_.packs.column(member, k, k - first);
+      held_.packs.show_guard(column, held_.programs[k]);
       write_outcome<Graph>(column, k, rows);
       weigh(k, column, rows);
-      critic_.step(k, column);
+      held_.critic.step(k, column);
       end_pack_step(k, column, ends_of<Graph>(column), rows,
-                    [&](float* row) { packs_.write(column, layout_, row); });
+                    [&](float* row) { held_.packs.write(column, layout_, row); });
     }
   }
 
   /// What the guards make of them.
   void take_actions(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions) {
-    std::uint64_t guarded = packs_.take(member, first, end - first, actions) & packs_.packed(first);
+    std::uint64_t guarded =
+        held_.packs.take(member, first, end - first, actions) & held_.packs.packed(first);
     for (; guarded != 0; guarded &= guarded - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(guarded));
       const std::uint32_t k = first + lane;
       const float* const row = actions + k * layout_.actions.numbers();
-      packs_.put(member, lane, applied_action(programs_[k], layout_.action(row)));
+      held_.packs.put(member, lane, applied_action(held_.programs[k], layout_.action(row)));
     }
   }
 
   /// The rows of all lanes at once; then what is not the same for all.
   void step_whole_pack(std::uint32_t first, std::uint64_t alone, unsigned member,
                        const float* actions, Step& rows) {
-    const PackRows pack_rows = packs_.rows_from(first, rows, steps_.get(), longest_);
-    std::uint64_t notable = packs_.step(member, first, &pack_rows) | alone;
+    const PackRows pack_rows = held_.packs.rows_from(first, rows, held_.steps.get(), longest_);
+    std::uint64_t notable = held_.packs.step(member, first, &pack_rows) | alone;
     if constexpr (PackMemory<Graph>::shows_guard()) {
-      for (std::uint32_t lane = 0; lane < packs_.lanes(); ++lane) {
+      for (std::uint32_t lane = 0; lane < held_.packs.lanes(); ++lane) {
         if ((alone >> lane & 1U) == 0)
-          packs_.show_guard(packs_.column(member, first, lane), programs_[first + lane]);
+          held_.packs.show_guard(held_.packs.column(member, first, lane),
+                                 held_.programs[first + lane]);
       }
     }
     constexpr bool kLooks = seen_of<Graph> + Staging<Graph>::kStages > 0;
-    for (std::uint32_t lane = 0; kLooks && lane < packs_.lanes(); ++lane) {
+    for (std::uint32_t lane = 0; kLooks && lane < held_.packs.lanes(); ++lane) {
       if ((alone >> lane & 1U) != 0) continue;
-      const PackColumn column = packs_.column(member, first, lane);
-      critic_.step(first + lane, column);
+      const PackColumn column = held_.packs.column(member, first, lane);
+      held_.critic.step(first + lane, column);
       weigh(first + lane, column, rows);
     }
     for (; notable != 0; notable &= notable - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(notable));
       const std::uint32_t k = first + lane;
-      --steps_[k];
+      --held_.steps[k];
       if ((alone >> lane & 1U) != 0) {
         step_alone(k, actions, rows);
       } else {
-        const PackColumn column = packs_.column(member, first, lane);
+        const PackColumn column = held_.packs.column(member, first, lane);
         const Ends ends =
             pack_rows.have_ends() ? ends_in_rows<Graph>(column, k, rows) : ends_of<Graph>(column);
         end_pack_step(k, column, ends, rows, [&](float* row) {
-          if (rows.observation == nullptr) return packs_.write(column, layout_, row);
+          if (rows.observation == nullptr) return held_.packs.write(column, layout_, row);
           const std::size_t observed = layout_.observations.numbers();
           const float* const written = rows.observation + k * observed;
           if (row != written) std::copy_n(written, observed, row);
@@ -343,21 +286,21 @@ class Batch {
                      Write&& write) {
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
-        not_finite_.note(episodes_[k].place(k, steps_[k]), outcome_of<Graph>(column));
+        not_finite_.note(held_.episodes[k].place(k, held_.steps[k]), outcome_of<Graph>(column));
     }
     end_step(k, ends, rows, std::forward<Write>(write));
-    if (steps_[k] >= packs_.most_steps()) take_out(k);
+    if (held_.steps[k] >= held_.packs.most_steps()) held_.take_out(k);
   }
 
   void weigh(std::uint32_t k, const PackColumn& column, const eagerx_rows& rows) const {
-    staging_.weigh(k, rows, [&](std::size_t i) { return column.end(kTerms + i); });
+    resets_.staging.weigh(k, rows, [&](std::size_t i) { return column.end(kTerms + i); });
   }
 
   void step_alone(std::uint32_t k, const float* actions, Step& rows) {
-    if (episodes_[k].ended) {
+    if (held_.episodes[k].ended) {
       stay_or_begin(k, rows);
     } else {
-      with(k, [&](auto& program) { step_one(k, program, actions, rows); });
+      held_.with(k, [&](auto& program) { step_one(k, program, actions, rows); });
     }
   }
 
@@ -366,15 +309,15 @@ class Batch {
     const std::size_t acted = layout_.actions.numbers();
     const auto observation = program.step(layout_.action(actions + k * acted));
     const Ends ends = write_outcome<Graph>(program, k, rows);
-    critic_.step(k, program);
+    held_.critic.step(k, program);
     if constexpr (Staging<Graph>::kStages > 0) {
-      staging_.weigh(k, rows, [&](std::size_t i) {
+      resets_.staging.weigh(k, rows, [&](std::size_t i) {
         return static_cast<float>(element(program.outcome().terms, i));
       });
     }
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
-        not_finite_.note(episodes_[k].place(k, steps_[k]), program.outcome());
+        not_finite_.note(held_.episodes[k].place(k, held_.steps[k]), program.outcome());
     }
     end_step(k, ends, rows, [&](float* row) { layout_.write(observation, row); });
   }
@@ -382,10 +325,10 @@ class Batch {
   /// write(row) writes the observation of the step.
   template <class Write>
   void end_step(std::uint32_t k, Ends ends, Step& rows, Write&& write) {
-    Episode& episode = episodes_[k];
+    Episode& episode = held_.episodes[k];
     const std::size_t observed = layout_.observations.numbers();
-    ++steps_[k];
-    ends.truncated = ends.truncated || (longest_ != 0 && steps_[k] >= longest_);
+    ++held_.steps[k];
+    ends.truncated = ends.truncated || (longest_ != 0 && held_.steps[k] >= longest_);
     if (rows.terminated != nullptr) rows.terminated[k] = ends.terminated ? 1 : 0;
     if (rows.truncated != nullptr) rows.truncated[k] = ends.truncated ? 1 : 0;
     if (!ends.terminated && !ends.truncated) {
@@ -394,13 +337,13 @@ class Batch {
     }
     if (autoreset_ == EAGERX_SAME_STEP) {
       if (rows.final_observation != nullptr) write(rows.final_observation + k * observed);
-      critic_.end(k);
+      held_.critic.end(k);
       ++episode.index;
-      begin_later(k, rows);
+      resets_.begin_later(held_, k, rows);
     } else {
       if (rows.observation != nullptr) write(rows.observation + k * observed);
       episode.ended = true;
-      take_out(k);
+      held_.take_out(k);
     }
   }
 
@@ -408,120 +351,26 @@ class Batch {
   void stay_or_begin(std::uint32_t k, Step& rows) {
     write_no_outcome<Graph>(k, rows);
     if (autoreset_ != EAGERX_NEXT_STEP) return;
-    ++episodes_[k].index;
-    begin_later(k, rows);
-  }
-
-  void begin_later(std::uint32_t k, Step& step) {
-    step.environments[step.waiting++] = k;
-    if (step.waiting == draws_.most()) begin_all(step);
-  }
-  void begin_all(Step& step) {
-    if (step.waiting == 0) return;
-    EpisodeKey keys[Step::kMost];
-    typename Graph::States states[Step::kMost];
-    for (std::uint32_t i = 0; i < step.waiting; ++i)
-      keys[i] = episodes_[step.environments[i]].key();
-    draws_.draw(keys, step.waiting, states);
-    for (std::uint32_t i = 0; i < step.waiting; ++i)
-      begin(step.environments[i], states[i], step.observation);
-    step.waiting = 0;
-  }
-
-  /// `states`: as the graph draws them.
-  void begin(std::uint32_t k, typename Graph::States& states, float* observations) {
-    Episode& episode = episodes_[k];
-    set_states_.begin(k);
-    staging_.begin(k);
-    put_own(k, states);
-    const bool goes_on = episode.packed && packs_.restarts() && !traces_.contains(k);
-    if (!goes_on) take_out(k);
-    const auto observation =
-        goes_on ? packs_.restart(k, programs_[k], states) : reset_program(k, episode.key(), states);
-    with(k, [&](const auto& program) { critic_.begin(k, program, states); });
-    if (observations != nullptr)
-      layout_.write(observation, observations + k * layout_.observations.numbers());
-    steps_[k] = 0;
-    episode.begun = true;
-    episode.ended = false;
-    if (packs_.lanes() != 0 && !episode.traced && !goes_on) put_in(k);
-  }
-
-  void tune_one(std::uint32_t k, const float* row) {
-    const auto set = tuned_states<Graph>(row);
-    const bool was_packed = episodes_[k].packed;
-    take_out(k);
-    if (episodes_[k].traced) {
-      traces_.find(k)->second.now->tune(steps_[k], set);
-    } else {
-      untraced(k, [&](auto& program) { target::tune(program, set); });
-    }
-    if (was_packed) put_in(k);
-  }
-
-  void put_in(std::uint32_t k) {
-    packs_.load(k, programs_[k]);
-    episodes_[k].packed = true;
-  }
-  /// Back into its own program.
-  void take_out(std::uint32_t k) {
-    if (!episodes_[k].packed) return;
-    packs_.store(k, programs_[k]);
-    packs_.leave(k);
-    episodes_[k].packed = false;
-  }
-
-  typename Graph::Observation reset_program(std::uint32_t k, EpisodeKey key,
-                                            const typename Graph::States& states) {
-    if (const auto found = traces_.find(k); found != traces_.end()) {
-      if (Traced<Graph>* const traced = found->second.take()) {
-        episodes_[k].traced = true;
-        return traced->reset(key, states);
-      }
-    }
-    return untraced(k, [&](auto& program) {
-      if constexpr (requires { program.trace.forget(); }) program.trace.forget();
-      return program.reset(states);
-    });
-  }
-
-  /// That the current episode begins with.
-  typename Graph::States states_of(std::uint32_t k) const {
-    typename Graph::States states = Graph::draw(episodes_[k].key());
-    put_own(k, states);
-    return states;
-  }
-  /// What the stage draws otherwise than the graph, and what was set.
-  void put_own(std::uint32_t k, typename Graph::States& states) const {
-    staging_.draw(k, episodes_[k].key(), states);
-    set_states_.read(k, states);
+    ++held_.episodes[k].index;
+    resets_.begin_later(held_, k, rows);
   }
 
   void require_begun() const {
     if (all_begun_) return;
     std::uint32_t k = 0;
-    while (episodes_[k].begun) ++k;
+    while (held_.episodes[k].begun) ++k;
     throw Problem("environment " + std::to_string(k) + " has not begun: reset it first");
   }
 
   const Layout<Graph>& layout_ = Layout<Graph>::get();
-  std::uint32_t size_;
   std::uint32_t longest_;
   std::uint32_t autoreset_;
   bool all_begun_ = false;
-  std::unique_ptr<Episode[]> episodes_;     // [size_]
-  std::unique_ptr<std::uint32_t[]> steps_;  // [size_], of the episodes
-  DrawnPrograms<Graph> drawn_;
-  std::unique_ptr<Program[]> programs_;  // [size_], or one if `drawn_` has them
-  PackMemory<Graph> packs_;
+  Held<Graph> held_;
+  Resets<Graph> resets_;
   Agents<Graph> agents_;
-  Draws<Graph> draws_;
-  SetStates<Graph> set_states_;
-  Staging<Graph> staging_;
-  CriticRows<Graph> critic_;
-  std::map<std::uint32_t, Traces<Graph>> traces_;
   NotFinite<Graph> not_finite_;
-  Workload resets_, stepping_, acts_;
+  Workload resetting_, stepping_, acting_;
   host::Team team_;
 };
 

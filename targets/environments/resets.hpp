@@ -1,0 +1,83 @@
+// How the environments of a batch begin an episode: what it begins with, and where it is stepped.
+#pragma once
+
+#include <cstdint>
+#include <eagerx/random.hpp>
+#include <targets/environments/beginning.hpp>
+#include <targets/environments/episode.hpp>
+#include <targets/environments/held.hpp>
+#include <targets/environments/layout.hpp>
+#include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/set_states.hpp>
+#include <targets/environments/stages.hpp>
+
+namespace eagerx::environments {
+
+/// The environments are those of a batch, given with each call.
+template <class Graph>
+class Resets {
+ public:
+  using States = typename Graph::States;
+
+  SetStates<Graph> set_states;
+  Staging<Graph> staging;
+
+  Resets(const PackKernel<Graph>& kernel, std::uint32_t environments)
+      : staging(environments), draws_(kernel) {}
+
+  /// Environment `k` begins an episode before the step is over: now, if as many wait as can draw
+  /// together.
+  void begin_later(Held<Graph>& held, std::uint32_t k, Step& step) {
+    step.environments[step.waiting++] = k;
+    if (step.waiting == draws_.most()) begin_all(held, step);
+  }
+  void begin_all(Held<Graph>& held, Step& step) {
+    if (step.waiting == 0) return;
+    EpisodeKey keys[Step::kMost];
+    States states[Step::kMost];
+    for (std::uint32_t i = 0; i < step.waiting; ++i)
+      keys[i] = held.episodes[step.environments[i]].key();
+    draws_.draw(keys, step.waiting, states);
+    for (std::uint32_t i = 0; i < step.waiting; ++i)
+      begin(held, step.environments[i], states[i], step.observation);
+    step.waiting = 0;
+  }
+
+  /// That the current episode of environment `k` begins with.
+  States states_of(std::uint32_t k, EpisodeKey key) const {
+    States states = Graph::draw(key);
+    put_own(k, key, states);
+    return states;
+  }
+
+ private:
+  /// `states`: as the graph draws them.
+  void begin(Held<Graph>& held, std::uint32_t k, States& states, float* observations) {
+    Episode& episode = held.episodes[k];
+    set_states.begin(k);
+    staging.begin(k);
+    put_own(k, episode.key(), states);
+    const bool goes_on = episode.packed && held.packs.restarts() && !held.traces.contains(k);
+    if (!goes_on) held.take_out(k);
+    const auto observation = goes_on ? held.packs.restart(k, held.programs[k], states)
+                                     : held.reset_program(k, episode.key(), states);
+    held.with(k, [&](const auto& program) { held.critic.begin(k, program, states); });
+    if (observations != nullptr)
+      layout_.write(observation, observations + k * layout_.observations.numbers());
+    held.steps[k] = 0;
+    episode.begun = true;
+    episode.ended = false;
+    if (held.packs.lanes() != 0 && !episode.traced && !goes_on) held.put_in(k);
+  }
+
+  /// What the stage draws otherwise than the graph, and what was set.
+  void put_own(std::uint32_t k, EpisodeKey key, States& states) const {
+    staging.draw(k, key, states);
+    set_states.read(k, states);
+  }
+
+  const Layout<Graph>& layout_ = Layout<Graph>::get();
+  Draws<Graph> draws_;
+};
+
+}  // namespace eagerx::environments
