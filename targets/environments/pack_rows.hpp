@@ -25,7 +25,7 @@ class RowWriter {
     while (i < Numbers) {
       // The last ones together with some that have been written.
       const std::size_t first = i + 4 <= Numbers || Numbers < 4 ? i : Numbers - 4;
-      if (first + 4 <= Numbers && places[first + 3] == places[first] + 3) {
+      if (first + 4 <= Numbers && are_side_by_side(places + first)) {
         spread_four(columns + first, rows + places[first], width);
         i = first + 4;
       } else {
@@ -47,6 +47,11 @@ class RowWriter {
   static_assert(kWidth % 4 == 0);
   static constexpr std::size_t kBlocks = kWidth / 4;  // of 128 bits
   using Vector = typename detail::VectorOf<float, kWidth>::type;
+
+  /// Each of the four: names in another order than the graph's may end where they would in a row.
+  static bool are_side_by_side(const std::size_t* places) {
+    return places[1] == places[0] + 1 && places[2] == places[0] + 2 && places[3] == places[0] + 3;
+  }
 
   static void spread_four(const float* const* columns, float* to, std::size_t width) {
     for (std::size_t k = 0; k < Lanes; k += kWidth, to += kWidth * width) {
