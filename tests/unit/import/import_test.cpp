@@ -2,90 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/import/counterparts.hpp"
 #include "generator/import/saved.hpp"
+#include "tests/unit/import/saved_text.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-/// A text of EAGERx, imported with the oracle's entities.
-struct Import {
-  /// `sensor_delay`: what our manifest says of the object's sensor.
-  explicit Import(const std::string& text, const ImportOptions& options = {},
-                  const std::string& sensor_delay = {}) {
-    const YamlValue tree = read_yaml_text("state.yaml", text, sources, diagnostics, Tags::accept);
-    if (diagnostics.has_errors()) return;
-    saved = is_saved_graph(tree);
-    library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
-    if (!sensor_delay.empty())
-      library.entities.at("OObject").sensors.front().settings.delay = made_scalar(sensor_delay, {});
-    graph = import_graph(tree, "state.yaml", library, options, diagnostics);
-  }
-
-  [[nodiscard]] std::string report() const { return render_text(diagnostics, sources, false); }
-  [[nodiscard]] std::string text() const { return graph ? write_graph(*graph) : report(); }
-  [[nodiscard]] std::vector<std::string> codes() const {
-    std::vector<std::string> result;
-    for (const auto& d : diagnostics.all()) {
-      if (d.severity != Severity::note) result.push_back(d.code);
-    }
-    return result;
-  }
-
-  SourceMap sources;
-  Diagnostics diagnostics;
-  bool saved = false;
-  Library library;
-  std::optional<ImportedGraph> graph;
-};
-
-using Codes = std::vector<std::string>;
-
-constexpr const char* kSpace = "{dtype: int64, low: 0, high: 1000000000, shape: [2]}";
-
-std::string environment(const std::string& rate = "null", const std::string& space = kSpace) {
-  return "  environment:\n"
-         "    config: {entity_id: eagerx.core.nodes/EnvNode, inputs: [obs], outputs: [act], "
-         "rate: " +
-         rate + ", states: []}\n    inputs: {obs: {space: " + kSpace +
-         ", window: 1}}\n    outputs: {act: {space: " + space + "}}\n";
-}
-
-std::string object(const std::string& config = "chain: false, nid: 20",
-                   const std::string& sensor = "rate: 10") {
-  return "  obj:\n    entity_type: oracle_nodes/OObject\n"
-         "    config: {entity_id: oracle_nodes/OObject, actuators: [a0], sensors: [s0], states: "
-         "[], " +
-         config + "}\n    sensors: {s0: {" + sensor + "}}\n" +
-         "    actuators: {a0: {rate: 20, window: 1}}\n";
-}
-
-std::string file(const std::string& nodes, const std::string& links = "") {
-  return "connects:\n- [[environment, outputs, act], [obj, actuators, a0]]\n"
-         "- [[obj, sensors, s0], [environment, inputs, obs]]\n" +
-         links + "gui_state: {}\nnodes:\n" + nodes;
-}
-
-/// BaseEnv.save of the same graph; `inputs` of the engine node s3 of an object with a chain.
-std::string flattened(const std::string& inputs) {
-  const std::string node = "node_type: x, config: {rate: 10, nid: 1, outputs: [o0], inputs: ";
-  return "backup:\n" + object("chain: true, nid: 20") +
-         "connects:\n- [[environment, outputs, act], [obj/a0, inputs, i0]]\n"
-         "- [[obj/a0, outputs, o0], [obj/s3, inputs, i1]]\n"
-         "- [[obj/s3, outputs, o0], [environment, inputs, obs]]\n"
-         "gui_state: {}\nnodes:\n" +
-         environment("10") +
-         "  engine: {config: {entity_id: oracle_nodes/OracleEngine, rate: 20, node_names: "
-         "[robot/supervisor]}, objects: {obj: {add_object: {nid: 30}, engine_states: {st0: {}}, "
-         "nodes: [obj/a0, obj/s3]}}}\n"
-         "  obj/a0: {" +
-         node +
-         "[tick, i0], entity_id: oracle_nodes/OActuator}, inputs: {i0: {delay: 0.02, window: "
-         "3}}}\n" +
-         "  obj/s3: {" + node +
-         "[i0, i1], entity_id: oracle_nodes/OSensor}, inputs: {i1: " + inputs +
-         "}, outputs: {o0: {processor: null}}}\n";
-}
 
 TEST(SavedGraph, IsKnownByItsForm) {
   SourceMap sources;
@@ -169,25 +90,6 @@ TEST(ImportGraph, AnEngineThatIsOnlyNamedIsTaken) {
   EXPECT_EQ(Import("engine_id: a/B\n" + file(environment("5") + object())).codes(), Codes{"E0801"});
 }
 
-TEST(ImportGraph, ParametersDecideWhichEntityIsMeant) {
-  EXPECT_NE(
-      Import(file(environment() + object("chain: false, nid: 20"))).text().find("type: OObject\n"),
-      std::string::npos);
-  EXPECT_NE(Import(file(environment() + object("chain: true, nid: 20")))
-                .text()
-                .find("type: OObjectChain\n"),
-            std::string::npos);
-  const Import neither(file(environment() + object("chain: 3, nid: 20")));
-  EXPECT_EQ(neither.codes(), Codes{"E0801"});
-  EXPECT_NE(neither.report().find("for these parameters"), std::string::npos);
-}
-
-TEST(ImportGraph, ParametersAreRenamedAndUnknownOnesNoted) {
-  const Import import(file(environment("10") + object("chain: false, nid: 7, extra: 3")));
-  EXPECT_NE(import.text().find("config: {number: 7}"), std::string::npos);
-  EXPECT_NE(import.report().find("`extra` of the object `obj` is left out"), std::string::npos);
-}
-
 TEST(ImportGraph, OnlyWhatDiffersFromTheManifestIsWritten) {
   const std::string text =
       Import(file(environment("10") + object("chain: false, nid: 20", "rate: 1.0"))).text();
@@ -213,7 +115,6 @@ TEST(ImportGraph, ObjectsOfAFlattenedFileArePutBack) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
-/// EAGERx's sensors have no delay of their own: what is saved of a connection is all of it.
 TEST(ImportGraph, ADelayOfOurSensorIsTakenBackWhereTheFileHasAnother) {
   const auto connection = [](const std::string& saved, const std::string& ours) {
     std::string text = file(environment("10") + object());
@@ -244,58 +145,6 @@ TEST(ImportGraph, ADoubleIsTheSimplestFractionThatRoundsToIt) {
   EXPECT_EQ(number("0.1234567"), "0.1234567");
   EXPECT_EQ(number("1e-9"), "0.000000001");
   EXPECT_EQ(number("x"), "none");
-}
-
-TEST(ImportGraph, AClassOfAScriptIsOnlyOursWithTheSameInterface) {
-  Library library;
-  Entity entity;
-  entity.id.value = "Own";
-  entity.inputs.resize(1);
-  entity.inputs[0].name.value = "i0";
-  Diagnostics diagnostics;
-  Counterparts counterparts(library, diagnostics);
-  SavedEntity saved;
-  saved.id.value = "__main__/Own";
-  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // no input i0
-  EXPECT_EQ(diagnostics.error_count(), 1U);
-  saved.ports["inputs"].push_back({{"i0", {}}, {}});
-  EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));
-  EXPECT_EQ(diagnostics.all().back().severity, Severity::warning);
-  saved.config.kind = YamlKind::map;
-  saved.config.entries.push_back({"gain", {}, made_scalar("2", {})});
-  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // an unknown parameter
-  saved.config.entries.clear();
-  entity.config.resize(1);
-  entity.config[0].eagerx = "n";
-  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // has no n
-  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));
-  EXPECT_EQ(diagnostics.error_count(), 3U) << "told twice";
-  saved.id.value = "own.module/Own";
-  EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));
-  saved.id.value = "__main__/Own";
-  entity.own = true;
-  EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // its user says so
-  EXPECT_EQ(diagnostics.error_count(), 3U);
-}
-
-TEST(ImportGraph, AUsersOwnEntityIsTakenForAClassOfAScript) {
-  Library library;
-  for (const auto* id : {"A", "B", "C"}) {
-    Entity& entity = library.entities[id];
-    entity.id.value = id;
-    entity.eagerx_ids = {{{"__main__/Own", {}}, {}}, {{"module/Own", {}}, {}}};
-    entity.own = std::string_view(id) == "B";
-  }
-  Diagnostics diagnostics;
-  Counterparts counterparts(library, diagnostics);
-  YamlValue none;
-  none.kind = YamlKind::map;
-  const Entity* found = counterparts.find({"__main__/Own", {}}, none, Use::node, "the node `n`");
-  ASSERT_NE(found, nullptr);
-  EXPECT_EQ(found->id.value, "B");
-  EXPECT_FALSE(diagnostics.has_errors());
-  EXPECT_NE(counterparts.find({"module/Own", {}}, none, Use::node, "the node `n`"), nullptr);
-  EXPECT_TRUE(diagnostics.has_errors()) << "three entities stand for the same class";
 }
 
 TEST(ImportGraph, AnActionAndItsConnectionKeepTheirProcessors) {
@@ -369,60 +218,6 @@ TEST(ImportGraph, WhatWasRenderedIsDrawnByOurObject) {
                           "`overlay`, `obj.image`"),
             std::string::npos)
       << left_out;
-}
-
-TEST(MissingEntities, NamesThatYamlReadsOtherwiseSurvive) {
-  SourceMap sources;
-  Diagnostics diagnostics;
-  const std::string own =
-      "  n: {node_type: m/Own, config: {entity_id: m/Own, rate: 10, inputs: [y, 1e3], outputs: "
-      "['on'], states: ['null'], 'off': 2, 'double': 3}, inputs: {y: {space: " +
-      std::string(kSpace) + "}, 1e3: {space: " + kSpace + "}}, outputs: {'on': {space: " + kSpace +
-      "}}, states: {'null': {space: " + kSpace + "}}}\n";
-  const YamlValue tree =
-      read_yaml_text("state.yaml", file(environment("10") + object() + own), sources, diagnostics);
-  const Library library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
-  const auto missing = missing_entities(tree, library, {}, diagnostics);
-  ASSERT_TRUE(missing && missing->size() == 1) << render_text(diagnostics, sources, false);
-  const std::string& text = missing->front().manifest;
-  for (const char* line :
-       {"\n  'y': {", "\n  a_1e3: {eagerx: '1e3', ", "\n  'on': {", "\n  'null': {",
-        "\n  'off': {type: int, default: 2", "\n  double_: {eagerx: double, type: int, default: 3"})
-    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
-  const YamlValue manifest = read_yaml_text("manifest.yaml", text, sources, diagnostics);
-  EXPECT_FALSE(diagnostics.has_errors()) << text;
-  const YamlValue* inputs = manifest.find("inputs");
-  ASSERT_NE(inputs, nullptr);
-  EXPECT_NE(inputs->find("y"), nullptr);
-}
-
-/// The manifest of a missing class of engine node that has this output.
-std::string manifest_with_output(const std::string& output) {
-  std::string text = flattened("{window: 1}");
-  const auto replace = [&](std::string_view from, std::string_view to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1))
-      text.replace(at, from.size(), to);
-  };
-  replace("oracle_nodes/OObject", "m/Thing");  // so that its engine nodes are looked for, too
-  replace("oracle_nodes/OSensor", "m/Own");
-  replace("inputs: [tick, i0]", "inputs: [tick, i1]");
-  replace("o0: {processor: null}", "o0: {" + output + "}");
-  SourceMap sources;
-  Diagnostics diagnostics;
-  const YamlValue tree = read_yaml_text("state.yaml", text, sources, diagnostics);
-  const Library library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
-  const auto missing = missing_entities(tree, library, {}, diagnostics);
-  for (const auto& entity : missing.value_or(std::vector<MissingEntity>()))
-    if (entity.id == "m/Own") return entity.manifest;
-  ADD_FAILURE() << text << render_text(diagnostics, sources, false);
-  return {};
-}
-
-// What its users do not share was once noted under a key `apart` of the port's own settings.
-TEST(MissingEntities, AKeyOfAPortIsNoMarkOfOurs) {
-  const std::string manifest = manifest_with_output("space: {dtype: float32}");
-  EXPECT_NE(manifest.find("{like: i1}"), std::string::npos) << manifest;
-  EXPECT_EQ(manifest_with_output("space: {dtype: float32}, apart: 1"), manifest);
 }
 
 TEST(ImportGraph, DifferencesWithinAnObjectAreWarnings) {
