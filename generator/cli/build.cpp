@@ -147,6 +147,12 @@ bool build_program(Run& run, const Tree& tree, const Target& target, const std::
 std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions options, int& code,
                                                      std::vector<std::string>* to_run) {
   if (!make(run, options)) return std::nullopt;
+  return build_made_graph(run, std::move(options), code, to_run);
+}
+
+std::optional<std::vector<BuiltProgram>> build_made_graph(Run& run, GenerateOptions options,
+                                                          int& code,
+                                                          std::vector<std::string>* to_run) {
   if (options.output.empty())
     options.output = folder_for_targets("generated/" + run.graph->name, options);
   const auto generated = generate_graph(run, options, code);

@@ -51,12 +51,16 @@ struct BuiltProgram {
   const PlacedPart* part = nullptr;  // of a placed graph: which part; without one, the hub
 };
 
-/// generate_graph(), in a folder of its own for each target that is not this machine, and
-/// build_tree() of every program. Of a placed graph the parts come first. `to_run`: the
-/// last program is to be run with these options, E0515 if nothing here can, E0516 an option that
-/// a board's program does not take; those that are left are what it gets.
+/// make(), and build_made_graph(). Nothing if there is a problem, which is in `run`.
 std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions options, int& code,
                                                      std::vector<std::string>* to_run = nullptr);
+
+/// generate_graph(), in a folder of its own for each target that is not this machine, and
+/// build_tree() of every program, of a graph that make() has read. Of a placed graph the parts come
+/// first. `to_run`: the last program is to be run with these options, E0515 if nothing here can,
+/// E0516 an option that a board's program does not take; those that are left are what it gets.
+std::optional<std::vector<BuiltProgram>> build_made_graph(
+    Run& run, GenerateOptions options, int& code, std::vector<std::string>* to_run = nullptr);
 
 /// What starts a program, before its own options; nothing if nothing here can (its target's
 /// manifest has no `run:`).

@@ -13,6 +13,7 @@
 #include "generator/cli/manifest_check.hpp"
 #include "generator/cli/targets.hpp"
 #include "generator/compile/compile.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {

@@ -15,6 +15,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
 #include "generator/edit/helps.hpp"
 #include "generator/files/files.hpp"
@@ -142,7 +143,7 @@ int perform_rename(const EditOptions& options) {
   apply(run, options, *file, text);
   const int code = finish(run, options);
   if (code == kDone && !options.quiet && !options.dry_run)
-    say("{}: {}, {} places\n", options.graph, edit->reason, edit->splices.size());
+    say("{}: {}, {}\n", options.graph, edit->reason, counted(edit->splices.size(), "place"));
   return code;
 }
 

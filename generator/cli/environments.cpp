@@ -6,6 +6,7 @@
 
 #include "generator/cli/become.hpp"
 #include "generator/cli/built.hpp"
+#include "generator/cli/described.hpp"
 #include "generator/cli/paths.hpp"
 
 namespace eagerx::gen {
@@ -20,6 +21,24 @@ std::vector<std::string> with(std::vector<std::string> words,
 /// The line for SettingPlaces is not for people.
 std::string without_settings(const std::string& said) {
   return said.starts_with("settings: ") ? said.substr(said.find('\n') + 1) : said;
+}
+
+/// The exit code of the program's own look at its words; not kDone where that has been told.
+int check_words(const Helper& helper, const std::vector<std::string>& words) {
+  const auto checked = run_process(with({helper_program(helper.checker), "--check"}, words));
+  if (!checked || checked->exit_code == 0) return kDone;
+  const int explained = helper.explain ? helper.explain(*checked) : int{kDone};
+  if (explained != kDone) return explained;
+  complain_text(without_settings(checked->output));
+  return checked->exit_code;
+}
+
+/// Nothing where the graph is too large for a command line: then the library says it.
+std::vector<std::string> words_about(const Graph& graph) {
+  constexpr std::size_t kMostBytes = 100'000;  // Linux takes 131,072 in a word
+  std::string text = description_of(graph);
+  if (text.empty() || text.size() > kMostBytes) return {};
+  return {"--describes", std::move(text)};
 }
 
 }  // namespace
@@ -61,18 +80,19 @@ int become_with_environments(const Helper& helper, const GenerateOptions& option
     return kInputOutput;
   }
   if (options.quiet) words.emplace_back("--quiet");
-  const auto checked = run_process(with({helper_program(helper.checker), "--check"}, words));
-  if (checked && checked->exit_code != 0) {
-    const int explained = helper.explain ? helper.explain(*checked) : int{kDone};
-    if (explained != kDone) return explained;
-    complain_text(without_settings(checked->output));
-    return checked->exit_code;
-  }
+  if (const int code = check_words(helper, words); code != kDone) return code;
   GenerateOptions library = options;
   library.targets = {"environments"};
   Run run;
   int code = kDone;
-  const auto built = build_graph(run, library, code);
+  const bool is_made = make(run, library);
+  const auto about =
+      is_made && helper.looks_at_graph ? words_about(*run.graph) : std::vector<std::string>();
+  if (!about.empty()) {
+    const int refused = check_words(helper, with(about, words));
+    if (refused != kDone) return std::max(finish(run, options), refused);
+  }
+  const auto built = is_made ? build_made_graph(run, library, code) : std::nullopt;
   code = std::max(finish(run, options), code);
   if (!built) return code;
   return become(program, with({built->back().image}, words));

@@ -18,6 +18,8 @@ struct Helper {
   const char* checker;  // looks at the options with --check, before anything is built
   /// Says at its place what the checker has found, if it knows one: an exit code, or else kDone.
   std::function<int(const ProcessResult& checked)> explain = {};
+  /// Whether the checker also takes `--describes` with description_of() the graph.
+  bool looks_at_graph = false;
 };
 
 /// A graph whose library of environments is made, in the folder `output`, for such a program.

@@ -16,6 +16,7 @@
 #include "generator/cli/part_package.hpp"
 #include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -101,7 +102,7 @@ int perform(const GenerateOptions& options) {
   int code = kDone;
   const auto generated = make(run, options) ? generate_graph(run, options, code) : std::nullopt;
   if (generated && !options.quiet) {
-    say("{}: {} files written, {} unchanged{}\n", generated->folder, generated->written,
+    say("{}: {} written, {} unchanged{}\n", generated->folder, counted(generated->written, "file"),
         generated->unchanged,
         generated->kept == 0 ? "" : fmt::format(", {} of yours left as they are", generated->kept));
     if (!options.part.empty()) {

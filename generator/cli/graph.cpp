@@ -7,6 +7,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/drawing/format.hpp"
 
 namespace eagerx::gen {
@@ -25,7 +26,8 @@ int perform(const GraphPictureOptions& options) {
   const std::string path = options.output.empty() ? run.graph->name + ".svg" : options.output;
   const std::string text = drawing_text(drawing, *drawing_format_of(path));
   if (write_file(path, text, run.diagnostics) && !options.quiet)
-    say("{}: {} boxes, {} connections\n", path, drawing.boxes.size(), drawing.wires.size());
+    say("{}: {}, {}\n", path, counted(drawing.boxes.size(), "box", "boxes"),
+        counted(drawing.wires.size(), "connection"));
   return finish(run, options);
 }
 

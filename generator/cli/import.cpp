@@ -10,6 +10,7 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/targets.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -69,8 +70,9 @@ int perform(const ImportCommandOptions& options) {
   if (options.output.empty()) {
     say_text(text);
   } else if (write_file(options.output, text, run.diagnostics) && !options.quiet) {
-    say("{}: {} objects, {} nodes, {} connections\n", options.output, imported->spec.objects.size(),
-        imported->spec.nodes.size(), imported->spec.connections.size());
+    say("{}: {}, {}, {}\n", options.output, counted(imported->spec.objects.size(), "object"),
+        counted(imported->spec.nodes.size(), "node"),
+        counted(imported->spec.connections.size(), "connection"));
   }
   const bool written = !run.diagnostics.has_errors();
   const int code = finish(run, options);

@@ -113,7 +113,7 @@ int test(Run& run, const PolicyTestOptions& options, const Network& network) {
   const auto result =
       rows ? compare(network, *rows, options.golden, {}, run.diagnostics) : std::nullopt;
   if (!result) return finish(run, options);
-  say("{} against {}: {} rows\n", options.policy.file, options.golden, result->rows);
+  say("{} against {}: {}\n", options.policy.file, options.golden, counted(result->rows, "row"));
   if (!network.normalization && !rows->normalized.empty()) {
     say("normalised     taken from the rows, because there is no `--normalize`\n");
   }

@@ -77,7 +77,7 @@ void print(const Network& a, const Network& b, const AskedRows& asked,
     say("  second       {}\n", shown(result.second));
   }
   if (result.actions) say("actions        at most {:.3g} off\n", *result.actions);
-  if (result.choices) say("choices        another one in {} rows\n", *result.choices);
+  if (result.choices) say("choices        another one in {}\n", counted(*result.choices, "row"));
   if (a.action_kind() != b.action_kind()) {
     say("actions        not compared: outputs are {} in the first, {} in the second\n",
         to_string(a.action_kind()), to_string(b.action_kind()));

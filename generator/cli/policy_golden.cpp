@@ -6,6 +6,7 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/policy_file.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/formats/golden.hpp"
 #include "generator/network/observations.hpp"
 
@@ -26,7 +27,7 @@ int perform(const PolicyGoldenOptions& options) {
       fmt::format("answers of {} in float64; observations: {}", options.policy.file, asked->origin);
   const bool written = write_file(options.output, golden_csv(asked->rows, about), run.diagnostics);
   if (written && !options.quiet) {
-    say("{}: {} rows\n", options.output, asked->rows.observations.size());
+    say("{}: {}\n", options.output, counted(asked->rows.observations.size(), "row"));
     say("observations   {}\n", asked->origin);
     if (network->has_memory()) say("episodes       as `episode_start` says\n");
     if (asked->rows.actions.empty()) {

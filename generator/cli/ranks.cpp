@@ -52,7 +52,8 @@ int become_in_ranks(const std::string& name, const GenerateOptions& options,
   std::vector<std::string> all;
   if (const int code = words(all); code != kDone) return code;
   const std::string& program = rank.size > 1 ? shared : name;
-  return become_with_environments({program.c_str(), name.c_str(), explain}, options,
+  const bool looks_at_graph = options.purpose == Purpose::campaign;
+  return become_with_environments({program.c_str(), name.c_str(), explain, looks_at_graph}, options,
                                   std::move(all));
 }
 

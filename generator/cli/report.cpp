@@ -14,6 +14,7 @@
 #include "generator/cli/report_training.hpp"
 #include "generator/cli/targets.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/monitor/live.hpp"
 #include "generator/page/page.hpp"
 #include "generator/plausibility/plausibility.hpp"

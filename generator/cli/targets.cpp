@@ -6,16 +6,12 @@
 #include <filesystem>
 
 #include "generator/cli/build_tree.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/languages/layout.hpp"
 #include "generator/read/text.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
-
-/// "1 node", "2 nodes"
-std::string counted(std::uint64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::uint64_t warnings_in(const Diagnostics& diagnostics) {
   return static_cast<std::uint64_t>(

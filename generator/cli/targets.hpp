@@ -10,8 +10,6 @@
 
 namespace eagerx::gen {
 
-/// "1 node", "2 nodes"
-std::string counted(std::uint64_t count, std::string_view what);
 std::uint64_t warnings_in(const Diagnostics& diagnostics);
 
 /// The folder for these targets: "build-mps2-an386" of "build", so that two targets in turn do not

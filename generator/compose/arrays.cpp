@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/read/scalar.hpp"
 
 namespace eagerx::gen {
@@ -23,7 +24,8 @@ bool choose_each(YamlValue& yaml, std::size_t index, std::int64_t count, Diagnos
       diagnostics
           .error("E0391", each->span,
                  each->is_sequence()
-                     ? fmt::format("{} values for {} elements", each->items.size(), count)
+                     ? counted(each->items.size(), "value") + " for " +
+                           counted(static_cast<std::uint64_t>(count), "element")
                      : fmt::format("`each` needs a list, found {}", describe(*each)))
           .help = "`each` has one value for each element, in their order";
       return false;

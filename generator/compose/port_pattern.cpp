@@ -125,6 +125,7 @@ class Ranges {
 
   bool add(const PortPattern& pattern, const PatternIndex& index, const std::string& array,
            std::int64_t count) {
+    if (count == 0) return false;  // what it is has been said to be wrong
     if (index.name.empty()) {
       if (index.offset >= 0 && index.offset < count) return true;
       diagnostics_

@@ -6,6 +6,7 @@
 
 #include "generator/diagnostics/diagnostics.hpp"
 #include "generator/diagnostics/excerpt.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/utf8.hpp"
 
 namespace eagerx::gen {
@@ -76,9 +77,9 @@ class TextRenderer {
 
   std::string finish(std::size_t errors, std::size_t warnings) {
     if (errors == 0 && warnings == 0) return std::move(text_);
-    if (errors > 0) text_ += fmt::format("{} error{}", errors, errors == 1 ? "" : "s");
+    if (errors > 0) text_ += counted(errors, "error");
     if (errors > 0 && warnings > 0) text_ += ", ";
-    if (warnings > 0) text_ += fmt::format("{} warning{}", warnings, warnings == 1 ? "" : "s");
+    if (warnings > 0) text_ += counted(warnings, "warning");
     text_ += '\n';
     return std::move(text_);
   }

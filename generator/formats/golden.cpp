@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/formats/files.hpp"
 #include "generator/formats/tensors/containers.hpp"
 
@@ -76,8 +77,8 @@ std::optional<GoldenRows> rows_of_csv(std::string_view text, PolicyProblem& prob
       return fail(fmt::format("has no column `obs0` in line {}: `{}`", number, printable(line)));
     }
     if (cells.size() != columns.size()) {
-      return fail(fmt::format("has {} cells in line {}, but {} columns", cells.size(), number,
-                              columns.size()));
+      return fail(fmt::format("has {} in line {}, but {}", counted(cells.size(), "cell"), number,
+                              counted(columns.size(), "column")));
     }
     if (golden.observations.size() >= kMaxRows) return fail("has too many rows");
     for (const Column column :

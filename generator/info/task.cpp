@@ -1,6 +1,7 @@
 // What a graph's task sees and gives.
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/info/info.hpp"
 
 namespace eagerx::gen {
@@ -21,7 +22,7 @@ std::string conditions_text(const char* what, const std::vector<TaskExpression>&
 
 std::string in_seconds(std::uint64_t steps, const Graph& graph) {
   const Rational seconds = Rational(static_cast<std::int64_t>(steps)) / graph.environment().rate_hz;
-  return fmt::format("{} step{}, {} s", steps, steps == 1 ? "" : "s", seconds.to_string());
+  return fmt::format("{}, {} s", counted(steps, "step"), seconds.to_string());
 }
 
 Json conditions_json(const std::vector<TaskExpression>& conditions) {

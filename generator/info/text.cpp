@@ -61,9 +61,9 @@ std::string compared_text(const PlanInfo& report) {
 
 std::string plan_text(const PlanInfo& report) {
   const Plan& plan = *report.plan;
-  std::string text =
-      fmt::format("{}: {} nodes {}\n\nrates\n", plan.graph->name, plan.graph->nodes.size(),
-                  plan.graph->has_engine() ? "on " + plan.graph->engine_id() : "without an engine");
+  std::string text = fmt::format(
+      "{}: {} {}\n\nrates\n", plan.graph->name, counted(plan.graph->nodes.size(), "node"),
+      plan.graph->has_engine() ? "on " + plan.graph->engine_id() : "without an engine");
   for (std::size_t rate = 0; rate < plan.rates.size(); ++rate) {
     text += fmt::format("  {} Hz:", plan.rates[rate].rate_hz.to_string());
     for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
@@ -71,18 +71,19 @@ std::string plan_text(const PlanInfo& report) {
     }
     text += "\n";
   }
-  text += plan.schedule.slots ? fmt::format("\n{} slots in a hyperperiod, {}\n",
-                                            *plan.schedule.slots, text_of(plan.schedule.form))
-                              : fmt::format("\ntoo many slots in a hyperperiod to count, {}\n",
-                                            text_of(plan.schedule.form));
+  text += plan.schedule.slots
+              ? fmt::format("\n{} in a hyperperiod, {}\n", counted(*plan.schedule.slots, "slot"),
+                            text_of(plan.schedule.form))
+              : fmt::format("\ntoo many slots in a hyperperiod to count, {}\n",
+                            text_of(plan.schedule.form));
   std::uint64_t messages = 0, bytes = 0;
   for (const auto& ring : plan.rings) {
     messages += ring.capacity;
     bytes += ring.capacity * bytes_of(ring.space);
   }
   return text +
-         fmt::format("{} buffers with room for {} messages, {} bytes\n", plan.rings.size(),
-                     messages, bytes) +
+         fmt::format("{} with room for {}, {}\n", counted(plan.rings.size(), "buffer"),
+                     counted(messages, "message"), counted(bytes, "byte")) +
          delays_text(*plan.graph);
 }
 

@@ -48,9 +48,13 @@ std::vector<std::string> find_manifests(const Spanned<std::string>& folder,
   });
   if (error) {
     const bool missing = error == std::errc::no_such_file_or_directory;
-    diagnostics.io_error("E0301", folder.span,
-                         fmt::format("cannot read the folder `{}`: {}", folder.value,
-                                     missing ? "it does not exist" : error.message()));
+    diagnostics
+        .io_error("E0301", folder.span,
+                  fmt::format("cannot read the folder `{}`: {}", folder.value,
+                              missing ? "it does not exist" : error.message()))
+        .help = missing ? "`library:` names folders from the graph's file on, `--path` from the "
+                          "folder that you are in"
+                        : "";
   }
   std::ranges::sort(result);
   return result;

@@ -11,6 +11,7 @@
 
 #include "generator/command_line/command_line.hpp"
 #include "generator/command_line/output.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/monitor/expected.hpp"
 #include "generator/monitor/lines.hpp"
 #include "generator/monitor/numbers.hpp"
@@ -62,8 +63,9 @@ class Watching {
       last_words_ = source_->problem();
       code = this->code();
     } else if (recording_.left_out() > 0) {
-      last_words_ = fmt::format("note: {} messages were not recorded: they do not fit their types",
-                                recording_.left_out());
+      last_words_ =
+          fmt::format("note: {} not recorded, because of values that do not fit their types",
+                      counted(recording_.left_out(), "message"));
     }
     return code;
   }

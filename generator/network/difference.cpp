@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
 #include "generator/network/cost.hpp"
 #include "generator/network/evaluate.hpp"
@@ -247,7 +248,8 @@ bool PolicyDifference::within() const {
 
 std::string other_structure(const Network& a, const Network& b) {
   if (a.layers.size() != b.layers.size()) {
-    return fmt::format("one has {} layers, the other {}", a.layers.size(), b.layers.size());
+    return fmt::format("one has {}, the other {}", counted(a.layers.size(), "layer"),
+                       b.layers.size());
   }
   for (std::size_t i = 0; i < a.layers.size(); ++i) {
     if (same_structure(a, b, i)) continue;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/network/evaluate.hpp"
 
 namespace eagerx::gen {
@@ -17,8 +18,8 @@ std::string misfit(const Network& network, const GoldenRows& rows) {
   const std::size_t count = rows.observations.size();
   if (count == 0) return "has no rows of observations";
   if (!all_of_width(rows.observations, count, network.inputs())) {
-    return fmt::format("has rows of {} observations, but the policy takes {}",
-                       rows.observations.front().size(), network.inputs());
+    return fmt::format("has rows of {}, but the policy takes {}",
+                       counted(rows.observations.front().size(), "observation"), network.inputs());
   }
   if (!all_of_width(rows.normalized, count, network.inputs())) {
     return "has different numbers of normalised observations and observations";

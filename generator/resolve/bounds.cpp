@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -14,8 +15,8 @@ bool check_side(const Space& space, const std::vector<double>& bounds, std::stri
   if (bounds.size() > 1 && bounds.size() != space.size()) {
     diagnostics.error(
         "E0326", place,
-        fmt::format("`{}` has {} values, but {} has {} element{}", name, bounds.size(),
-                    space.describe(), space.size(), space.size() == 1 ? "" : "s"));
+        fmt::format("`{}` has {}, but {} has {}", name, counted(bounds.size(), "value"),
+                    space.describe(), counted(space.size(), "element")));
     return false;
   }
   for (const double bound : bounds) {

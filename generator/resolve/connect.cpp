@@ -140,9 +140,13 @@ class Connector {
       return;
     }
     const bool environment = node.node.role == NodeRole::environment;
-    const auto inputs = names_of_inputs(node), outputs = names_of(node.outputs);
+    auto inputs = names_of_inputs(node);
+    const auto outputs = names_of(node.outputs);
     const Entity* entity = node.node.entity;
     const bool sends = side == Side::from;
+    // Also one that was left out, as nothing is connected to it.
+    if (sends && entity != nullptr && entity->input(port.name) != nullptr)
+      inputs.push_back(port.name);
     const bool left_out = entity != nullptr &&
                           (sends ? entity->output(port.name) : entity->input(port.name)) != nullptr;
     if (left_out) {
@@ -222,6 +226,15 @@ class Connector {
     // With thousands of such connections nobody reads the others, and each is compared with all.
     constexpr std::size_t kMostHelped = 100;
     if (++unknown_owners_ > kMostHelped) return {};
+    std::size_t elements = 0;
+    for (const std::string& name : known) elements += name.starts_with(port.owner + "[") ? 1 : 0;
+    if (elements > 0) {
+      problem.help = fmt::format(
+          "`{0}` has {1}: write `\"{0}[*].{2}\"` for all of them, or "
+          "`\"{0}[0].{2}\"` for one",
+          port.owner, counted(elements, "element"), port.name);
+      return {};
+    }
     std::string near = nearest(port.owner, known);
     problem.help = near.empty() ? fmt::format("there is {}", join(known, ", "))
                                 : fmt::format("did you mean `{}.{}`?", near, port.name);

@@ -159,6 +159,8 @@ std::optional<Space> state_space(const PortManifest& port, const References& ref
                                  Diagnostics& diagnostics) {
   const PartialSpace partial = partial_space(port.space, references, diagnostics);
   if (!partial.dtype || !partial.shape) {
+    // It is of a parameter that is wrong, or missing, which has been said.
+    if (port.space.dtype && port.space.shape && diagnostics.has_errors()) return std::nullopt;
     diagnostics
         .error("E0312", port.name.span,
                fmt::format("the space of the state `{}` is not known", port.name.value))

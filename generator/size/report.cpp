@@ -43,8 +43,9 @@ std::string size_text(const SizeReport& report) {
   add_rows(text, report.nodes);
   add_rows(text, report.others);
   text += fmt::format("{:<28} {:>8} {:>8}\n\n", "all", report.flash, report.ram);
-  text += fmt::format("stack: {} bytes at most, through {} calls", report.stack.bytes,
-                      report.stack.path.empty() ? 0 : report.stack.path.size() - 1);
+  text +=
+      fmt::format("stack: {} bytes at most, through {}", report.stack.bytes,
+                  counted(report.stack.path.empty() ? 0 : report.stack.path.size() - 1, "call"));
   std::vector<std::string> unbounded;
   for (const auto& name : report.stack.unbounded) unbounded.push_back(function_name(name));
   if (!unbounded.empty())
@@ -52,8 +53,8 @@ std::string size_text(const SizeReport& report) {
                         join(unbounded, ", "));
   text += "; interrupts come on top\n" + stack_text(report.stack);
   if (const auto& count = report.instructions)
-    text += fmt::format("instructions of a slot: {:.0f} on average, {} to {}, in {} slots\n",
-                        count->mean, count->least, count->most, count->slots);
+    text += fmt::format("instructions of a slot: {:.0f} on average, {} to {}, in {}\n", count->mean,
+                        count->least, count->most, counted(count->slots, "slot"));
   return text;
 }
 

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/diagnostics/join.hpp"
+#include "generator/diagnostics/search.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/read/bytes.hpp"
 #include "generator/read/rational.hpp"
@@ -14,6 +13,50 @@
 #include "generator/spec/slips.hpp"
 
 namespace eagerx::gen {
+
+namespace {
+
+/// How a mapping is written: "{rate: …}" with the keys that it must have, "{NAME: …}" for names
+/// that the user chooses.
+std::string mapping_text(const Format& format) {
+  constexpr std::size_t kMostKeys = 6;
+  if (format.kind == Format::Kind::map || format.item) return "{NAME: …}";
+  std::vector<std::string> keys;
+  for (const Field& field : format.fields) {
+    if (field.required) keys.push_back(field.name);
+  }
+  if (keys.empty() && format.fields.size() <= kMostKeys) keys = names_of(format.fields);
+  return keys.empty() ? "{KEY: …}" : fmt::format("{{{}: …}}", join(keys, ": …, "));
+}
+
+/// What to write in place of a list, a mapping or one value, where another of these is expected.
+std::string other_form(const YamlValue& yaml, const Format& format) {
+  using Kind = Format::Kind;
+  const auto any_is = [&](auto&& fits) {
+    return format.kind != Kind::one_of
+               ? fits(format)
+               : ranges::any_of(format.options, [&](const FormatPtr& each) { return fits(*each); });
+  };
+  const auto is_mapping = [](const Format& one) {
+    return one.kind == Kind::record || one.kind == Kind::map;
+  };
+  const auto is_list = [](const Format& one) { return one.kind == Kind::list; };
+  const bool mapping = any_is(is_mapping), list = any_is(is_list);
+  const bool value = any_is([&](const Format& one) { return !is_mapping(one) && !is_list(one); });
+  if (yaml.is_sequence() && value) {
+    const bool has_one = yaml.items.size() == 1 && yaml.items.front().is_scalar();
+    if (has_one) return fmt::format("write `{}`, without brackets or a dash", yaml.items[0].text);
+    return mapping ? "" : "it takes one value, no list";
+  }
+  if (yaml.is_map() && list) return "write a list: `[…]`, or lines that begin with a dash";
+  if (yaml.is_map() && value) return "it takes one value, no keys of its own";
+  if (yaml.is_scalar() && list && !yaml.is_null() && !yaml.quoted)
+    return fmt::format("write a list: `[{}]`", yaml.text);
+  if (format.kind == Kind::one_of || !mapping || yaml.is_null()) return {};
+  return fmt::format("write `{}`, or such lines, without dashes", mapping_text(format));
+}
+
+}  // namespace
 
 bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   const bool mapping = format.kind == Format::Kind::record || format.kind == Format::Kind::map;
@@ -26,6 +69,7 @@ bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagno
                       format.kind == Format::Kind::boolean || format.kind == Format::Kind::memory;
   if (number && yaml.is_scalar() && yaml.quoted)
     problem.help = "quotes make it a text: leave them out";
+  if (problem.help.empty()) problem.help = other_form(yaml, format);
   if (!yaml.is_scalar() || yaml.quoted) return false;
   if (const auto point = with_decimal_point(yaml.text)) {
     problem.help = fmt::format("write `{}`: a number has a decimal point", *point);

@@ -130,8 +130,12 @@ void read_what_runs(const YamlValue& yaml, EntitySpec& spec, Diagnostics& diagno
     spec.type = {"policy of " + spec.name.value, spec.policy->file.span};  // no manifest's id
   }
   if ((type == nullptr) == (policy == nullptr)) {
-    diagnostics.error("E0206", spec.name.span,
-                      fmt::format("`{}` needs either a `type` or a `policy`", spec.name.value));
+    diagnostics
+        .error("E0206", spec.name.span,
+               fmt::format("`{}` needs either a `type` or a `policy`", spec.name.value))
+        .help = type == nullptr ? "add `type: NODE`, of which `eagerx-gen info` has a list, or "
+                                  "`policy: FILE`"
+                                : "leave one of them out";
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
 #include "generator/diagnostics/utf8.hpp"
 #include "generator/read/scalar.hpp"
@@ -60,10 +61,6 @@ bool is_header(const CsvRow& row) {
   });
 }
 
-std::string cells(std::size_t count) {
-  return fmt::format("{} {}", count, count == 1 ? "cell" : "cells");
-}
-
 }  // namespace
 
 std::optional<CsvTable> read_csv(FileId file, const SourceMap& sources, Diagnostics& diagnostics) {
@@ -89,9 +86,9 @@ std::optional<CsvTable> read_csv(FileId file, const SourceMap& sources, Diagnost
       }
     }
     if (row.size() != first->size()) {
-      auto& problem = diagnostics.error(
-          "E0346", row.back().span,
-          fmt::format("the row has {}, the first row has {}", cells(row.size()), first->size()));
+      auto& problem = diagnostics.error("E0346", row.back().span,
+                                        fmt::format("the row has {}, the first row has {}",
+                                                    counted(row.size(), "cell"), first->size()));
       problem.notes.push_back({"the first row", first->front().span, ""});
       if (diagnostics.error_count() - errors_before >= kMostCsvProblems) break;
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/trace/convert.hpp"
 #include "generator/trace/plot.hpp"
 
@@ -46,7 +47,7 @@ TraceResult plot(const PlotRequest& request, F&& f) {
     const std::vector<PlotPanel> panels = panels_of(log, request, result.problem);
     if (!result.problem.empty()) return;
     result.bytes = f(log, panels);
-    result.summary = fmt::format("{} channel{}", panels.size(), panels.size() == 1 ? "" : "s");
+    result.summary = counted(panels.size(), "channel");
   });
 }
 
@@ -60,7 +61,7 @@ TraceResult convert_log(const std::string& path, TraceFormat format) {
     }
     result.bytes = converted(log, format);
     result.summary =
-        fmt::format("{} messages of {} channels", log.rows.size(), log.channels.size());
+        counted(log.rows.size(), "message") + " of " + counted(log.channels.size(), "channel");
   });
 }
 
@@ -68,8 +69,7 @@ TraceResult plot_log_as_svg(const PlotRequest& request) {
   return plot(request, [&](const Log& log, const std::vector<PlotPanel>& panels) {
     return plot_svg(panels, request.episode
                                 ? fmt::format("{}, episode {}", log.graph, *request.episode)
-                                : fmt::format("{}, {} episode{}", log.graph, log.episodes(),
-                                              log.episodes() == 1 ? "" : "s"));
+                                : log.graph + ", " + counted(log.episodes(), "episode"));
   });
 }
 

@@ -5,6 +5,7 @@
 #include <runtime/host/base/cells.hpp>
 #include <runtime/host/base/number.hpp>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
 #include "generator/training/curves.hpp"
 #include "generator/training/tables.hpp"
@@ -54,8 +55,8 @@ class CurveReader {
 
   bool read_row(const std::vector<std::string_view>& cells) {
     if (cells.size() != names_.size())
-      return lines_.fail(
-          fmt::format("it has {} cells, and the first line has {}", cells.size(), names_.size()));
+      return lines_.fail(fmt::format("it has {}, and the first line has {}",
+                                     counted(cells.size(), "cell"), names_.size()));
     std::uint64_t seed = 0;
     if (has_seeds() && !host::read_number(cells[place_of("seed")], seed))
       return lines_.fail("`seed` is no whole number");

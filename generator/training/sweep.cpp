@@ -6,6 +6,7 @@
 #include <runtime/host/base/number.hpp>
 #include <utility>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/training/tables.hpp"
 
 namespace eagerx::gen {
@@ -75,7 +76,8 @@ class SweepReader {
  private:
   bool read_row(const std::vector<std::string_view>& cells) {
     if (cells.size() != kCells)
-      return lines_.fail(fmt::format("it has {} cells in place of {}", cells.size(), kCells));
+      return lines_.fail(
+          fmt::format("it has {} in place of {}", counted(cells.size(), "cell"), kCells));
     if (rows_.size() >= kMostRows) return lines_.fail("there are more trainings than may be");
     SweptTraining row;
     if (!read_settings(cells[1], row)) return false;

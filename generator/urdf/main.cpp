@@ -12,6 +12,7 @@
 #include "generator/cli/write.hpp"
 #include "generator/command_line/command_line.hpp"
 #include "generator/command_line/output.hpp"
+#include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/pages.hpp"
 #include "generator/urdf/robot.hpp"
 
@@ -43,8 +44,10 @@ void write(const Options& options, const eagerx::urdf::Robot& robot,
       {{"manifest.yaml", manifest_text(robot)}, {robot.name + ".hpp", header_text(robot)}},
       diagnostics);
   if (!written || options.quiet) return;
-  eagerx::gen::say("{}: {} bodies, {} joints, {} shapes; written to {}\n", robot.id,
-                   robot.bodies.size(), robot.joints.size(), robot.shapes.size(), folder.string());
+  eagerx::gen::say("{}: {}, {}, {}; written to {}\n", robot.id,
+                   eagerx::gen::counted(robot.bodies.size(), "body", "bodies"),
+                   eagerx::gen::counted(robot.joints.size(), "joint"),
+                   eagerx::gen::counted(robot.shapes.size(), "shape"), folder.string());
 }
 
 int convert(const Options& options) {

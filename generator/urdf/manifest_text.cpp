@@ -82,13 +82,9 @@ description: |
   nothing; name one of them.
 )",
         gen::in_json_string(robot_.file), robot_.id,
-        counted(robot_.bodies.size(), "body", "bodies"),
-        counted(robot_.joints.size(), "joint", "joints"), robot_.joints.empty() ? "none" : names(),
-        gen::in_comment(robot_.file));
-  }
-
-  static std::string counted(std::size_t count, const char* one, const char* many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
+        gen::counted(robot_.bodies.size(), "body", "bodies"),
+        gen::counted(robot_.joints.size(), "joint", "joints"),
+        robot_.joints.empty() ? "none" : names(), gen::in_comment(robot_.file));
   }
 
   std::string config() const {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/base/number.hpp>
 #include <targets/common/fault.hpp>
 #include <utility>
@@ -74,6 +75,14 @@ std::string list_of(const std::vector<FaultPlace>& places) {
   return places.empty() ? "this graph has neither observations nor actions" : text;
 }
 
+std::string near(const std::string& name, const std::vector<FaultPlace>& places) {
+  std::vector<std::string> known;
+  for (const FaultPlace& place : places) known.push_back(place.name);
+  for (const FaultPlace& place : places) known.push_back(full_name(place));
+  const std::string meant = host::did_you_mean(name.substr(0, name.find('[')), known);
+  return meant.empty() ? list_of(places) : meant;
+}
+
 }  // namespace
 
 std::optional<Fault> parse_fault(std::string_view text) {
@@ -107,7 +116,8 @@ std::optional<PlacedFault> place_fault(Fault fault, const std::vector<FaultPlace
     found = placed;
   }
   if (!found) {
-    problem = {"there is no observation and no action `" + fault.name + "`", list_of(places)};
+    problem = {"there is no observation and no action `" + fault.name + "`",
+               near(fault.name, places)};
     return std::nullopt;
   }
   if (fault.kind != Fault::Kind::silent && !places[found->place].is_real) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <runtime/host/base/counted.hpp>
 #include <runtime/host/base/number.hpp>
 #include <sstream>
 #include <targets/linux-sim/action_file.hpp>
@@ -133,7 +134,7 @@ ActionProblem ActionTable::load(const std::string& path, std::uint64_t steps) {
     if (row.size() != columns_.size()) {
       const Cell& place = row[std::min(columns_.size(), row.size() - 1)];
       return file.at(place.line, place.column,
-                     "this row has " + std::to_string(row.size()) + " numbers, an action has " +
+                     "this row has " + host::counted(row.size(), "number") + ", an action has " +
                          std::to_string(columns_.size()));
     }
     const bool first = &row == &file.rows().front();
@@ -146,8 +147,8 @@ ActionProblem ActionTable::load(const std::string& path, std::uint64_t steps) {
   }
   if (count_ < steps) {
     return file.at(file.lines() + 1, 1,
-                   "the file ends after " + std::to_string(count_) +
-                       " actions, but an episode has " + std::to_string(steps) + " steps");
+                   "the file ends after " + host::counted(count_, "action") +
+                       ", but an episode has " + host::counted(steps, "step"));
   }
   return {};
 }

@@ -11,12 +11,13 @@
 #include <runtime/host/key/key_file.hpp>
 #include <runtime/host/key/session.hpp>
 #include <string>
+#include <tests/fuzz/send_records.hpp>
 #include <vector>
 
 namespace {
 
 using namespace eagerx;
-using Line = std::vector<std::uint8_t>;
+using fuzz::Line;
 
 const key::Functions& functions() {
   static std::string problem;
@@ -97,26 +98,6 @@ int open_all(key::Records& by, const Line& line, const Line& text) {
   return opened;
 }
 
-/// One right record, then what the data are, as they are or as a change of the next record.
-void send_records(const std::uint8_t* data, std::size_t size) {
-  Session session;
-  const Line text(data, data + std::min(size, key::Records::kMostBytes));
-  if (text.empty()) return;
-  const auto sealed = [&] {
-    Line line(key::Records::kMostSealed);
-    line.resize(session.hub.seal(text.data(), text.size(), line.data()));
-    return line;
-  };
-  Line line = sealed(), next = sealed();
-  const std::uint8_t changes = data[size - 1] | 1U;  // never 0
-  next[(data[0] | std::size_t{data[size / 2]} << 8U) % next.size()] ^= changes;
-  line.insert(line.end(), next.begin(), next.end());
-  line.insert(line.end(), data, data + size);
-  if (open_all(session.part, line, text) != 1) std::abort();
-  Session other;
-  open_all(other.part, Line(data, data + size), {});
-}
-
 void read_file(const std::uint8_t* data, std::size_t size) {
   static const int file = memfd_create("key", MFD_CLOEXEC);
   static const std::string path = "/proc/self/fd/" + std::to_string(file);
@@ -137,7 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Line titled(key::Greeting::kTitle.begin(), key::Greeting::kTitle.end());
   titled.insert(titled.end(), data, data + size);
   greet_stranger(key::Role::listens, titled.data(), titled.size());
-  send_records(data, size);
+  fuzz::send_records<Session>(data, size, key::Records::kMostBytes, open_all);
   read_file(data, size);
   return 0;
 }

@@ -10,6 +10,7 @@
 #include <eagerx/link/frame.hpp>
 #include <runtime/host/key/session.hpp>
 #include <string>
+#include <tests/fuzz/send_records.hpp>
 #include <vector>
 
 extern "C" {
@@ -20,7 +21,7 @@ extern "C" {
 namespace {
 
 using namespace eagerx;
-using Line = std::vector<std::uint8_t>;
+using fuzz::Line;
 
 // --- a part: `mean` of what comes, and whether it is positive ---
 constexpr std::uint32_t kToPart = 32, kToHub = 24, kWindow = 3;
@@ -242,25 +243,6 @@ int open_all(eagerx_records& by, const Line& line, const Line& text) {
   return opened;
 }
 
-/// One right record, then the next one with a change, then what the data are.
-void send_records(const std::uint8_t* data, std::size_t size) {
-  Session session;
-  const Line text(data, data + std::min<std::size_t>(size, EAGERX_RECORD));
-  const auto sealed = [&] {
-    Line line(key::Records::kMostSealed);
-    line.resize(session.hub.seal(text.data(), text.size(), line.data()));
-    return line;
-  };
-  Line line = sealed(), next = sealed();
-  const std::uint8_t changes = data[size - 1] | 1U;  // never 0
-  next[(data[0] | std::size_t{data[size / 2]} << 8U) % next.size()] ^= changes;
-  line.insert(line.end(), next.begin(), next.end());
-  line.insert(line.end(), data, data + size);
-  if (open_all(session.part, line, text) != 1) std::abort();
-  Session other;
-  open_all(other.part, Line(data, data + size), {});
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -271,6 +253,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Line titled(key::Greeting::kTitle.begin(), key::Greeting::kTitle.end());
   titled.insert(titled.end(), data, data + size);
   greet_stranger(titled);
-  send_records(data, size);
+  fuzz::send_records<Session>(data, size, EAGERX_RECORD, open_all);
   return 0;
 }

@@ -2,9 +2,11 @@
 import contextlib
 import os
 import pathlib
+import re
 import resource
 import socket
 import subprocess
+import threading
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -37,6 +39,19 @@ def monitor(eagerx_gen, *options):
     finally:
         process.kill()
         process.communicate()
+
+
+def shown(process, pattern):
+    """Reads what a monitor prints, up to a line that has this."""
+    give_up = threading.Timer(4 * PATIENCE_S, process.kill)
+    give_up.start()
+    try:
+        while line := process.stdout.readline():
+            if re.search(pattern, line):
+                return
+    finally:
+        give_up.cancel()
+    raise AssertionError(f"never shown: {pattern}")
 
 
 def ended(process, code=0):

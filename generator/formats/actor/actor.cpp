@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/formats/actor/parts.hpp"
 #include "generator/network/limits.hpp"
 
@@ -138,13 +139,13 @@ class Assembly {
     }
     if (facts_.observations && *facts_.observations != network_.inputs()) {
       return parts_.fail("E0626",
-                         fmt::format("says that it takes {} numbers, but its first layer takes {}",
-                                     *facts_.observations, network_.inputs()));
+                         fmt::format("says that it takes {}, but its first layer takes {}",
+                                     counted(*facts_.observations, "number"), network_.inputs()));
     }
     if (facts_.actions && *facts_.actions != network_.outputs()) {
       return parts_.fail("E0626",
-                         fmt::format("says that it gives {} numbers, but its last layer gives {}",
-                                     *facts_.actions, network_.outputs()));
+                         fmt::format("says that it gives {}, but its last layer gives {}",
+                                     counted(*facts_.actions, "number"), network_.outputs()));
     }
     return true;
   }

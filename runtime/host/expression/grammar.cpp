@@ -159,7 +159,8 @@ class Grammar {
       return number(std::move(digits), begin);
     std::string word = names_ == NameForm::port ? text_.take_port_name() : text_.take_dotted_name();
     if (word.empty()) {
-      text_.fail(begin, "expected a value, found " + text_.next());
+      text_.fail(begin, "expected a value, found " + text_.next(),
+                 text_.peek('*') ? "write a power as `x^2`" : "");
       return {};
     }
     if (text_.peek('(')) return call(std::move(word), begin);

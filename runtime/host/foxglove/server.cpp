@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <runtime/host/base/counted.hpp>
 #include <runtime/host/base/hash.hpp>
 #include <runtime/host/foxglove/access.hpp>
 #include <runtime/host/foxglove/client_message.hpp>
@@ -400,8 +401,7 @@ std::string FoxgloveServer::close() {
 }
 
 std::string FoxgloveServer::more() const {
-  std::string text =
-      ", " + std::to_string(clients_in_all_) + (clients_in_all_ == 1 ? " client" : " clients");
+  std::string text = ", " + host::counted(clients_in_all_, "client");
   if (server_->refused() > 0) text += ", " + std::to_string(server_->refused()) + " refused";
   if (server_->disconnected() > 0)
     text += ", " + std::to_string(server_->disconnected()) + " disconnected";

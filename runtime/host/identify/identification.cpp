@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <runtime/host/base/counted.hpp>
 #include <runtime/host/identify/identification.hpp>
 
 namespace eagerx::identification {
@@ -143,8 +144,8 @@ bool Identification::find_delay(std::size_t actuator, double most, LeastSquares&
 std::string Identification::report(const trace_log::Log& log,
                                    std::span<const Channel> channels) const {
   std::string text = "log " + log.path + ": graph " + log.graph + " on " + log.engine + ", " +
-                     std::to_string(log.episodes()) + " episodes, " +
-                     std::to_string(experiment_.segments()) + " segments\n";
+                     host::counted(log.episodes(), "episode") + ", " +
+                     host::counted(experiment_.segments(), "segment") + "\n";
   if (!log.complete) text += "the log ends early, in line " + std::to_string(log.lines) + "\n";
   for (std::size_t g = 0; g < leftover_.size(); ++g) {
     const Experiment::Group& group = experiment_.groups()[g];

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <runtime/host/base/counted.hpp>
 #include <runtime/host/base/number.hpp>
 #include <runtime/host/trace/channel_name.hpp>
 #include <runtime/host/trace/log_file.hpp>
@@ -298,7 +299,7 @@ class LogReader::Lines {
     while (take(rest, cell)) {
       if (size == channel.size)
         return fail(cell, "a message of " + shown(channel.name) + " has " +
-                              std::to_string(channel.size) + " values, this one more");
+                              host::counted(channel.size, "value") + ", this one more");
       std::uint64_t bits = 0;
       if (!parse_value(channel.dtype, cell, bits))
         return fail(cell, shown(cell) + " is not a " + std::string(name_of(channel.dtype)));
@@ -307,7 +308,7 @@ class LogReader::Lines {
     }
     if (size < channel.size)
       return fail(rest, "a message of " + shown(channel.name) + " has " +
-                            std::to_string(channel.size) + " values, this one " +
+                            host::counted(channel.size, "value") + ", this one " +
                             std::to_string(size));
     log_.rows.push_back(row);
     episode_ = row.episode;
@@ -337,8 +338,8 @@ class LogReader::Lines {
         hash.size() != 18 || !parse_hex(hash.substr(2), log_.hash))
       return fail(fact, "the last line is `# end messages hash`, not " + shown(text_));
     if (messages != messages_)
-      return fail(fact, "the log has " + std::to_string(messages_) +
-                            " messages, its last line says " + std::to_string(messages));
+      return fail(fact, "the log has " + host::counted(messages_, "message") +
+                            ", its last line says " + std::to_string(messages));
     log_.complete = true;
     phase_ = Phase::behind;
     return true;

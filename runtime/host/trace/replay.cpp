@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <runtime/host/base/counted.hpp>
 #include <runtime/host/trace/replay.hpp>
 
 namespace eagerx::trace_log {
@@ -18,7 +19,7 @@ std::string described(std::string_view dtype, std::uint64_t size, std::uint64_t 
 }  // namespace
 
 std::string count_text(std::uint64_t count, std::string_view what) {
-  return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
+  return host::counted(count, what);
 }
 
 Replay::Replay(const Log& log, std::span<const Channel> channels)

@@ -8,6 +8,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <runtime/host/base/counted.hpp>
 #include <runtime/host/base/hash.hpp>
 #include <runtime/host/base/team.hpp>
 #include <stop_token>
@@ -63,8 +64,8 @@ class Campaign {
 
   int run(const host::Interrupt& interrupted) {
     if (!options_.is_quiet && ranks_.is_first())
-      fmt::print(stderr, "{} environments at a time step {}\n", plan_.size_of(0),
-                 runner_.stepping());
+      fmt::print(stderr, "{} at a time {} {}\n", host::counted(plan_.size_of(0), "environment"),
+                 plan_.size_of(0) == 1 ? "steps" : "step", runner_.stepping());
     return ranks_.is_first() ? collect(interrupted) : contribute(interrupted);
   }
 

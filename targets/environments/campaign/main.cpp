@@ -3,6 +3,8 @@
 #include <runtime/host/base/interrupt.hpp>
 
 #include "targets/environments/campaign/campaign.hpp"
+#include "targets/environments/campaign/plan.hpp"
+#include "targets/environments/client/description.hpp"
 #include "targets/environments/client/files.hpp"
 #include "targets/environments/client/problem.hpp"
 
@@ -13,12 +15,19 @@ const host::Interrupt& interrupts() {
   return host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends);
 }
 
+/// Whether a campaign fits a graph whose library is not built yet. Throws Problem.
+void check_graph(const Options& options) {
+  make_plan(client::read_description(options.describes), options.seed, options.runs, options.steps,
+            options.variations, options.faults);
+}
+
 /// Rank 0 alone looks at options and files. What it shares are its words and the library, which
 /// need not be on the machines of the others; nothing, if there is nothing to do.
 int run_first(int argc, char** argv, Ranks& ranks) {
   const Options options = parse_options(argc, argv);
   if (options.wants_help) client::print(help_text());
   if (!options.wants_help) check_files(options);
+  if (options.only_checks && !options.describes.empty()) check_graph(options);
   const bool is_all = options.wants_help || options.only_checks;
   ranks.share(is_all ? std::string() : environments::words_of(argc, argv));
   if (is_all) return client::kDone;

@@ -57,6 +57,7 @@ std::vector<client::Setter> setters(Options& o) {
       {"--json", [&](Text) { o.json = true; }},
       {"--quiet", [&](Text) { o.is_quiet = true; }},
       {"--check", [&](Text) { o.only_checks = true; }},
+      {"--describes", [&](Text v) { o.describes = v; }},
       {"--help", [&](Text) { o.wants_help = true; }},
   };
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <runtime/host/base/counted.hpp>
 
 #include "targets/environments/campaign/statistics.hpp"
 
@@ -173,9 +174,9 @@ std::string Report::command(std::uint32_t run) const {
 
 std::string Report::text() const {
   const Statistics all = statistics_of(*this);
-  std::string text =
-      fmt::format("campaign of {}: {} runs of seed {}, agent {}\n", description.graph,
-                  grouped(results.size()), plan.seed, description.agent);
+  std::string text = fmt::format("campaign of {}: {} {} of seed {}, agent {}\n", description.graph,
+                                 grouped(results.size()), host::noun(results.size(), "run"),
+                                 plan.seed, description.agent);
   for (const Variation& one : plan.variations)
     text += fmt::format("varied: {} from {} to {}\n", one.name, one.low, one.high);
   for (const target::PlacedFault& one : plan.faults)
@@ -189,9 +190,10 @@ std::string Report::text() const {
                       grouped(all.truncated), grouped(all.steps));
   if (all.not_finite != 0) {
     text += fmt::format(
-        "{} runs have a return that is not finite: it counts as the lowest. The first is run {}; "
+        "{} a return that is not finite: it counts as the lowest. The first is run {}; "
         "this says which term, and when\n  {}\n",
-        grouped(all.not_finite), all.first_not_finite, command(all.first_not_finite));
+        grouped(all.not_finite) + (all.not_finite == 1 ? " run has" : " runs have"),
+        all.first_not_finite, command(all.first_not_finite));
   }
   for (const auto& [name, count] : results.counts)
     text += fmt::format("counted: {} {}\n", name, grouped(count));
@@ -204,8 +206,8 @@ std::string Report::text() const {
   if (!all.worst.empty()) text += "\nthe worst runs, and what repeats each\n";
   for (const std::uint32_t run : all.worst) {
     text +=
-        fmt::format("run {}: {}, return {:.6g}, {} steps\n  {} --summary\n", run,
-                    verdict(results, run), results.returns[run], results.steps[run], command(run));
+        fmt::format("run {}: {}, return {:.6g}, {}\n  {} --summary\n", run, verdict(results, run),
+                    results.returns[run], host::counted(results.steps[run], "step"), command(run));
   }
   return text;
 }

@@ -51,6 +51,10 @@ inline constexpr Row kCampaign[] = {
      .value = "",
      .about = "only look whether the options are right and the files can be written",
      .who = For::program},
+    {.names = "--describes",
+     .value = "JSON",
+     .about = "with --check: what the library will say of its graph, which the options must fit",
+     .who = For::program},
     {.names = "-h,--help", .value = "", .about = "print this", .who = For::program, .ends = true},
 };
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <mutex>
+#include <runtime/host/base/counted.hpp>
 #include <vector>
 
 #include "targets/environments/client/intervals.hpp"
@@ -80,7 +81,7 @@ class Seeds {
   int run(const Interrupt& is_interrupted) {
     if (!options_.is_quiet && beside_.at_once > 1)
       fmt::print(stderr, "{} seeds at a time, with {} each\n", beside_.at_once,
-                 beside_.threads == 1 ? "1 thread" : fmt::format("{} threads", beside_.threads));
+                 host::counted(beside_.threads, "thread"));
     train_beside(options_.seeds, beside_.at_once, is_interrupted,
                  [&](std::size_t i, const Stop& stop) { train(i, stop); });
     std::erase_if(all_, [](const Trained& one) { return !one.is_done; });

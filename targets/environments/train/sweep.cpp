@@ -6,6 +6,7 @@
 #include <ctime>
 #include <mutex>
 #include <optional>
+#include <runtime/host/base/counted.hpp>
 #include <runtime/host/base/hash.hpp>
 #include <utility>
 #include <vector>
@@ -65,8 +66,8 @@ class Sweep {
     if (!options_.is_quiet) print(sweep_text(cases, library_.description().has_success));
     tell_best();
     if (done_ == jobs_.size()) return kDone;
-    fmt::print(stderr, "interrupted after {} of {} trainings\nhelp: the same command goes on\n",
-               done_, jobs_.size());
+    fmt::print(stderr, "interrupted after {} of {}\nhelp: the same command goes on\n", done_,
+               host::counted(jobs_.size(), "training"));
     return kInterrupted;
   }
 
@@ -97,8 +98,8 @@ class Sweep {
   }
 
   void tell_beginning() const {
-    fmt::print(stderr, "{} settings, {} seeds each: {} trainings", options_.cases.size(),
-               options_.seeds, jobs_.size());
+    fmt::print(stderr, "{}, {} each: {}", host::counted(options_.cases.size(), "setting"),
+               host::counted(options_.seeds, "seed"), host::counted(jobs_.size(), "training"));
     if (done_ != 0) fmt::print(stderr, ", {} of them in `{}` already", done_, options_.results);
     fmt::print(stderr, "; {} at a time\n", beside_.at_once);
   }

@@ -206,9 +206,9 @@ TEST(LogFile, SaysWhatIsWrongWithAMessage) {
             "x:8:3: error: no line `# channel` says what `a/c` is");
   EXPECT_EQ(error_of(kHead + "0,a/b,,1\n"), "x:8:7: error: `` is not the number of a message");
   EXPECT_EQ(error_of(kHead + "0,a/b,0\n"),
-            "x:8:8: error: a message of `a/b` has 1 values, this one 0");
+            "x:8:8: error: a message of `a/b` has 1 value, this one 0");
   EXPECT_EQ(error_of(kHead + "0,a/b,0,1,2\n"),
-            "x:8:11: error: a message of `a/b` has 1 values, this one more");
+            "x:8:11: error: a message of `a/b` has 1 value, this one more");
   EXPECT_EQ(error_of(kHead + "0,a/b,0,128\n"), "x:8:9: error: `128` is not a int8");
   EXPECT_EQ(error_of(kHead + "0,environment/u,0,1, 2\n"), "x:8:21: error: ` 2` is not a float32");
   EXPECT_EQ(error_of(kHead + "# end 1 0x0\n"),

@@ -341,7 +341,7 @@ TEST(Report, AsText) {
             "smooth                             60       16\n"
             "other                              40        4\n"
             "all                               100       20\n\n"
-            "stack: 64 bytes at most, through 1 calls; not counted are calls of step through "
+            "stack: 64 bytes at most, through 1 call; not counted are calls of step through "
             "pointers, or "
             "of themselves; interrupts come on top\n"
             "      24  board                eagerx_start\n"

@@ -84,7 +84,7 @@ TEST_F(ActionFileTest, AHeaderMustBeRight) {
 TEST_F(ActionFileTest, TooFewRows) {
   EXPECT_EQ(problem("1,2,3\n1,2,3\n", 3),
             ":3:1: error: the file ends after 2 actions, but an episode has 3 steps");
-  EXPECT_EQ(problem(""), ":1:1: error: the file ends after 0 actions, but an episode has 1 steps");
+  EXPECT_EQ(problem(""), ":1:1: error: the file ends after 0 actions, but an episode has 1 step");
 }
 
 TEST_F(ActionFileTest, WrongWidth) {

@@ -72,7 +72,7 @@ TEST(TrainSacLog, OtherTablesAreRefused) {
   EXPECT_EQ(ReadLog(wrong).problem, "`run.csv`, line 3: `fast` is no number");
   wrong = kHeader + kRows;
   wrong.replace(wrong.find("angle[1]"), 8, "tilt");
-  EXPECT_EQ(ReadLog(wrong).problem, "`run.csv`, line 1: there are 1 columns of `angle`, not 2");
+  EXPECT_EQ(ReadLog(wrong).problem, "`run.csv`, line 1: there is 1 column of `angle`, not 2");
   EXPECT_EQ(ReadLog(kHeader + "-1,0,0,1,0,0.5,,,,,,\n").problem,
             "`run.csv`, line 2: `-1` is no whole number");
 }

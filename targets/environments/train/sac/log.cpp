@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <runtime/host/base/counted.hpp>
 #include <runtime/host/base/number.hpp>
 #include <vector>
 
@@ -71,8 +72,8 @@ struct Columns {
     }
     if (to.size() - before != space.size)
       refuse_log(name, 1,
-                 fmt::format("there are {} columns of `{}`, not {}", to.size() - before, space.name,
-                             space.size));
+                 fmt::format("there {} {} of `{}`, not {}", to.size() - before == 1 ? "is" : "are",
+                             host::counted(to.size() - before, "column"), space.name, space.size));
   }
 };
 

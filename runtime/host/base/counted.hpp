@@ -1,0 +1,21 @@
+// Counts in texts: "1 node", "2 nodes".
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace eagerx::host {
+
+/// The word for so many: `one`, or `many`, which is `one` with an s unless it is given.
+inline std::string noun(std::uint64_t count, std::string_view one, std::string_view many = {}) {
+  if (count == 1) return std::string(one);
+  return many.empty() ? std::string(one) + "s" : std::string(many);
+}
+
+/// "1 node", "2 nodes"
+inline std::string counted(std::uint64_t count, std::string_view one, std::string_view many = {}) {
+  return std::to_string(count) + " " + noun(count, one, many);
+}
+
+}  // namespace eagerx::host
