@@ -20,12 +20,13 @@ namespace {
 /// that the user chooses.
 std::string mapping_text(const Format& format) {
   constexpr std::size_t kMostKeys = 6;
-  if (format.kind == Format::Kind::map || format.item) return "{NAME: …}";
+  if (format.kind == Format::Kind::map) return "{NAME: …}";
   std::vector<std::string> keys;
   for (const Field& field : format.fields) {
     if (field.required) keys.push_back(field.name);
   }
   if (keys.empty() && format.fields.size() <= kMostKeys) keys = names_of(format.fields);
+  if (format.item) keys.emplace_back("NAME");
   return keys.empty() ? "{KEY: …}" : fmt::format("{{{}: …}}", join(keys, ": …, "));
 }
 
@@ -53,7 +54,8 @@ std::string other_form(const YamlValue& yaml, const Format& format) {
   if (yaml.is_scalar() && list && !yaml.is_null() && !yaml.quoted)
     return fmt::format("write a list: `[{}]`", yaml.text);
   if (format.kind == Kind::one_of || !mapping || yaml.is_null()) return {};
-  return fmt::format("write `{}`, or such lines, without dashes", mapping_text(format));
+  return fmt::format("write `{}`, or the same in lines {}", mapping_text(format),
+                     yaml.is_sequence() ? "without dashes" : "of their own");
 }
 
 }  // namespace
