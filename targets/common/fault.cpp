@@ -79,7 +79,9 @@ std::string near(const std::string& name, const std::vector<FaultPlace>& places)
   std::vector<std::string> known;
   for (const FaultPlace& place : places) known.push_back(place.name);
   for (const FaultPlace& place : places) known.push_back(full_name(place));
-  const std::string meant = host::did_you_mean(name.substr(0, name.find('[')), known);
+  const std::string whole = name.substr(0, name.find('['));
+  const bool is_known = std::find(known.begin(), known.end(), whole) != known.end();
+  const std::string meant = is_known ? "" : host::did_you_mean(whole, known);
   return meant.empty() ? list_of(places) : meant;
 }
 

@@ -39,15 +39,22 @@ struct Place {
   std::size_t first = 0, size = 0, element = 0;
 };
 Place place_of(const std::string& name, const Description& description) {
+  const std::string whole = name.substr(0, name.find('['));
   std::size_t column = 0;
   for (const Space& state : description.states) {
     if (name == state.name) return {state, column, state.size, 0};
     for (std::size_t i = 0; !state.is_scalar && i < state.size; ++i) {
       if (name == fmt::format("{}[{}]", state.name, i)) return {state, column + i, 1, i};
     }
+    if (whole == state.name) {
+      throw Problem(kProblems, fmt::format("there is no `{}`", name),
+                    state.is_scalar
+                        ? fmt::format("`{}` is one number", whole)
+                        : fmt::format("write `{}[0]` to `{}[{}]`", whole, whole, state.size - 1));
+    }
     column += state.size;
   }
-  refuse_name(name.substr(0, name.find('[')), description);
+  refuse_name(whole, description);
 }
 
 void check_range(const Variation& variation, const Place& place) {
