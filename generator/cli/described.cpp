@@ -1,7 +1,10 @@
 #include "generator/cli/described.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -11,10 +14,16 @@
 namespace eagerx::gen {
 namespace {
 
-Json bounds(const std::vector<double>& of_elements) {
+/// As the library says it: of float32 the shortest decimal that reads back to it.
+Json bound_of(Dtype dtype, double bound) {
+  if (!std::isfinite(bound)) return nullptr;
+  if (dtype != Dtype::float32) return bound;
+  return std::strtod(fmt::format("{}", static_cast<float>(bound)).c_str(), nullptr);
+}
+
+Json bounds(Dtype dtype, const std::vector<double>& of_elements) {
   Json list = Json::list();
-  for (const double bound : of_elements)
-    list.push_back(std::isfinite(bound) ? Json(bound) : Json(nullptr));
+  for (const double bound : of_elements) list.push_back(bound_of(dtype, bound));
   return list;
 }
 
@@ -27,8 +36,8 @@ class Spaces {
     for (const auto length : space.shape) shape.push_back(length);
     spaces_.emplace_back(std::move(name), Json{{"shape", std::move(shape)},
                                                {"dtype", std::string(to_string(space.dtype))},
-                                               {"low", bounds(space.low)},
-                                               {"high", bounds(space.high)}});
+                                               {"low", bounds(space.dtype, space.low)},
+                                               {"high", bounds(space.dtype, space.high)}});
     spaces_.back().second["name"] = spaces_.back().first;
   }
   Json list() {

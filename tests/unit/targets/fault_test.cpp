@@ -72,11 +72,11 @@ TEST(Faults, OfNothingAreRefused) {
   EXPECT_EQ(place("u=nan"),
             "`u` is an observation and an action: write `observations.u` or `actions.u`");
   EXPECT_EQ(place("gear=nan"), "`gear` has whole numbers: such a message can only be `silent`");
-  for (const char* text : {"angle[2]=nan", "angle[]=nan", "angle[0=nan", "torque=nan"})
+  for (const char* text : {"angle[2]=nan", "angle[]=nan", "angle[0=nan", "torque=nan", "ang=nan"})
     EXPECT_NE(place(text).find("there is observations.angle (2 numbers), observations.u"),
               std::string::npos)
         << place(text);
-  for (const char* text : {"angles=nan", "ang=nan", "anlge[1]=nan"})
+  for (const char* text : {"angles=nan", "anlge[1]=nan"})
     EXPECT_NE(place(text).find("did you mean `angle`?"), std::string::npos) << place(text);
 }
 
