@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/diagnostics/join.hpp"
 #include "generator/emit/literals.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/urdf/robot.hpp"
