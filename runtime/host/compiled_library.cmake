@@ -8,7 +8,8 @@
 # cache then has it. What is kept has a folder of its own for each compiler, set of flags, and text of the sources and of
 # all headers in FOLDERS, so it is never too old. It is compiled with -O2 for every build type but Debug, so that one serves
 # all of them; OF_ITS_TYPE: as the build type says, and for each type anew. What -fcallgraph-info among OPTIONS writes
-# (`eagerx-gen size` reads it) is kept with the library. Nothing is kept without either variable.
+# (`eagerx-gen size` reads it) is kept with the library. Nothing is kept without either variable. EAGERX_COMPILED lists
+# libraries (lib<name>.a) that another build has compiled from these texts, in the same way, a moment ago: the cache gets those.
 include_guard(GLOBAL)
 
 function(eagerx_compiled_library name)
@@ -17,6 +18,12 @@ function(eagerx_compiled_library name)
   file(REMOVE_RECURSE ${graphs})
   if(EAGERX_LIBRARY_CACHE OR EAGERX_LIBRARIES)
     _eagerx_library_key(key ${name} "${arg_SOURCES}" "${arg_FOLDERS}" "${arg_OPTIONS}" ${arg_OF_ITS_TYPE})
+    foreach(file IN LISTS EAGERX_COMPILED)
+      if(file MATCHES "/lib${name}\\.a$")
+        execute_process(COMMAND ${CMAKE_COMMAND} -D FROM=${file} -D TO=${EAGERX_LIBRARY_CACHE}/${key}/lib${name}.a
+                                -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/keep_library.cmake)
+      endif()
+    endforeach()
     foreach(folder IN LISTS EAGERX_LIBRARIES EAGERX_LIBRARY_CACHE)
       set(kept ${folder}/${key}/lib${name}.a)
       if(EXISTS ${kept})

@@ -31,6 +31,15 @@ option(EAGERX_BUILD_LIBRARIES "Compile what the programs of all graphs have in c
 set(libraries_dir ${CMAKE_INSTALL_LIBDIR}/eagerx-gen/libraries)
 if(EAGERX_BUILD_LIBRARIES AND NOT CMAKE_CROSSCOMPILING)
   set(libraries ${PROJECT_BINARY_DIR}/libraries)
+  include(${cmake_files}/libraries/names.cmake)
+  include(${PROJECT_SOURCE_DIR}/targets/linux-sim/libraries.cmake)
+  eagerx_linux_sim_libraries()
+  # Generator and tests link them, too. Where this build compiles otherwise than programs are, they are compiled anew.
+  set(compiled)
+  if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT CMAKE_CXX_FLAGS AND NOT EAGERX_SANITIZE AND NOT CMAKE_INTERPROCEDURAL_OPTIMIZATION)
+    set(compiled ${eagerx_brought})
+  endif()
+  list(TRANSFORM compiled REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE files)
   file(GLOB_RECURSE texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/runtime/*.[ch]pp ${PROJECT_SOURCE_DIR}/runtime/*.cmake
        ${PROJECT_SOURCE_DIR}/targets/common/*.[ch]pp ${PROJECT_SOURCE_DIR}/targets/linux-sim/*.[ch]pp
        ${PROJECT_SOURCE_DIR}/targets/environments/*.[ch]pp ${PROJECT_SOURCE_DIR}/targets/*/libraries.cmake)
@@ -41,12 +50,12 @@ if(EAGERX_BUILD_LIBRARIES AND NOT CMAKE_CROSSCOMPILING)
   endif()
   add_custom_command(
     OUTPUT ${libraries}.stamp
-    DEPENDS ${texts} ${cmake_files}/libraries/CMakeLists.txt
+    DEPENDS ${texts} ${compiled} ${cmake_files}/libraries/CMakeLists.txt ${cmake_files}/libraries/names.cmake
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${libraries}
     COMMAND ${CMAKE_COMMAND} -S ${cmake_files}/libraries -B ${libraries}-build -G ${CMAKE_GENERATOR}
             -D CMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -D CMAKE_BUILD_TYPE=Judged "-D CMAKE_CXX_FLAGS_JUDGED=${warnings}"
             -D eagerx_gen_DIR=${PROJECT_BINARY_DIR}
-            -D EAGERX_LIBRARY_CACHE=${libraries}
+            -D EAGERX_LIBRARY_CACHE=${libraries} "-D EAGERX_COMPILED=${files}"
     COMMAND ${CMAKE_COMMAND} --build ${libraries}-build --clean-first
     COMMAND ${CMAKE_COMMAND} -E touch ${libraries}.stamp
     COMMENT "Compiling what the programs of all graphs have in common"

@@ -50,6 +50,10 @@ class Reader {
 
 }  // namespace
 
+Counts read_counts(const char* json) {
+  return nlohmann::json::parse(json).get<Counts>();
+}
+
 std::string record_of(std::uint32_t chunk, const Results& results) {
   std::string body;
   append(body, &chunk, 1);

@@ -17,6 +17,9 @@ struct Record {
   Results results;
 };
 
+/// The counts that a library's eagerx_counts() gives as JSON.
+Counts read_counts(const char* json);
+
 /// Size, check sum, number of the chunk, runs, counts of faults as JSON; numbers as this machine
 /// has them.
 std::string record_of(std::uint32_t chunk, const Results& results);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
+#include "targets/environments/campaign/record.hpp"
 #include "targets/environments/client/problem.hpp"
 #include "targets/environments/client/rows.hpp"
 
@@ -108,7 +108,7 @@ class Runner::Chunk {
   void note_counts() {
     const char* text = runner_.functions_.counts(environments_.handle());
     check(text == nullptr ? -1 : 0);
-    results_.counts = nlohmann::json::parse(text).get<Counts>();
+    results_.counts = read_counts(text);
   }
 
   const Runner& runner_;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -20,8 +21,7 @@ class WriteFiles : public testing::Test {
  protected:
   WriteFiles() {
     std::string name = (fs::temp_directory_path() / "eagerx-write-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw fs::filesystem_error("mkdtemp", name, std::error_code(errno, std::generic_category()));
+    EXPECT_NE(mkdtemp(name.data()), nullptr) << name;
     folder_ = name;
   }
   ~WriteFiles() override {

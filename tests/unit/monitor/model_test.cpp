@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <limits>
 #include <string>
 
@@ -52,7 +53,8 @@ class Watched : public testing::Test {
   const WatchedChannel& channel(const char* name) const {
     for (const auto& each : model_.channels())
       if (each.name == name) return each;
-    throw std::runtime_error(name);
+    ADD_FAILURE() << "there is no channel " << name;
+    std::abort();
   }
   ChannelState state(const char* name) const { return model_.state(channel(name)); }
 

@@ -11,6 +11,7 @@
 #include <eagerx/policy/recurrent.hpp>
 #include <limits>
 #include <memory>
+#include <span>
 
 #include "tests/unit/runtime/numbers.hpp"
 
@@ -24,39 +25,47 @@ using eagerx::test::Numbers;
 constexpr std::size_t kLanes = eagerx::kPackLanes<float>;
 using Real = eagerx::Pack<float, kLanes>;
 
+/// The inputs of a lane; some lanes have one number that is no ordinary one.
+void fill_lane(std::size_t k, Numbers& numbers, std::span<float> one, Real* packs) {
+  constexpr float kOdd[] = {std::numeric_limits<float>::quiet_NaN(),
+                            std::numeric_limits<float>::infinity(), -0.0F, 1e-42F};
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const bool odd = k % 3 == 1 && i == k % one.size();
+    one[i] = odd ? kOdd[k / 3 % 4] : numbers.next();
+    set_lane(packs[i], static_cast<int>(k), one[i]);
+  }
+}
+
 template <std::size_t In>
 struct Inputs {
   float one[kLanes][In];
   Real packs[In];
 
   explicit Inputs(Numbers& numbers) {
-    constexpr float kOdd[] = {std::numeric_limits<float>::quiet_NaN(),
-                              std::numeric_limits<float>::infinity(), -0.0F, 1e-42F};
-    for (std::size_t k = 0; k < kLanes; ++k) {
-      for (std::size_t i = 0; i < In; ++i) {
-        // Some lanes have one number that is no ordinary one.
-        const bool odd = k % 3 == 1 && i == k % In;
-        one[k][i] = odd ? kOdd[k / 3 % 4] : numbers.next();
-        set_lane(packs[i], static_cast<int>(k), one[k][i]);
-      }
-    }
+    for (std::size_t k = 0; k < kLanes; ++k) fill_lane(k, numbers, one[k], packs);
   }
 };
+
+/// One lane of the outputs against plain ones.
+void expect_same(const char* what, std::size_t inputs, std::size_t lane_at,
+                 std::span<const Real> packs, std::span<const float> one) {
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const float packed = lane(packs[i], static_cast<int>(lane_at));
+    ASSERT_EQ(bits_of(packed), bits_of(one[i]))
+        << what << ", " << inputs << " inputs, output " << i << " of " << one.size() << ", lane "
+        << lane_at << ": " << packed << " instead of " << one[i];
+  }
+}
 
 /// f(x, y) over plain numbers and over packs.
 template <std::size_t In, std::size_t Out, class F>
 void compare(const char* what, const Inputs<In>& x, F&& f) {
   Real packs[Out];
   f(x.packs, packs);
-  for (std::size_t k = 0; k < kLanes; ++k) {
+  for (std::size_t k = 0; k < kLanes && !::testing::Test::HasFatalFailure(); ++k) {
     float one[Out];
     f(x.one[k], one);
-    for (std::size_t i = 0; i < Out; ++i) {
-      const float packed = lane(packs[i], static_cast<int>(k));
-      ASSERT_EQ(bits_of(packed), bits_of(one[i]))
-          << what << ", " << In << " inputs, output " << i << " of " << Out << ", lane " << k
-          << ": " << packed << " instead of " << one[i];
-    }
+    expect_same(what, In, k, packs, one);
   }
 }
 

@@ -1,0 +1,3 @@
+# The libraries that the package brings.
+set(eagerx_brought base expression trace identify publish web_sockets foxglove dds key linux_sim pictures)
+list(TRANSFORM eagerx_brought PREPEND eagerx_)
