@@ -209,6 +209,14 @@ inline constexpr Setting kTrainSettings[] = {
      .low = 1e-4,
      .high = 10,
      .algorithm = "ppo"},
+    {.name = "deviation_rate",
+     .kind = SettingKind::number,
+     .otherwise = "0.5",
+     .about = "its learning rate over that of the networks: less, and what is tried stays wide for "
+              "longer; 0: it stays as it is at first",
+     .low = 0,
+     .high = 10,
+     .algorithm = "ppo"},
     // Of SAC.
     {.name = "sac_environments",
      .kind = SettingKind::whole,

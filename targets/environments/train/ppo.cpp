@@ -361,7 +361,8 @@ bool Ppo::update(std::size_t minibatch) {
                          clipped_scale(sum.actor, sum.count, settings_.gradient_norm));
   model_.critic_adam.step(kernels_, model_.critic_parameters, sum.critic, model_.step_size,
                           clipped_scale(sum.critic, sum.count, settings_.gradient_norm));
-  model_.deviation_adam.step(kernels_, model_.log_deviation, sum.log_deviation, model_.step_size,
+  model_.deviation_adam.step(kernels_, model_.log_deviation, sum.log_deviation,
+                             settings_.deviation_rate * model_.step_size,
                              static_cast<float>(1.0 / sum.count));
   for (float& x : model_.log_deviation) {
     x = clamp(x, log(settings_.least_deviation), log(settings_.most_deviation));

@@ -126,6 +126,7 @@ const std::vector<Place>& places() {
       number_at("first_deviation", &S::first_deviation),
       number_at("least_deviation", &S::least_deviation),
       number_at("most_deviation", &S::most_deviation),
+      number_at("deviation_rate", &S::deviation_rate),
       number_at("sac_environments", &sac::Settings::environments),
       number_at("sac_horizon", &sac::Settings::horizon),
       number_at("sac_batch", &sac::Settings::batch),

@@ -59,6 +59,7 @@ struct Settings {
   double decay_steps{};     // 0: none
 
   float first_deviation{}, least_deviation{}, most_deviation{};  // of the actions, in -1…1
+  float deviation_rate{};                                        // over that of the networks
 
   bool normalise{};
   double freeze_after{};    // steps; 0: never

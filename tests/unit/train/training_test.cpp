@@ -313,6 +313,7 @@ TEST_F(TrainTraining, OtherSettingsLearnSomethingElse) {
                                                         {"stop_divergence", "0.1"},
                                                         {"decay_steps", "1000"},
                                                         {"first_deviation", "0.5"},
+                                                        {"deviation_rate", "1"},
                                                         {"normalise", "false"},
                                                         {"freeze_after", "1"},
                                                         {"averaging", "0"}}) {
@@ -321,6 +322,18 @@ TEST_F(TrainTraining, OtherSettingsLearnSomethingElse) {
     const std::string learnt = trained(other);
     // Behind the metadata, which names the settings.
     EXPECT_NE(learnt.substr(learnt.size() - 64), policy.substr(policy.size() - 64)) << name;
+  }
+}
+
+TEST_F(TrainTraining, TheDeviationStaysWhereItLearnsNothing) {
+  for (const char* rate : {"0", "0.5"}) {
+    Options one = small(options(3));
+    one.csv = path("curve.csv");
+    set(one.settings, "first_deviation", "0.75");
+    set(one.settings, "deviation_rate", rate);
+    trained(one);
+    const double deviation = column_of(read_file(one.csv), 5).back();
+    EXPECT_EQ(std::abs(deviation - 0.75) < 1e-5, rate == std::string("0")) << deviation;
   }
 }
 
