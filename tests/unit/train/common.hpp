@@ -14,6 +14,17 @@ namespace eagerx::train {
 
 inline const Interrupt never = false;
 
+/// What is said when `work` fails.
+template <class Work>
+std::string said_by(Work work) {
+  try {
+    work();
+  } catch (const Problem& problem) {
+    return problem.what();
+  }
+  return "nothing";
+}
+
 /// The library that is written by hand, pendulum_library.cpp.
 inline const Library& pendulum() {
   static const Library library(EAGERX_TEST_PENDULUM);

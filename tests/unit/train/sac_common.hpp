@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "targets/environments/train/client.hpp"
+#include "tests/unit/train/common.hpp"
 
 namespace eagerx::train {
 
@@ -18,16 +18,5 @@ inline const std::string kRows =
     "0,2,0.2,0.8,0.2,0.125,4,-3,0,1,0,-3\n"
     "1,0,0,0,1,7,,,,,,\n"
     "1,1,0.1,0.5,0.5,8,0.5,-10,1,0,0,-10\n";
-
-/// What is said when `work` fails.
-template <class Work>
-std::string said_by(Work work) {
-  try {
-    work();
-  } catch (const Problem& problem) {
-    return problem.what();
-  }
-  return "nothing";
-}
 
 }  // namespace eagerx::train

@@ -1,75 +1,22 @@
 #include "targets/environments/train/training.hpp"
 
 #include <gtest/gtest.h>
-#include <pthread.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <utility>
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/seeds.hpp"
-#include "tests/unit/train/common.hpp"
+#include "tests/unit/train/training_common.hpp"
 
 namespace eagerx::train {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The same pendulum with three voltages to choose from.
-const Library& choices() {
-  static const Library library(EAGERX_TEST_CHOICES);
-  return library;
-}
-
-/// … and with a second number that halves them.
-const Library& several() {
-  static const Library library(EAGERX_TEST_SEVERAL);
-  return library;
-}
-
-/// What is said when `work` fails.
-template <class Work>
-std::string said(Work work) {
-  try {
-    work();
-  } catch (const Problem& problem) {
-    return problem.what();
-  }
-  return "nothing";
-}
-
-class TrainTraining : public testing::Test {
- protected:
-  std::string path(const std::string& name) const { return folder_.path(name); }
-
-  Options options(std::uint64_t iterations) const {
-    Options result;
-    result.settings = even_settings();
-    result.library = EAGERX_TEST_PENDULUM;
-    result.output = path("policy.safetensors");
-    result.steps = iterations * kIteration;
-    result.threads = 1;
-    result.is_quiet = true;
-    return result;
-  }
-
-  /// The bytes of the policy.
-  std::string trained(const Options& options, const Library& library = pendulum()) const {
-    Training(options, library).run(never);
-    return read_file(options.output);
-  }
-
- private:
-  TestFolder folder_;
-};
 
 TEST_F(TrainTraining, AnyNumberOfThreadsLearnsTheSameBits) {
   Options one = options(12);
@@ -106,164 +53,6 @@ TEST_F(TrainTraining, FewEnvironmentsLearnTheSameBits) {
       EXPECT_EQ(trained(one), policy) << environments << " environments, " << kernels->name;
     }
   }
-}
-
-/// Quick, and does not succeed so soon.
-Options small(Options options) {
-  options.settings.layers = {8, 8};
-  options.threads = 2;
-  return options;
-}
-
-// On 0d2dc587 only iteration 32 of these has a checkpoint: an era begins there.
-TEST_F(TrainTraining, WhatGoesOnFromACheckpointIsOneTraining) {
-  Options whole = small(options(38));
-  whole.csv = path("whole.csv");
-  const std::string policy = trained(whole);
-  const std::string curve = read_file(whole.csv);
-  for (const std::uint64_t iterations : {1, 5, 32, 34}) {
-    Options first = small(options(iterations));
-    first.checkpoint = path("checkpoint");
-    trained(first);
-    Options second = small(options(36));
-    second.resume = second.checkpoint = first.checkpoint;
-    trained(second);
-    Options third = whole;
-    third.resume = first.checkpoint;
-    EXPECT_EQ(trained(third), policy) << iterations;
-    EXPECT_EQ(read_file(third.csv), curve) << iterations;
-  }
-}
-
-// Iterations of 32, 64, … 160 steps of 16 environments, in eras of 1024 steps.
-TEST_F(TrainTraining, IterationsOfAnyLengthGoOnToo) {
-  Options whole = small(options(15));
-  whole.threads = 1;  // two wait for each other at every minibatch, long where other tests run
-  whole.settings.environments = 16;
-  whole.settings.most_horizon = 160;
-  whole.settings.minibatches = 4;
-  whole.csv = path("whole.csv");
-  const std::string policy = trained(whole);
-  const std::string curve = read_file(whole.csv);
-  for (const std::uint64_t thousands : {1, 30, 64, 65, 100}) {
-    Options first = whole;
-    first.csv.clear();
-    first.steps = thousands * 1000;
-    first.checkpoint = path("checkpoint");
-    trained(first);
-    Options second = whole;
-    second.resume = first.checkpoint;
-    EXPECT_EQ(trained(second), policy) << thousands;
-    EXPECT_EQ(read_file(second.csv), curve) << thousands;
-  }
-}
-
-TEST_F(TrainTraining, ChoicesGoOnToo) {
-  Options some;
-  for (const Library* library : {&choices(), &several()}) {
-    some = small(options(3));
-    some.checkpoint = path("checkpoint");
-    trained(some, *library);
-    some = small(options(6));
-    const std::string policy = trained(some, *library);
-    some.resume = path("checkpoint");
-    EXPECT_EQ(trained(some, *library), policy);
-  }
-}
-
-TEST_F(TrainTraining, AKilledOneGoesOnFromWhatItHasWritten) {
-  Options endless = small(options(1'000'000));
-  endless.settings.until_return = 1.0;  // the reward is negative
-  endless.threads = 1;                  // no others in a process that forks
-  endless.checkpoint = path("checkpoint");
-  endless.checkpoint_every_s = 0.0;
-  const pid_t child = fork();
-  if (child == 0) _exit(Training(endless, pendulum()).run(never));
-  while (!fs::exists(endless.checkpoint) && waitpid(child, nullptr, WNOHANG) == 0) usleep(1000);
-  kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
-  Options rest = small(options(40));
-  rest.settings.until_return = 1.0;
-  const std::string policy = trained(rest);
-  rest.resume = endless.checkpoint;
-  EXPECT_EQ(trained(rest), policy);
-}
-
-TEST_F(TrainTraining, AnInterruptLeavesACheckpoint) {
-  Options some = small(options(4));
-  const std::string policy = trained(some);
-  some.checkpoint = path("checkpoint");
-  const Interrupt at_once = true;
-  EXPECT_EQ(Training(some, pendulum()).run(at_once), 130);
-  some.resume = some.checkpoint;
-  EXPECT_EQ(trained(some), policy);
-}
-
-// An error in the middle of an iteration, and one in an evaluation.
-TEST_F(TrainTraining, AnErrorLeavesWhatWasLearntBefore) {
-  Options whole = small(options(38));
-  whole.settings.stagger = false;  // the library counts whole episodes
-  const std::string policy = trained(whole);
-  for (const auto& [where, steps] : {std::pair("rollout", "253952"), {"evaluation", "81920"}}) {
-    Options first = whole;
-    first.checkpoint = path("checkpoint");
-    setenv("EAGERX_TEST_BREAKS", where, 1);
-    const std::string what = said([&] { Training(first, pendulum()).run(never); });
-    unsetenv("EAGERX_TEST_BREAKS");
-    EXPECT_NE(what.find("a reward is not finite\nnote: the training had made " +
-                        std::string(steps) + " steps"),
-              std::string::npos)
-        << what;
-    EXPECT_NE(what.find("; what it had learnt is in `" + first.checkpoint + "`"), std::string::npos)
-        << what;
-    Options second = whole;
-    second.resume = first.checkpoint;
-    EXPECT_EQ(trained(second), policy) << where;
-    fs::remove(first.checkpoint);
-  }
-}
-
-TEST_F(TrainTraining, ACheckpointThatCannotBeWrittenDoesNotCostThePolicy) {
-  Options some = small(options(34));
-  const std::string policy = trained(some);
-  fs::remove(some.output);
-  some.checkpoint = path("checkpoint");
-  fs::create_directories(path("checkpoint.part"));  // nothing can be written there
-  EXPECT_NE(said([&] { Training(some, pendulum()).run(never); }).find("cannot write"),
-            std::string::npos);
-  EXPECT_EQ(read_file(some.output), policy);
-}
-
-TEST_F(TrainTraining, FineTuningBeginsWithWhatWasLearnt) {
-  Options first = options(200);
-  first.threads = 2;
-  first.checkpoint = path("checkpoint");
-  const std::string learnt = trained(first);  // succeeds
-  Options again = first;
-  again.resume = first.checkpoint;
-  EXPECT_EQ(trained(again), learnt) << "what has succeeded does not go on";
-  Options second = options(5);
-  second.settings.seed = 7;
-  EXPECT_EQ(Training(second, pendulum()).run(never), kProblems) << "not from nothing";
-  second.from = first.checkpoint;
-  EXPECT_EQ(Training(second, pendulum()).run(never), kDone);
-  const std::string tuned = read_file(second.output);
-  second.threads = 3;
-  EXPECT_EQ(trained(second), tuned);
-}
-
-/// A column of a learning curve; NaN where it is empty.
-std::vector<double> column_of(const std::string& csv, int column) {
-  std::vector<double> result;
-  std::istringstream rows(csv);
-  std::string row, cell;
-  std::getline(rows, row);  // names
-  while (std::getline(rows, row)) {
-    std::istringstream cells(row);
-    for (int i = 0; i <= column; ++i) std::getline(cells, cell, ',');
-    result.push_back(cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::stod(cell));
-  }
-  return result;
 }
 
 // On d78331f1 a row has a return only if an episode has ended in its iteration: every fifth one, as
@@ -337,17 +126,6 @@ TEST_F(TrainTraining, TheDeviationStaysWhereItLearnsNothing) {
   }
 }
 
-TEST_F(TrainTraining, OtherSettingsDoNotGoOn) {
-  Options first = small(options(1));
-  first.checkpoint = path("checkpoint");
-  trained(first);
-  Options second = first;
-  second.resume = first.checkpoint;
-  second.settings.clip = 0.3F;
-  EXPECT_EQ(said([&] { Training(second, pendulum()); }),
-            "`" + first.checkpoint + "` belongs to another training: clip 0.2 (here 0.3)");
-}
-
 TEST_F(TrainTraining, SeveralSeeds) {
   Options all = small(options(5));
   all.seeds = 2;
@@ -389,7 +167,7 @@ TEST_F(TrainTraining, SeveralSeedsGoOn) {
   for (const std::uint64_t seed : {1U, 2U, 3U})
     EXPECT_EQ(read_file(path_of_seed(all.output, seed)), policies[seed - 1]) << seed;
   all.resume = path("elsewhere");
-  EXPECT_NE(said([&] { check_files(all); }).find("elsewhere.seed1`: No such file"),
+  EXPECT_NE(said_by([&] { check_files(all); }).find("elsewhere.seed1`: No such file"),
             std::string::npos);
 }
 
@@ -400,7 +178,7 @@ TEST_F(TrainTraining, ASeedThatFailsEndsTheOthers) {
   fs::create_directories(path("checkpoint.seed3"));  // cannot be written over
   all.checkpoint = path("checkpoint");
   all.resume = path("checkpoint");
-  EXPECT_NE(said([&] { train_seeds(all, pendulum(), never); }).find("checkpoint.seed3"),
+  EXPECT_NE(said_by([&] { train_seeds(all, pendulum(), never); }).find("checkpoint.seed3"),
             std::string::npos);
 }
 
@@ -466,65 +244,38 @@ TEST_F(TrainTraining, WithoutSuccessTheExitCodeSaysSo) {
   EXPECT_TRUE(fs::exists(path("policy.safetensors")));  // the one that it began with
 }
 
-TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
-  Options first = options(33);
-  first.settings.layers = {8};
-  first.checkpoint = path("checkpoint");
-  trained(first);
-  Options other = first;
-  other.resume = first.checkpoint;
-  other.settings.seed = 5;
-  EXPECT_NE(said([&] { Training(other, pendulum()); }).find("belongs to another training"),
-            std::string::npos);
-  Options wider = options(1);
-  wider.settings.layers = {9};
-  wider.from = first.checkpoint;
-  EXPECT_NE(said([&] { Training(wider, pendulum()); }).find("is of other networks"),
-            std::string::npos);
-  std::string bytes = read_file(first.checkpoint);
-  bytes.back() = static_cast<char>(bytes.back() + 1);
-  write_file(first.checkpoint, bytes);
-  other.settings.seed = 1;
-  EXPECT_NE(said([&] { Training(other, pendulum()); }).find("is damaged"), std::string::npos);
-  bytes.replace(0, bytes.find('\n'), "eagerx-train checkpoint 3");
-  write_file(first.checkpoint, bytes);
-  EXPECT_NE(said([&] { Training(other, pendulum()); }).find("was written by another version"),
-            std::string::npos);
-  write_file(first.checkpoint, "something else");
-  EXPECT_NE(said([&] { Training(other, pendulum()); }).find("is no checkpoint"), std::string::npos);
-}
-
 TEST_F(TrainTraining, FilesThatCannotBeWrittenAreRefusedBefore) {
   Options bad = options(1);
   bad.output = path("nowhere/policy.safetensors");
-  EXPECT_NE(said([&] { check_files(bad); }).find("No such file"), std::string::npos);
+  EXPECT_NE(said_by([&] { check_files(bad); }).find("No such file"), std::string::npos);
   bad.output = path("");
-  EXPECT_NE(said([&] { check_files(bad); }).find("is a folder"), std::string::npos);
+  EXPECT_NE(said_by([&] { check_files(bad); }).find("is a folder"), std::string::npos);
   bad = options(1);
   bad.csv = "/proc/curve.csv";
-  EXPECT_NE(said([&] { check_files(bad); }).find("cannot write `/proc/curve.csv`"),
+  EXPECT_NE(said_by([&] { check_files(bad); }).find("cannot write `/proc/curve.csv`"),
             std::string::npos);
 }
 
 TEST_F(TrainTraining, AFileIsThereAsAWholeOrNotAtAll) {
   write_file(path("file"), "before");
   fs::create_directories(path("file.part"));  // nothing can be written there
-  EXPECT_NE(said([&] { write_file(path("file"), "after"); }).find("cannot write"),
+  EXPECT_NE(said_by([&] { write_file(path("file"), "after"); }).find("cannot write"),
             std::string::npos);
   EXPECT_EQ(read_file(path("file")), "before");
 }
 
 TEST(TrainLibrary, AnythingElseIsRefused) {
-  EXPECT_NE(said([] { Library("/dev/null"); }).find("cannot load"), std::string::npos);
-  EXPECT_NE(said([] { Library("libm.so.6/"); }).find("cannot load"), std::string::npos);
-  EXPECT_NE(said([] { read_description("{}"); }).find("describes itself"), std::string::npos);
-  EXPECT_NE(said([] { read_description("no JSON"); }).find("describes itself"), std::string::npos);
+  EXPECT_NE(said_by([] { Library("/dev/null"); }).find("cannot load"), std::string::npos);
+  EXPECT_NE(said_by([] { Library("libm.so.6/"); }).find("cannot load"), std::string::npos);
+  EXPECT_NE(said_by([] { read_description("{}"); }).find("describes itself"), std::string::npos);
+  EXPECT_NE(said_by([] { read_description("no JSON"); }).find("describes itself"),
+            std::string::npos);
 }
 
 TEST(TrainOptions, WrongOnesAreRefused) {
   const auto parse = [](std::vector<const char*> words) {
     words.insert(words.begin(), "eagerx-train");
-    return said([&] { parse_options(static_cast<int>(words.size()), words.data()); });
+    return said_by([&] { parse_options(static_cast<int>(words.size()), words.data()); });
   };
   EXPECT_EQ(parse({"lib.so"}), "nothing");
   EXPECT_EQ(parse({}), "LIBRARY is missing");
