@@ -7,7 +7,7 @@
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/become.hpp"
-#include "generator/cli/board_options.hpp"
+#include "generator/cli/program_options.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/emitted.hpp"
@@ -164,7 +164,7 @@ std::optional<std::vector<BuiltProgram>> build_made_graph(Run& run, GenerateOpti
     std::vector<BuiltProgram> all;
     for (const Planned& item : items) all.push_back(item.program);
     if (!check_parts(run, all, *to_run)) return std::nullopt;
-    if (!check_board_options(run, *last.program.target, *to_run)) {
+    if (!check_program_options(run, *last.program.target, *to_run)) {
       code = kWrongUsage;
       return std::nullopt;
     }

@@ -58,7 +58,7 @@ std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions o
 /// generate_graph(), in a folder of its own for each target that is not this machine, and
 /// build_tree() of every program, of a graph that make() has read. Of a placed graph the parts come
 /// first. `to_run`: the last program is to be run with these options, E0515 if nothing here can,
-/// E0516 an option that a board's program does not take; those that are left are what it gets.
+/// E0516 an option that it does not take; those that are left are what it gets.
 std::optional<std::vector<BuiltProgram>> build_made_graph(
     Run& run, GenerateOptions options, int& code, std::vector<std::string>* to_run = nullptr);
 

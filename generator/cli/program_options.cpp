@@ -1,4 +1,4 @@
-#include "generator/cli/board_options.hpp"
+#include "generator/cli/program_options.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "generator/cli/arguments.hpp"
 #include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
 #include "generator/read/text.hpp"
@@ -33,6 +34,10 @@ const Format& options_format() {
                       {"to", number, false, "and at most this"},
                       {"one_of", format::list("a list of words", format::text("a word"), 1), false,
                        "its values"},
+                      {"value", format::text("a word"), false,
+                       "what its value is called, which the program judges"},
+                      {"split", format::boolean(), false,
+                       "only for programs of which a part runs elsewhere"},
                       {"without", reason, false, "why it has no value"}});
     return format::record(
         "the options",
@@ -50,9 +55,10 @@ std::optional<std::uint64_t> whole_number(std::string_view text) {
   return good ? std::optional(value) : std::nullopt;
 }
 
-/// "--steps N", "--agent policy|zero|random", "--csv"
+/// "--steps N", "--agent policy|zero|random", "--trace FILE", "--csv"
 std::string usage_of(const YamlValue::Entry& option) {
   if (option.value.find("from") != nullptr) return option.key + " N";
+  if (const YamlValue* value = option.value.find("value")) return option.key + " " + value->text;
   std::vector<std::string> words;
   if (const YamlValue* values = option.value.find("one_of")) {
     for (const YamlValue& word : values->items) words.push_back(word.text);
@@ -62,11 +68,13 @@ std::string usage_of(const YamlValue::Entry& option) {
 
 class Checker {
  public:
-  Checker(const YamlValue& table, const Target& target, Diagnostics& diagnostics)
+  /// `is_split`: a part of the graph runs elsewhere.
+  Checker(const YamlValue& table, const Target& target, bool is_split, Diagnostics& diagnostics)
       : takes_(*table.find("takes")),
         always_(table.find("always")),
         never_(table.find("never")),
         target_(target.id.value),
+        is_split_(is_split),
         diagnostics_(diagnostics) {}
 
   /// The words that the program gets.
@@ -77,7 +85,7 @@ class Checker {
       const std::string name = words[i].substr(0, equals);
       if (always_ != nullptr && always_->find(name) != nullptr) continue;
       const auto option = ranges::find(takes_.entries, name, &YamlValue::Entry::key);
-      if (option == takes_.entries.end()) {
+      if (option == takes_.entries.end() || !is_for_this(*option)) {
         refuse(name, i > 0 ? words[i - 1] : std::string());
         while (i + 1 < words.size() && !words[i + 1].starts_with("--")) ++i;  // its value
         continue;
@@ -100,12 +108,21 @@ class Checker {
  private:
   Diagnostic& error(const std::string& message) { return diagnostics_.error("E0516", {}, message); }
 
+  [[nodiscard]] bool is_for_this(const YamlValue::Entry& option) const {
+    const YamlValue* split = option.value.find("split");
+    return is_split_ || split == nullptr || split->text != "true";
+  }
+
   void refuse(const std::string& name, const std::string& before) {
     const auto option = ranges::find(takes_.entries, before, &YamlValue::Entry::key);
     if (option != takes_.entries.end() && !name.starts_with("--"))
       return refuse_value(*option, name);
     auto& problem =
         error(fmt::format("a program for `{}` does not take `{}`", target_, shortened(name)));
+    if (takes_.find(name) != nullptr) {
+      problem.help = "only a graph with parts takes it: `placement:`, or `--split NAME=TARGET`";
+      return;
+    }
     const YamlValue* reason = never_ != nullptr ? never_->find(name) : nullptr;
     if (reason != nullptr) {
       problem.help = reason->text;
@@ -113,10 +130,20 @@ class Checker {
     }
     std::vector<std::string> known, usage;
     for (const auto& each : takes_.entries) {
+      if (!is_for_this(each)) continue;
       known.push_back(each.key);
       usage.push_back(usage_of(each));
     }
-    problem.help = did_you_mean(name, known, fmt::format("it takes {}", join(usage, ", ")));
+    const std::string all = ranges::contains(known, "--help")
+                                ? "`eagerx-gen run GRAPH.yaml -- --help` lists what it takes"
+                                : fmt::format("it takes {}", join(usage, ", "));
+    // What nobody knows went to the program, which may have been meant for eagerx-gen.
+    GenerateOptions ignored;
+    for (const Argument& argument : on_building(ignored)) {
+      if (!argument.is_option()) continue;
+      for (std::string& each : comma_separated(argument.names)) known.push_back(std::move(each));
+    }
+    problem.help = did_you_mean(name, known, all);
   }
 
   void refuse_value(const YamlValue::Entry& option, const std::string& value) {
@@ -128,7 +155,9 @@ class Checker {
 
   void check_value(const YamlValue::Entry& option, const std::string& value) {
     const YamlValue* words = option.value.find("one_of");
-    if (words != nullptr) {
+    if (option.value.find("value") != nullptr) {
+      if (!value.empty()) return;
+    } else if (words != nullptr) {
       if (ranges::contains(words->items, value, &YamlValue::text)) return;
     } else {
       const auto bound = [&](const char* key, std::uint64_t otherwise) {
@@ -142,15 +171,18 @@ class Checker {
         value.empty() ? fmt::format("`{}` needs a value", option.key)
                       : fmt::format("`{}` is no value of `{}`", shortened(value), option.key));
     const YamlValue* from = option.value.find("from");
-    problem.help = from != nullptr ? fmt::format("write `{}`, a whole number from {} on",
-                                                 usage_of(option), from->text)
-                                   : fmt::format("write `{}`", usage_of(option));
+    const YamlValue* to = option.value.find("to");
+    problem.help = fmt::format("write `{}`", usage_of(option));
+    if (from != nullptr)
+      problem.help += fmt::format(", a whole number from {} {}", from->text,
+                                  to != nullptr ? "to " + to->text : "on");
   }
 
   const YamlValue& takes_;
   const YamlValue* always_;
   const YamlValue* never_;
   std::string target_;
+  bool is_split_;
   Diagnostics& diagnostics_;
 };
 
@@ -160,8 +192,8 @@ std::string options_file(const Run& run, const Target& target) {
   for (const auto& each : target.templates) {
     const LoadedFile source = load_file(each.first, ReadLimits().max_bytes);
     constexpr std::string_view kBegin = "#include <targets/", kEnd = "/app.hpp>";
-    const std::size_t begin = source.bytes.find(kBegin);
-    const std::size_t end = source.bytes.find(kEnd, std::min(begin, source.bytes.size()));
+    const std::size_t end = source.bytes.find(kEnd);
+    const std::size_t begin = source.bytes.rfind(kBegin, end);
     if (begin == std::string::npos || end == std::string::npos) continue;
     const std::string place =
         source.bytes.substr(begin + kBegin.size(), end - begin - kBegin.size());
@@ -174,7 +206,7 @@ std::string options_file(const Run& run, const Target& target) {
 
 }  // namespace
 
-bool check_board_options(Run& run, const Target& target, std::vector<std::string>& words) {
+bool check_program_options(Run& run, const Target& target, std::vector<std::string>& words) {
   const std::string file = words.empty() ? std::string() : options_file(run, target);
   if (file.empty()) return true;
   const std::size_t errors_before = run.diagnostics.error_count();
@@ -182,7 +214,7 @@ bool check_board_options(Run& run, const Target& target, std::vector<std::string
   if (run.diagnostics.error_count() != errors_before ||
       !check(table, options_format(), run.diagnostics))
     return false;
-  words = Checker(table, target, run.diagnostics).run(words);
+  words = Checker(table, target, run.graph->placement.has_value(), run.diagnostics).run(words);
   return run.diagnostics.error_count() == errors_before;
 }
 
