@@ -7,11 +7,11 @@
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/become.hpp"
-#include "generator/cli/program_options.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/emitted.hpp"
 #include "generator/cli/image_budget.hpp"
+#include "generator/cli/program_options.hpp"
 #include "generator/cli/start_parts.hpp"
 #include "generator/cli/targets.hpp"
 #include "generator/diagnostics/search.hpp"

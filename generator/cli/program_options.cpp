@@ -30,15 +30,15 @@ const Format& options_format() {
     const FormatPtr reason = format::text("a reason");
     const FormatPtr number = format::text("a whole number");
     const FormatPtr value = format::record(
-        "an option", {{"from", number, false, "its value is a whole number, at least this"},
-                      {"to", number, false, "and at most this"},
-                      {"one_of", format::list("a list of words", format::text("a word"), 1), false,
-                       "its values"},
-                      {"value", format::text("a word"), false,
-                       "what its value is called, which the program judges"},
-                      {"split", format::boolean(), false,
-                       "only for programs of which a part runs elsewhere"},
-                      {"without", reason, false, "why it has no value"}});
+        "an option",
+        {{"from", number, false, "its value is a whole number, at least this"},
+         {"to", number, false, "and at most this"},
+         {"one_of", format::list("a list of words", format::text("a word"), 1), false,
+          "its values"},
+         {"value", format::text("a word"), false,
+          "what its value is called, which the program judges"},
+         {"split", format::boolean(), false, "only for programs of which a part runs elsewhere"},
+         {"without", reason, false, "why it has no value"}});
     return format::record(
         "the options",
         {{"takes", named("options", value), true, "what the program takes"},

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "generator/diagnostics/search.hpp"
+#include "generator/files/beside.hpp"
 #include "generator/process/companions.hpp"
 #include "generator/quote/quote.hpp"
 
@@ -132,11 +133,29 @@ void add_keys(const std::vector<BuiltProgram>& programs, std::vector<std::string
   }
 }
 
+/// The key of a line that is there, or is going to be, has to be there too.
+void check_key(Run& run, const PlacedPart& part, const std::vector<std::string>& words) {
+  if (part.host.empty() && !has_tcp_line(part, words)) return;
+  const std::string key = key_of(part, words);
+  std::error_code error;
+  if (key.empty() || fs::exists(key, error)) return;
+  const std::string near = help_for_missing(key, key);
+  run.diagnostics
+      .error("E0518", part.span,
+             fmt::format("there is no key `{}` for the line to part `{}`", key, part.name))
+      .help = near.starts_with("did you mean")
+                  ? near
+                  : fmt::format("`eagerx-gen key new {}` writes one", shell_word(key));
+}
+
 }  // namespace
 
 bool check_parts(Run& run, const std::vector<BuiltProgram>& programs,
                  const std::vector<std::string>& words) {
   const std::size_t before = run.diagnostics.error_count();
+  for (const BuiltProgram& program : programs)
+    if (program.part != nullptr) check_key(run, *program.part, words);
+  if (run.diagnostics.error_count() != before) return false;
   for (const BuiltProgram* program : without_line(programs, words)) {
     if (!program->part->host.empty()) {
       tell_elsewhere(run, *program, words);

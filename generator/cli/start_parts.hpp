@@ -9,7 +9,8 @@
 namespace eagerx::gen {
 
 /// Whether each part can be started here, or one of `words`, the options of the hub's program, is
-/// a `--link` to it: E0518, which says what to type on the other machine.
+/// a `--link` to it, and whether keys of lines are there: E0518, which says what to type, here or
+/// on the other machine.
 bool check_parts(Run& run, const std::vector<BuiltProgram>& programs,
                  const std::vector<std::string>& words);
 

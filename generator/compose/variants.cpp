@@ -57,7 +57,8 @@ class Chooser {
     const YamlValue* variant = extends->find("variant");
     const std::string base_path = (fs::path(path).parent_path() / file.text).string();
     if (!enters(path, base_path, file.span)) return root;
-    YamlValue base = read_yaml_file(base_path, sources_, diagnostics_);
+    const auto loaded = load_yaml_file(base_path, sources_, diagnostics_, {}, file.span, file.text);
+    YamlValue base = loaded ? read_loaded_yaml(*loaded, sources_, diagnostics_) : YamlValue();
     if (base.is_null()) {
       failed_ = true;
       return root;

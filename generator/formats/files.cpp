@@ -8,6 +8,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "generator/files/beside.hpp"
 #include "generator/files/files.hpp"
 #include "generator/network/limits.hpp"
 
@@ -19,24 +20,11 @@ void report_problem(const PolicyProblem& problem, const char* what, const std::s
       .help = problem.help;
 }
 
-std::vector<std::string> entries_of_folder(const std::string& path) {
-  constexpr std::size_t kMostEntries = 1000;
-  std::vector<std::string> names;
-  std::error_code error;
-  if (!std::filesystem::is_directory(path, error)) return names;
-  for (auto entry = std::filesystem::directory_iterator(path, error);
-       !error && entry != std::filesystem::directory_iterator() && names.size() < kMostEntries;
-       entry.increment(error)) {
-    names.push_back(entry->path().filename().string());
-  }
-  std::ranges::sort(names);
-  return names;
-}
-
 std::optional<std::string> read_bytes(const std::string& path, const std::string& name,
                                       Span mention, const char* what, Diagnostics& diagnostics) {
   const auto unreadable = [&](const std::string& why) {
-    diagnostics.io_error("E0601", mention, fmt::format("cannot read {} `{}`: {}", what, name, why));
+    diagnostics.io_error("E0601", mention, fmt::format("cannot read {} `{}`: {}", what, name, why))
+        .help = help_for_missing(path, name);
     return std::nullopt;
   };
   std::error_code error;

@@ -11,9 +11,6 @@
 
 namespace eagerx::gen {
 
-/// Names in the folder `path`, in order; empty if it is none.
-std::vector<std::string> entries_of_folder(const std::string& path);
-
 /// The bytes of a file. `what` is for messages ("policy", "statistics"). E0601, E0602.
 std::optional<std::string> read_bytes(const std::string& path, const std::string& name,
                                       Span mention, const char* what, Diagnostics& diagnostics);

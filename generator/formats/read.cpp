@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "generator/files/beside.hpp"
 #include "generator/formats/actor/files.hpp"
 #include "generator/formats/common/foreign.hpp"
 #include "generator/formats/files.hpp"

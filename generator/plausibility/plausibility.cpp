@@ -22,6 +22,7 @@ void check_plausibility(const Judged& judged, Diagnostics& diagnostics) {
   check_numbers(judged, diagnostics);
   check_steps(judged, diagnostics);
   check_kept_states(judged, diagnostics);
+  check_files(judged, diagnostics);
 }
 
 void check_keys(const Judged& judged, Diagnostics& diagnostics) {

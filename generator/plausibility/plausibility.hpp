@@ -21,8 +21,8 @@ struct Judged {
 /// does nothing in this graph, W0110 what of a task changes nothing, W0111 an output that nobody
 /// said the safe value of, W0112 nodes without an engine that are faster than a step, W0113 a state
 /// that goes on from one episode to the next, W0114 a long delay without a unit, W0115 a rate that
-/// hardly anything has; E0421 a budget for a node that there is not, E0423 buffers that do not fit
-/// into the RAM.
+/// hardly anything has, W0118 a file of actions that is not there; E0421 a budget for a node that
+/// there is not, E0423 buffers that do not fit into the RAM.
 void check_plausibility(const Judged& judged, Diagnostics& diagnostics);
 
 /// Leaves out the warnings whose codes are in `allow:`. W0108 where that does nothing; `complete`:
@@ -44,5 +44,6 @@ void check_task(const Graph& graph, Diagnostics& diagnostics);
 void check_numbers(const Judged& judged, Diagnostics& diagnostics);
 void check_steps(const Judged& judged, Diagnostics& diagnostics);
 void check_kept_states(const Judged& judged, Diagnostics& diagnostics);
+void check_files(const Judged& judged, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "generator/diagnostics/search.hpp"
+#include "generator/files/beside.hpp"
 #include "generator/read/locator.hpp"
 #include "generator/read/memory.hpp"
 #include "generator/read/text.hpp"
@@ -144,7 +145,8 @@ YamlValue made_list(std::vector<YamlValue> items, Span span) {
 }
 
 std::optional<FileId> load_yaml_file(const std::string& path, SourceMap& sources,
-                                     Diagnostics& diagnostics, const ReadLimits& limits) {
+                                     Diagnostics& diagnostics, const ReadLimits& limits,
+                                     Span mention, const std::string& written) {
   LoadedFile file = load_file(path, limits.max_bytes);
   switch (file.status) {
     case LoadedFile::Status::loaded:
@@ -153,8 +155,9 @@ std::optional<FileId> load_yaml_file(const std::string& path, SourceMap& sources
       report_too_large(sources.add(path, {}), limits.max_bytes, diagnostics);
       return std::nullopt;
     case LoadedFile::Status::unreadable:
-      diagnostics.io_error("E0101", {sources.add(path, {}), 0, 0, 0},
-                           fmt::format("cannot read `{}`: {}", path, file.reason));
+      if (mention.file == FileId::none) mention = {sources.add(path, {}), 0, 0, 0};
+      diagnostics.io_error("E0101", mention, fmt::format("cannot read `{}`: {}", path, file.reason))
+          .help = help_for_missing(path, written.empty() ? path : written);
       return std::nullopt;
   }
   return std::nullopt;

@@ -70,9 +70,10 @@ enum class Tags : std::uint8_t { refuse, accept };
 YamlValue read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
                          Tags tags = Tags::refuse, const ReadLimits& limits = {});
 /// The first half of it: the file's text is in `sources`; nullopt and an error where it cannot be
-/// loaded.
+/// loaded. One that cannot be read is told of where it is named, at `mention`, as `written`.
 std::optional<FileId> load_yaml_file(const std::string& path, SourceMap& sources,
-                                     Diagnostics& diagnostics, const ReadLimits& limits = {});
+                                     Diagnostics& diagnostics, const ReadLimits& limits = {},
+                                     Span mention = {}, const std::string& written = {});
 /// The second half, of a file that is loaded.
 YamlValue read_loaded_yaml(FileId file, const SourceMap& sources, Diagnostics& diagnostics,
                            Tags tags = Tags::refuse, const ReadLimits& limits = {});

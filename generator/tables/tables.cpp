@@ -9,6 +9,7 @@
 
 #include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
+#include "generator/files/beside.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/read/text.hpp"
 #include "generator/spec/named.hpp"
@@ -109,8 +110,10 @@ class TableReader {
   std::optional<CsvTable> load(const std::string& path, const YamlValue& mention) {
     LoadedFile file = load_file(path, kMostBytes);
     if (file.status == LoadedFile::Status::unreadable) {
-      diagnostics_.io_error("E0345", mention.span,
-                            fmt::format("cannot read `{}`: {}", mention.text, file.reason));
+      diagnostics_
+          .io_error("E0345", mention.span,
+                    fmt::format("cannot read `{}`: {}", mention.text, file.reason))
+          .help = help_for_missing(path, mention.text);
       return std::nullopt;
     }
     if (file.status == LoadedFile::Status::too_large) {
