@@ -84,6 +84,19 @@ std::string source_name(const Draft& draft, const DraftEdge& edge) {
                      node.outputs[edge.output].name);
 }
 
+/// What mends it. A cycle through the environment begins with it: it waits for an observation.
+std::string help_for(const Draft& draft, const std::vector<std::size_t>& cycle,
+                     const std::string& first) {
+  if (cycle.front() != Graph::kEnvironment)
+    return "add `skip: true` to one of these connections: it then takes the message of the tick "
+           "before";
+  return fmt::format(
+      "an action is the answer to the observations of the same instant, so none of them can wait "
+      "for it{}: add `skip: true` to `{}`, which then takes the message of the tick before",
+      draft.spec.has_engine() ? "" : ", and without an engine nothing on the way takes time",
+      first);
+}
+
 }  // namespace
 
 void check_cycles(Draft& draft) {
@@ -113,9 +126,7 @@ void check_cycles(Draft& draft) {
           {fmt::format("and with {} more connections, the last of which is `{}`",
                        places.size() - kMostNotes, names.back()),
            places.back(), ""});
-    problem.help =
-        "add `skip: true` to one of these connections: it then takes the message of the tick "
-        "before";
+    problem.help = help_for(draft, cycle, names.front());
   }
 }
 
