@@ -56,6 +56,7 @@ Mentions mentions_of(const YamlValue& graph, const GraphOptions& options) {
   for (const std::string& item : options.split)
     mentions.add(item.substr(item.find_last_of("=:") + 1));
   for (const std::string& id : entities_of_patterns(graph)) mentions.add(id);
+  for (const std::string& id : entities_of_noise(graph)) mentions.add(id);
   return mentions;
 }
 

@@ -1,6 +1,8 @@
 // What manifests require of parameters, ports and rates together.
 #include <fmt/format.h>
 
+#include <tuple>
+
 #include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
@@ -110,13 +112,40 @@ void check(const Entity& entity, const Config& config, Facts facts, Span span,
   }
 }
 
+/// The element of `actions.torque[2]`: the stage that compose/ has made of it, whose type and index
+/// are at one place.
+std::optional<std::int64_t> element_of(const Processor& stage) {
+  if (stage.config.size() != 1) return std::nullopt;
+  const Span& index = stage.config.front().span;
+  if (std::tie(index.file, index.line, index.column) !=
+      std::tie(stage.span.file, stage.span.line, stage.span.column))
+    return std::nullopt;
+  const auto* const indices = std::get_if<std::vector<std::int64_t>>(&stage.config.front().value);
+  return indices != nullptr && indices->size() == 1 ? std::optional(indices->front())
+                                                    : std::nullopt;
+}
+
+/// Whether the message has the element that a connection takes of it.
+bool has_element(const Processor& stage, Diagnostics& diagnostics) {
+  const auto element = element_of(stage);
+  const std::size_t size = stage.input.size();
+  if (!element || static_cast<std::size_t>(*element) < size) return true;
+  diagnostics
+      .error("E0392", stage.span,
+             fmt::format("there is no element {}: the message has {}", *element,
+                         counted(size, "element")))
+      .help = size == 1 ? "write `[0]`, or no index" : fmt::format("write `[0]` to `[{}]`", size - 1);
+  return false;
+}
+
 /// Without the first `known` stages.
 void check(const std::optional<Processor>& processor, Diagnostics& diagnostics,
            std::size_t known = 0) {
   if (!processor) return;
   const auto stages = processor->stages();
   for (std::size_t i = known; i < stages.size(); ++i)
-    check(*stages[i]->entity, stages[i]->config, facts_of(*stages[i]), stages[i]->span,
+    if (has_element(*stages[i], diagnostics))
+      check(*stages[i]->entity, stages[i]->config, facts_of(*stages[i]), stages[i]->span,
           diagnostics);
 }
 

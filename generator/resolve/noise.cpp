@@ -9,6 +9,8 @@
 namespace eagerx::gen {
 namespace {
 
+constexpr const char* kNoiseNode = "SensorModel";
+
 YamlValue listed(const YamlValue& numbers) {
   return numbers.is_scalar() ? made_list({numbers}, numbers.span) : numbers;
 }
@@ -25,7 +27,7 @@ EntitySpec spec_of(const NoiseSpec& noise, const Rational& rate_hz) {
   const Span span = noise.observation.span;
   EntitySpec spec;
   spec.name = {"noise_" + noise.observation.value, span};
-  spec.type = {"SensorModel", span};
+  spec.type = {kNoiseNode, span};
   spec.rate = {made_scalar(rate_hz.to_string(), span), span};
   spec.config = {{noise.is_range ? "spread" : "noise", noise.numbers.span, listed(noise.numbers)}};
   RandomSpec uniform;
@@ -108,6 +110,12 @@ class NoiseAdder {
 
 void add_noise(Draft& draft) {
   if (draft.task) NoiseAdder(draft).run();
+}
+
+std::vector<std::string> entities_of_noise(const YamlValue& root) {
+  const YamlValue* const task = root.find("task");
+  const bool has_noise = task != nullptr && task->find("noise") != nullptr;
+  return has_noise ? std::vector<std::string>{kNoiseNode} : std::vector<std::string>();
 }
 
 }  // namespace eagerx::gen

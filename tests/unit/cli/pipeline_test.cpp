@@ -35,6 +35,12 @@ TEST_F(Pipeline, GraphsWithoutAProblemNeedOnlyWhatTheyMention) {
   EXPECT_GT(graphs, 8U);
 }
 
+TEST_F(Pipeline, NoiseNeedsNoMoreThanItsNode) {
+  gen::Run run;
+  EXPECT_TRUE(make(run, options_for("tests/environments/swing.yaml")));
+  EXPECT_FALSE(run.library.whole);
+}
+
 TEST_F(Pipeline, AProblemThatListsNothingNeedsNoMore) {
   gen::Run run;
   EXPECT_FALSE(make(run, options_for("tests/diagnostics/cases/cycle.yaml")));
