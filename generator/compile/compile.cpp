@@ -177,7 +177,10 @@ class CompileCheck {
   bool compile_program() {
     const std::string name = plan_.graph->name;
     if (!write("program.cpp",
-               fmt::format("#include \"{0}/program.hpp\"\ntemplate class graphs::{0}::Program<>;\n",
+               // A template's constructors are instantiated where one is made.
+               fmt::format("#include \"{0}/program.hpp\"\ntemplate class graphs::{0}::Program<>;\n"
+                           "graphs::{0}::Program<> made();\n"
+                           "graphs::{0}::Program<> made() {{ return graphs::{0}::Program<>(); }}\n",
                            name)))
       return false;
     const auto messages = messages_in(compile("program.cpp", {"-c", "-o", folder_ + "/program.o"}));
@@ -251,17 +254,45 @@ class CompileCheck {
                                        fmt::format("`{}` does not fit what its manifest says: {}",
                                                    found->entity->cpp.name, message.text));
     problem.notes.push_back({fmt::format("the node `{}`", node), found->span, ""});
+    if (found->role == NodeRole::node && !found->is_reset_node())
+      problem.help =
+          "it has `void reset(const typename Io::States&)` and `void callback(const "
+          "eagerx::Tick&, const typename Io::Inputs&, typename Io::Outputs&)`, a constructor "
+          "without arguments, and its parameters in `Io::Config`: `eagerx-gen new node NAME` "
+          "writes one";
     return problem;
   }
 
-  /// Whose part of program.hpp it is; empty if it is nobody's.
+  /// Whose part of program.hpp it is, or whose member the line names; empty if it is nobody's.
   std::string node_of(const CompilerMessage& message) {
     const std::string map_name = plan_.graph->name + "/program.map";
     const auto file = ranges::find(files_, map_name, &GeneratedFile::path);
     if (file == files_.end() || !message.file.ends_with("program.hpp")) return {};
     const auto map = parse_program_map(file->text, map_name, diagnostics_);
-    const std::string* node = map ? map->node_of_line(message.line) : nullptr;
-    return node != nullptr ? *node : std::string();
+    if (!map) return {};
+    if (const std::string* node = map->node_of_line(message.line)) return *node;
+    const auto program =
+        ranges::find(files_, plan_.graph->name + "/program.hpp", &GeneratedFile::path);
+    return program != files_.end() ? node_of_member(*map, program->text, message.line)
+                                   : std::string();
+  }
+
+  /// Of the first member of a node in a line, such as `gain_.reset({});`.
+  static std::string node_of_member(const ProgramMap& map, const std::string& text,
+                                    std::uint32_t line) {
+    std::istringstream lines(text);
+    std::string found;
+    for (std::uint32_t i = 0; i < line && std::getline(lines, found); ++i) continue;
+    constexpr std::string_view kLetters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+    for (std::size_t begin = 0; begin < found.size();) {
+      begin = std::min(found.find_first_of(kLetters, begin), found.size());
+      const std::size_t end = std::min(found.find_first_not_of(kLetters, begin), found.size());
+      const ProgramMap::Owner owner = map.owner(found.substr(begin, end - begin));
+      if (owner.is_node) return owner.name;
+      begin = end;
+    }
+    return {};
   }
 
   /// The class whose header lies in the same folder or above, the nearest one; nullptr if the file
