@@ -187,8 +187,8 @@ class Carrier {
     return place;
   }
 
-  /// Adds what a file includes. `"../library/x.hpp"` becomes `"library/x.hpp"`, which is where it
-  /// is then.
+  /// Adds what a file includes. `"../library/x.hpp"` becomes the way from this file to where it is
+  /// then: another tree of the same program may have another `library/x.hpp` in its include path.
   void scan(std::size_t index) {
     std::stringstream lines(files_[index].text);
     std::string text;
@@ -201,11 +201,24 @@ class Carrier {
         const Line here{path, number, *include};
         const auto place = carried(here, name);
         if (place && leads_away(name))
-          line.replace(include->from - 1, name.size() + 2, '"' + *place + '"');
+          line.replace(include->from - 1, name.size() + 2, '"' + way_to(*place, path) + '"');
       }
       text += line + "\n";
     }
     if (!files_[index].text.empty() && files_[index].text.back() == '\n') files_[index].text = text;
+  }
+
+  /// How `file` includes a header below src/. What all trees have alike is found in the include
+  /// path, so that it is there once.
+  std::string way_to(const std::string& header, const std::string& file) const {
+    const fs::path root = fs::absolute(run_.root).lexically_normal();
+    const auto origin = from_.find(kHeaderFolder + header);
+    const bool is_own =
+        origin != from_.end() && *origin->second.lexically_relative(root).begin() == "..";
+    if (!is_own || !file.starts_with(kHeaderFolder)) return header;
+    return fs::path(kHeaderFolder + header)
+        .lexically_relative(fs::path(file).parent_path())
+        .generic_string();
   }
 
   /// An `#include` in a file of the tree.
