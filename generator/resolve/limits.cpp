@@ -134,7 +134,8 @@ bool has_element(const Processor& stage, Diagnostics& diagnostics) {
       .error("E0392", stage.span,
              fmt::format("there is no element {}: the message has {}", *element,
                          counted(size, "element")))
-      .help = size == 1 ? "write `[0]`, or no index" : fmt::format("write `[0]` to `[{}]`", size - 1);
+      .help =
+      size == 1 ? "write `[0]`, or no index" : fmt::format("write `[0]` to `[{}]`", size - 1);
   return false;
 }
 
@@ -146,7 +147,7 @@ void check(const std::optional<Processor>& processor, Diagnostics& diagnostics,
   for (std::size_t i = known; i < stages.size(); ++i)
     if (has_element(*stages[i], diagnostics))
       check(*stages[i]->entity, stages[i]->config, facts_of(*stages[i]), stages[i]->span,
-          diagnostics);
+            diagnostics);
 }
 
 void check(const GraphNode& node, Diagnostics& diagnostics) {

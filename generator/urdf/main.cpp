@@ -48,6 +48,10 @@ void write(const Options& options, const eagerx::urdf::Robot& robot,
                    eagerx::gen::counted(robot.bodies.size(), "body", "bodies"),
                    eagerx::gen::counted(robot.joints.size(), "joint"),
                    eagerx::gen::counted(robot.shapes.size(), "shape"), folder.string());
+  // A robot that was meant to stand on something falls.
+  if (options.robot.base == Base::by_inertia && !robot.bodies.empty() && robot.bodies[0].is_free)
+    eagerx::gen::say("`{}` is free to move, as it has an `inertial`: `--base fixed` fixes it\n",
+                     robot.bodies[0].name);
 }
 
 int convert(const Options& options) {

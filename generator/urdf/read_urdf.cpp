@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "generator/files/beside.hpp"
 #include "generator/read/text.hpp"
 #include "generator/urdf/urdf.hpp"
 #include "generator/urdf/xml.hpp"
@@ -255,7 +256,8 @@ std::optional<Description> read_file(const std::string& path, gen::SourceMap& so
   if (file.status == gen::LoadedFile::Status::too_large) {
     diagnostics.error("E0102", place, fmt::format("the file is larger than {} bytes", kMaxBytes));
   } else {
-    diagnostics.io_error("E0101", place, fmt::format("cannot read `{}`: {}", path, file.reason));
+    diagnostics.io_error("E0101", place, fmt::format("cannot read `{}`: {}", path, file.reason))
+        .help = gen::help_for_missing(path, path);
   }
   return std::nullopt;
 }

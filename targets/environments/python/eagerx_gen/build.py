@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import contextlib
+import difflib
 import fcntl
 import hashlib
 import json
@@ -141,6 +142,14 @@ def moves_hardware(graph, engine, paths, variant=None):
         return False
 
 
+def near_of(path):
+    """What a file that is not there may have been meant for, or nothing."""
+    with contextlib.suppress(OSError):
+        near = difflib.get_close_matches(path.name, os.listdir(path.parent), 1, 0.8)
+        return f"; did you mean {near[0]}?" if near else ""
+    return ""
+
+
 def build(graph, engine=None, paths=(), progress=True, variant=None, *, target="environments", ending=".so", opened=Library):
     """The Library of a graph's file. Only what has changed since the last time is made: of graph, entities, eagerx-gen.
 
@@ -148,7 +157,7 @@ def build(graph, engine=None, paths=(), progress=True, variant=None, *, target="
     """
     graph = pathlib.Path(graph).resolve()
     if not graph.is_file():
-        raise Error(f"there is no file {graph}")
+        raise Error(f"there is no file {graph}{near_of(graph)}")
     program = eagerx_gen()
     options = ["--target", target, *options_of(engine, paths, variant)]
     with started([program, "--version"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace") as process:
