@@ -16,6 +16,7 @@
 #include <targets/environments/agent.hpp>
 #include <targets/environments/base/description.hpp>
 #include <targets/environments/base/problem.hpp>
+#include <targets/environments/base/workload.hpp>
 #include <targets/environments/beginning.hpp>
 #include <targets/environments/held.hpp>
 #include <targets/environments/layout.hpp>
@@ -23,7 +24,6 @@
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/resets.hpp>
 #include <targets/environments/task.hpp>
-#include <targets/environments/workload.hpp>
 #include <utility>
 
 namespace eagerx::environments {
@@ -188,7 +188,7 @@ class Batch {
   template <class F>
   void each_block(Workload& workload, F&& f) {
     if (team_.size() == 1) return f(0U, held_.size, 0U);
-    workload.run(team_, held_.size, block(), std::forward<F>(f));
+    workload.run(team_, held_.size, block(), BlockWork(f));
   }
 
   void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,

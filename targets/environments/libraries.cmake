@@ -6,7 +6,7 @@ function(eagerx_environments_libraries)
   if(TARGET eagerx_environments)
     return()
   endif()
-  set(names checks columns description fields painter place_of_reward problem state_rows trace_file)
+  set(names checks columns description fields painter place_of_reward problem state_rows trace_file workload)
   list(TRANSFORM names PREPEND ${here}/base/)
   list(TRANSFORM names APPEND .cpp)
   eagerx_compiled_library(

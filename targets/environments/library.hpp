@@ -65,7 +65,7 @@ class Library {
     constexpr int kRewardNotFinite = 1;
     bool is_finite = true;
     const int result = call(environments, [&](Batch<Graph>& batch) {
-      check_rows("action", action, Layout<Graph>::get().actions.numbers());
+      if (action == nullptr) check_rows("action", action, Layout<Graph>::get().actions.numbers());
       if (rows != nullptr) check_size("eagerx_rows", rows->size, sizeof(eagerx_rows));
       const std::string problem = batch.step(action, rows != nullptr ? *rows : eagerx_rows{});
       is_finite = problem.empty();
