@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/message.hpp>
-#include <eagerx/picture/brush.hpp>
+#include <eagerx/picture/coverage.hpp>
 
 namespace eagerx::target {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <eagerx/picture.hpp>
+#include <eagerx/picture/coverage.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/scene.hpp>
 #include <targets/common/image_message.hpp>
@@ -17,7 +17,6 @@ inline constexpr bool has_render = requires {
 
 /// Pixels a side.
 inline constexpr std::uint32_t kWidestPicture = 4096;
-using Painter = picture::Painter<kWidestPicture>;
 
 /// The part of a trace that keeps what was shown last: nothing for a graph without `render:`.
 template <class Graph>
@@ -41,7 +40,8 @@ class LastShown<Graph> {
   void draw_from_now_on() { draws_ = true; }
   /// White, until something is shown.
   void forget() { is_shown_ = false; }
-  /// `image` has three channels.
+  /// `image` has three channels. `painter`: as picture::Painter.
+  template <class Painter>
   void paint(Painter& painter, const picture::Image& image) const {
     using Shape = ImageShape<typename Graph::Rendered>;
     if (!is_shown_) {

@@ -12,9 +12,9 @@
 #include <memory>
 #include <string>
 #include <targets/common/run.hpp>
+#include <targets/environments/base/problem.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_agent.hpp>
-#include <targets/environments/problem.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -85,18 +85,12 @@ const char* write_action(typename Graph::Action action, float* row) {
   return refused;
 }
 
-/// … as a problem.
-inline Problem no_such_float(const char* name) {
-  return Problem("float32 has no such action `" + std::string(name) +
-                 "` as the agent wants: generate the library for a graph of floats");
-}
-
 /// The agent that the graph names. Throws Problem if it is none that a library can have.
 template <class Graph>
 target::Agent agent_of_graph() {
   constexpr target::Agent kAgent = target::default_agent<Graph>();
   if (kAgent == target::Agent::csv)
-    throw Problem("the agent of the graph is a file of actions, which a library cannot read");
+    refuse("the agent of the graph is a file of actions, which a library cannot read");
   return kAgent;
 }
 

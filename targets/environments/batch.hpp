@@ -9,22 +9,21 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <runtime/host/base/team.hpp>
 #include <string>
 #include <string_view>
 #include <targets/common/run.hpp>
 #include <targets/environments/agent.hpp>
+#include <targets/environments/base/description.hpp>
+#include <targets/environments/base/problem.hpp>
+#include <targets/environments/base/workload.hpp>
 #include <targets/environments/beginning.hpp>
 #include <targets/environments/held.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/not_finite.hpp>
 #include <targets/environments/pictures.hpp>
-#include <targets/environments/problem.hpp>
 #include <targets/environments/resets.hpp>
 #include <targets/environments/task.hpp>
-#include <targets/environments/tuning.hpp>
-#include <targets/environments/workload.hpp>
 #include <utility>
 
 namespace eagerx::environments {
@@ -47,9 +46,9 @@ class Batch {
     held_.packs.make_room(team_.size());
     agents_.make_room(team_.size());
     if (target::is_real(held_.programs[0])) {
-      throw Problem("engine `" + std::string(Graph::kEngine) +
-                    "` moves real hardware, of which there is one: generate the library with "
-                    "`--engine` and an engine that simulates");
+      refuse("engine `" + std::string(Graph::kEngine) +
+             "` moves real hardware, of which there is one: generate the library with `--engine` "
+             "and an engine that simulates");
     }
     // By all members: a library may need memory for each thread, too.
     team_.run(team_.size(), [&](unsigned i) {
@@ -117,7 +116,10 @@ class Batch {
       const Rows rows{first, end, observations, actions};
       if (const char* name = agents_.act(member, rows, is_running, act_alone)) refused = name;
     });
-    if (refused != nullptr) throw no_such_float(refused);
+    if (refused != nullptr) {
+      refuse("float32 has no such action `" + std::string(refused) +
+             "` as the agent wants: generate the library for a graph of floats");
+    }
   }
 
   void set_states(const std::uint8_t* mask, const float* states) {
@@ -132,9 +134,10 @@ class Batch {
   /// Parameters of episodes that go on; NaN: as it is. Throws Problem, with nothing changed.
   void tune(const std::uint8_t* mask, const float* states) {
     require_begun();
-    check_tuning<Graph>(held_.size, mask, states);
+    layout_.states.check_tuning(held_.size, mask, states);
     for (std::uint32_t k = 0; k < held_.size; ++k) {
-      if (mask == nullptr || mask[k] != 0) held_.tune(k, states + k * layout_.states.numbers());
+      if (mask == nullptr || mask[k] != 0)
+        held_.tune(k, states + k * layout_.states.columns.numbers());
     }
   }
 
@@ -142,7 +145,7 @@ class Batch {
     require_begun();
     for (std::uint32_t k = 0; k < held_.size; ++k)
       layout_.write(resets_.states_of(k, held_.episodes[k].key()),
-                    states + k * layout_.states.numbers());
+                    states + k * layout_.states.columns.numbers());
   }
 
   /// What the critic of a training sees; null is not written.
@@ -156,11 +159,9 @@ class Batch {
   std::uint64_t hash(std::uint32_t k) const { return held_.hash(k); }
 
   /// Sums over all environments of what is not 0.
-  std::map<std::string, std::uint64_t> counts() const {
-    std::map<std::string, std::uint64_t> sums;
-    const auto add = [&](const char* name, std::uint64_t count) {
-      if (count != 0) sums[name] += count;
-    };
+  Counts counts() const {
+    Counts sums;
+    const auto add = [&](const char* name, std::uint64_t count) { sums.add(name, count); };
     held_.for_each_fault(add);
     not_finite_.for_each_count(add);
     return sums;
@@ -169,7 +170,7 @@ class Batch {
   /// `pixels` [height][width][3]: what the environment showed last; white before that.
   void picture(std::uint32_t k, const picture::Image& pixels) {
     if (!held_.drawn.any())
-      throw Problem("these environments draw nothing: set `pictures` of eagerx_options to 1");
+      refuse("these environments draw nothing: set `pictures` of eagerx_options to 1");
     held_.with(k, [&](auto& program) {
       if constexpr (requires { program.trace.paint(held_.drawn.painter(), pixels); })
         program.trace.paint(held_.drawn.painter(), pixels);
@@ -187,7 +188,7 @@ class Batch {
   template <class F>
   void each_block(Workload& workload, F&& f) {
     if (team_.size() == 1) return f(0U, held_.size, 0U);
-    workload.run(team_, held_.size, block(), std::forward<F>(f));
+    workload.run(team_, held_.size, block(), BlockWork(f));
   }
 
   void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
@@ -359,7 +360,7 @@ class Batch {
     if (all_begun_) return;
     std::uint32_t k = 0;
     while (held_.episodes[k].begun) ++k;
-    throw Problem("environment " + std::to_string(k) + " has not begun: reset it first");
+    refuse("environment " + std::to_string(k) + " has not begun: reset it first");
   }
 
   const Layout<Graph>& layout_ = Layout<Graph>::get();

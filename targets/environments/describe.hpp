@@ -1,20 +1,17 @@
 // What eagerx_describe() says of a graph.
 #pragma once
 
-#include <targets/environments/eagerx_environments.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/message.hpp>
-#include <runtime/host/base/hash.hpp>
-#include <runtime/host/base/json.hpp>
 #include <string>
+#include <targets/environments/base/description.hpp>
+#include <targets/environments/base/fields.hpp>
 #include <targets/environments/critic.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_kernel.hpp>
 #include <targets/environments/stages.hpp>
 #include <targets/environments/task.hpp>
-#include <targets/environments/tuning.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -46,87 +43,33 @@ std::string dtype_of() {
 }
 
 template <class Message>
-struct ShapeOf {
-  static void add(host::Json& /*json*/) {}
+struct TypeOf {
+  static MessageType get() { return {{}, dtype_of<ScalarOf<Message>>()}; }
 };
 template <class T, std::size_t... Shape>
-struct ShapeOf<Array<T, Shape...>> {
-  static void add(host::Json& json) { (json.whole(Shape), ...); }
+struct TypeOf<Array<T, Shape...>> {
+  static MessageType get() { return {{Shape...}, dtype_of<T>()}; }
 };
 
-/// One object for each field of a row, in the order of the columns.
-class Fields {
- public:
-  explicit Fields(const Columns& columns) : columns_(columns) {}
+template <class Message>
+std::vector<double> numbers_of(const Message& message) {
+  std::vector<double> numbers(size_of<Message>);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] = static_cast<double>(element(message, i));
+  return numbers;
+}
 
-  /// `windows` above 1: so many messages, which is the first number of the shape.
-  template <class Message, class Space>
-  void add(const char* name, const Space& space, std::uint32_t windows) {
-    host::Json json;
-    begin<Message>(json, name, windows);
-    bounds(json.key("low"), space.low, windows);
-    bounds(json.key("high"), space.high, windows);
-    end(json);
-  }
-  /// Without bounds.
-  template <class Message>
-  void add(const char* name) {
-    host::Json json;
-    begin<Message>(json, name, 1);
-    for (const char* key : {"low", "high"}) {
-      json.key(key).begin_list();
-      for (std::size_t i = 0; i < size_of<Message>; ++i) json.null();
-      json.end_list();
-    }
-    end(json);
-  }
-
-  std::string list() const {
-    std::string result;
-    for (const std::size_t field : columns_.order())
-      result += (result.empty() ? "" : ", ") + texts_[field];
-    return "[" + result + "]";
-  }
-
- private:
-  template <class Message>
-  void begin(host::Json& json, const char* name, std::uint32_t windows) const {
-    json.begin_object().key("name").text(name).key("shape").begin_list();
-    if (windows > 1) json.whole(windows);
-    ShapeOf<Message>::add(json);
-    json.end_list().key("dtype").text(dtype_of<ScalarOf<Message>>());
-    json.key("window").whole(windows);
-  }
-  void end(host::Json& json) {
-    json.key("first").whole(columns_.first(texts_.size())).end_object();
-    texts_.push_back(json.str());
-  }
-
-  template <class Message>
-  static void bounds(host::Json& json, const Message& bound, std::uint32_t windows) {
-    json.begin_list();
-    for (std::uint32_t w = 0; w < windows; ++w) {
-      for (std::size_t i = 0; i < size_of<Message>; ++i) {
-        if constexpr (std::is_same_v<ScalarOf<Message>, float>) {
-          json.number(element(bound, i));
-        } else {
-          json.number(static_cast<double>(element(bound, i)));
-        }
-      }
-    }
-    json.end_list();
-  }
-
-  const Columns& columns_;
-  std::vector<std::string> texts_;
-};
+template <class Message, class Space>
+void add_field(Fields& fields, const char* name, const Space& space, std::uint32_t windows) {
+  fields.add(name, TypeOf<Message>::get(), windows, numbers_of(space.low), numbers_of(space.high));
+}
 
 template <class Graph>
 std::string describe_actions() {
   Fields fields(Layout<Graph>::get().actions);
   typename Graph::Action action = Graph::zero();
   Graph::for_each_action(action, [&](const char* name, const auto& message, const auto& space) {
-    fields.add<std::remove_cvref_t<decltype(message)>>(name, space, 1);
+    add_field<std::remove_cvref_t<decltype(message)>>(fields, name, space, 1);
   });
   return fields.list();
 }
@@ -136,16 +79,16 @@ std::string describe_observations() {
   Fields fields(Layout<Graph>::get().observations);
   Layout<Graph>::for_each_observed([&](const char* name, auto observed, const auto& space) {
     using Observed = typename decltype(observed)::type;
-    fields.add<typename Observed::value_type>(name, space, messages_of<Observed>());
+    add_field<typename Observed::value_type>(fields, name, space, messages_of<Observed>());
   });
   return fields.list();
 }
 
 template <class Graph>
 std::string describe_states() {
-  Fields fields(Layout<Graph>::get().states);
+  Fields fields(Layout<Graph>::get().states.columns);
   Graph::for_each_state([&](const char* name, const char*, auto, const auto& space) {
-    fields.add<std::remove_cvref_t<decltype(space.low)>>(name, space, 1);
+    add_field<std::remove_cvref_t<decltype(space.low)>>(fields, name, space, 1);
   });
   return fields.list();
 }
@@ -154,8 +97,9 @@ template <class Graph>
 std::string describe_critic() {
   if constexpr (has_critic<Graph>) {
     Fields fields(CriticLayout<Graph>::get().columns);
-    CriticLayout<Graph>::for_each_field(
-        [&](const char* name, auto type) { fields.add<typename decltype(type)::type>(name); });
+    CriticLayout<Graph>::for_each_field([&](const char* name, auto type) {
+      fields.add(name, TypeOf<typename decltype(type)::type>::get());
+    });
     return fields.list();
   } else {
     return "[]";
@@ -165,26 +109,21 @@ std::string describe_critic() {
 template <class Graph>
 std::string describe_task() {
   if constexpr (has_task<Graph>) {
-    host::Json json;
-    json.begin_object().key("terms").begin_list();
-    for (const char* name : Graph::kTermNames) json.text(name);
-    json.end_list().key("success").boolean(requires { Graph::kSuccessNames; });
-    json.key("episode_steps").whole(Graph::kEpisodeSteps);
-    return json.str() + ", \"critic\": " + describe_critic<Graph>() +
-           ", \"stages\": " + describe_stages<Graph>() + "}";
-  } else {
-    return "null";
+    return describe_task({Graph::kTermNames, requires { Graph::kSuccessNames;
   }
+  , Graph::kEpisodeSteps, describe_critic<Graph>(), describe_stages<Graph>()
+});
+}  // namespace eagerx::environments
+else {
+  return "null";
+}
 }
 
 /// Pictures of `render:`.
 template <class Graph>
 std::string describe_render() {
   if constexpr (requires { Graph::kRenders; }) {
-    using Rate = typename Graph::RenderRate;
-    host::Json json;
-    json.begin_object().key("rate_hz").number(static_cast<double>(Rate::num) / Rate::den);
-    return json.end_object().str();
+    return describe_render(static_cast<double>(Graph::RenderRate::num) / Graph::RenderRate::den);
   } else {
     return "null";
   }
@@ -194,24 +133,14 @@ std::string describe_render() {
 /// processor runs, or `why_not`.
 template <class Graph>
 std::string describe(const char* generator, const PackKernel<Graph>& kernel, const char* why_not) {
-  const std::string observations = describe_observations<Graph>();
-  const std::string actions = describe_actions<Graph>();
-  host::Json json;
-  json.begin_object().key("version").whole(EAGERX_ENVIRONMENTS_VERSION);
-  json.key("generator").text(generator).key("graph").text(Graph::kName);
-  json.key("engine").text(Graph::kEngine);
-  json.key("rate_hz").number(static_cast<double>(Graph::Rate::num) / Graph::Rate::den);
-  const std::string contract = json.str() + observations + actions;
   const bool in_packs = kernel.lanes != 0;
-  json.key("hash").text(host::hex_text(host::fnv1a(contract)));
-  json.key("isa").text(in_packs ? kernel.isa : instruction_set());
-  json.key("lanes").whole(in_packs ? kernel.lanes : 1);
-  if (!in_packs) json.key("why_no_lanes").text(why_not);
-  return json.str() + ", \"observations\": " + observations + ", \"actions\": " + actions +
-         ", \"states\": " + describe_states<Graph>() +
-         ", \"tunable\": " + describe_tunable<Graph>() + ", \"agent\": \"" + Graph::kDefaultAgent +
-         "\"" + ", \"task\": " + describe_task<Graph>() +
-         ", \"render\": " + describe_render<Graph>() + "}";
+  return describe({generator, Graph::kName, Graph::kEngine, Graph::kDefaultAgent,
+                   static_cast<double>(Graph::Rate::num) / Graph::Rate::den,
+                   in_packs ? kernel.isa : instruction_set(), in_packs ? kernel.lanes : 1,
+                   in_packs ? nullptr : why_not, describe_observations<Graph>(),
+                   describe_actions<Graph>(), describe_states<Graph>(),
+                   Layout<Graph>::get().states.describe_tunable(), describe_task<Graph>(),
+                   describe_render<Graph>()});
 }
 
 }  // namespace eagerx::environments

@@ -9,13 +9,13 @@
 #include <memory>
 #include <string>
 #include <targets/common/run.hpp>
+#include <targets/environments/base/problem.hpp>
 #include <targets/environments/critic.hpp>
 #include <targets/environments/episode.hpp>
+#include <targets/environments/layout.hpp>
 #include <targets/environments/pack_memory.hpp>
 #include <targets/environments/pictures.hpp>
-#include <targets/environments/problem.hpp>
 #include <targets/environments/traced.hpp>
-#include <targets/environments/tuning.hpp>
 #include <utility>
 
 namespace eagerx::environments {
@@ -104,7 +104,8 @@ struct Held {
 
   /// Parameters of `k`'s episode, from a row of states that was checked.
   void tune(std::uint32_t k, const float* row) {
-    const auto set = tuned_states<Graph>(row);
+    typename Graph::States set{};
+    Layout<Graph>::get().read(row, set);
     const bool was_packed = episodes[k].packed;
     take_out(k);
     if (episodes[k].traced) {
@@ -124,7 +125,7 @@ struct Held {
     }
     if constexpr (requires(const Program& program) { program.reset_timeouts(); }) {
       if (episodes[k].begun)
-        throw Problem("a trace of a graph with reset nodes begins before the first reset");
+        refuse("a trace of a graph with reset nodes begins before the first reset");
     }
     kept.begin(path, drawn.any());
   }

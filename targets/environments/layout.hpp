@@ -9,47 +9,16 @@
 #include <cstdint>
 #include <eagerx/message.hpp>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <runtime/host/base/number.hpp>
-#include <string>
 #include <targets/common/from_number.hpp>
+#include <targets/common/run.hpp>
+#include <targets/environments/base/columns.hpp>
+#include <targets/environments/base/state_rows.hpp>
 #include <type_traits>
 #include <vector>
 
 namespace eagerx::environments {
-
-/// First columns of fields. Fields are numbered in the graph's order; columns are in the order of
-/// their names, because gymnasium.spaces.Dict sorts its keys and policies take them so.
-class Columns {
- public:
-  void add(const char* name, std::size_t numbers) {
-    names_.emplace_back(name);
-    sizes_.push_back(numbers);
-  }
-  /// Behind the last add().
-  void arrange() {
-    order_.resize(names_.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::ranges::sort(order_, {}, [&](std::size_t i) -> const std::string& { return names_[i]; });
-    first_.resize(names_.size());
-    for (const std::size_t field : order_) {
-      first_[field] = numbers_;
-      numbers_ += sizes_[field];
-    }
-  }
-
-  std::size_t first(std::size_t field) const { return first_[field]; }
-  /// Of a row.
-  std::size_t numbers() const { return numbers_; }
-  /// Fields in the order of their columns.
-  const std::vector<std::size_t>& order() const { return order_; }
-
- private:
-  std::vector<std::string> names_;
-  std::vector<std::size_t> sizes_, first_, order_;
-  std::size_t numbers_ = 0;
-};
 
 /// Messages of an observation in a row: all that there can be.
 template <class Observed>
@@ -82,7 +51,8 @@ class Layout {
   using Observation = typename Graph::Observation;
   using States = typename Graph::States;
 
-  Columns actions, observations, states;
+  Columns actions, observations;
+  StateRows states;
 
   static const Layout& get() {
     static const Layout layout;
@@ -137,7 +107,7 @@ class Layout {
     std::size_t field = 0;
     Graph::for_each_state([&](const char*, const char*, auto member, const auto&) {
       using Message = typename std::remove_cvref_t<decltype(from.*member)>::value_type;
-      float* const to = row + states.first(field++);
+      float* const to = row + states.columns.first(field++);
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
         to[i] = from.*member ? static_cast<float>(element(*(from.*member), i))
                              : std::numeric_limits<float>::quiet_NaN();
@@ -150,7 +120,7 @@ class Layout {
     std::size_t field = 0;
     Graph::for_each_state([&](const char*, const char*, auto member, const auto&) {
       using Message = typename std::remove_cvref_t<decltype(to.*member)>::value_type;
-      const float* const from = row + states.first(field++);
+      const float* const from = row + states.columns.first(field++);
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
         if (std::isnan(from[i])) continue;
         if (!(to.*member)) to.*member = Message{};
@@ -159,31 +129,15 @@ class Layout {
     });
   }
 
-  /// What is wrong with a row of states, or nothing.
-  std::string problem_of(const float* row) const {
-    std::string problem;
-    std::size_t field = 0;
-    const States drawn = Graph::draw({0, 0, 0});  // the same states for every key
-    Graph::for_each_state([&](const char* name, const char*, auto member, const auto& space) {
-      using Message = typename std::remove_cvref_t<decltype(drawn.*member)>::value_type;
-      const float* const from = row + states.first(field++);
-      std::size_t missing = 0;
-      for (std::size_t i = 0; i < size_of<Message>; ++i) {
-        const float x = from[i];
-        missing += std::isnan(x) ? 1 : 0;
-        if (x < static_cast<float>(element(space.low, i)) ||
-            x > static_cast<float>(element(space.high, i))) {
-          problem = "`" + std::string(name) + "` is out of its space: element " +
-                    std::to_string(i) + " is " + host::number_text(x);
-        }
-      }
-      if (!(drawn.*member) && missing != 0 && missing != size_of<Message>)
-        problem = "`" + std::string(name) + "` is not drawn: set all of its elements, or none";
-    });
-    return problem;
+ private:
+  template <class Message>
+  static std::vector<float> floats_of(const Message& message) {
+    std::vector<float> floats(size_of<Message>);
+    for (std::size_t i = 0; i < floats.size(); ++i)
+      floats[i] = static_cast<float>(element(message, i));
+    return floats;
   }
 
- private:
   Layout() {
     Action action = Graph::zero();
     Graph::for_each_action(action, [&](const char* name, const auto& message, const auto&) {
@@ -193,8 +147,12 @@ class Layout {
       using Observed = typename decltype(observed)::type;
       observations.add(name, messages_of<Observed>() * size_of<typename Observed::value_type>);
     });
-    Graph::for_each_state([&](const char* name, const char*, auto, const auto& space) {
-      states.add(name, size_of<std::remove_cvref_t<decltype(space.low)>>);
+    const States drawn = Graph::draw({0, 0, 0});  // the same states for every key
+    std::size_t i = 0;
+    Graph::for_each_state([&](const char* name, const char*, auto member, const auto& space) {
+      const bool is_drawn = (drawn.*member).has_value();
+      states.add({name, floats_of(space.low), floats_of(space.high), is_drawn,
+                  target::is_tunable<Graph>(i++)});
     });
     actions.arrange();
     observations.arrange();

@@ -7,18 +7,10 @@
 #include <optional>
 #include <string>
 #include <targets/common/reward_check.hpp>
-#include <targets/common/reward_text.hpp>
 #include <targets/common/run.hpp>
+#include <targets/environments/base/place_of_reward.hpp>
 
 namespace eagerx::environments {
-
-/// Which environment, and when.
-struct PlaceOfReward {
-  std::uint32_t environment = 0;  // of the batch
-  std::uint32_t number = 0;
-  std::uint64_t seed = 0;
-  std::uint32_t episode = 0, step = 0;  // from 0 on
-};
 
 template <class Graph>
 class NotFinite {
@@ -41,15 +33,15 @@ class NotFinite {
 
   /// Of the step, in the environment that comes first.
   std::string text() const {
-    if constexpr (requires { Outcome::kTerms; }) {
-      const PlaceOfReward& place = first_->place;
-      return target::not_finite_text(first_->outcome, first_->blamed, place.episode,
-                                     std::uint64_t{place.step} + 1) +
-             ", of environment " + std::to_string(place.environment) + " (seed " +
-             std::to_string(place.seed) + ", number " + std::to_string(place.number) + ")";
-    } else {
-      return {};  // a graph without a task
+    std::string text;
+    if constexpr (requires { Outcome::kTerms; }) {  // a graph with a task
+      target::RewardCheck<Outcome>::for_each_number(
+          first_->outcome, [&](std::size_t i, const char* name, auto value) {
+            if (i == first_->blamed)
+              text = not_finite_text(name, static_cast<double>(value), first_->place);
+          });
     }
+    return text;
   }
 
   template <class F>

@@ -7,14 +7,14 @@
 #include <memory>
 #include <string>
 #include <targets/common/last_shown.hpp>
-#include <targets/environments/problem.hpp>
+#include <targets/environments/base/painter.hpp>
+#include <targets/environments/base/problem.hpp>
 
 namespace eagerx::environments {
 
 using target::has_render;
 using target::kWidestPicture;
 using target::LastShown;
-using target::Painter;
 
 /// The programs of a batch that draws; for a graph without `render:` there are none.
 template <class Graph>
@@ -23,9 +23,9 @@ class DrawnPrograms {
   /// Throws Problem if any are wanted.
   explicit DrawnPrograms(std::uint32_t environments) {
     if (environments == 0) return;
-    throw Problem("graph `" + std::string(Graph::kName) +
-                  "` has no `render:`, so there are no pictures: add "
-                  "`render: {source: OBJECT.scene}` and build it again");
+    refuse("graph `" + std::string(Graph::kName) +
+           "` has no `render:`, so there are no pictures: add `render: {source: OBJECT.scene}` and "
+           "build it again");
   }
   static constexpr bool any() { return false; }
 };

@@ -3,12 +3,12 @@
 
 #include <cstdint>
 #include <eagerx/random.hpp>
+#include <targets/environments/base/state_rows.hpp>
 #include <targets/environments/beginning.hpp>
 #include <targets/environments/episode.hpp>
 #include <targets/environments/held.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_kernel.hpp>
-#include <targets/environments/set_states.hpp>
 #include <targets/environments/stages.hpp>
 
 namespace eagerx::environments {
@@ -19,7 +19,7 @@ class Resets {
  public:
   using States = typename Graph::States;
 
-  SetStates<Graph> set_states;
+  SetRows set_states{Layout<Graph>::get().states};
   Staging<Graph> staging;
 
   Resets(const PackKernel<Graph>& kernel, std::uint32_t environments)
@@ -73,7 +73,7 @@ class Resets {
   /// What the stage draws otherwise than the graph, and what was set.
   void put_own(std::uint32_t k, EpisodeKey key, States& states) const {
     staging.draw(k, key, states);
-    set_states.read(k, states);
+    if (const float* const row = set_states.row(k)) layout_.read(row, states);
   }
 
   const Layout<Graph>& layout_ = Layout<Graph>::get();

@@ -8,20 +8,13 @@
 #include <cstdint>
 #include <eagerx/random.hpp>
 #include <iterator>
-#include <runtime/host/base/json.hpp>
 #include <string>
 #include <string_view>
-#include <targets/environments/problem.hpp>
+#include <targets/environments/base/description.hpp>
 #include <targets/environments/task.hpp>
 #include <vector>
 
 namespace eagerx::environments {
-
-/// What must be reached in a stage: a share of the episodes, a mean return. Negative infinity: it
-/// is not asked.
-struct Until {
-  double success, mean_return;
-};
 
 /// What the library of a graph with stages says of them; here: there are none.
 template <class Graph>
@@ -84,34 +77,22 @@ class Staging {
 
   static std::uint32_t number_of(std::string_view name) {
     if (name.empty()) return kAsWritten;
-    std::string known;
     if constexpr (kStages > 0) {
-      for (std::uint32_t i = 0; i < kStages; ++i) {
+      for (std::uint32_t i = 0; i < kStages; ++i)
         if (name == Stages<Graph>::kNames[i]) return i;
-        known += (i == 0 ? "" : ", ") + std::string(Stages<Graph>::kNames[i]);
-      }
+      refuse_stage(std::string(name), Stages<Graph>::kNames);
     }
-    throw Problem("there is no stage `" + std::string(name) + "`, but " +
-                  (known.empty() ? "none: the task has no `stages:`" : known));
+    refuse_stage(std::string(name), {});
   }
 
   std::vector<std::uint32_t> now_, next_;  // [environments], or empty
 };
 
-/// [{"name": "near", "success": 0.9, "return": null}]
 template <class Graph>
 std::string describe_stages() {
-  host::Json json;
-  json.begin_list();
-  if constexpr (count_stages<Graph>() > 0) {
-    for (std::size_t i = 0; i < count_stages<Graph>(); ++i) {
-      const Until& until = Stages<Graph>::kUntil[i];
-      json.begin_object().key("name").text(Stages<Graph>::kNames[i]);
-      json.key("success").number(until.success).key("return").number(until.mean_return);
-      json.end_object();
-    }
-  }
-  return json.end_list().str();
+  if constexpr (count_stages<Graph>() > 0)
+    return describe_stages(Stages<Graph>::kNames, Stages<Graph>::kUntil);
+  return "[]";
 }
 
 }  // namespace eagerx::environments

@@ -3,8 +3,9 @@
 set(EAGERX_TARGET_MAKES SHARED_LIBRARY)
 
 function(eagerx_configure_target library)
-  include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../runtime/host/host.cmake)
-  target_link_libraries(${library} PRIVATE eagerx_base)
+  include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/libraries.cmake)
+  eagerx_environments_libraries()
+  target_link_libraries(${library} PRIVATE eagerx_environments)
   _eagerx_add_packs(${library})
   # Nobody puts another function in place of one of these.
   target_compile_options(${library} PRIVATE -fvisibility-inlines-hidden $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)

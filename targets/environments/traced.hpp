@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <eagerx/random.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
@@ -11,8 +10,8 @@
 #include <runtime/host/base/text_file.hpp>
 #include <string>
 #include <targets/common/run.hpp>
+#include <targets/environments/base/trace_file.hpp>
 #include <targets/environments/pictures.hpp>
-#include <targets/environments/problem.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -59,17 +58,10 @@ class Traced {
 
   /// Throws Problem if `path` cannot be written, or is written as another trace. Empty: only the
   /// hash.
-  Traced(const std::string& path, bool draws) : path_(path) {
+  Traced(const std::string& path, bool draws) : file_(path) {
     if (draws) program.trace.draw_from_now_on();
     target::warm_up(program);
-    if (path.empty()) return;
-    // Nothing is printed, not by `-` either.
-    if (!file_.open(path == "-" ? "./-" : path)) throw Problem(cannot_write());
-    if (!file_.reserve()) {
-      file_.discard();
-      throw Problem("cannot write `" + path + "`: another environment's trace goes into it");
-    }
-    program.trace.write_to(&file_);
+    if (file_.is_open()) program.trace.write_to(&file_.text());
   }
   Traced(const Traced&) = delete;
   Traced& operator=(const Traced&) = delete;
@@ -79,13 +71,12 @@ class Traced {
   }
 
   /// Whether its messages go to the file `path`, by whatever name.
-  bool writes_to(const std::string& path) const { return file_.is_same_file(path); }
+  bool writes_to(const std::string& path) const { return file_.is(path); }
 
   typename Graph::Observation reset(EpisodeKey key, const typename Graph::States& states) {
-    using Text = typename Recorder<Graph>::Text;
     if (file_.is_open() && episode_ == 0)
-      Text::head(file_, traced_graph<Graph>(), key.seed, key.environment, "library", false);
-    if (file_.is_open()) write(states, "# state ", episode_, nullptr);
+      file_.begin(traced_graph<Graph>(), key.seed, key.environment);
+    if (file_.is_open()) write(states, episode_, nullptr);
     program.trace.episode(episode_++);
     program.trace.forget();
     return program.reset(states);
@@ -93,7 +84,7 @@ class Traced {
 
   /// Parameters are set before step `step` (from 0) of its episode.
   void tune(std::uint64_t step, const typename Graph::States& states) {
-    if (file_.is_open()) write(states, "# set ", episode_ - 1, &step);
+    if (file_.is_open()) write(states, episode_ - 1, &step);
     target::tune(program, states);
   }
 
@@ -107,51 +98,32 @@ class Traced {
       file_.discard();
     }
     program.trace.write_to(nullptr);
-    if (!file_.close()) throw Problem(cannot_write());
+    file_.close();
   }
   /// Behind each step: rows are in the file after half a second. Throws Problem.
   void hand_on() {
     if (!file_.is_open()) return;
-    if (file_.failed()) {
-      program.trace.write_to(nullptr);
-      const std::string problem = cannot_write();
-      file_.close();
-      throw Problem(problem);
-    }
-    file_.hand_on(false);
+    if (file_.text().failed()) program.trace.write_to(nullptr);
+    file_.hand_on();
   }
 
  private:
-  std::string cannot_write() const {
-    const char* const why =
-        file_.error() == EINVAL ? "it is no file" : std::strerror(file_.error());
-    return "cannot write `" + path_ + "`: " + why;
-  }
-  /// Lines `# state EPISODE NAME VALUE,…`, from which a replay takes the states, and
-  /// `# set EPISODE STEP NAME VALUE,…`.
-  void write(const typename Graph::States& states, const char* what, std::uint32_t episode,
+  /// `step`: before which they are set; null: at a reset.
+  void write(const typename Graph::States& states, std::uint32_t episode,
              const std::uint64_t* step) {
     Graph::for_each_state([&](const char*, const char* id, auto member, const auto&) {
       using Message = typename std::remove_cvref_t<decltype(states.*member)>::value_type;
       if (!(states.*member)) return;
-      file_.text(what);
-      file_.number(episode);
-      file_.text(" ");
-      if (step != nullptr) {
-        file_.number(*step);
-        file_.text(" ");
-      }
-      file_.text(id);
+      file_.begin_state(episode, step, id);
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
-        file_.text(i == 0 ? " " : ",");
-        file_.number(element(*(states.*member), i));
+        file_.text().text(i == 0 ? " " : ",");
+        file_.text().number(element(*(states.*member), i));
       }
-      file_.text("\n");
+      file_.text().text("\n");
     });
   }
 
-  std::string path_;
-  host::TextFile file_;
+  TraceFile file_;
   std::uint32_t episode_ = 0;  // since the trace began
 };
 

@@ -179,7 +179,7 @@ class Simulation {
   /// [height][width][4], with the last one 255; null if there is no such picture.
   const std::uint8_t* picture(std::uint32_t width, std::uint32_t height) {
     if constexpr (target::has_render<Graph>) {
-      static constinit target::Painter painter{};
+      static constinit picture::Painter<target::kWidestPicture> painter{};
       if (width == 0 || height == 0 || width > kWidest || height > kWidest) return nullptr;
       const std::size_t count = std::size_t{width} * height;
       pixels_.resize(4 * count);

@@ -6,7 +6,7 @@ function(eagerx_write_links file)
   foreach(folder IN LISTS ARGN)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
     # Units of stages, and what programs link of targets/, which eagerx_targets stands for.
-    list(FILTER targets EXCLUDE REGEX "^eagerx_unit_|^eagerx_(linux_sim|pictures)$")
+    list(FILTER targets EXCLUDE REGEX "^eagerx_unit_|^eagerx_(linux_sim|pictures|environments)$")
     foreach(target IN LISTS targets)
       _eagerx_links_of(lines ${target})
       string(APPEND text "${lines}")

@@ -1,0 +1,73 @@
+// Texts about a graph's environments.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+
+namespace eagerx::environments {
+
+/// What must be reached in a stage: a share of the episodes, a mean return. Negative infinity: it
+/// is not asked.
+struct Until {
+  double success, mean_return;
+};
+
+/// Texts are JSON's where nothing else is said.
+struct TaskDescription {
+  std::span<const char* const> terms;
+  bool success = false;
+  std::uint64_t episode_steps = 0;
+  std::string critic, stages;
+};
+struct Description {
+  const char* generator;  // its version
+  const char* graph;
+  const char* engine;
+  const char* agent;
+  double rate_hz;
+  const char* isa;
+  std::uint32_t lanes;
+  const char* why_no_lanes;  // null if there are some
+  std::string observations, actions, states, tunable, task, render;
+};
+
+/// What eagerx_describe() says.
+std::string describe(const Description& description);
+std::string describe_task(const TaskDescription& task);
+/// [{"name": "near", "success": 0.9, "return": null}]
+std::string describe_stages(std::span<const char* const> names, std::span<const Until> until);
+std::string describe_render(double rate_hz);
+
+/// Throws Problem: there is none of this name.
+[[noreturn]] void refuse_stage(const std::string& name, std::span<const char* const> known);
+
+/// Packs of so many lanes; 0: none.
+struct UsedPacks {
+  std::uint32_t lanes;
+  const char* isa;
+};
+/// How the environments of a batch are stepped, and what made it slower than it could be. `used`:
+/// the packs of `environments` of them, `widest`: those of many. `graph_has_none`: why the graph
+/// has no packs; empty if it has.
+std::string stepping_text(UsedPacks used, UsedPacks widest, std::uint32_t environments, bool draws,
+                          const std::string& graph_has_none);
+
+/// Sums of what is not 0.
+class Counts {
+ public:
+  void add(const char* name, std::uint64_t count) {
+    if (count != 0) add_to(name, count);
+  }
+  /// {"name": count}
+  std::string text() const;
+
+ private:
+  void add_to(const char* name, std::uint64_t count);
+
+  std::map<std::string, std::uint64_t> sums_;
+};
+
+}  // namespace eagerx::environments

@@ -1,0 +1,53 @@
+// How many threads a step of many environments is worth.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <runtime/host/base/team.hpp>
+
+namespace eagerx::environments {
+
+/// Environments that a thread takes at a time, whole packs of `lanes`: few, so that none waits for
+/// another's block.
+constexpr std::uint32_t block_of(std::uint32_t environments, std::uint32_t lanes) {
+  constexpr std::uint32_t kBlocks = 64;
+  constexpr std::uint32_t kLargest = 128;
+  const std::uint32_t wanted = std::clamp(environments / kBlocks, 1U, kLargest);
+  lanes = std::max(1U, lanes);
+  return (wanted + lanes - 1) / lanes * lanes;
+}
+
+/// What is done with the environments `first` to `end` - 1 by a member of a team: a reference to a
+/// function, so that its text is compiled once, however it is called.
+class BlockWork {
+ public:
+  template <class F>
+  explicit BlockWork(F& f)
+      : what_(std::addressof(f)),
+        call_([](void* what, std::uint32_t first, std::uint32_t end, unsigned member) {
+          (*static_cast<F*>(what))(first, end, member);
+        }) {}
+  void operator()(std::uint32_t first, std::uint32_t end, unsigned member) const {
+    call_(what_, first, end, member);
+  }
+
+ private:
+  void* what_;
+  void (*call_)(void* what, std::uint32_t first, std::uint32_t end, unsigned member);
+};
+
+/// How many members of a team are worth their waking, from what the last steps took.
+class Workload {
+ public:
+  unsigned members(unsigned most) const;
+  /// For blocks of `environments`, by as many members of the team as the work is worth.
+  void run(host::Team& team, std::uint32_t environments, std::uint32_t block, BlockWork work);
+
+ private:
+  void note(unsigned members, double elapsed_ns);
+
+  double work_ns_ = 0.0;  // of all members
+};
+
+}  // namespace eagerx::environments
