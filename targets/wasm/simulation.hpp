@@ -7,6 +7,7 @@
 #include <eagerx/float_environment.hpp>
 #include <eagerx/math/rounding_check.hpp>
 #include <eagerx/message.hpp>
+#include <eagerx/picture.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/trace.hpp>
 #include <iterator>
