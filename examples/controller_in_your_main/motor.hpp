@@ -15,11 +15,13 @@ class Motor {
 
   float angle() const { return angle_; }
 
-  /// 2 ms with a voltage in V; angle in rad, speed in rad/s. Euler's method.
-  static constexpr void move(float& angle, float& speed, float voltage) {
-    constexpr float kPeriod = 0.002F;  // s
-    constexpr float kGain = 20.0F;     // rad/s² per V
-    constexpr float kDamping = 4.0F;   // 1/s
+  /// 2 ms with a voltage in V; angle in rad, speed in rad/s. Euler's method. `Real`: float, or what
+  /// a simulation calculates in, such as many motors at once.
+  template <class Real>
+  static constexpr void move(Real& angle, Real& speed, Real voltage) {
+    constexpr auto kPeriod = Real(0.002F);  // s
+    constexpr auto kGain = Real(20.0F);     // rad/s² per V
+    constexpr auto kDamping = Real(4.0F);   // 1/s
     angle += kPeriod * speed;
     speed += kPeriod * (kGain * voltage - kDamping * speed);
   }
