@@ -13,7 +13,6 @@
 #include <targets/environments/stages.hpp>
 #include <targets/environments/task.hpp>
 #include <type_traits>
-#include <vector>
 
 namespace eagerx::environments {
 
@@ -51,17 +50,10 @@ struct TypeOf<Array<T, Shape...>> {
   static MessageType get() { return {{Shape...}, dtype_of<T>()}; }
 };
 
-template <class Message>
-std::vector<double> numbers_of(const Message& message) {
-  std::vector<double> numbers(size_of<Message>);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    numbers[i] = static_cast<double>(element(message, i));
-  return numbers;
-}
-
 template <class Message, class Space>
 void add_field(Fields& fields, const char* name, const Space& space, std::uint32_t windows) {
-  fields.add(name, TypeOf<Message>::get(), windows, numbers_of(space.low), numbers_of(space.high));
+  fields.add(name, TypeOf<Message>::get(), windows, elements_of<double>(space.low),
+             elements_of<double>(space.high));
 }
 
 template <class Graph>
@@ -109,14 +101,14 @@ std::string describe_critic() {
 template <class Graph>
 std::string describe_task() {
   if constexpr (has_task<Graph>) {
-    return describe_task({Graph::kTermNames, requires { Graph::kSuccessNames;
+    constexpr bool kSaysSuccess = requires {
+      Graph::kSuccessNames;
+    };
+    return describe_task({Graph::kTermNames, kSaysSuccess, Graph::kEpisodeSteps,
+                          describe_critic<Graph>(), describe_stages<Graph>()});
+  } else {
+    return "null";
   }
-  , Graph::kEpisodeSteps, describe_critic<Graph>(), describe_stages<Graph>()
-});
-}  // namespace eagerx::environments
-else {
-  return "null";
-}
 }
 
 /// Pictures of `render:`.

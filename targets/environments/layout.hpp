@@ -43,6 +43,15 @@ T state_from_row(float x) {
   return from_row<T>(x);
 }
 
+/// Elements of a message, such as a bound of its space.
+template <class Number, class Message>
+std::vector<Number> elements_of(const Message& message) {
+  std::vector<Number> elements(size_of<Message>);
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    elements[i] = static_cast<Number>(element(message, i));
+  return elements;
+}
+
 /// The rows of a graph.
 template <class Graph>
 class Layout {
@@ -130,14 +139,6 @@ class Layout {
   }
 
  private:
-  template <class Message>
-  static std::vector<float> floats_of(const Message& message) {
-    std::vector<float> floats(size_of<Message>);
-    for (std::size_t i = 0; i < floats.size(); ++i)
-      floats[i] = static_cast<float>(element(message, i));
-    return floats;
-  }
-
   Layout() {
     Action action = Graph::zero();
     Graph::for_each_action(action, [&](const char* name, const auto& message, const auto&) {
@@ -151,7 +152,7 @@ class Layout {
     std::size_t i = 0;
     Graph::for_each_state([&](const char* name, const char*, auto member, const auto& space) {
       const bool is_drawn = (drawn.*member).has_value();
-      states.add({name, floats_of(space.low), floats_of(space.high), is_drawn,
+      states.add({name, elements_of<float>(space.low), elements_of<float>(space.high), is_drawn,
                   target::is_tunable<Graph>(i++)});
     });
     actions.arrange();
