@@ -52,6 +52,7 @@ bool Session::take_from_disk() {
   if (found.exists == exists_ && found.text == text_) return false;
   history_.clear();
   take_text(std::move(found.text), found.exists);
+  disk_revision_ = revision_;
   return true;
 }
 
@@ -104,7 +105,8 @@ std::optional<Reply> Session::refusal(const Json& request, const Json& running) 
   const Json* const asked = member(&request, "revision");
   const auto* const revision = asked != nullptr ? asked->as<std::int64_t>() : nullptr;
   if (revision == nullptr) return failure(kBadRequest, "`revision` is no whole number");
-  if (take_from_disk()) return conflict(kOnDisk, running);
+  // A page that waits for changes may have had them taken from the disk before this edit came.
+  if (take_from_disk() || *revision < disk_revision_) return conflict(kOnDisk, running);
   if (*revision != revision_)
     return conflict(fmt::format("revision {} is not the newest one, {}", *revision, revision_),
                     running);

@@ -73,6 +73,7 @@ class Session {
   std::string text_;
   bool exists_ = false, ended_ = false;
   std::int64_t revision_ = 1;
+  std::int64_t disk_revision_ = 1;  // the newest one that the disk had and no page made
   History history_;
   std::optional<Workshop::Checked> checked_;  // of the text, if somebody has asked
   std::optional<Json> page_;                  // of the last revision without errors

@@ -151,6 +151,23 @@ TEST_F(Serve, EditsOnlyTheNewestRevision) {
   EXPECT_EQ(session.redo(Json{{"revision", 4}}, nullptr).status, 422);
 }
 
+// Whoever asks first takes the text from the disk; an edit of before is told of the disk all the
+// same.
+TEST_F(Serve, SaysThatTheDiskChangedAlsoAfterAnotherTookIt) {
+  save("rate: 1\n");
+  Session session(workshop_, graph());
+  const char* const faster = R"([{"kind": "set", "path": ["rate"], "value": "2"}])";
+  save("rate: 3 # of somebody\n");
+  const Reply taken = session.state(std::nullopt, nullptr);
+  EXPECT_EQ(number_of(member(&taken.body, "revision")), 2.0);
+  const Reply late = session.edit(edit_of(1, faster), nullptr);
+  EXPECT_EQ(late.status, 409);
+  EXPECT_EQ(text_of(member(&late.body, "error")), "the file was changed on the disk");
+  EXPECT_EQ(session.edit(edit_of(2, faster), nullptr).status, 200);
+  const Reply older = session.edit(edit_of(2, faster), nullptr);
+  EXPECT_EQ(text_of(member(&older.body, "error")), "revision 2 is not the newest one, 3");
+}
+
 TEST_F(Serve, ShowsTheLastGoodPage) {
   save("a: 1\n");
   Session session(workshop_, graph());
