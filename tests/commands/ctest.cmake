@@ -1,18 +1,7 @@
 # What the commands say to somebody who types something wrong, and what to type next.
 add_test(NAME commands COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR})
-# Settings of a training that do not go together, at their places.
-add_test(NAME commands_settings COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/settings ${PROJECT_BINARY_DIR}
-                                        $<TARGET_FILE:test_train_pendulum>)
 # A full disk, closed descriptors, and characters that steer terminals.
 add_test(NAME commands_full_disk COMMAND ${CMAKE_CURRENT_LIST_DIR}/full_disk ${PROJECT_BINARY_DIR})
-# The same for files, on disks that are mounted for it, which is not allowed everywhere.
-if(NOT EAGERX_SANITIZE) # a library that is opened by programs without sanitizers
-  add_test(NAME commands_full_files COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/full_files ${PROJECT_BINARY_DIR}
-                                            $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
-  set_tests_properties(commands_full_files PROPERTIES SKIP_RETURN_CODE 77)
-endif()
-# No output on an input or on another output, in any command.
-add_test(NAME commands_one_file COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_file ${PROJECT_BINARY_DIR})
 # No ccache that cannot write.
 add_test(NAME commands_compiler_cache COMMAND ${CMAKE_CURRENT_LIST_DIR}/compiler_cache ${PROJECT_BINARY_DIR})
 # READMEs say of commands and options what the help says.

@@ -29,23 +29,13 @@ foreach(graph swing multi_rate rigid pushed_box)
   endif()
   list(APPEND environments_programs ${graph} $<TARGET_FILE:environments_${graph}> ${environments_alone})
 endforeach()
-# Graphs that run in packs; `tests/environments/packs_of` compares those of every example.
-set(environments_packs $<TARGET_FILE:environments_swing>)
-foreach(graph blocks rates phases estimates classics policies)
-  set(environments_graph ${CMAKE_CURRENT_LIST_DIR}/${graph}.yaml)
-  eagerx_add_graph(TARGET environments_${graph} GRAPH ${environments_graph} BOARD environments)
-  list(APPEND environments_packs $<TARGET_FILE:environments_${graph}>)
-endforeach()
-add_test(NAME environments.packs COMMAND ${CMAKE_CURRENT_LIST_DIR}/packs ${environments_packs})
+# Graphs that run in packs: more in long.cmake, and `tests/environments/packs_of` compares those of every example.
+eagerx_add_graph(TARGET environments_blocks GRAPH ${CMAKE_CURRENT_LIST_DIR}/blocks.yaml BOARD environments)
+add_test(NAME environments.packs COMMAND ${CMAKE_CURRENT_LIST_DIR}/packs $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_blocks>)
 add_test(NAME environments.stages COMMAND ${CMAKE_CURRENT_LIST_DIR}/stages $<TARGET_FILE:environments_swing>)
 add_test(NAME environments COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen> ${environments_programs})
 # A graph without an engine, whose outputs have a guard.
 eagerx_add_graph(TARGET environments_controller GRAPH ${PROJECT_SOURCE_DIR}/tests/own_loop/arm.yaml BOARD environments)
 add_test(NAME environments.controller COMMAND ${CMAKE_CURRENT_LIST_DIR}/controller $<TARGET_FILE:environments_controller>)
-# Debian's Python, which has the numpy that toolchains/install-packages installs.
-add_test(NAME environments.python COMMAND ${CMAKE_CURRENT_LIST_DIR}/python $<TARGET_FILE:eagerx-gen> $<TARGET_FILE:environments_swing>
-                                          $<TARGET_FILE:environments_swing_alone>)
 # 3,000 wrong calls; more of them, and with the address sanitizer: tests/environments/misuse EAGERX_GEN 100000
 add_test(NAME environments.misuse COMMAND ${CMAKE_CURRENT_LIST_DIR}/misuse $<TARGET_FILE:environments_swing>)
-# Processes that build the same library, and are killed.
-add_test(NAME environments.cache COMMAND ${CMAKE_CURRENT_LIST_DIR}/cache $<TARGET_FILE:environments_swing>)

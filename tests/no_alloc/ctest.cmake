@@ -22,7 +22,3 @@ target_link_libraries(no_alloc_stiff PRIVATE eagerx_warnings eagerx::runtime)
 add_test(NAME no_alloc COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:no_alloc_swing_up> $<TARGET_FILE:no_alloc_guard>
          $<TARGET_FILE:no_alloc_stiff> $<TARGET_FILE:no_alloc_rigid_pendulum> $<TARGET_FILE:no_alloc_pushed_box> $<TARGET_FILE:no_alloc_two_link_arm>
          $<TARGET_FILE:no_alloc_quadruped>)
-# The same program does what the example promises.
-add_test(NAME examples.pendulum_swing_up.OpenDynamicsEngine
-         COMMAND ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/evaluate linux-sim=$<TARGET_FILE:no_alloc_rigid_pendulum>)
-set_tests_properties(examples.pendulum_swing_up.OpenDynamicsEngine PROPERTIES LABELS examples)

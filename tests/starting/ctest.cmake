@@ -1,5 +1,2 @@
-# `eagerx-gen new`, `run` and `build`: from nothing to programs on Linux and on an emulated board.
-add_test(NAME starting COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR})
-set_tests_properties(starting PROPERTIES COST 50 LABELS long)
 # The page "Your first robot in fifteen minutes", word for word.
 add_test(NAME starting.first_robot COMMAND ${CMAKE_CURRENT_LIST_DIR}/follow ${PROJECT_BINARY_DIR})

@@ -1,4 +1,4 @@
-# What tasks compute, in main loops of their own; and a program with one, on Linux and on a board.
+# What tasks compute, in main loops of their own.
 set(task_graphs tutorial many_rates gym)
 add_executable(task_test ${CMAKE_CURRENT_LIST_DIR}/task_test.cpp)
 foreach(graph IN LISTS task_graphs)
@@ -7,5 +7,3 @@ foreach(graph IN LISTS task_graphs)
 endforeach()
 target_link_libraries(task_test PRIVATE eagerx_warnings GTest::gtest_main)
 gtest_discover_tests(task_test TEST_PREFIX task. DISCOVERY_TIMEOUT 60)
-eagerx_add_graph(TARGET task_program GRAPH ${CMAKE_CURRENT_LIST_DIR}/tutorial.yaml)
-add_test(NAME task COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:task_program> ${PROJECT_BINARY_DIR})

@@ -1,21 +1,2 @@
-# The models are for boards too: the warnings of the runtime, every header alone, every compiler there is.
+# The models are for boards too.
 target_compile_options(test_models PRIVATE -Wdouble-promotion)
-
-set(models_folder ${CMAKE_CURRENT_SOURCE_DIR}/unit/models)
-foreach(compiler g++ clang++ arm-none-eabi-g++)
-  find_program(EAGERX_TEST_COMPILER_${compiler} ${compiler})
-  set(program ${EAGERX_TEST_COMPILER_${compiler}})
-  if(NOT program)
-    eagerx_left_out(models_compile_${compiler} "there is no ${compiler} (toolchains/install-packages boards tests)")
-    continue()
-  endif()
-  set(flags)
-  if(compiler MATCHES arm)
-    set(flags -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard)
-  endif()
-  add_test(NAME models_compile_${compiler} COMMAND ${models_folder}/compile_models.sh ${program} ${flags})
-  if(NOT compiler STREQUAL g++)
-    set_tests_properties(models_compile_${compiler} PROPERTIES COST 50 LABELS long)
-  endif()
-endforeach()
-add_test(NAME models_refuse COMMAND ${models_folder}/refuse_models.sh ${CMAKE_CXX_COMPILER})

@@ -1,7 +1,7 @@
 # The trainer, and libraries of environments for it that are written by hand.
 target_link_libraries(test_train PRIVATE eagerx_train)
 foreach(library pendulum choices several hidden critic stages staged_critic)
-  add_library(test_train_${library} MODULE ${CMAKE_CURRENT_SOURCE_DIR}/unit/train/pendulum_library.cpp)
+  add_library(test_train_${library} MODULE ${PROJECT_SOURCE_DIR}/tests/unit/train/pendulum_library.cpp)
   target_link_libraries(test_train_${library} PRIVATE eagerx_warnings eagerx::runtime)
   target_include_directories(test_train_${library} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(test_train_${library} PRIVATE -O2)
@@ -20,5 +20,5 @@ target_compile_definitions(test_train PRIVATE EAGERX_TEST_PENDULUM="$<TARGET_FIL
                                               EAGERX_TEST_STAGED_CRITIC="$<TARGET_FILE:test_train_staged_critic>"
                                               EAGERX_TEST_HIDDEN="$<TARGET_FILE:test_train_hidden>"
                                               EAGERX_TEST_CRITIC="$<TARGET_FILE:test_train_critic>")
-add_test(NAME train_symbols COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/unit/train/symbols.sh $<TARGET_OBJECTS:eagerx_train>
+add_test(NAME train_symbols COMMAND ${PROJECT_SOURCE_DIR}/tests/unit/train/symbols.sh $<TARGET_OBJECTS:eagerx_train>
          COMMAND_EXPAND_LISTS)

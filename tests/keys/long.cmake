@@ -2,4 +2,4 @@
 add_executable(print_formats ${CMAKE_CURRENT_LIST_DIR}/print_formats.cpp)
 target_link_libraries(print_formats PRIVATE eagerx_gen_library eagerx_gen_json)
 add_test(NAME keys COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen> $<TARGET_FILE:print_formats>)
-set_tests_properties(keys PROPERTIES COST 130 LABELS long)
+set_tests_properties(keys PROPERTIES COST 130)

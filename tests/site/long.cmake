@@ -6,4 +6,4 @@ add_test(NAME site.falsified COMMAND /usr/bin/python3 -B ${CMAKE_CURRENT_LIST_DI
 eagerx_add_graph(TARGET site_responses GRAPH ${site}/responses.yaml)
 eagerx_add_test(NAME site.responses TARGET site_responses EXPECTED ${site}/responses.csv OPTIONS --steps 200)
 add_test(NAME site.browser COMMAND ${CMAKE_CURRENT_LIST_DIR}/../browser/site $<TARGET_FILE:eagerx-gen>)
-set_tests_properties(site.browser PROPERTIES SKIP_RETURN_CODE 77 COST 20 LABELS long) # Chromium is a package of the long tests
+set_tests_properties(site.browser PROPERTIES SKIP_RETURN_CODE 77 COST 20) # Chromium is a package of the long tests

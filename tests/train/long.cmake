@@ -3,11 +3,11 @@ add_test(NAME train.tensorboard COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_
                                         $<TARGET_FILE:test_train_pendulum>)
 # Builds a library of environments and a program, and trains: a minute and a half.
 add_test(NAME train.record COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/record ${PROJECT_BINARY_DIR})
-set_tests_properties(train.record PROPERTIES COST 50 LABELS long)
+set_tests_properties(train.record PROPERTIES COST 50)
 # The same with several whole numbers as actions: a minute.
 add_test(NAME train.chosen COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/chosen ${PROJECT_BINARY_DIR})
-set_tests_properties(train.chosen PROPERTIES COST 50 LABELS long)
+set_tests_properties(train.chosen PROPERTIES COST 50)
 if(EAGERX_MPI)
   add_test(NAME train.mpi COMMAND ${CMAKE_CURRENT_LIST_DIR}/mpi ${PROJECT_BINARY_DIR})
-  set_tests_properties(train.mpi PROPERTIES PROCESSORS 2 LABELS long)
+  set_tests_properties(train.mpi PROPERTIES PROCESSORS 2)
 endif()

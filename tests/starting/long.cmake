@@ -1,0 +1,3 @@
+# `eagerx-gen new`, `run` and `build`: from nothing to programs on Linux and on an emulated board.
+add_test(NAME starting COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR})
+set_tests_properties(starting PROPERTIES COST 50)

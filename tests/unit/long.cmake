@@ -1,0 +1,30 @@
+# Unit tests that take long: the trainer, with libraries of environments that are written by hand.
+eagerx_unit_test(train)
+add_test(NAME unit.train COMMAND test_train $<$<STREQUAL:${EAGERX_SANITIZE},thread>:--gtest_filter=*AnyNumberOfThreads*>
+         COMMAND_EXPAND_LISTS WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+set_tests_properties(unit.train PROPERTIES COST 80)
+# Packs in the widest registers of this machine.
+add_executable(test_pack_native ${CMAKE_CURRENT_LIST_DIR}/runtime/pack_test.cpp ${CMAKE_CURRENT_LIST_DIR}/runtime/policy_packs_test.cpp
+                                ${CMAKE_CURRENT_LIST_DIR}/runtime/lane_random_test.cpp)
+set_target_properties(test_pack_native PROPERTIES UNITY_BUILD ${EAGERX_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+target_link_libraries(test_pack_native PRIVATE eagerx_warnings eagerx::runtime GTest::gtest_main)
+target_compile_options(test_pack_native PRIVATE -march=native -Wno-psabi)
+add_test(NAME unit.pack_native COMMAND test_pack_native WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+# Models are for boards too: every header alone, by every compiler there is; and what a model must not take.
+set(models_folder ${CMAKE_CURRENT_LIST_DIR}/models)
+foreach(compiler g++ clang++ arm-none-eabi-g++)
+  find_program(EAGERX_TEST_COMPILER_${compiler} ${compiler})
+  set(program ${EAGERX_TEST_COMPILER_${compiler}})
+  if(NOT program)
+    eagerx_left_out(models_compile_${compiler} "there is no ${compiler} (toolchains/install-packages boards tests)")
+    continue()
+  endif()
+  set(flags)
+  if(compiler MATCHES arm)
+    set(flags -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard)
+  endif()
+  add_test(NAME models_compile_${compiler} COMMAND ${models_folder}/compile_models.sh ${program} ${flags})
+  set_tests_properties(models_compile_${compiler} PROPERTIES COST 50)
+endforeach()
+add_test(NAME models_refuse COMMAND ${models_folder}/refuse_models.sh ${CMAKE_CXX_COMPILER})
+add_test(NAME rigid_refuse COMMAND ${CMAKE_CURRENT_LIST_DIR}/rigid/refuse_rigid.sh ${CMAKE_CXX_COMPILER})
