@@ -1,10 +1,9 @@
 // eagerx-gen: its commands.
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/topics.hpp"
+#include "generator/command_line/bugs.hpp"
 #include "generator/command_line/command_line.hpp"
 
 namespace eagerx::gen {
@@ -44,14 +43,9 @@ std::vector<CommandLinePage> pages() {
 }  // namespace eagerx::gen
 
 int main(int argc, char** argv) {
-  try {
+  return eagerx::gen::reporting_bugs("eagerx-gen", [&] {
     return eagerx::gen::run_command_line(
         eagerx::gen::command_line(),
         std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr,
-                 "error: this is a bug in eagerx-gen: %s\nhelp: please report it with the graph\n",
-                 error.what());
-    return eagerx::gen::kInternal;
-  }
+  });
 }

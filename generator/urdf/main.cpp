@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string_view>
 
 #include "generator/cli/pages.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/command_line/bugs.hpp"
 #include "generator/command_line/command_line.hpp"
 #include "generator/command_line/output.hpp"
 #include "generator/diagnostics/join.hpp"
@@ -112,14 +112,11 @@ eagerx::gen::CommandLine command_line(Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
+  return eagerx::gen::reporting_bugs("eagerx-urdf", [&] {
     Options options;
     if (argc == 3 && std::string_view(argv[1]) == "--pages")  // CMake calls it
       return eagerx::gen::write_pages(argv[2], command_line_pages(command_line(options)));
     return eagerx::gen::run_command_line(
         command_line(options), std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
-  } catch (const std::exception& error) {
-    static_cast<void>(std::fprintf(stderr, "error: a bug in eagerx-urdf: %s\n", error.what()));
-    return eagerx::gen::kInternal;
-  }
+  });
 }

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "generator/command_line/bugs.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -116,6 +120,18 @@ TEST(CommandLine, PagesHaveEveryCommandAndOption) {
     manuals += page.path.starts_with("man/") ? 1U : 0U;
   }
   EXPECT_GE(manuals, 3U);
+}
+
+// Most of the generator is compiled without exceptions: what would throw aborts.
+TEST(Bugs, AreToldHoweverTheyEndTheProgram) {
+  EXPECT_EQ(reporting_bugs("tool", [] { return 7; }), 7);
+  EXPECT_EXIT(reporting_bugs("tool", []() -> int { std::abort(); }),
+              testing::ExitedWithCode(kInternal),
+              "error: this is a bug in tool: it has aborted\nhelp: please report it");
+  const std::vector<int> nothing;
+  EXPECT_EXIT(std::exit(reporting_bugs("tool", [&] { return nothing.at(3); })),
+              testing::ExitedWithCode(kInternal),
+              "error: this is a bug in tool: vector::.*help: please report it");
 }
 
 }  // namespace

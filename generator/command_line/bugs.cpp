@@ -1,0 +1,45 @@
+#include "generator/command_line/bugs.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+#include "generator/command_line/command_line.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr const char* kHelp = "help: please report it with the graph\n";
+const char* volatile aborted_program = "";
+
+void say(const char* text) {
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, std::strlen(text));
+}
+
+/// Nothing but what a handler of signals may call.
+void on_abort(int /*signal*/) {
+  say("error: this is a bug in ");
+  say(aborted_program);
+  say(": it has aborted\n");
+  say(kHelp);
+  _exit(kInternal);
+}
+
+}  // namespace
+
+int reporting_bugs(const char* program, const std::function<int()>& action) {
+  aborted_program = program;
+  static_cast<void>(std::signal(SIGABRT, on_abort));
+  try {
+    return action();
+  } catch (const std::exception& error) {
+    static_cast<void>(
+        std::fprintf(stderr, "error: this is a bug in %s: %s\n%s", program, error.what(), kHelp));
+    return kInternal;
+  }
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,13 @@
+// A bug of ours is told as one, however it ends the program.
+#pragma once
+
+#include <functional>
+
+namespace eagerx::gen {
+
+/// The exit code of `action`, which is all that a main does. Where it throws or aborts (most of the
+/// generator is compiled without exceptions, so that a wrong `std::get` aborts) the code is
+/// kInternal, and a line on stderr asks for a report.
+int reporting_bugs(const char* program, const std::function<int()>& action);
+
+}  // namespace eagerx::gen
