@@ -15,16 +15,16 @@ namespace {
 constexpr const char* kHelp = "help: please report it with the graph\n";
 const char* volatile aborted_program = "";
 
-void say(const char* text) {
+void write_error(const char* text) {
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, std::strlen(text));
 }
 
 /// Nothing but what a handler of signals may call.
 void on_abort(int /*signal*/) {
-  say("error: this is a bug in ");
-  say(aborted_program);
-  say(": it has aborted\n");
-  say(kHelp);
+  write_error("error: this is a bug in ");
+  write_error(aborted_program);
+  write_error(": it has aborted\n");
+  write_error(kHelp);
   _exit(kInternal);
 }
 
