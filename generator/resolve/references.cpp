@@ -84,6 +84,20 @@ YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml) {
   return yaml;
 }
 
+namespace {
+
+/// Of a whole number: whether E0322 or E0323 tells of it, where the parameter is read.
+bool is_refused(const Parameter& parameter, const YamlValue& value) {
+  if (parameter.type != Parameter::Type::integer || is_expression(value)) return false;
+  const auto whole =
+      value.is_scalar() && !value.quoted ? parse_whole(value.text) : std::optional<std::int64_t>{};
+  if (!whole) return true;
+  return (parameter.low && !at_most(*parameter.low, *whole)) ||
+         (parameter.high && !at_most(*whole, *parameter.high));
+}
+
+}  // namespace
+
 References references_of(const Entity& entity, const std::vector<Setting>& settings) {
   References result;
   for (const auto& parameter : entity.config) {
@@ -95,7 +109,8 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
     }
     const YamlValue value =
         in_unit_of(parameter, setting != nullptr ? setting->value : *parameter.fallback);
-    result[parameter_reference(parameter.name.value)] = value;
+    YamlValue& known = result[parameter_reference(parameter.name.value)] = value;
+    if (is_refused(parameter, value)) known.origin = Origin::unresolved;
     if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
       continue;
     // A single number is a list of one.
