@@ -2,7 +2,7 @@
 eagerx_unit_test(train)
 add_test(NAME unit.train COMMAND test_train $<$<STREQUAL:${EAGERX_SANITIZE},thread>:--gtest_filter=*AnyNumberOfThreads*>
          COMMAND_EXPAND_LISTS WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-set_tests_properties(unit.train PROPERTIES COST 80)
+set_tests_properties(unit.train PROPERTIES COST 300)
 # Packs in the widest registers of this machine.
 add_executable(test_pack_native ${CMAKE_CURRENT_LIST_DIR}/runtime/pack_test.cpp ${CMAKE_CURRENT_LIST_DIR}/runtime/policy_packs_test.cpp
                                 ${CMAKE_CURRENT_LIST_DIR}/runtime/lane_random_test.cpp)
