@@ -3,7 +3,9 @@ eagerx_find_examples(examples)
 list(REMOVE_ITEM examples ${eagerx_first_examples})
 foreach(example IN LISTS examples)
   eagerx_test_example(${example})
-  list(APPEND eagerx_long_targets ${example}) # some are projects of their own
+  if(TARGET ${example})
+    list(APPEND eagerx_long_targets ${example}) # some are projects of their own
+  endif()
 endforeach()
 # The swing-up on the other engine that needs no library; those that do are tested in no_alloc/ and ftdi/.
 eagerx_add_graph(TARGET examples_gym_swing_up GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml
