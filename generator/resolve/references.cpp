@@ -18,6 +18,16 @@ bool is_missing(const Reference& reference, const References& references) {
   return parameter != references.end() && is_unresolved(parameter->second);
 }
 
+/// Of a whole number: whether E0322 or E0323 tells of it, where the parameter is read.
+bool is_refused(const Parameter& parameter, const YamlValue& value) {
+  if (parameter.type != Parameter::Type::integer || is_expression(value)) return false;
+  const auto whole =
+      value.is_scalar() && !value.quoted ? parse_whole(value.text) : std::optional<std::int64_t>{};
+  if (!whole) return true;
+  return (parameter.low && !at_most(*parameter.low, *whole)) ||
+         (parameter.high && !at_most(*whole, *parameter.high));
+}
+
 /// A value as expressions calculate with it; nullopt if it is not known.
 std::optional<ConditionValue> fact_of(const YamlValue& yaml) {
   if (is_unresolved(yaml)) return std::nullopt;
@@ -83,20 +93,6 @@ YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml) {
     yaml.text = *number;
   return yaml;
 }
-
-namespace {
-
-/// Of a whole number: whether E0322 or E0323 tells of it, where the parameter is read.
-bool is_refused(const Parameter& parameter, const YamlValue& value) {
-  if (parameter.type != Parameter::Type::integer || is_expression(value)) return false;
-  const auto whole =
-      value.is_scalar() && !value.quoted ? parse_whole(value.text) : std::optional<std::int64_t>{};
-  if (!whole) return true;
-  return (parameter.low && !at_most(*parameter.low, *whole)) ||
-         (parameter.high && !at_most(*whole, *parameter.high));
-}
-
-}  // namespace
 
 References references_of(const Entity& entity, const std::vector<Setting>& settings) {
   References result;
