@@ -48,7 +48,9 @@ void print_layers(const Network& network) {
 }
 
 std::string list_of(const std::vector<double>& values) {
-  return fmt::format("[{:g}]", fmt::join(values, ", "));
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(fmt::format("{:g}", value));
+  return fmt::format("[{}]", join(texts, ", "));
 }
 
 void print_contract(const Network& network) {

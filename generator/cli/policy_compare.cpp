@@ -24,9 +24,9 @@ constexpr std::size_t kMostShown = 32;
 /// Numbers of a vector, not more than a screen has.
 std::string shown(const std::vector<double>& values) {
   const std::size_t count = std::min(values.size(), kMostShown);
-  const std::vector<double> first(values.begin(),
-                                  values.begin() + static_cast<std::ptrdiff_t>(count));
-  return fmt::format("[{:.6g}{}]", fmt::join(first, ", "), count < values.size() ? ", …" : "");
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < count; ++i) texts.push_back(fmt::format("{:.6g}", values[i]));
+  return fmt::format("[{}{}]", join(texts, ", "), count < values.size() ? ", …" : "");
 }
 
 std::string row_of(const GoldenRows& rows, std::size_t row) {

@@ -1,7 +1,6 @@
 #include "generator/compare/compare.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -17,6 +16,8 @@ std::string text_of(const ConfigValue& value) {
         using Held = std::decay_t<decltype(held)>;
         if constexpr (std::is_same_v<Held, std::shared_ptr<const ModelUse>>)
           return held->object->id.value;
+        else if constexpr (requires { join(held, ", "); })
+          return fmt::format("[{}]", join(held, ", "));
         else
           return fmt::format("{}", held);
       },
@@ -157,7 +158,7 @@ class FactCollector {
                     safety.clips ? "clip" : "safe", safety.holds ? "hold" : "safe");
     for (std::size_t a = 0; a < safety.actions.size(); ++a)
       facts_["safety.actions." + graph_.environment().outputs[a].name] =
-          fmt::format("{}", safety.actions[a]);
+          fmt::format("[{}]", join(safety.actions[a], ", "));
   }
 
   const PlanInfo& report_;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <vector>
+
 namespace eagerx::gen {
 namespace {
 
@@ -39,6 +41,13 @@ std::string join(std::span<const std::size_t> items, std::string_view separator)
 
 std::string join(std::span<const std::uint32_t> items, std::string_view separator) {
   return join_items(items, separator);
+}
+
+// fmt would compile its writing of floating-point numbers here, which its library has.
+std::string join(std::span<const double> items, std::string_view separator) {
+  std::vector<std::string> texts;
+  for (const double item : items) texts.push_back(fmt::format("{}", item));
+  return join(texts, separator);
 }
 
 }  // namespace eagerx::gen

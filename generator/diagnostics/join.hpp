@@ -15,7 +15,7 @@ namespace eagerx::gen {
 using host::counted;
 using host::noun;
 
-/// The items with `separator` between them; numbers in decimal: "4x3".
+/// The items with `separator` between them; numbers in decimal, with the fewest digits: "4x3".
 std::string join(std::span<const std::string> items, std::string_view separator);
 std::string join(std::span<const std::string_view> items, std::string_view separator);
 std::string join(std::span<const char* const> items, std::string_view separator);
@@ -23,5 +23,6 @@ std::string join(const std::set<std::string>& items, std::string_view separator)
 std::string join(std::span<const std::int64_t> items, std::string_view separator);
 std::string join(std::span<const std::size_t> items, std::string_view separator);
 std::string join(std::span<const std::uint32_t> items, std::string_view separator);
+std::string join(std::span<const double> items, std::string_view separator);
 
 }  // namespace eagerx::gen

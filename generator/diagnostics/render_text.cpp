@@ -100,7 +100,7 @@ class TextRenderer {
     for (const Diagnostic::Note& note : diagnostic.notes) {
       if (!note.label.empty() && has_excerpt(note.span)) line = std::max(line, note.span.line);
     }
-    return fmt::formatted_size("{}", line);
+    return fmt::format("{}", line).size();
   }
 
   void add_place(const Span& span) {

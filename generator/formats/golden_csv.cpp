@@ -1,7 +1,6 @@
 // Golden rows as a CSV file.
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +13,7 @@ void add_names(std::string& header, std::string_view stem,
                const std::vector<std::vector<double>>& rows) {
   if (rows.empty()) return;
   for (std::size_t i = 0; i < rows.front().size(); ++i) {
-    fmt::format_to(std::back_inserter(header), "{}{}{}", header.empty() ? "" : ",", stem, i);
+    header += fmt::format("{}{}{}", header.empty() ? "" : ",", stem, i);
   }
 }
 
@@ -22,7 +21,7 @@ void add_names(std::string& header, std::string_view stem,
 void add_inputs(std::string& line, const std::vector<std::vector<double>>& rows, std::size_t row) {
   if (rows.empty()) return;
   for (const double value : rows[row]) {
-    fmt::format_to(std::back_inserter(line), "{},", static_cast<float>(value));
+    line += fmt::format("{},", static_cast<float>(value));
   }
 }
 
@@ -30,7 +29,7 @@ void add_inputs(std::string& line, const std::vector<std::vector<double>>& rows,
 void add_answers(std::string& line, const std::vector<std::vector<double>>& rows, std::size_t row) {
   if (rows.empty()) return;
   for (const double value : rows[row]) {
-    fmt::format_to(std::back_inserter(line), "{:.16e},", value);
+    line += fmt::format("{:.16e},", value);
   }
 }
 

@@ -1,6 +1,5 @@
 // Stages of a training: what they draw, weigh and wait for.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
@@ -132,19 +131,24 @@ class StagesResolver {
 }  // namespace
 
 std::string Random::describe() const {
+  const auto list = [](const std::vector<double>& numbers) {
+    return fmt::format("[{}]", join(numbers, ", "));
+  };
   switch (kind) {
     case RandomSpec::Kind::value:
-      return fmt::format("{}", first);
+      return list(first);
     case RandomSpec::Kind::uniform:
-      return fmt::format("uniform from {} to {}", first, second);
+      return fmt::format("uniform from {} to {}", list(first), list(second));
     case RandomSpec::Kind::normal:
-      return fmt::format("normal with mean {}, deviation {}", first, second);
+      return fmt::format("normal with mean {}, deviation {}", list(first), list(second));
     case RandomSpec::Kind::log_uniform:
-      return fmt::format("log-uniform from {} to {}", first, second);
+      return fmt::format("log-uniform from {} to {}", list(first), list(second));
     case RandomSpec::Kind::choice:
       break;
   }
-  return fmt::format("one of {}", choices);
+  std::vector<std::string> texts;
+  for (const std::vector<double>& choice : choices) texts.push_back(list(choice));
+  return fmt::format("one of [{}]", join(texts, ", "));
 }
 
 std::string Task::describe(const Stage& stage) const {

@@ -1,7 +1,6 @@
 #include "generator/formats/actor/actor.hpp"
 
-#include <fmt/core.h>
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 // How libraries name the parts of an actor.
-#include <fmt/core.h>
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,8 +1,7 @@
 // The whole model is untrusted, and only what leads to the action is read.
 #include "generator/formats/onnx/read_onnx.hpp"
 
-#include <fmt/core.h>
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>

@@ -13,7 +13,7 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 6\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 7\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 /// The sizes of what it visits.
@@ -79,7 +79,7 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.recent);
   visitor(progressed.best.parameters);
   for (auto* score : {&progressed.best.seen, &progressed.best.judged}) {
-    visitor(score->successes);
+    visitor(score->success);
     visitor(score->mean_return);
   }
   visitor(progressed.actions);

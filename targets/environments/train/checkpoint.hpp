@@ -17,12 +17,11 @@ namespace eagerx::train {
 
 /// How good a policy was in some episodes.
 struct Score {
-  std::uint64_t successes = 0;
+  double success = 0.0;  // share of the episodes
   double mean_return = 0.0;
 
   bool is_better_than(const Score& other) const {
-    return successes != other.successes ? successes > other.successes
-                                        : mean_return > other.mean_return;
+    return success != other.success ? success > other.success : mean_return > other.mean_return;
   }
 };
 

@@ -11,6 +11,12 @@ void Evaluation::add(const Evaluation& more) {
   const auto mine = static_cast<double>(episodes), theirs = static_cast<double>(more.episodes);
   const auto mean = [&](double a, double b) { return (mine * a + theirs * b) / (mine + theirs); };
   mean_return = mean(mean_return, more.mean_return);
+  const double my_steps = mine * mean_steps, their_steps = theirs * more.mean_steps;
+  const auto of_steps = [&](double a, double b) {
+    return (my_steps * a + their_steps * b) / (my_steps + their_steps);
+  };
+  saturated = of_steps(saturated, more.saturated);
+  for (std::size_t i = 0; i < far.size(); ++i) far[i] = of_steps(far[i], more.far[i]);
   mean_steps = mean(mean_steps, more.mean_steps);
   for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = mean(terms[i], more.terms[i]);
   lowest_return = std::min(lowest_return, more.lowest_return);
@@ -145,49 +151,64 @@ Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
 
 Evaluator::~Evaluator() = default;
 
+std::size_t Evaluator::parts() const {
+  return results_.size();
+}
+
+/// Those of `some` that a rank computes.
+environments::Share Evaluator::share_of(std::uint32_t rank, environments::Share some) const {
+  const auto all = environments::share_of(parts(), rank, ranks_.size());
+  const std::size_t first = std::max(all.first, some.first);
+  return {first, std::max(first, std::min(all.end, some.end))};
+}
+
 Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed, const Statistics& observations,
-                          const std::string& stage) {
+                          const std::string& stage, environments::Share some) {
+  const auto own = share_of(ranks_.rank(), some);
   const auto work = [&](std::size_t i) {
-    results_[own_.first + i] = parts_[i]->run(kernels_, policy, seed, observations, stage);
+    const std::size_t part = own.first + i;
+    results_[part] = parts_[part - own_.first]->run(kernels_, policy, seed, observations, stage);
   };
   const auto all = together(
       ranks_,
       [&] {
-        if (has_threads_) return team_.run_parts(parts_.size(), work);
-        for (std::size_t i = 0; i < parts_.size(); ++i) work(i);
+        const std::size_t count = own.end - own.first;
+        if (has_threads_) return team_.run_parts(count, work);
+        for (std::size_t i = 0; i < count; ++i) work(i);
       },
-      [&] { return ranks_.size() == 1 ? std::string() : bytes_of_own(); });
+      [&] { return ranks_.size() == 1 ? std::string() : bytes_of(own); });
   for (std::uint32_t rank = 0; rank < ranks_.size(); ++rank) {
-    if (rank != ranks_.rank()) take(rank, all[rank]);
+    if (rank != ranks_.rank()) take(share_of(rank, some), all[rank]);
   }
-  return sum(policy.network.inputs(), seed);
+  return sum(policy.network.inputs(), seed, some);
 }
 
-std::string Evaluator::bytes_of_own() {
+std::string Evaluator::bytes_of(environments::Share parts) {
   Writer writer;
-  for (std::size_t part = own_.first; part < own_.end; ++part) visit_result(writer, results_[part]);
+  for (std::size_t part = parts.first; part < parts.end; ++part)
+    visit_result(writer, results_[part]);
   return std::move(writer.bytes);
 }
 
-void Evaluator::take(std::uint32_t rank, const std::string& bytes) {
-  const auto theirs = environments::share_of(results_.size(), rank, ranks_.size());
+void Evaluator::take(environments::Share parts, const std::string& bytes) {
   Reader reader(bytes);
-  for (std::size_t part = theirs.first; part < theirs.end; ++part)
+  for (std::size_t part = parts.first; part < parts.end; ++part)
     visit_result(reader, results_[part]);
   if (!reader.complete) throw Problem(kInputOutput, "a rank has sent damaged results");
 }
 
-Evaluation Evaluator::sum(std::size_t inputs, std::uint64_t seed) const {
+Evaluation Evaluator::sum(std::size_t inputs, std::uint64_t seed, environments::Share some) const {
   Evaluation result;
   result.far.resize(inputs);
   double numbers = 0.0;
-  for (const Result& part : results_) {
+  for (std::size_t i = some.first; i < some.end; ++i) {
+    const Result& part = results_[i];
     result.saturated += static_cast<double>(part.saturated);
     numbers += static_cast<double>(part.numbers);
-    for (std::size_t i = 0; i < result.far.size(); ++i)
-      result.far[i] += static_cast<double>(part.far[i]);
+    for (std::size_t input = 0; input < inputs; ++input)
+      result.far[input] += static_cast<double>(part.far[input]);
     for (const Episode& episode : part.episodes) {
-      const auto environment = static_cast<std::uint32_t>(result.episodes);
+      const auto environment = static_cast<std::uint32_t>(some.first * kLanes + result.episodes);
       result.outcomes.push_back({seed, environment, episode.steps, episode.sum, episode.success});
       const bool is_first = result.episodes++ == 0;
       result.successes += episode.success ? 1 : 0;
@@ -196,7 +217,8 @@ Evaluation Evaluator::sum(std::size_t inputs, std::uint64_t seed) const {
       result.lowest_return = is_first ? episode.sum : std::min(result.lowest_return, episode.sum);
       result.highest_return = is_first ? episode.sum : std::max(result.highest_return, episode.sum);
       result.terms.resize(episode.terms.size());
-      for (std::size_t i = 0; i < episode.terms.size(); ++i) result.terms[i] += episode.terms[i];
+      for (std::size_t term = 0; term < episode.terms.size(); ++term)
+        result.terms[term] += episode.terms[term];
     }
   }
   const auto episodes = static_cast<double>(result.episodes);

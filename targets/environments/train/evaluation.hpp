@@ -39,6 +39,9 @@ struct Evaluation {
     constexpr double kRounding = 1e-9;  // 0.99 of 100 are 99
     return static_cast<double>(successes) + kRounding >= share * static_cast<double>(episodes);
   }
+  double success() const {
+    return episodes == 0 ? 0.0 : static_cast<double>(successes) / static_cast<double>(episodes);
+  }
   /// As one evaluation of all the episodes.
   void add(const Evaluation& more);
 };
@@ -50,19 +53,24 @@ class Evaluator {
             std::size_t episodes, Ranks& ranks = environments::alone());
   ~Evaluator();
 
-  /// One episode in each of `episodes` environments, the first of `seed`. Nothing is drawn.
+  /// Sixteen environments or fewer each.
+  std::size_t parts() const;
+  environments::Share all() const { return {0, parts()}; }
+
+  /// One episode in each environment of the parts `some`, the first of `seed`. Nothing is drawn.
   /// `observations`: what is far from it is counted. `stage` of the task; empty: as it is written.
   Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations,
-                 const std::string& stage = {});
+                 const std::string& stage, environments::Share some);
 
  private:
   struct Episode;
   struct Result;  // of a part
-  class Part;     // sixteen environments or fewer
+  class Part;
 
-  std::string bytes_of_own();
-  void take(std::uint32_t rank, const std::string& bytes);
-  Evaluation sum(std::size_t inputs, std::uint64_t seed) const;
+  environments::Share share_of(std::uint32_t rank, environments::Share some) const;
+  std::string bytes_of(environments::Share parts);
+  void take(environments::Share parts, const std::string& bytes);
+  Evaluation sum(std::size_t inputs, std::uint64_t seed, environments::Share some) const;
 
   const Kernels& kernels_;
   Team& team_;

@@ -63,7 +63,24 @@ Evaluation Judge::evaluate_at_last(const Algorithm& algorithm, const Best& best)
 
 Evaluation Judge::run(const Algorithm& algorithm, const Policy& policy, std::uint64_t seed,
                       const std::string& stage) {
-  return evaluator_.run(policy, seed, algorithm.observations(), stage);
+  return evaluator_.run(policy, seed, algorithm.observations(), stage, evaluator_.all());
+}
+
+Evaluation Judge::run_some(const Algorithm& algorithm, const Policy& policy,
+                           environments::Share some) {
+  return evaluator_.run(policy, kEvaluationSeed, algorithm.observations(), {}, some);
+}
+
+/// The episodes that each policy is seen in. One that fails in most of the first 32 would not be
+/// good after the others, which are as dear as learning where a step takes long.
+Evaluation Judge::see(const Algorithm& algorithm, const Policy& now) {
+  constexpr std::size_t kFirst = 2;  // parts
+  constexpr double kHalf = 0.5;
+  if (!has_success_ || evaluator_.parts() <= kFirst) return run(algorithm, now, kEvaluationSeed);
+  Evaluation seen = run_some(algorithm, now, {0, kFirst});
+  if (seen.passed(kHalf * success_share_))
+    seen.add(run_some(algorithm, now, {kFirst, evaluator_.parts()}));
+  return seen;
 }
 
 Evaluation Judge::evaluate_in(const std::string& stage, const Algorithm& algorithm) {
@@ -89,15 +106,15 @@ bool Judge::is_confirmed(const Algorithm& algorithm, const Policy& now) {
 
 bool Judge::evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point) {
   Policy now = policy(algorithm, algorithm.deployed_parameters());
-  const Evaluation evaluation = run(algorithm, now, kEvaluationSeed);
-  const Score seen{evaluation.successes, evaluation.mean_return};
+  const Evaluation evaluation = see(algorithm, now);
+  const Score seen{evaluation.success(), evaluation.mean_return};
   bool succeeds = false;
   if (best.parameters.empty() || seen.is_better_than(best.seen) || is_good(evaluation)) {
     Score judged = Best().judged;
     const bool is_chosen = is_worth_choosing(evaluation);
     if (is_chosen) {
       const Evaluation all = choose(algorithm, now, evaluation);
-      judged = {all.successes, all.mean_return};
+      judged = {all.success(), all.mean_return};
       succeeds = is_good(all) && is_confirmed(algorithm, now);
     }
     if (!best.is_judged() || judged.is_better_than(best.judged) || succeeds)
@@ -106,10 +123,7 @@ bool Judge::evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point) 
   seen_ = evaluation;
   // All at once, for who goes on after an exception.
   point.evaluation_return = evaluation.mean_return;
-  if (has_success_) {
-    point.evaluation_success =
-        static_cast<double>(evaluation.successes) / static_cast<double>(evaluation.episodes);
-  }
+  if (has_success_) point.evaluation_success = evaluation.success();
   return succeeds;
 }
 

@@ -38,6 +38,8 @@ class Judge {
   bool is_worth_choosing(const Evaluation& evaluation) const;
   Evaluation run(const Algorithm& algorithm, const Policy& policy, std::uint64_t seed,
                  const std::string& stage = {});
+  Evaluation run_some(const Algorithm& algorithm, const Policy& policy, environments::Share some);
+  Evaluation see(const Algorithm& algorithm, const Policy& now);
   Evaluation choose(const Algorithm& algorithm, const Policy& now, Evaluation seen);
   bool is_confirmed(const Algorithm& algorithm, const Policy& now);
 

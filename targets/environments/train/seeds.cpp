@@ -25,7 +25,7 @@ struct Trained {
   std::vector<CurvePoint> curve;
   Evaluation evaluation;
 
-  Score score() const { return {evaluation.successes, evaluation.mean_return}; }
+  Score score() const { return {evaluation.success(), evaluation.mean_return}; }
 };
 
 bool is_there(const std::string& path) {

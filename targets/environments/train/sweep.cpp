@@ -28,7 +28,8 @@ double seconds_of(clockid_t clock) {
 }
 
 Score score_of(const SweepRow& row) {
-  return {row.successes, row.mean_return};
+  const double episodes = static_cast<double>(std::max<std::uint64_t>(row.episodes, 1));
+  return {static_cast<double>(row.successes) / episodes, row.mean_return};
 }
 
 /// "learning_rate=0.001 clip=0.2, seed 2"

@@ -160,8 +160,7 @@ void Training::evaluate_all(CurvePoint& point) {
   if (stage < stages.size()) in_stage = judge_.evaluate_in(stages[stage].name, *algorithm_);
   progressed_.succeeded = evaluate(point);
   if (!in_stage) return;
-  const double success =
-      static_cast<double>(in_stage->successes) / static_cast<double>(in_stage->episodes);
+  const double success = in_stage->success();
   point.stage_return = in_stage->mean_return;
   if (library_.description().has_success) point.stage_success = success;
   if (progressed_.succeeded || success < stages[stage].success ||
