@@ -1,5 +1,7 @@
 #include "targets/environments/client/intervals.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <iterator>
 
@@ -33,6 +35,13 @@ Mean mean_of(const std::vector<double>& values) {
   const double factor = free <= std::size(kStudent) ? kStudent[free - 1] : kMany;
   result.half = factor * std::sqrt(squares / (count - 1.0) / count);
   return result;
+}
+
+std::string text_of(const Mean& mean) {
+  constexpr double kWhole = 100.0;  // from here on two digits would need an exponent
+  const std::string half =
+      mean.half < kWhole ? fmt::format("{:.2g}", mean.half) : fmt::format("{:.0f}", mean.half);
+  return fmt::format("{:.4g} +- {}", mean.mean, half);
 }
 
 }  // namespace eagerx::client

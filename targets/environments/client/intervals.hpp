@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace eagerx::client {
@@ -21,5 +22,7 @@ struct Mean {
   double mean = 0.0, half = 0.0;
 };
 Mean mean_of(const std::vector<double>& values);
+/// "-66.47 +- 160", for people.
+std::string text_of(const Mean& mean);
 
 }  // namespace eagerx::client

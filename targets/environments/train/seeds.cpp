@@ -63,8 +63,8 @@ std::string table_of(const std::vector<Trained>& all, bool has_success) {
   if (all.size() < 2) return text;
   const auto good = std::ranges::count(all, kDone, &Trained::exit_code);
   const client::Mean mean = client::mean_of(returns);
-  return text + fmt::format("{} of {} seeds {}; return {:.4g} +- {:.2g} (95 % of the mean)\n", good,
-                            all.size(), has_success ? "succeed" : "are done", mean.mean, mean.half);
+  return text + fmt::format("{} of {} seeds {}; return {} (95 % of the mean)\n", good, all.size(),
+                            has_success ? "succeed" : "are done", client::text_of(mean));
 }
 
 class Seeds {

@@ -126,9 +126,8 @@ Line line_of(const Figures& one, bool has_success) {
   const std::string good = fmt::format("{} of {}", one.good, one.seeds);
   line.push_back(one.broken == 0 ? good : good + fmt::format(", {} broke", one.broken));
   if (has_success) line.push_back(percent(one.success(), one.of_success));
-  line.push_back(one.seeds - one.broken < 2
-                     ? fmt::format("{:.4g}", one.mean_return.mean)
-                     : fmt::format("{:.4g} +- {:.2g}", one.mean_return.mean, one.mean_return.half));
+  line.push_back(one.seeds - one.broken < 2 ? fmt::format("{:.4g}", one.mean_return.mean)
+                                            : client::text_of(one.mean_return));
   line.push_back(client::rounded(one.steps.mean));
   line.push_back(fmt::format("{:.3g} s", one.processor_s.mean));
   return line;

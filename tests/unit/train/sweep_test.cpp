@@ -207,6 +207,8 @@ TEST(TrainSweepTable, IntervalsOfFewValues) {
   EXPECT_NEAR(two.half, 12.71, 1e-9);  // Student's factor of one degree of freedom
   // scipy.stats.t.interval(0.95, 4, ...): 3 +- 1.963
   EXPECT_NEAR(client::mean_of({1.0, 2.0, 3.0, 4.0, 5.0}).half, 1.963, 3e-3);
+  EXPECT_EQ(client::text_of({-66.471, 158.3}), "-66.47 +- 158");
+  EXPECT_EQ(client::text_of({0.5, 0.1234}), "0.5 +- 0.12");
 }
 
 }  // namespace
