@@ -49,6 +49,7 @@ void print_layers(const Network& network) {
 
 std::string list_of(const std::vector<double>& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values) texts.push_back(fmt::format("{:g}", value));
   return fmt::format("[{}]", join(texts, ", "));
 }

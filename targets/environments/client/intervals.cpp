@@ -38,7 +38,7 @@ Mean mean_of(const std::vector<double>& values) {
 }
 
 std::string text_of(const Mean& mean) {
-  constexpr double kWhole = 100.0;  // from here on two digits would need an exponent
+  constexpr double kWhole = 99.5;  // from here on two digits would need an exponent
   const std::string half =
       mean.half < kWhole ? fmt::format("{:.2g}", mean.half) : fmt::format("{:.0f}", mean.half);
   return fmt::format("{:.4g} +- {}", mean.mean, half);

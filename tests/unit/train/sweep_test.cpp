@@ -209,6 +209,7 @@ TEST(TrainSweepTable, IntervalsOfFewValues) {
   EXPECT_NEAR(client::mean_of({1.0, 2.0, 3.0, 4.0, 5.0}).half, 1.963, 3e-3);
   EXPECT_EQ(client::text_of({-66.471, 158.3}), "-66.47 +- 158");
   EXPECT_EQ(client::text_of({0.5, 0.1234}), "0.5 +- 0.12");
+  EXPECT_EQ(client::text_of({1.0, 99.7}), "1 +- 100");
 }
 
 }  // namespace
