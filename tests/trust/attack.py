@@ -163,15 +163,15 @@ def slow_greetings(stage):
     slow = [socket.create_connection(("127.0.0.1", port)) for _ in range(3)]
     for connection in slow:
         threading.Thread(target=drip, args=(connection, b"eagerx-key-link1" + b"x" * 60), daemon=True).start()
-    until(lambda: "did not show within 5 s that it has the key" in part.said(), "the end of a slow greeting")
-    slow.append(socket.create_connection(("127.0.0.1", port)))
-    same_hash(stage.hub(port))
-    # And a slow one at the other end.
+    # And a slow one at the other end, while the part waits for those.
     server = socket.create_server(("127.0.0.1", 0))
     threading.Thread(target=lambda: drip(server.accept()[0], bytes(range(73))), daemon=True).start()
     begun, hub = time.monotonic(), stage.hub(server.getsockname()[1])
     check(hub.wait() == 3 and "does not show in time that it has the key" in hub.said(), "the hub ends", hub.said())
     check(time.monotonic() - begun < 30, "soon")
+    until(lambda: "did not show within 5 s that it has the key" in part.said(), "the end of a slow greeting")
+    slow.append(socket.create_connection(("127.0.0.1", port)))
+    same_hash(stage.hub(port))
     end.set()
 
 
