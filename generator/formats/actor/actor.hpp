@@ -83,7 +83,7 @@ struct ActorModule {
 /// `bodies` are followed by an activation each, then comes `head`: a layer or a sequence.
 struct KnownLayout {
   std::string_view about;            // "Stable-Baselines3's SAC"
-  std::string_view algorithms = "";  // "SAC TQC", empty: any
+  std::string_view algorithms = {};  // "SAC TQC", empty: any
   std::array<const char*, 2> bodies = {};
   const char* head = nullptr;
   bool head_is_sequence = false;
@@ -97,7 +97,7 @@ struct KnownLayout {
   std::optional<Activation> activation = std::nullopt;  // if nothing else is said
   Activation output = Activation::identity;             // after the last layer
   bool has_bias = false;                                // always
-  std::string_view memory = "";                         // a GRU or LSTM before the bodies
+  std::string_view memory = {};                         // a GRU or LSTM before the bodies
   MemoryPlace memory_place = MemoryPlace::unknown;
   std::array<const char*, 2> extractors = {};  // the first that is there
   Squash squash = Squash::never;
