@@ -162,6 +162,7 @@ std::optional<std::vector<BuiltProgram>> build_made_graph(Run& run, GenerateOpti
     const Planned& last = items.back();
     if (!check_start(run, last.program)) return std::nullopt;
     std::vector<BuiltProgram> all;
+    all.reserve(items.size());
     for (const Planned& item : items) all.push_back(item.program);
     if (!check_parts(run, all, *to_run)) return std::nullopt;
     if (!check_program_options(run, *last.program.target, *to_run)) {

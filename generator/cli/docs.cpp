@@ -50,7 +50,7 @@ std::string browser() {
   for (const std::string& name :
        std::array{variable("BROWSER"), std::string("x-www-browser"), std::string("xdg-open")}) {
     if (name.empty()) continue;
-    if (const std::string program = find_program(name); !program.empty()) return program;
+    if (std::string program = find_program(name); !program.empty()) return program;
   }
   return {};
 }

@@ -170,11 +170,12 @@ class ResolvedFacts {
     for (const auto& [composite, ports] : run_.composites.composites()) {
       for (const auto& [name, sinks] : ports.sinks) {
         if (sinks.empty()) continue;
-        copy(facts_.connections, sinks.front().port, composite + "." + name);
-        copy(facts_.ports, sinks.front().port, composite + "." + name);
+        const std::string port = fmt::format("{}.{}", composite, name);
+        copy(facts_.connections, sinks.front().port, port);
+        copy(facts_.ports, sinks.front().port, port);
       }
       for (const auto& [name, source] : ports.sources)
-        copy(facts_.ports, source, composite + "." + name);
+        copy(facts_.ports, source, fmt::format("{}.{}", composite, name));
     }
   }
   template <class Map>

@@ -37,7 +37,7 @@ std::string range_of(const SettingRow& row) {
   }
 }
 
-FormatPtr bounded(FormatPtr number, const SettingRow& row) {
+FormatPtr bounded(const FormatPtr& number, const SettingRow& row) {
   Format copy = *number;
   copy.low = row.low;
   copy.high = row.high;

@@ -21,12 +21,11 @@ class Writer {
       const YamlValue& value = entry.value;
       const std::string one_line = in_one_line(value);
       const bool short_enough = key.size() + one_line.size() < kWidth || value.is_scalar();
-      if (indent > 0 && short_enough) {
-        line(fmt::format("{}{}{}", key, one_line.empty() ? "" : " ", one_line), entry.key_span);
-      } else if (value.is_map() && !value.entries.empty()) {
+      const bool is_block = indent == 0 || !short_enough;
+      if (is_block && value.is_map() && !value.entries.empty()) {
         line(key, entry.key_span);
         entries(value, indent + 2);
-      } else if (value.is_sequence() && !value.items.empty() && (indent == 0 || !short_enough) &&
+      } else if (is_block && value.is_sequence() && !value.items.empty() &&
                  !value.items.front().is_scalar()) {
         line(key, entry.key_span);
         for (const auto& item : value.items)

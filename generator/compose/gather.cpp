@@ -66,6 +66,7 @@ std::optional<Gathered> gather(const Spanned<std::string>& to,
   if (!has_each_once(to, elements, diagnostics)) return std::nullopt;
   Gathered result;
   std::vector<PartialMessage> parts;
+  parts.reserve(elements.size());
   for (auto& each : elements) parts.push_back({each.from, std::move(each.connection), 1});
   std::string base = "mux/" + to.value;
   std::ranges::replace(base, '.', '/');

@@ -49,7 +49,7 @@ std::string nested_text(const Drawing& drawing, std::optional<std::size_t> aroun
   for (std::size_t g = 0; g < drawing.groups.size(); ++g) {
     if (drawing.groups[g].around != around) continue;
     const std::string inside = nested_text(drawing, g, end, of_box, begin);
-    if (!inside.empty()) text += begin(g) + inside + end;
+    if (!inside.empty()) text.append(begin(g)).append(inside).append(end);
   }
   return text;
 }

@@ -61,6 +61,7 @@ class LimitsView {
     if (names_.receives(Graph::kEnvironment)) seen = graph_.environment().inputs;
     add_names("observation", seen);
     std::vector<std::string> may_wait;
+    may_wait.reserve(seen.size());
     for (const auto& input : seen) may_wait.push_back(bool_literal(input.skip));
     view_.set("may_wait", braced(may_wait));
   }
@@ -69,6 +70,7 @@ class LimitsView {
   template <class Ports>
   void add_names(const std::string& what, const Ports& ports) {
     std::vector<std::string> texts;
+    texts.reserve(ports.size());
     for (const auto& port : ports) texts.push_back(cpp_string(port.name));
     view_.set(what + "_count", fmt::format("{}", texts.size()));
     view_.set(what + "_names", braced(texts));

@@ -181,6 +181,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_lo
   const auto common = [](const std::vector<std::string>& names) { return in_common(names) + "_"; };
   const auto make_array = [&](std::vector<std::string*> names) {
     std::vector<std::string> texts;
+    texts.reserve(names.size());
     for (const auto* name : names) texts.push_back(*name);
     const std::string array = members.unique(common(texts));
     size_of_array[array] = names.size();
@@ -189,6 +190,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_lo
   const Repeats repeats = find_repeats(plan, part, io_owner);
   for (const auto& array : repeats.arrays) {
     std::vector<std::string*> names;
+    names.reserve(array.size());
     for (const std::size_t ring : array) names.push_back(&ring_member[ring]);
     make_array(names);
   }
@@ -235,8 +237,7 @@ ProgramNames ProgramNames::inside(const Loop& loop) const {
     for (std::size_t o = 0; o < names.channel[n].size(); ++o)
       names.channel[n][o] = loop.channels[m][o];
     // What all chains read is one ring, which may be the first of another loop's array.
-    for (std::size_t o = 0; o < plan_.nodes[n].rings.size(); ++o)
-      element(names.ring_member[plan_.nodes[n].rings[o]]);
+    for (const std::size_t ring : plan_.nodes[n].rings) element(names.ring_member[ring]);
     for (std::size_t i = 0; i < plan_.nodes[n].receptions.size(); ++i) {
       const std::size_t ring = plan_.nodes[n].receptions[i].ring;
       const std::size_t other = loop.repeat.nodes[length + m];

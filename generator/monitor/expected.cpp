@@ -50,8 +50,7 @@ Expected expected_of(const Plan& plan, std::string file, std::uint64_t hash) {
     each.channel.rate_num = static_cast<std::uint64_t>(node.rate_hz.num());
     each.channel.rate_den = static_cast<std::uint64_t>(node.rate_hz.den());
     each.port = channel.port;
-    for (const std::int64_t size : sent.shape)
-      each.shape.push_back(static_cast<std::uint32_t>(size));
+    for (const auto size : sent.shape) each.shape.push_back(static_cast<std::uint32_t>(size));
     each.is_sensor = node.role == NodeRole::engine_node;
     const Space& space = space_of(graph, channel);
     each.low = of_each(space.low, sent.size());

@@ -32,7 +32,8 @@ template <class T>
 std::optional<std::uint64_t> whole_bits(double value) {
   constexpr double kLow = static_cast<double>(std::numeric_limits<T>::min());
   // The greatest one is rounded up where it has 64 bits.
-  constexpr double kBehind = static_cast<double>(std::numeric_limits<T>::max() / 2 + 1) * 2.0;
+  constexpr T kHalf = std::numeric_limits<T>::max() / 2 + 1;
+  constexpr double kBehind = static_cast<double>(kHalf) * 2.0;
   if (!(value >= kLow && value < kBehind)) return std::nullopt;
   return canonical_bits(static_cast<T>(value));
 }

@@ -25,7 +25,7 @@ std::set<std::string> moved_by(const Entity& engine_state, const Config& config)
   if (names.empty()) names.insert("");
   std::set<std::string> result;
   for (const std::string& part : engine_state.moves) {
-    for (const std::string& name : names) result.insert(part + " " + name);
+    for (const std::string& name : names) result.insert(fmt::format("{} {}", part, name));
   }
   return result;
 }

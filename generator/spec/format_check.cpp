@@ -71,7 +71,7 @@ std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Forma
     problem.help = glued->help;
     return glued->key;
   }
-  const std::string near = nearest(entry.key, known);
+  std::string near = nearest(entry.key, known);
   const std::string outer = outdented_from(yaml, i, format);
   problem.help = !outer.empty() ? fmt::format("indent it, if it is one of `{}:`", outer)
                  : near.empty() ? fmt::format("{} has the keys {}", format.what, join(known, ", "))

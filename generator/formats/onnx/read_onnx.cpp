@@ -164,7 +164,7 @@ class Reading {
     if (inputs.size() > 1) {
       return set_parts(inputs) ? std::optional(Dims{state_.observed}) : std::nullopt;
     }
-    const auto shape = input_shape(*inputs.front(), is_recurrent_, problem_);
+    auto shape = input_shape(*inputs.front(), is_recurrent_, problem_);
     if (!shape) return std::nullopt;
     NetValue first = data_value(-1, *shape);
     first.time = state_.follows_time ? 3 : 0;  // [batch, time, …] or [time, batch, …]

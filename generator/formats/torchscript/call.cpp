@@ -102,7 +102,8 @@ std::optional<NetAttribute> attribute_of(const TorchCall& call, const TorchGiven
 
 TorchRun torch_of(const char* type, std::vector<TorchArgument> tensors,
                   std::vector<TorchGiven> given) {
-  return [type, tensors, given](const TorchCall& call) -> std::optional<NetValue> {
+  return [type, tensors = std::move(tensors),
+          given = std::move(given)](const TorchCall& call) -> std::optional<NetValue> {
     std::vector<NetValue> inputs;
     for (const auto& [at, name] : tensors) {
       auto x = call.tensor(at, name);

@@ -19,8 +19,9 @@ std::string result(const Ended& ended, const Evaluation& evaluation) {
                     : ended.ending == Ending::interrupted ? "interrupted"
                                                           : "the steps are used up";
   std::string text =
-      fmt::format("{} after {} steps, {:.1f} s, with {} kernels\n", why,
-                  rounded(static_cast<double>(ended.steps)), ended.seconds, ended.kernels);
+      fmt::format("{} after {} steps, {:.1f} s ({:.1f} s of them to evaluate), with {} kernels\n",
+                  why, rounded(static_cast<double>(ended.steps)), ended.seconds,
+                  ended.evaluating_seconds, ended.kernels);
   text += fmt::format("on {} seeds that neither trained nor chose it: ", evaluation.episodes);
   if (ended.description.has_success)
     text += fmt::format("success {} of {}, ", evaluation.successes, evaluation.episodes);

@@ -21,6 +21,7 @@ struct Ended {
   const char* kernels;
   std::uint64_t steps = 0;
   double seconds = 0.0;
+  double evaluating_seconds = 0.0;  // of `seconds`
   Ending ending{};
   bool has_aim = false;  // something says when a policy is good
 };

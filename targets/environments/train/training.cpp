@@ -84,11 +84,7 @@ int Training::run(const Stop& stop) {
   const Ending ending = learn(stop);
   showing_.finish();
   const std::optional<Problem> unsaved = saving_.save();  // before what may take long, or fail
-  if (progressed_.best.parameters.empty()) {
-    CurvePoint unused{};
-    evaluate(unused);
-  }
-  last_ = judge_.evaluate_at_last(*algorithm_, progressed_.best);
+  evaluate_at_last();
   if (ranks_.is_first()) {
     if (!options_.output.empty()) write_policy(options_.output);
     write_curves();
@@ -131,7 +127,9 @@ Ending Training::learn(const Stop& stop) {
 Ending Training::iterate(const Stop& stop) {
   while (!progressed_.succeeded) {
     if (judge_.is_due(progressed_.curve)) {
+      const double begin_s = showing_.seconds();
       evaluate_all(progressed_.curve.back());
+      evaluating_s_ += showing_.seconds() - begin_s;
       if (progressed_.succeeded) {
         showing_.show(progressed_.curve, judge_.seen());
         break;
@@ -149,6 +147,17 @@ Ending Training::iterate(const Stop& stop) {
 
 bool Training::evaluate(CurvePoint& point) {
   return judge_.evaluate(*algorithm_, progressed_.best, point);
+}
+
+/// The best policy; if none was evaluated yet, the last one.
+void Training::evaluate_at_last() {
+  const double begin_s = showing_.seconds();
+  if (progressed_.best.parameters.empty()) {
+    CurvePoint unused{};
+    evaluate(unused);
+  }
+  last_ = judge_.evaluate_at_last(*algorithm_, progressed_.best);
+  evaluating_s_ += showing_.seconds() - begin_s;
 }
 
 /// The graph as it is written says what success is; in a stage also how well it does there.
@@ -230,6 +239,7 @@ Ended Training::ended(Ending ending) const {
           .kernels = kernels_.name,
           .steps = steps(),
           .seconds = showing_.seconds(),
+          .evaluating_seconds = evaluating_s_,
           .ending = ending,
           .has_aim = judge_.has_aim()};
 }

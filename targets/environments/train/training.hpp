@@ -40,6 +40,7 @@ class Training {
   Ending iterate(const Stop& stop);
   void start_iteration();
   bool evaluate(CurvePoint& point);
+  void evaluate_at_last();
   void evaluate_all(CurvePoint& point);
   void set_stage();
   [[noreturn]] void tell_where(const Problem& problem);
@@ -59,7 +60,8 @@ class Training {
   const std::unique_ptr<Algorithm> algorithm_;
   Judge judge_;
   Progressed progressed_;
-  Evaluation last_;  // of the best policy, when all is over
+  Evaluation last_;            // of the best policy, when all is over
+  double evaluating_s_ = 0.0;  // of showing_.seconds()
   Saving saving_;
   std::uint32_t first_iteration_ = 0;  // of this run
   bool goes_on_ = false;               // in the middle of an era

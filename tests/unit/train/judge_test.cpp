@@ -106,6 +106,14 @@ TEST(TrainJudge, APolicyThatFailsInTheFirst32EpisodesIsNotSeenInTheOthers) {
   EXPECT_EQ(seen_at_first(settings).episodes, 20U);
 }
 
+TEST(TrainJudge, WhereFewHaveToSucceedAllEpisodesAreSeen) {
+  Settings settings;
+  settings.success_share = 0.5;
+  EXPECT_EQ(seen_at_first(settings).episodes, 32U);
+  settings.success_share = 0.49;
+  EXPECT_EQ(seen_at_first(settings).episodes, settings.evaluation_episodes);
+}
+
 TEST(TrainJudge, SomePartsAfterOthersAreOneEvaluation) {
   constexpr std::size_t kEpisodes = 40, kInputs = 3;
   const Settings settings;
