@@ -57,7 +57,11 @@ bool Remote::next(Request& request) {
 }
 
 void Remote::tell_states(StateRow states) {
-  version_.fetch_add(1, std::memory_order_acq_rel);
+  version_.fetch_add(1, std::memory_order_relaxed);
+  // Before any of the numbers: acq_rel would keep them behind the load of an addition, not behind
+  // its store, which are two on Arm (H.-J. Boehm, Can seqlocks get along with programming language
+  // memory models?, MSPC 2012).
+  std::atomic_thread_fence(std::memory_order_release);
   std::size_t at = 0;
   for (std::size_t s = 0; s < fields_.states.size(); ++s) {
     const MessageType& type = fields_.states[s].type;
