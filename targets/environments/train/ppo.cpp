@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "targets/environments/train/checkpoint.hpp"
-#include "targets/environments/train/choice.hpp"
 #include "targets/environments/train/ranks/together.hpp"
 
 namespace eagerx::train {
@@ -32,158 +31,6 @@ float share_of_actor(const Settings& settings, std::uint32_t iteration) {
   return max(min(1.0F - settings.averaging, 1.0F / tail), first);
 }
 
-/// The gradient of every Mth tile of one rollout; with a memory, of every Mth sequence of them.
-class Ppo::Learner {
- public:
-  Learner(const Settings& settings, const Model& model)
-      : gradient(model),
-        block_(model.actor.memory() == nullptr ? kBlock : settings.memory_steps),
-        actor_rows_(block_ * model.actor.row()),
-        actor_deltas_(block_ * model.actor.row()),
-        critic_rows_(block_ * model.critic.row()),
-        critic_deltas_(block_ * model.critic.row()),
-        scratch_(block_ * kLanes),
-        goes_on_(block_) {}
-
-  Gradient gradient;
-
-  void learn(const Ppo& ppo, const Rollout& rollout, std::size_t first) {
-    gradient.clear();
-    const Model& model = ppo.model_;
-    const std::size_t steps = model.actor.memory() == nullptr ? 1 : block_;
-    const std::size_t sequences = rollout.packs() / steps;
-    std::size_t tiles = 0;
-    for (std::size_t s = first; s < sequences; s += ppo.minibatches()) {
-      for (std::size_t t = 0; t < steps; ++t) {
-        if (model.actor.memory() != nullptr) recall(model, rollout, s, t);
-        evaluate(ppo, rollout, s * steps + t, tiles);
-        if (++tiles == block_) backward(ppo.kernels_, model, std::exchange(tiles, 0));
-      }
-    }
-    backward(ppo.kernels_, model, tiles);
-  }
-
- private:
-  static constexpr std::size_t kBlock = 8;  // tiles whose rows fit into the cache
-
-  /// What is remembered before step `t` of sixteen sequences.
-  void recall(const Model& model, const Rollout& rollout, std::size_t sequence, std::size_t t) {
-    std::fill_n(goes_on_[t].lane, kLanes, 1.0F);
-    if (t > 0) goes_on_[t] = rollout.goes_on[sequence * block_ + t - 1];
-    const auto from = [&](const Network& network, const Packs& starts, Packs& rows) {
-      Pack* row = &rows[t * network.row()];
-      const Pack* state = t > 0 ? row - network.row() + network.memory()->after()
-                                : &starts[sequence * network.memory()->shape().state()];
-      train::recall(network, goes_on_[t], state, row);
-    };
-    from(model.actor, rollout.actor_starts, actor_rows_);
-    from(model.critic, rollout.critic_starts, critic_rows_);
-  }
-
-  void evaluate(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t place) {
-    const Model& model = ppo.model_;
-    const std::size_t width = model.critic.inputs();
-    Pack* actor = &actor_rows_[place * model.actor.row()];
-    Pack* critic = &critic_rows_[place * model.critic.row()];
-    std::copy_n(&rollout.inputs[tile * width], model.actor.inputs(), actor);
-    std::copy_n(&rollout.inputs[tile * width], width, critic);
-    model.actor.forward(ppo.kernels_, model.actor_parameters.data(), actor);
-    model.critic.forward(ppo.kernels_, model.critic_parameters.data(), critic);
-    Pack* answers = actor + model.actor.output();
-    Pack* deltas = &actor_deltas_[place * model.actor.row() + model.actor.output()];
-    if (ppo.head_.chooses) {
-      for (std::size_t l = 0; l < kLanes; ++l) choice_loss(ppo, rollout, tile, l, answers, deltas);
-    } else {
-      ppo.kernels_.tanh(answers, model.actor.outputs());
-      for (std::size_t l = 0; l < kLanes; ++l) actor_loss(ppo, rollout, tile, l, answers, deltas);
-      ppo.kernels_.tanh_slope(answers, deltas, model.actor.outputs());
-    }
-    const Pack& value = critic[model.critic.output()];
-    Pack& delta = critic_deltas_[place * model.critic.row() + model.critic.output()];
-    for (std::size_t l = 0; l < kLanes; ++l) {
-      delta.lane[l] = value.lane[l] - rollout.target[tile].lane[l];
-    }
-  }
-
-  /// Derivatives of the clipped loss of one sample by the means and the logarithms of the
-  /// deviations.
-  void actor_loss(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t l,
-                  const Pack* means, Pack* deltas) {
-    const Model& model = ppo.model_;
-    const std::size_t outputs = model.log_deviation.size();
-    const Pack* actions = &rollout.actions[tile * outputs];
-    const auto distance = [&](std::size_t j) {  // from the mean, in deviations
-      return (actions[j].lane[l] - means[j].lane[l]) * ppo.precision_[j];
-    };
-    float log_p = 0.0F;
-    for (std::size_t j = 0; j < outputs; ++j) {
-      const float z = distance(j);
-      log_p += -0.5F * z * z - model.log_deviation[j] - kHalfLogTwoPi;
-    }
-    const float slope = clipped_slope(ppo, rollout, tile, l, log_p);
-    for (std::size_t j = 0; j < outputs; ++j) {
-      const float z = distance(j);
-      deltas[j].lane[l] = slope * z * ppo.precision_[j];
-      gradient.log_deviation[j] += slope * (z * z - 1.0F);
-    }
-  }
-
-  /// The same for choices, by their scores. A choice that is nearly certain is not tried again: the
-  /// entropy keeps it from becoming so too soon.
-  void choice_loss(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t l,
-                   const Pack* scores, Pack* deltas) {
-    const Head& head = ppo.head_;
-    const Pack* actions = &rollout.actions[tile * head.numbers];
-    const auto chosen = [&](std::size_t j) { return static_cast<std::size_t>(actions[j].lane[l]); };
-    choices_.clear();
-    float log_p = 0.0F;
-    for (std::size_t j = 0; j < head.numbers; scores += head.counts[j++]) {
-      choices_.emplace_back(scores, head.counts[j], l);
-      log_p += choices_.back().log_probability(chosen(j));
-    }
-    const float slope = clipped_slope(ppo, rollout, tile, l, log_p);
-    for (std::size_t j = 0; j < head.numbers; deltas += head.counts[j++]) {
-      const Choice& choice = choices_[j];
-      for (std::size_t i = 0; i < head.counts[j]; ++i) {
-        const float p = choice.probability(i);
-        const float surprise = choice.log_probability(i) + choice.entropy();
-        deltas[i].lane[l] =
-            slope * ((i == chosen(j) ? 1.0F : 0.0F) - p) + ppo.settings_.entropy * p * surprise;
-      }
-    }
-  }
-
-  /// The derivative of the clipped loss of one sample by the logarithm of its probability.
-  float clipped_slope(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t l,
-                      float log_p) {
-    const float log_ratio = clamp(log_p - rollout.log_probability[tile].lane[l], -10.0F, 10.0F);
-    const float ratio = exp(log_ratio);
-    const float advantage =
-        (rollout.advantage[tile].lane[l] - ppo.advantage_mean_) * ppo.advantage_scale_;
-    const float clip = ppo.settings_.clip;
-    const bool counts = advantage > 0.0F ? ratio < 1.0F + clip : ratio > 1.0F - clip;
-    gradient.divergence += double{ratio} - 1.0 - log_ratio;  // Schulman 2020, never negative
-    gradient.count += 1.0;
-    return counts ? -advantage * ratio : 0.0F;
-  }
-
-  void backward(const Kernels& kernels, const Model& model, std::size_t tiles) {
-    if (tiles == 0) return;
-    model.actor.backward(kernels, model.actor_parameters.data(), actor_rows_.data(),
-                         actor_deltas_.data(), tiles, scratch_.data(), gradient.actor.data(),
-                         goes_on_.data());
-    model.critic.backward(kernels, model.critic_parameters.data(), critic_rows_.data(),
-                          critic_deltas_.data(), tiles, scratch_.data(), gradient.critic.data(),
-                          goes_on_.data());
-  }
-
-  const std::size_t block_;                                        // tiles that are learnt at once
-  Packs actor_rows_, actor_deltas_, critic_rows_, critic_deltas_;  // [block_][row]
-  Packs scratch_;
-  Packs goes_on_;                // [block_] of a sequence
-  std::vector<Choice> choices_;  // of one sample
-};
-
 Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
          std::uint32_t longest, Ranks& ranks)
     : Algorithm(pace_of(settings, library.description())),
@@ -204,11 +51,9 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
       continue;
     }
     parts_.push_back(std::make_unique<Rollout>(settings_, library, head_, longest, part));
-    learners_.push_back(std::make_unique<Learner>(settings_, model_));
+    learners_.push_back(std::make_unique<PpoLearner>(settings_, model_));
   }
 }
-
-Ppo::~Ppo() = default;
 
 void Ppo::set_stage(const std::string& name) {
   for (std::size_t part = own_.first; part < own_.end; ++part) rollout(part).set_stage(name);
@@ -347,8 +192,16 @@ void Ppo::average() {
 bool Ppo::update(std::size_t minibatch) {
   precision_.clear();
   for (const float x : model_.log_deviation) precision_.push_back(exp(-x));
+  const PpoUpdate common{.settings = settings_,
+                         .head = head_,
+                         .model = model_,
+                         .kernels = kernels_,
+                         .precision = precision_,
+                         .advantage_mean = advantage_mean_,
+                         .advantage_scale = advantage_scale_,
+                         .minibatches = minibatches()};
   team_.run_parts(learners_.size(), [&](std::size_t i) {
-    learners_[i]->learn(*this, rollout(own_.first + i), minibatch);
+    learners_[i]->learn(common, rollout(own_.first + i), minibatch);
   });
   std::vector<Gradient*> own;
   for (const auto& learner : learners_) own.push_back(&learner->gradient);

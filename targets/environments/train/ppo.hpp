@@ -7,6 +7,7 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/ppo_learner.hpp"
 #include "targets/environments/train/ranks/gradient_sum.hpp"
 #include "targets/environments/train/rollout.hpp"
 
@@ -21,7 +22,6 @@ class Ppo : public Algorithm {
  public:
   Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
       std::uint32_t longest, Ranks& ranks = environments::alone());
-  ~Ppo() override;
 
   const Model& model() const { return model_; }
 
@@ -47,8 +47,6 @@ class Ppo : public Algorithm {
   std::string replay(const std::string& text, const std::string& name) override;
 
  private:
-  class Learner;  // a part of a minibatch
-
   /// Of this rank.
   Rollout& rollout(std::size_t part) const { return static_cast<Rollout&>(*parts_[part]); }
   /// work(part) for each of this rank's, at once if the library can. Then every rank has seen what
@@ -84,7 +82,7 @@ class Ppo : public Algorithm {
   const bool has_threads_;
   bool remembers_ = false;
   std::vector<std::unique_ptr<Seen>> parts_;  // [kParts] rollouts, where they are of this rank
-  std::vector<std::unique_ptr<Learner>> learners_;  // [own_]
+  std::vector<std::unique_ptr<PpoLearner>> learners_;  // [own_] a part of a minibatch each
   GradientSum gradient_sum_;
   std::vector<float> precision_;  // [outputs] 1 / deviation of the actions
   double divergence_ = 0.0;
