@@ -7,3 +7,10 @@ foreach(graph IN LISTS own_loop_graphs)
 endforeach()
 target_link_libraries(own_loop PRIVATE eagerx_warnings GTest::gtest_main)
 gtest_discover_tests(own_loop TEST_PREFIX own_loop. DISCOVERY_TIMEOUT 60)
+
+# Variants that are not to be in one program.
+eagerx_add_graph(TARGET own_loop_named GRAPH ${CMAKE_CURRENT_LIST_DIR}/named.yaml LIBRARY)
+eagerx_add_graph(TARGET own_loop_named_fast GRAPH ${CMAKE_CURRENT_LIST_DIR}/named.yaml LIBRARY VARIANT fast)
+eagerx_add_graph(TARGET own_loop_named_own GRAPH ${CMAKE_CURRENT_LIST_DIR}/named.yaml LIBRARY VARIANT own)
+add_dependencies(own_loop own_loop_named own_loop_named_fast own_loop_named_own)
+add_test(NAME own_loop.one_name COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_name ${CMAKE_CXX_COMPILER} ${CMAKE_CURRENT_BINARY_DIR})
