@@ -255,4 +255,9 @@ std::string shortened(std::string_view text) {
   return std::string(text.substr(0, end)) + "…";
 }
 
+std::vector<Field> with(std::vector<Field> fields, std::vector<Field> more) {
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
+}
+
 }  // namespace eagerx::gen

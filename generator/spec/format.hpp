@@ -26,6 +26,13 @@ struct Field {
   std::string about;
 };
 
+/// Keys that users put into a record, and where they belong, as help: `KEYS` in it stands for those
+/// that are there.
+struct Elsewhere {
+  std::vector<std::string> keys;
+  std::string help;
+};
+
 /// What a value may look like.
 struct Format {
   enum class Kind : std::uint8_t {
@@ -49,10 +56,11 @@ struct Format {
   Kind kind = Kind::any;
   std::string what;                   // "a rate in Hz", completes "expected …"
   std::vector<std::string> keywords;  // keyword
-  FormatPtr item;                  // list, map; record: what other keys have, if there may be some
-  std::vector<Field> fields;       // record
-  std::vector<FormatPtr> options;  // one_of
-  std::optional<double> low;       // integer, decimal, number
+  FormatPtr item;             // list, map; record: what other keys have, if there may be some
+  std::vector<Field> fields;  // record
+  std::vector<Elsewhere> elsewhere;  // record: keys that belong elsewhere
+  std::vector<FormatPtr> options;    // one_of
+  std::optional<double> low;         // integer, decimal, number
   std::optional<double> high;
   bool low_exclusive = false;
   Quantity quantity = Quantity::none;  // decimal, number: may have a unit of it
@@ -64,6 +72,9 @@ struct Format {
   bool one_name = false;               // path: no folders
   bool leaves = false;                 // path: `..` is allowed
 };
+
+/// The fields of both.
+std::vector<Field> with(std::vector<Field> fields, std::vector<Field> more);
 
 namespace format {
 FormatPtr any(std::string what);

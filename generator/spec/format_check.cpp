@@ -1,6 +1,9 @@
 // A tree against its table, with every problem in plain words.
 #include <fmt/format.h>
 
+#include <set>
+#include <utility>
+
 #include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
 #include "generator/read/bytes.hpp"
@@ -9,6 +12,7 @@
 #include "generator/read/slips.hpp"
 #include "generator/spec/format.hpp"
 #include "generator/spec/format_scalar.hpp"
+#include "generator/spec/misplaced.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/slips.hpp"
 
@@ -60,22 +64,36 @@ bool is_empty_record(const YamlValue& yaml, const Format& format) {
   return yaml.is_null() && ranges::none_of(format.fields, &Field::required);
 }
 
-/// Returns the key that was meant; empty if nobody can say.
+/// Returns the key that was meant; empty if nobody can say. `told`: the helps for misplaced keys of
+/// the record so far; several that belong to one place are one mistake.
 std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Format& format,
-                               const std::vector<std::string>& known, Diagnostics& diagnostics) {
+                               const std::vector<std::string>& known, std::set<std::string>& told,
+                               Diagnostics& diagnostics) {
   const YamlValue::Entry& entry = yaml.entries[i];
-  auto& problem = diagnostics.error("E0201", entry.key_span,
-                                    fmt::format("unknown key `{}` in {}", entry.key, format.what));
+  const auto report = [&](std::string help) {
+    diagnostics
+        .error("E0201", entry.key_span,
+               fmt::format("unknown key `{}` in {}", entry.key, format.what))
+        .help = std::move(help);
+  };
   const auto glued = entry.value.is_null() ? glued_key(entry.key) : std::nullopt;
   if (glued && contains(known, glued->key)) {
-    problem.help = glued->help;
+    report(glued->help);
     return glued->key;
   }
   std::string near = nearest(entry.key, known);
   const std::string outer = outdented_from(yaml, i, format);
-  problem.help = !outer.empty() ? fmt::format("indent it, if it is one of `{}:`", outer)
-                 : near.empty() ? fmt::format("{} has the keys {}", format.what, join(known, ", "))
-                                : fmt::format("did you mean `{}`?", near);
+  if (!outer.empty()) {
+    report(fmt::format("indent it, if it is one of `{}:`", outer));
+    return near;
+  }
+  const std::string misplaced = help_for_misplaced(yaml, i, format, known);
+  if (!misplaced.empty()) {
+    if (told.insert(misplaced).second) report(misplaced);
+    return {};
+  }
+  report(near.empty() ? fmt::format("{} has the keys {}", format.what, join(known, ", "))
+                      : fmt::format("did you mean `{}`?", near));
   return near;
 }
 
@@ -85,6 +103,7 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
   bool good = true;
   const std::vector<std::string> known = names_of(format.fields);
   std::vector<std::string> meant;
+  std::set<std::string> told;
   for (std::size_t i = 0; i < yaml.entries.size(); ++i) {
     const auto& entry = yaml.entries[i];
     if (const Field* field = find_named(format.fields, entry.key)) {
@@ -98,7 +117,7 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
     }
     good = false;
     if (!report_decimal_comma(yaml.entries, i, diagnostics))
-      meant.push_back(report_unknown_key(yaml, i, format, known, diagnostics));
+      meant.push_back(report_unknown_key(yaml, i, format, known, told, diagnostics));
   }
   for (const auto& field : format.fields) {
     if (!field.required || yaml.find(field.name) != nullptr) continue;

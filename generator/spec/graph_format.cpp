@@ -1,6 +1,7 @@
 // The table of the graph file. The parser, the messages and `eagerx-gen schema` all come from here.
 #include "generator/spec/dtype.hpp"
 #include "generator/spec/graph_spec.hpp"
+#include "generator/spec/misplaced.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -36,11 +37,6 @@ Field processor_field() {
   return {"processor", processor_format(), false, "converts every message"};
 }
 
-std::vector<Field> with(std::vector<Field> fields, std::vector<Field> more) {
-  fields.insert(fields.end(), more.begin(), more.end());
-  return fields;
-}
-
 /// `one`: a number that is drawn, or a delay.
 std::vector<Field> random_fields(const FormatPtr& one) {
   const FormatPtr value = format::one_of("a number or a list of numbers",
@@ -59,28 +55,13 @@ std::vector<Field> random_fields(const FormatPtr& one) {
            "one of these, all equally likely"}};
 }
 
-std::vector<Field> connection_settings() {
-  return {{"window", format::integer("a number of messages", 0, 1'000'000), false,
-           "how many of the last messages the receiver sees; 0: only the new ones (default 1)"},
-          {"delay",
-           format::one_of(
-               "a delay in seconds, or a mapping such as `{uniform: {low: 0, high: "
-               "0.1}}`",
-               {format::record("how a delay is drawn",
-                               random_fields(format::number("a delay in seconds", Quantity::time))),
-                format::time("a delay in seconds")}),
-           false, "seconds from sending to receiving, or how the delay is drawn at every reset"},
-          {"max_delay", format::time("a delay in seconds"), false,
-           "longest delay that a reset may set (default: the longest that can be drawn)"},
-          {"skip", format::boolean(), false,
-           "take the message of the tick before; this breaks a cycle"}};
-}
-
-FormatPtr selection(const std::string& what, std::vector<Field> settings) {
+FormatPtr selection(const std::string& what, std::vector<Field> settings,
+                    std::vector<Elsewhere> elsewhere = {}) {
+  const FormatPtr record =
+      format::record("the settings of one of the " + what, std::move(settings));
   return format::one_of("a list of names, or a mapping from names to settings",
                         {format::list("a list of " + what, format::name("a name")),
-                         format::map(what, format::record("the settings of one of the " + what,
-                                                          std::move(settings)))});
+                         format::map(what, knowing(record, std::move(elsewhere)))});
 }
 
 Field space_field() {
@@ -130,89 +111,49 @@ std::vector<Field> delay_settings() {
   return fields;
 }
 
-std::vector<Field> policy_settings() {
-  return {
-      {"output", format::keyword({"squashed", "raw", "argmax", "binary"}), false,
-       "squashed: answers from -1 to 1 are mapped to the action's bounds (SB3's SAC and TD3); raw: "
-       "answers are clipped to the bounds (PPO, A2C); argmax: the action is the index of the "
-       "largest output (DQN), or of several whole numbers the index of the largest of its own "
-       "outputs (MultiDiscrete); binary: 1 where an output is above zero, else 0 (MultiBinary). "
-       "Default: as the file says, else squashed if the last layer is a tanh, else raw"},
-      {"trained_at", format::rate(), false,
-       "steps a second in training, in Hz, for files that do not say it: it must be the rate here"},
-      {"normalize", format::text("a file name"), false,
-       "statistics of the observations: VecNormalize.save, npz or JSON"},
-      {"activation",
-       format::keyword({"identity", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu",
-                        "gelu_tanh", "softplus", "sigmoid"}),
-       false, "activation after the hidden layers, for files that do not say it"},
-      {"output_activation",
-       format::keyword({"none", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu", "gelu_tanh",
-                        "softplus", "sigmoid"}),
-       false,
-       "what follows the last layer, for files that do not say it: state dicts of modules that no "
-       "known library made"},
-      {"actor", format::text("a name"), false,
-       "of a file with several actors: how the names of its tensors begin"},
-      {"output_name", format::text("a name"), false,
-       "of an ONNX file with several outputs: the one that is the action; of TorchScript with "
-       "several results: its place, from \"0\" on"},
-      {"golden", format::text("a file name"), false,
-       "observations with known answers (CSV or npz); the generator and every program check them"},
-      {"weights", format::keyword({"float32", "int8"}), false,
-       "int8: eight bits a weight, a quarter of the flash (default: float32)"},
-      {"max_error", format::decimal("a number above 0", 0.0, true), false,
-       "int8: largest difference from float32 that an output may have on the golden rows"},
-      {"profile", format::keyword({"exact", "fast"}), false,
-       "fast: faster on Linux, but the bits differ from machine to machine (default: exact)"}};
+Field sensors_field() {
+  const std::vector<Field> settings = {rate_field(false, "its rate in Hz"), space_field(),
+                                       processor_field()};
+  return {"sensors",
+          selection("sensors", with(settings, delay_settings()),
+                    {of_connections("OBJECT.SENSOR", "observations.NAME")}),
+          false, "sensors to use (default: the connected ones) and their settings"};
 }
 
-FormatPtr node_policy_format() {
-  const Field file = {"file", format::text("a file name"), true, "the weight file"};
-  return format::one_of(
-      "a weight file, or a mapping with its `file`",
-      {format::record("a policy", with({file}, policy_settings())), format::text("a file name")});
-}
-
-FormatPtr agent_format() {
-  return format::one_of(
-      "`zero`, `random`, `{policy: FILE}` or `{csv: FILE}`",
-      {format::record(
-           "an agent",
-           with({{"policy", format::text("a file name"), false,
-                  "weight file of a trained policy: Stable-Baselines3's zip, ONNX, safetensors, "
-                  "npz, "
-                  "torch.save"},
-                 {"csv", format::text("a file name"), false, "file of actions, one row a step"},
-                 {"observations", format::list("a list of observations", format::name("a name"), 1),
-                  false,
-                  "order in which the policy takes the observations (default: by name, as "
-                  "Gymnasium's "
-                  "Dict)"}},
-                policy_settings())),
-       format::keyword({"zero", "random"})});
+Field actuators_field() {
+  return {"actuators",
+          selection("actuators", {rate_field(false, "its rate in Hz"), space_field()},
+                    {of_connections("actions.NAME", "OBJECT.ACTUATOR")}),
+          false, "actuators to use (default: the connected ones) and their settings"};
 }
 
 }  // namespace
+
+std::vector<Field> connection_settings() {
+  return {{"window", format::integer("a number of messages", 0, 1'000'000), false,
+           "how many of the last messages the receiver sees; 0: only the new ones (default 1)"},
+          {"delay",
+           format::one_of(
+               "a delay in seconds, or a mapping such as `{uniform: {low: 0, high: "
+               "0.1}}`",
+               {format::record("how a delay is drawn",
+                               random_fields(format::number("a delay in seconds", Quantity::time))),
+                format::time("a delay in seconds")}),
+           false, "seconds from sending to receiving, or how the delay is drawn at every reset"},
+          {"max_delay", format::time("a delay in seconds"), false,
+           "longest delay that a reset may set (default: the longest that can be drawn)"},
+          {"skip", format::boolean(), false,
+           "take the message of the tick before; this breaks a cycle"}};
+}
 
 FormatPtr drawn_format() {
   return state_format({});
 }
 
 FormatPtr object_format() {
-  return format::record(
-      "an object",
-      {type_field("the id of an object"),
-       count_field(),
-       config_field(),
-       {"sensors",
-        selection("sensors",
-                  with({rate_field(false, "its rate in Hz"), space_field(), processor_field()},
-                       delay_settings())),
-        false, "sensors to use (default: the connected ones) and their settings"},
-       {"actuators", selection("actuators", {rate_field(false, "its rate in Hz"), space_field()}),
-        false, "actuators to use (default: the connected ones) and their settings"},
-       states_field()});
+  return format::record("an object",
+                        {type_field("the id of an object"), count_field(), config_field(),
+                         sensors_field(), actuators_field(), states_field()});
 }
 
 FormatPtr node_format() {
@@ -336,11 +277,17 @@ FormatPtr make_graph_format(GraphForm form) {
        {"actions",
         selection("actions",
                   {{"space", space_format(ReferenceRule::refuse, true), false,
-                    "bounds of the action (default: those of the first port it is connected to)"}}),
+                    "bounds of the action (default: those of the first port it is connected to)"}},
+                  {of_connections("actions.NAME", "pendulum.u"), rate_of_steps()}),
         true, "what the agent decides at every step"},
        {"observations",
-        selection("observations", {{"space", space_format(ReferenceRule::refuse, false), false,
-                                    "bounds of the observation (default: those of its source)"}}),
+        selection(
+            "observations",
+            {{"space",
+              knowing(space_format(ReferenceRule::refuse, false),
+                      {{{"like"}, "leave it out: an observation has the space of its source"}}),
+              false, "bounds of the observation (default: those of its source)"}},
+            {of_connections("pendulum.theta", "observations.NAME"), rate_of_steps()}),
         true, "what the agent sees at every step"},
        {"connections", connections_format(), true, "who sends to whom"},
        {"agent", agent_format(), false, "what decides (default: zero)"},

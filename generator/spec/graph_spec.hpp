@@ -187,6 +187,10 @@ enum class ReferenceRule : std::uint8_t {
 };  // whether `$(config x)` may stand for a number
 FormatPtr space_format(ReferenceRule references, bool like);
 FormatPtr connections_format();
+/// Of a connection, or of an input.
+std::vector<Field> connection_settings();
+FormatPtr node_policy_format();
+FormatPtr agent_format();
 FormatPtr engine_nodes_format();
 FormatPtr safety_format();
 FormatPtr task_format();

@@ -16,6 +16,9 @@
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/text_file.hpp>
 #include <utility>
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
 
 namespace eagerx::host {
 namespace {
@@ -32,7 +35,11 @@ bool Signal::acquire_within(long wait_ms) {
   until.tv_nsec += wait_ms * kNsPerMs;
   until.tv_sec += until.tv_nsec / kNsPerSecond;
   until.tv_nsec %= kNsPerSecond;
-  return sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &until) == 0;
+  const bool acquired = sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &until) == 0;
+#ifdef __SANITIZE_THREAD__
+  if (acquired) __tsan_acquire(&semaphore_);  // which knows sem_post(), but not this wait (GCC 12)
+#endif
+  return acquired;
 }
 
 TextFile::~TextFile() {
