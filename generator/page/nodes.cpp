@@ -221,9 +221,10 @@ class Nodes {
 
   std::string unit_of(const GraphNode& node, const Output& output) const {
     const PortManifest* port = node.entity != nullptr ? node.entity->output(output.name) : nullptr;
-    if (node.object && !output.sensors.empty()) {
+    const std::vector<std::string> sensors = output.names();
+    if (node.object && !sensors.empty()) {
       const auto& object = *graph_.objects[*node.object].entity;
-      const std::string& written = output.sensors.front();
+      const std::string& written = sensors.front();
       if (const auto* sensor = object.sensor(written.substr(written.find('.') + 1))) port = sensor;
     }
     // A processor gives something else.

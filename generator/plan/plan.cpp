@@ -18,7 +18,8 @@ namespace eagerx::gen {
 namespace {
 
 std::string port_of(const GraphNode& node, const Output& output) {
-  if (!output.sensors.empty()) return fmt::format("{}", join(output.sensors, ", "));
+  const std::vector<std::string> names = output.names();
+  if (!names.empty()) return fmt::format("{}", join(names, ", "));
   return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
 }
 

@@ -66,7 +66,9 @@ struct PlannedNode {
 struct Channel {
   std::string name;
   std::size_t node = 0, output = 0;
-  std::string port = {};  // as graphs call it: "smooth.filtered", "pendulum.theta", "actions.u"
+  // As graphs call it: "smooth.filtered", "pendulum.theta", "actions.u", "arm.x, arm.same". Sensors
+  // that processors of their own make of it are others: then it is "arm/state.observation".
+  std::string port = {};
 };
 
 enum class ScheduleForm : std::uint8_t {

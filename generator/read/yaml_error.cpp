@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "generator/diagnostics/utf8.hpp"
 #include "generator/read/slips.hpp"
@@ -138,6 +139,68 @@ bool report_unclosed(const Failure& failure) {
   return true;
 }
 
+/// Whether the place is the dash of a list item, or the value just behind it.
+bool begins_item(const Locator& locator, std::size_t offset) {
+  const std::string_view text = locator.text();
+  const std::size_t first = text.find_first_not_of(' ', locator.line_begin(offset));
+  if (first == std::string_view::npos || text.substr(first, 2) != "- ") return false;
+  return first <= offset && text.find_first_not_of(" -", first) >= offset;
+}
+
+/// The last bracket of these lines that they do not close; texts in quotes are left out.
+std::optional<std::size_t> open_bracket(const Locator& locator, std::size_t begin,
+                                        std::size_t end) {
+  const std::string_view text = locator.text();
+  std::vector<std::size_t> open;
+  char quote = '\0';
+  for (std::size_t i = begin; i < end; ++i) {
+    const char c = text[i];
+    if (c == '\n') {
+      quote = '\0';
+    } else if (quote != '\0') {
+      if (c == quote) quote = '\0';
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#' && i > begin && text[i - 1] == ' ') {
+      i = locator.line_end(i) - 1;
+    } else if (c == '{' || c == '[') {
+      open.push_back(i);
+    } else if ((c == '}' || c == ']') && !open.empty()) {
+      open.pop_back();
+    }
+  }
+  return open.empty() ? std::nullopt : std::optional(open.back());
+}
+
+/// A list item on a line of its own, while a bracket of a line before it is open. What reads YAML
+/// may have gone over some items by then, as if they were texts.
+bool report_unclosed_item(const Failure& failure) {
+  const bool is_syntax = failure.is(Original::BLOCK_ENTRY) ||
+                         failure.is(Original::END_OF_MAP_FLOW) ||
+                         failure.is(Original::END_OF_SEQ_FLOW);
+  if (!is_syntax || failure.at_end() || !begins_item(failure.locator, failure.offset)) return false;
+  constexpr int kMostLines = 5;
+  const Locator& locator = failure.locator;
+  std::optional<std::size_t> bracket;
+  const std::size_t end = locator.line_begin(failure.offset);
+  std::size_t begin = end;
+  for (int i = 0; i < kMostLines && begin > 0 && !bracket; ++i) {
+    begin = locator.line_begin(begin - 1);
+    bracket = open_bracket(locator, begin, end);
+  }
+  if (!bracket) return false;
+  const bool is_map = locator.text()[*bracket] == '{';
+  Diagnostic& error = failure.error(character(locator, *bracket),
+                                    fmt::format("`{}` is not closed", is_map ? "{" : "["));
+  error.label = "opened here";
+  const std::size_t next = locator.line_end(*bracket) + 1;
+  const std::size_t dash = std::min(locator.text().find('-', next), failure.offset);
+  error.notes.push_back(
+      {"a list item begins while it is open", locator.span(character(locator, dash)), ""});
+  error.help = fmt::format("write `{}` behind its last value", is_map ? "}" : "]");
+  return true;
+}
+
 bool report_character(const Failure& failure) {
   if (!failure.is(Original::UNKNOWN_TOKEN) && !failure.is(Original::CHAR_IN_SCALAR)) return false;
   const Extent extent = character(failure.locator, failure.offset);
@@ -264,10 +327,11 @@ void report_yaml_error(std::string_view message, std::size_t offset, const Locat
     diagnostics.error("E0105", locator.whole(), fmt::format("not YAML: {}", message));
     return;
   }
-  const bool reported =
-      report_tab(failure) || report_anchor(failure) || report_document_mark(failure) ||
-      report_unclosed(failure) || report_character(failure) || report_escape(failure) ||
-      report_equals_sign(failure) || report_colon(failure) || report_wording(failure);
+  const bool reported = report_tab(failure) || report_anchor(failure) ||
+                        report_document_mark(failure) || report_unclosed(failure) ||
+                        report_unclosed_item(failure) || report_character(failure) ||
+                        report_escape(failure) || report_equals_sign(failure) ||
+                        report_colon(failure) || report_wording(failure);
   if (!reported) failure.error(character(locator, offset), fmt::format("not YAML: {}", message));
 }
 

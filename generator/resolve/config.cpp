@@ -251,14 +251,27 @@ Config resolve_config(const Library& library, const Entity& entity,
   return result;
 }
 
+namespace {
+
+/// Whether it was refused before, as the value of a parameter.
+bool is_told(const Span& span, const Diagnostics& diagnostics) {
+  return ranges::any_of(diagnostics.all(), [&](const Diagnostic& each) {
+    return each.code == "E0322" && each.span.file == span.file && each.span.line == span.line &&
+           each.span.column == span.column;
+  });
+}
+
+}  // namespace
+
 std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics& diagnostics) {
   std::vector<double> result;
   for (const auto& item : items_of(yaml)) {
     const auto number = item.is_scalar() && !item.quoted ? any_number_of(item) : std::nullopt;
     if (!number && is_unresolved(item)) return std::nullopt;
     if (!number) {
-      diagnostics.error("E0322", item.span,
-                        fmt::format("expected a number, found {}", describe(item)));
+      if (!is_told(item.span, diagnostics))
+        diagnostics.error("E0322", item.span,
+                          fmt::format("expected a number, found {}", describe(item)));
       return std::nullopt;
     }
     result.push_back(*number);

@@ -179,6 +179,15 @@ class Connector {
         suggestion(port.name, known, "only reset nodes have feedthroughs: one for each output");
   }
 
+  /// What may be meant in place of what takes messages: "; what it gets is `smooth.filtered`".
+  [[nodiscard]] std::string sender_to(std::string_view port) const {
+    for (const ConnectionSpec& connection : draft_.spec.connections) {
+      if (connection.to.value == port)
+        return fmt::format("; what it gets is `{}`", connection.from.value);
+    }
+    return "";
+  }
+
   void report_unknown_port(const PortName& port, const Spanned<std::string>& text, Side side,
                            const std::vector<std::string>& known, std::string_view kind,
                            const std::vector<std::string>& other_side,
@@ -191,7 +200,8 @@ class Connector {
                  fmt::format("`{}` is {} {}: it {} messages", text.value,
                              other_kind == "sensor" ? "a" : "an", other_kind,
                              sends ? "sends" : "takes"))
-          .help = fmt::format("it belongs in `{}:` of a connection", sends ? "from" : "to");
+          .help = fmt::format("it belongs in `{}:` of a connection{}", sends ? "from" : "to",
+                              sends ? "" : sender_to(text.value));
       return;
     }
     const bool environment = other_kind.empty();

@@ -88,8 +88,8 @@ std::string source_name(const Draft& draft, const DraftEdge& edge) {
 std::string help_for(const Draft& draft, const std::vector<std::size_t>& cycle,
                      const std::string& first) {
   if (cycle.front() != Graph::kEnvironment)
-    return "add `skip: true` to one of these connections: it then takes the message of the tick "
-           "before";
+    return fmt::format("add `skip: true` to {}: it then takes the message of the tick before",
+                       cycle.size() == 1 ? "this connection" : "one of these connections");
   return fmt::format(
       "an action is the answer to the observations of the same instant, so none of them can wait "
       "for it{}: add `skip: true` to `{}`, which then takes the message of the tick before",

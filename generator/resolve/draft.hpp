@@ -55,10 +55,11 @@ struct DraftOutput {
   Span span;
   PartialSpace declared;  // what the callback gives
   std::optional<ProcessorSpec> processor;
-  PartialSpace published = {};            // what comes out of the processor
-  std::vector<std::string> sensors = {};  // what it stands for: "pendulum.theta"
-  bool of_sensor = false;                 // the processor: other readers get what is in front of it
-  bool of_connection = false;             // the processor, which is written there
+  PartialSpace published = {};              // what comes out of the processor
+  std::vector<std::string> sensors = {};    // what it stands for: "pendulum.theta"
+  std::vector<std::string> converted = {};  // those with a processor of their own
+  bool of_sensor = false;      // the processor: other readers get what is in front of it
+  bool of_connection = false;  // the processor, which is written there
 };
 
 struct DraftNode {
@@ -192,6 +193,9 @@ void add_nodes(Draft& draft);
 /// One of them, whose optional inputs are there if `connected` has their names.
 DraftNode node_of(Draft& draft, const EntitySpec& spec,
                   const std::set<std::string_view>& connected);
+/// Whether the entity requires nothing of its parameters alone that does not hold; what does not is
+/// reported later, with ports and rate.
+bool meets_requirements(const Entity& entity, const Config& config);
 void add_objects(Draft& draft);
 void add_task(Draft& draft);       // its node
 void add_render(Draft& draft);     // its node
@@ -203,11 +207,11 @@ void resolve_safety(Draft& draft);  // safe actions, in the spaces of the action
 /// Expressions of the task, once its inputs' spaces are known. Problems: E0323 a time of too many
 /// steps, E0339 an expression.
 void resolve_task(Draft& draft);
-/// What the critic of a training sees (E0307). Its inputs of the task get an output each, of the
-/// task's node, behind the terms (E0315).
 /// A node that adds noise to each observation that `task.noise` names, once it is connected (E0307,
 /// E0315).
 void add_noise(Draft& draft);
+/// What the critic of a training sees (E0307). Its inputs of the task get an output each, of the
+/// task's node, behind the terms (E0315).
 void add_critic_outputs(Draft& draft, DraftNode& task);
 void resolve_critic(Draft& draft);
 /// What a training draws and weighs otherwise at first (E0307 names, E0327 ranges, E0352 what no

@@ -68,6 +68,10 @@ struct Output {
   Space raw, space;
   std::optional<Processor> processor;
   Span span;
+  std::vector<std::string> converted = {};  // of `sensors`: a processor of its own makes it of this
+
+  /// The sensors that this message is.
+  [[nodiscard]] std::vector<std::string> names() const;
 };
 
 /// How a state or a delay gets its value at a reset. Vectors hold one value for each element.

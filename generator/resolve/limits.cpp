@@ -97,6 +97,18 @@ bool runs_in_packs(const Entity& entity, const Config& config, Facts facts) {
   return holds(entity.packs, facts).value_or(false);
 }
 
+}  // namespace
+
+bool meets_requirements(const Entity& entity, const Config& config) {
+  Facts facts;
+  add_config(facts, config);
+  return ranges::all_of(entity.requirements, [&](const auto& requirement) {
+    return holds(requirement.that, facts).value_or(true);
+  });
+}
+
+namespace {
+
 void check(const Entity& entity, const Config& config, Facts facts, Span span,
            Diagnostics& diagnostics) {
   if (entity.requirements.empty()) return;

@@ -54,8 +54,9 @@ void report_left_out(const Selection& components, const std::vector<PortManifest
   }
 }
 
+/// `of_ports`: where problems of what its manifest says of ports go.
 void add_ports(Draft& draft, const EntitySpec& spec, DraftNode& node,
-               const std::set<std::string_view>& connected) {
+               const std::set<std::string_view>& connected, Diagnostics& of_ports) {
   const Entity* const entity = node.node.entity;
   const References references = references_of(*entity, spec.config);
   if (!report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics))
@@ -66,7 +67,7 @@ void add_ports(Draft& draft, const EntitySpec& spec, DraftNode& node,
     if (!is_selected(spec.inputs, port.name.value)) continue;
     const std::string written = spec.name.value + "." + port.name.value;
     if (!spec.inputs && !is_wanted(port, written, connected)) continue;
-    DraftInput input = draft_input(port, written, spec.name.span, references, draft.diagnostics);
+    DraftInput input = draft_input(port, written, spec.name.span, references, of_ports);
     if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
       input.span = component->name.span;
       input.said = component->settings;
@@ -79,7 +80,7 @@ void add_ports(Draft& draft, const EntitySpec& spec, DraftNode& node,
   }
   for (const auto& port : entity->outputs) {
     if (!is_selected(spec.outputs, port.name.value)) continue;
-    DraftOutput output = draft_output(port, spec.name.span, references, draft.diagnostics);
+    DraftOutput output = draft_output(port, spec.name.span, references, of_ports);
     if (const ComponentSpec* component = find_component(spec.outputs, port.name.value)) {
       output.span = component->name.span;
       settle(output, *component, spec.name.value + "." + port.name.value, draft.diagnostics);
@@ -182,10 +183,15 @@ DraftNode node_of(Draft& draft, const EntitySpec& spec,
     draft.doubtful.insert(spec.name.value);
     return node;
   }
+  const std::size_t before = draft.diagnostics.error_count();
   node.node.config = resolve_config(draft.library, *node.node.entity, spec.config, spec.type.span,
                                     draft.diagnostics, draft.safety);
+  const bool is_right = draft.diagnostics.error_count() == before &&
+                        meets_requirements(*node.node.entity, node.node.config);
   const MakingPorts making(draft, spec.name.value);
-  add_ports(draft, spec, node, connected);
+  Diagnostics quiet;  // what follows for ports from a parameter that is wrong is no second problem
+  add_ports(draft, spec, node, connected, is_right ? draft.diagnostics : quiet);
+  if (quiet.has_errors()) draft.doubtful.insert(spec.name.value);
   return node;
 }
 

@@ -140,6 +140,11 @@ class ObjectBuilder {
     return std::nullopt;
   }
 
+  /// Whether there is an entity of its type; it was reported if not, and has no ports.
+  [[nodiscard]] bool is_known(std::size_t node) const {
+    return nodes_[node].node.entity != nullptr;
+  }
+
   /// Index of a port by name, reported if it does not exist.
   template <class Ports>
   std::optional<std::size_t> find_port(const Ports& ports, const std::string& name,
@@ -161,6 +166,7 @@ class ObjectBuilder {
         continue;
       }
       const auto source = find_node(from.owner, connection.from);
+      if (source && !is_known(*source)) continue;
       const auto output =
           source ? find_port(nodes_[*source].outputs, from_port, connection.from) : std::nullopt;
       if (!output) continue;
@@ -169,6 +175,7 @@ class ObjectBuilder {
         continue;
       }
       const auto sink = find_node(to.owner, connection.to);
+      if (sink && !is_known(*sink)) continue;
       const auto input =
           sink ? find_port(nodes_[*sink].inputs, to_port, connection.to) : std::nullopt;
       if (!input || !is_free(nodes_[*sink].inputs[*input], connection)) continue;
@@ -268,6 +275,7 @@ class ObjectBuilder {
       output.of_sensor = true;
       output.of_connection = sensor.of_connection;
     }
+    if (sensor.processor) output.converted.push_back(sensor.written);
     return sensor;
   }
 

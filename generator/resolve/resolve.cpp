@@ -176,6 +176,12 @@ void drop_engine(Graph& graph) {
 
 }  // namespace
 
+std::vector<std::string> Output::names() const {
+  std::vector<std::string> result = sensors;
+  std::erase_if(result, [&](const std::string& sensor) { return contains(converted, sensor); });
+  return result;
+}
+
 std::string name_of_source(const Graph& graph, const Input& input) {
   const GraphNode& node = graph.nodes[input.source_node];
   if (!input.sensor.empty()) return input.sensor;

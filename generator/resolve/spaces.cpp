@@ -155,7 +155,7 @@ class SpaceResolver {
     const auto raw = declared ? complete(*declared) : std::nullopt;
     if (!raw) return false;
     slot.settled = true;
-    Output output{draft.name, draft.sensors, *raw, *raw, std::nullopt, draft.span};
+    Output output{draft.name, draft.sensors, *raw, *raw, std::nullopt, draft.span, draft.converted};
     if (!check_bounds(*raw, place_of_bounds(*declared, draft.declared.span), diagnostics()))
       return true;
     if (draft.processor) {

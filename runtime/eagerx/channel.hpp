@@ -15,7 +15,8 @@ struct Channel {
   std::uint64_t size;  // elements of a message
   std::uint64_t rate_num, rate_den;  // [Hz]
   Publisher publisher;
-  const char* port = "";  // as graphs call it: "smooth.filtered", "pendulum.theta", "actions.u"
+  // As graphs call it: "smooth.filtered", "pendulum.theta", "actions.u", "arm.x, arm.same".
+  const char* port = "";
   /// The bounds of its space, if it has any: in Graph::kBounds from `first` on, `bounds` of them,
   /// one for all elements or one for each.
   std::uint32_t first = 0, bounds = 0;

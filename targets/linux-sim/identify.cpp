@@ -148,12 +148,17 @@ int identify(const Options& options, const Fields& fields, GraphProgram& program
   if (!log) return fail(problem, kBadFile);
   const trace_log::Replay same(*log, {facts.channels, facts.channel_count});
   if (!same.fits(problem)) return fail(problem, kBadFile);
-  if (program.is_real() || facts.waits_in_resets) {
+  if (program.is_real())
     return fail(
-        "error: parameters are identified in the program of a simulation without reset nodes\n"
+        "error: parameters are identified in the program of a simulation\n"
         "help: generate the graph for OdeEngine, with `--engine OdeEngine`",
         kBadUsage);
-  }
+  if (facts.waits_in_resets)
+    return fail(
+        "error: parameters are identified in a program without reset nodes\n"
+        "help: leave them out in a variant of the graph: connect what they pass on directly, and "
+        "set the states",
+        kBadUsage);
   program.warm_up();
   const int code = identify_with(options, *log, fields, program, problem);
   return problem.empty() ? code : fail(problem, code);

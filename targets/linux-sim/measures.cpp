@@ -19,6 +19,17 @@ std::string shown(double value) {
   return host::number_text(static_cast<float>(std::round(value * scale) / scale));
 }
 
+/// Of a message that is several sensors: "arm.x, arm.same".
+std::vector<std::string> names_in(std::string_view port) {
+  constexpr std::string_view kBetween = ", ";
+  std::vector<std::string> names;
+  for (std::size_t end = 0; (end = port.find(kBetween)) != std::string_view::npos;
+       port.remove_prefix(end + kBetween.size()))
+    names.emplace_back(port.substr(0, end));
+  names.emplace_back(port);
+  return names;
+}
+
 }  // namespace
 
 void Statistic::add(double value, std::uint64_t episode) {
@@ -178,8 +189,10 @@ void Measures::describe(Summary& summary) const {
 
 std::vector<Readable> readables_of(const GraphFacts& facts, const std::vector<Field>& states) {
   std::vector<Readable> result;
-  for (std::uint32_t i = 0; i < facts.channel_count; ++i)
-    result.push_back({facts.channels[i].port, Variable::Kind::message, i, facts.channels[i].size});
+  for (std::uint32_t i = 0; i < facts.channel_count; ++i) {
+    for (const std::string& name : names_in(facts.channels[i].port))
+      result.push_back({name, Variable::Kind::message, i, facts.channels[i].size});
+  }
   for (std::uint32_t i = 0; i < states.size(); ++i)
     result.push_back({states[i].name, Variable::Kind::state, i, states[i].type.size});
   return result;

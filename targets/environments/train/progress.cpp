@@ -64,8 +64,11 @@ std::string Progress::line(const CurvePoint& point, const std::string& stage,
   const double here = point.steps - static_cast<double>(first_step_);
   const double left = std::max(0.0, static_cast<double>(last_step_) - point.steps);
   std::string text = name_.empty() ? std::string() : name_ + ": ";
-  text += fmt::format("{:.2f} of {:.2f} M steps", point.steps / 1e6,
-                      static_cast<double>(last_step_) / 1e6);
+  constexpr double kMillion = 1e6;
+  const auto last = static_cast<double>(last_step_);
+  text += last < kMillion
+              ? fmt::format("{} of {} steps", rounded(point.steps), rounded(last))
+              : fmt::format("{:.2f} of {:.2f} M steps", point.steps / kMillion, last / kMillion);
   if (!stage.empty()) text += ", " + stage;
   if (!std::isnan(last_return_)) text += fmt::format(", return {:.4g}", last_return_);
   if (!std::isnan(last_evaluation_)) text += fmt::format(", evaluation {:.4g}", last_evaluation_);
