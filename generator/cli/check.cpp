@@ -7,6 +7,7 @@
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/built.hpp"
+#include "generator/cli/check_variants.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/emitted.hpp"
 #include "generator/cli/judge.hpp"
@@ -60,15 +61,19 @@ int perform(const CheckOptions& options) {
   const std::string output = options.compile ? "/" : "";  // the compiler gets whole paths
   const auto targets = make(run, options) ? judged_targets(run, options, output) : std::nullopt;
   if (targets && options.compile) compile_entities(run, *targets, run.diagnostics);
+  const std::size_t variants =
+      targets && options.variant.empty() ? check_variants(run, options) : 0;
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;
     const std::uint64_t warnings = warnings_in(run.diagnostics);
     for (const auto& ring : run.plan->rings) messages += ring.capacity;
-    say("{}: {}, {}, {} with room for {}; {}\n", options.graph,
+    say("{}: {}, {}, {} with room for {}; {}{}\n", options.graph,
         counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
         counted(run.plan->rings.size(), "buffer"), counted(messages, "message"),
-        warnings == 0 ? "no problems" : counted(warnings, "warning"));
+        warnings == 0 ? "no problems" : counted(warnings, "warning"),
+        variants == 0 ? std::string()
+                      : fmt::format("; {} of the right form", counted(variants, "variant")));
   }
   return code;
 }

@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "generator/cli/check_variants.hpp"
 #include "generator/cli/targets.hpp"
 #include "generator/cut/cut.hpp"
 #include "generator/emit/emit.hpp"
@@ -81,7 +82,9 @@ std::optional<std::vector<const Target*>> judged_targets(Run& run, const GraphOp
 }
 
 bool check_text(Run& run, const GraphOptions& options, const std::string& text) {
-  return make_of_text(run, options, text) && judged_targets(run, options);
+  if (!make_of_text(run, options, text) || !judged_targets(run, options)) return false;
+  if (options.variant.empty()) check_variants(run, options);
+  return !run.diagnostics.has_errors();
 }
 
 }  // namespace eagerx::gen

@@ -281,21 +281,36 @@ bool make_of_tree(Run& run, const GraphOptions& options) {
 
 }  // namespace
 
+namespace {
+
+void choose_variant(Run& run, const GraphOptions& options) {
+  run.tree =
+      choose_variant(run.written, options.graph, options.variant, run.sources, run.diagnostics);
+}
+
+}  // namespace
+
 bool make(Run& run, const GraphOptions& options) {
-  run.tree = choose_variant(read_graph_file(run, options.graph), options.graph, options.variant,
-                            run.sources, run.diagnostics);
+  run.written = read_graph_file(run, options.graph);
+  choose_variant(run, options);
   return make_of_tree(run, options);
 }
 
+bool make_spec(Run& run, const GraphOptions& options) {
+  choose_variant(run, options);
+  return !run.diagnostics.has_errors() && read_own_graph(run, options, Reading::mentioned);
+}
+
 bool make_of_text(Run& run, const GraphOptions& options, const std::string& text) {
-  run.tree = choose_variant(read_yaml_text(options.graph, text, run.sources, run.diagnostics),
-                            options.graph, options.variant, run.sources, run.diagnostics);
+  run.written = read_yaml_text(options.graph, text, run.sources, run.diagnostics);
+  choose_variant(run, options);
   return make_of_tree(run, options);
 }
 
 bool make_again(Run& run, const GraphOptions& options) {
   Run whole;
   whole.sources = std::move(run.sources);
+  whole.written = std::move(run.written);
   whole.tree = std::move(run.tree);
   run = std::move(whole);
   return make_of_tree(run, options, Reading::whole);

@@ -21,9 +21,10 @@ struct Run {
   Diagnostics diagnostics;
   std::string root;  // of the built-in models, targets, templates
   Library library;
-  YamlValue tree;   // of the graph's file, in the chosen variant
-  YamlValue flat;   // without composites and arrays
-  Ends composites;  // of the graph: their ports
+  YamlValue written;  // the graph's file
+  YamlValue tree;     // of it, in the chosen variant
+  YamlValue flat;     // without composites and arrays
+  Ends composites;    // of the graph: their ports
   std::optional<GraphSpec> spec;
   std::optional<SafetySpec> safety_of_cut;  // what the graph says for the nodes that are cut out
   std::vector<std::string> tables;          // files with numbers of the graph
@@ -44,6 +45,8 @@ std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree,
 bool make(Run& run, const GraphOptions& options);
 /// The same of a graph that is the text of `options.graph`, which need not be there.
 bool make_of_text(Run& run, const GraphOptions& options, const std::string& text);
+/// Only up to the spec, from `run.written`: whether its form is right, whatever it is made for.
+bool make_spec(Run& run, const GraphOptions& options);
 /// All that `check` looks for in such a graph; true if there was no problem.
 bool check_text(Run& run, const GraphOptions& options, const std::string& text);
 /// Again from the graph's file, with the whole library.
