@@ -283,6 +283,15 @@ bool make_of_tree(Run& run, const GraphOptions& options) {
 
 namespace {
 
+/// Leaves what was read of the graph's file.
+void start_again(Run& run) {
+  Run whole;
+  whole.sources = std::move(run.sources);
+  whole.written = std::move(run.written);
+  whole.tree = std::move(run.tree);
+  run = std::move(whole);
+}
+
 void choose_variant(Run& run, const GraphOptions& options) {
   run.tree =
       choose_variant(run.written, options.graph, options.variant, run.sources, run.diagnostics);
@@ -298,7 +307,11 @@ bool make(Run& run, const GraphOptions& options) {
 
 bool make_spec(Run& run, const GraphOptions& options) {
   choose_variant(run, options);
-  return !run.diagnostics.has_errors() && read_own_graph(run, options, Reading::mentioned);
+  if (run.diagnostics.has_errors()) return false;
+  const bool made = read_own_graph(run, options, Reading::mentioned);
+  if (!run.library.was_too_small()) return made;
+  start_again(run);
+  return read_own_graph(run, options, Reading::whole);
 }
 
 bool make_of_text(Run& run, const GraphOptions& options, const std::string& text) {
@@ -308,11 +321,7 @@ bool make_of_text(Run& run, const GraphOptions& options, const std::string& text
 }
 
 bool make_again(Run& run, const GraphOptions& options) {
-  Run whole;
-  whole.sources = std::move(run.sources);
-  whole.written = std::move(run.written);
-  whole.tree = std::move(run.tree);
-  run = std::move(whole);
+  start_again(run);
   return make_of_tree(run, options, Reading::whole);
 }
 
