@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "generator/diagnostics/search.hpp"
 #include "generator/read/scalar.hpp"
@@ -117,9 +116,9 @@ class Ranges {
 
   /// The next values, the last name first; false after the last.
   bool next(Values& values) const {
-    for (const auto& [name, range] : ranges_ | std::views::reverse) {
-      if (++values[name] < *range.high) return true;
-      values[name] = range.low;
+    for (auto range = ranges_.rbegin(); range != ranges_.rend(); ++range) {
+      if (++values[range->first] < *range->second.high) return true;
+      values[range->first] = range->second.low;
     }
     return false;
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <ranges>
 #include <utility>
 
 #include "generator/compose/ends.hpp"
@@ -103,16 +102,16 @@ class Chooser {
       }
       layers.push_back(std::move(layer));
     }
-    for (YamlValue& layer : layers | std::views::reverse) {
-      if (layer.is_null()) continue;  // a name for the graph as it is
-      if (!layer.is_map()) {
+    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+      if (layer->is_null()) continue;  // a name for the graph as it is
+      if (!layer->is_map()) {
         diagnostics_.error(
-            "E0203", layer.span,
-            fmt::format("expected a mapping for a variant, found {}", describe(layer)));
+            "E0203", layer->span,
+            fmt::format("expected a mapping for a variant, found {}", describe(*layer)));
         return root;
       }
       const Span place = root.span;
-      root = laid_over(std::move(root), std::move(layer), diagnostics_);
+      root = laid_over(std::move(root), std::move(*layer), diagnostics_);
       root.span = place;
     }
     return root;

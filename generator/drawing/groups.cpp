@@ -1,7 +1,6 @@
 #include "generator/drawing/groups.hpp"
 
 #include <array>
-#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -146,10 +145,10 @@ class Nester {
       add(wire, at, {g + 1, kExit, p});
       at = {scope_of(groups_[g].around), of_group_[g], p};
     }
-    for (const std::size_t g : in | std::views::reverse) {
-      const std::size_t p = port(g, false, received);
-      add(wire, at, {at.scope, of_group_[g], p});
-      at = {g + 1, kEntry, p};
+    for (auto g = in.rbegin(); g != in.rend(); ++g) {
+      const std::size_t p = port(*g, false, received);
+      add(wire, at, {at.scope, of_group_[*g], p});
+      at = {*g + 1, kEntry, p};
     }
     add(wire, at, {at.scope, of_box_[wire.to], wire.input});
   }

@@ -20,6 +20,7 @@ Judge::Judge(const Settings& settings, const Library& library, const Kernels& ke
     : until_return_(settings.until_return),
       success_share_(settings.success_share),
       every_(settings.evaluation_every),
+      episodes_(settings.evaluation_episodes),
       longest_(static_cast<double>(settings.evaluation_episodes) *
                std::max(library.description().episode_steps, longest_of(library.description()))),
       has_success_(library.description().has_success),
@@ -51,6 +52,10 @@ bool Judge::is_due(const std::vector<CurvePoint>& curve) const {
   const auto last = std::find_if(curve.rbegin(), curve.rend(), is_evaluated);
   const double since = curve.back().steps - (last == curve.rend() ? 0.0 : last->steps);
   return since >= std::min(longest_, kLate * curve.back().steps);
+}
+
+std::size_t Judge::episodes_at_last() const {
+  return kEvaluations * episodes_;
 }
 
 Evaluation Judge::evaluate_at_last(const Algorithm& algorithm, const Best& best) {

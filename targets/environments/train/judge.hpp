@@ -29,6 +29,7 @@ class Judge {
   Evaluation evaluate_in(const std::string& stage, const Algorithm& algorithm);
   /// The best policy, in as many episodes as have chosen it, which are all others.
   Evaluation evaluate_at_last(const Algorithm& algorithm, const Best& best);
+  std::size_t episodes_at_last() const;
   /// The last one of evaluate(), in this run.
   const Evaluation& seen() const { return seen_; }
   Policy policy(const Algorithm& algorithm, std::vector<float> parameters) const;
@@ -44,9 +45,10 @@ class Judge {
   bool is_confirmed(const Algorithm& algorithm, const Policy& now);
 
   const double until_return_, success_share_;
-  const std::size_t every_;  // iterations
-  const double longest_;     // steps of an evaluation, at most
-  const bool has_success_;   // the task says it
+  const std::size_t every_;     // iterations
+  const std::size_t episodes_;  // of an evaluation
+  const double longest_;        // steps of an evaluation, at most
+  const bool has_success_;      // the task says it
   const bool has_aim_;
   const Head head_;
   Evaluator evaluator_;

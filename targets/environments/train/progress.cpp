@@ -54,6 +54,10 @@ void Progress::finish() {
 
 void Progress::begin_stage(const std::string& line) {
   last_return_ = std::numeric_limits<double>::quiet_NaN();
+  say(line);
+}
+
+void Progress::say(const std::string& line) {
   if (is_quiet_) return;
   finish();
   fmt::print(stderr, "{}{}{}\n", name_, name_.empty() ? "" : ": ", line);

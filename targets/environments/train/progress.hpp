@@ -23,6 +23,8 @@ class Progress {
   void show(const CurvePoint& point, const std::string& stage = {});
   /// A line of its own, behind which episodes are others: the last return is forgotten.
   void begin_stage(const std::string& line);
+  /// A line of its own.
+  void say(const std::string& line);
   /// Removes the line of a terminal.
   void finish();
   /// Since the start.

@@ -86,6 +86,11 @@ void Showing::tell_stage(const std::vector<CurvePoint>& curve) {
                                     reached(point), stage_name(description_, point.stage + 1.0)));
 }
 
+void Showing::tell_last_evaluation(std::size_t episodes) {
+  progress_.say(fmt::format("evaluating the best policy in {} other episodes",
+                            rounded(static_cast<double>(episodes))));
+}
+
 void Showing::show_events(const CurvePoint& point, const Evaluation& seen) {
   Scalars terms;
   for (std::size_t i = 0; !std::isnan(point.evaluation_return) && i < seen.terms.size(); ++i)

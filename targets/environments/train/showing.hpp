@@ -38,6 +38,8 @@ class Showing {
   void finish() { progress_.finish(); }
   /// The last point of `curve` has passed its stage.
   void tell_stage(const std::vector<CurvePoint>& curve);
+  /// What begins when nothing more is learnt, and may take long.
+  void tell_last_evaluation(std::size_t episodes);
   /// "warning: …; the training goes on …"
   void warn(const std::string& problem, const char* goes_on);
   /// The table at the end. Throws Problem.

@@ -152,6 +152,9 @@ bool Training::evaluate(CurvePoint& point) {
 /// The best policy; if none was evaluated yet, the last one.
 void Training::evaluate_at_last() {
   const double begin_s = showing_.seconds();
+  constexpr double kLong = 1.0;  // s
+  if (ranks_.is_first() && (evaluating_s_ > kLong || progressed_.best.parameters.empty()))
+    showing_.tell_last_evaluation(judge_.episodes_at_last());
   if (progressed_.best.parameters.empty()) {
     CurvePoint unused{};
     evaluate(unused);
