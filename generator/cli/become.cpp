@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include "generator/command_line/command_line.hpp"
 #include "generator/command_line/output.hpp"
@@ -13,6 +15,7 @@
 namespace eagerx::gen {
 
 int become(const std::string& program, const std::vector<std::string>& arguments) {
+  std::error_code ignored;
   const std::string path = program.find('/') == std::string::npos ? "./" + program : program;
   std::vector<char*> words;
   words.reserve(arguments.size() + 2);
@@ -25,7 +28,14 @@ int become(const std::string& program, const std::vector<std::string>& arguments
   for (const auto& argument : arguments) add(argument);
   words.push_back(nullptr);
   execvp(words[0], words.data());
-  complain("error: cannot start `{}`: {}\n", path, std::strerror(errno));
+  const int refused = errno;
+  // The system says "Permission denied" for all of these.
+  if (refused == EACCES && std::filesystem::exists(path, ignored))
+    complain("error: cannot start `{}`: {}\nhelp: {}\n", path,
+             std::filesystem::is_directory(path, ignored) ? "it is a folder" : "it may not be run",
+             "name the program that was built, such as generated/NAME/build/NAME");
+  else
+    complain("error: cannot start `{}`: {}\n", path, std::strerror(refused));
   return kInputOutput;
 }
 

@@ -99,7 +99,8 @@ class RandomReader {
       random.first.assign(space_.size(), 0.0);
       random.second.assign(space_.size(), 1.0);
     } else if (space_.low.empty() || space_.high.empty()) {
-      fail("E0327", spec_.span, "the space of this state has no bounds to draw from");
+      fail("E0327", spec_.span, "the space of this state has no bounds to draw from",
+           "give a range: `{uniform: {low: -1.0, high: 1.0}}`");
       return;
     } else {
       for (std::size_t i = 0; i < space_.size(); ++i) {
@@ -133,8 +134,9 @@ class RandomReader {
                                           : fmt::format("{}", bound);
   }
 
-  std::vector<double> fail(const char* code, Span span, std::string message) {
-    diagnostics_.error(code, span, std::move(message));
+  std::vector<double> fail(const char* code, Span span, std::string message,
+                           std::string help = "") {
+    diagnostics_.error(code, span, std::move(message)).help = std::move(help);
     good_ = false;
     return {};
   }

@@ -19,6 +19,36 @@
 namespace eagerx::gen {
 namespace {
 
+/// The first key that a record needs and that is not in `yaml`; null: it has all, or is none.
+const Field* missing_field(const YamlValue& yaml, const Format& format) {
+  if (!yaml.is_map() && !yaml.is_null()) return nullptr;
+  const auto missing = ranges::find_if(format.fields, [&](const Field& field) {
+    return field.required && yaml.find(field.name) == nullptr;
+  });
+  return missing == format.fields.end() ? nullptr : &*missing;
+}
+
+/// `pendlum: {states: …}` beside `pendulum: {type: …}`, as a variant that mistypes a name makes it:
+/// whether entry `i` has been reported as such.
+bool report_meant_neighbour(const YamlValue& yaml, std::size_t i, const Format& format,
+                            Diagnostics& diagnostics) {
+  const YamlValue::Entry& entry = yaml.entries[i];
+  const Field* missing = missing_field(entry.value, *format.item);
+  if (missing == nullptr) return false;
+  std::vector<std::string> whole;
+  for (const auto& other : yaml.entries)
+    if (other.value.is_map() && missing_field(other.value, *format.item) == nullptr)
+      whole.push_back(other.key);
+  const std::string near = nearest(entry.key, whole);
+  if (near.empty()) return false;
+  diagnostics
+      .error("E0202", entry.key_span,
+             fmt::format("missing key `{}` in {}", missing->name, format.item->what))
+      .help = fmt::format("did you mean `{}`? If it is another one, add `{}:`, {}", near,
+                          missing->name, missing->about);
+  return true;
+}
+
 bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   if (yaml.is_null()) return true;  // `config:` with nothing behind it
   if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
@@ -31,6 +61,10 @@ bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnos
     if (outside > 0 || report_decimal_comma(yaml.entries, i, diagnostics)) {
       good = false;
       i += outside;
+      continue;
+    }
+    if (report_meant_neighbour(yaml, i, format, diagnostics)) {
+      good = false;
       continue;
     }
     if (format.key)

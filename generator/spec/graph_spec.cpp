@@ -121,8 +121,22 @@ AgentSpec read_node_policy(const YamlValue& yaml) {
   return spec;
 }
 
-/// Of a node of the graph: what it runs. A mistake leaves a type that nothing more is said of.
-void read_what_runs(const YamlValue& yaml, EntitySpec& spec, Diagnostics& diagnostics) {
+/// Help for a node that says nothing of what it runs: perhaps a variant means another of `nodes`.
+std::string help_for_nothing_to_run(const std::string& name, const YamlValue& nodes) {
+  std::vector<std::string> others;
+  for (const auto& other : nodes.entries)
+    if (other.value.find("type") != nullptr || other.value.find("policy") != nullptr)
+      others.push_back(other.key);
+  const std::string near = nearest(name, others);
+  return fmt::format(
+      "{}add `type: NODE`, of which `eagerx-gen info` has a list, or `policy: FILE`",
+      near.empty() ? "" : fmt::format("did you mean `{}`? If it is another one, ", near));
+}
+
+/// Of one of the `nodes` of the graph: what it runs. A mistake leaves a type that nothing more is
+/// said of.
+void read_what_runs(const YamlValue& yaml, const YamlValue& nodes, EntitySpec& spec,
+                    Diagnostics& diagnostics) {
   const YamlValue* type = yaml.find("type");
   const YamlValue* policy = yaml.find("policy");
   if (policy != nullptr) {
@@ -133,9 +147,8 @@ void read_what_runs(const YamlValue& yaml, EntitySpec& spec, Diagnostics& diagno
     diagnostics
         .error("E0206", spec.name.span,
                fmt::format("`{}` needs either a `type` or a `policy`", spec.name.value))
-        .help = type == nullptr ? "add `type: NODE`, of which `eagerx-gen info` has a list, or "
-                                  "`policy: FILE`"
-                                : "leave one of them out";
+        .help =
+        type == nullptr ? help_for_nothing_to_run(spec.name.value, nodes) : "leave one of them out";
   }
 }
 
@@ -346,7 +359,7 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
     if (map == nullptr) return;
     for (const auto& entry : map->entries) {
       into.push_back(read_entity(entry.key, entry.key_span, entry.value, diagnostics));
-      if (&into == &spec.nodes) read_what_runs(entry.value, into.back(), diagnostics);
+      if (&into == &spec.nodes) read_what_runs(entry.value, *map, into.back(), diagnostics);
     }
   };
   read_all("objects", spec.objects);
