@@ -137,7 +137,11 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 /// "did you mean `…`?" with the nearest one, or `otherwise`.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
                          std::string otherwise = {});
-/// The same, or "there is A, B, C", or `none` if there are no candidates.
+/// The nearest one, if it is meant, and `otherwise` if it is not: "did you mean `…`? If it is
+/// another one, …".
+std::string did_you_mean_or(std::string_view word, const std::vector<std::string>& candidates,
+                            const std::string& otherwise);
+/// did_you_mean(), or "there is A, B, C", or `none` if there are no candidates.
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
                        const std::string& none = {});
 

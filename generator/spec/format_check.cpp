@@ -19,6 +19,14 @@
 namespace eagerx::gen {
 namespace {
 
+Diagnostic& report_missing(const Field& field, Span span, const Format& format,
+                           Diagnostics& diagnostics) {
+  Diagnostic& problem = diagnostics.error(
+      "E0202", span, fmt::format("missing key `{}` in {}", field.name, format.what));
+  problem.help = fmt::format("add `{}:`, {}", field.name, field.about);
+  return problem;
+}
+
 /// The first key that a record needs and that is not in `yaml`; null: it has all, or is none.
 const Field* missing_field(const YamlValue& yaml, const Format& format) {
   if (!yaml.is_map() && !yaml.is_null()) return nullptr;
@@ -39,13 +47,9 @@ bool report_meant_neighbour(const YamlValue& yaml, std::size_t i, const Format& 
   for (const auto& other : yaml.entries)
     if (other.value.is_map() && missing_field(other.value, *format.item) == nullptr)
       whole.push_back(other.key);
-  const std::string near = nearest(entry.key, whole);
-  if (near.empty()) return false;
-  diagnostics
-      .error("E0202", entry.key_span,
-             fmt::format("missing key `{}` in {}", missing->name, format.item->what))
-      .help = fmt::format("did you mean `{}`? If it is another one, add `{}:`, {}", near,
-                          missing->name, missing->about);
+  if (nearest(entry.key, whole).empty()) return false;
+  Diagnostic& problem = report_missing(*missing, entry.key_span, *format.item, diagnostics);
+  problem.help = did_you_mean_or(entry.key, whole, problem.help);
   return true;
 }
 
@@ -156,9 +160,7 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
   for (const auto& field : format.fields) {
     if (!field.required || yaml.find(field.name) != nullptr) continue;
     if (contains(meant, field.name)) continue;  // just misspelt
-    diagnostics
-        .error("E0202", yaml.span, fmt::format("missing key `{}` in {}", field.name, format.what))
-        .help = fmt::format("add `{}:`, {}", field.name, field.about);
+    report_missing(field, yaml.span, format, diagnostics);
     good = false;
   }
   return good;

@@ -127,10 +127,8 @@ std::string help_for_nothing_to_run(const std::string& name, const YamlValue& no
   for (const auto& other : nodes.entries)
     if (other.value.find("type") != nullptr || other.value.find("policy") != nullptr)
       others.push_back(other.key);
-  const std::string near = nearest(name, others);
-  return fmt::format(
-      "{}add `type: NODE`, of which `eagerx-gen info` has a list, or `policy: FILE`",
-      near.empty() ? "" : fmt::format("did you mean `{}`? If it is another one, ", near));
+  return did_you_mean_or(
+      name, others, "add `type: NODE`, of which `eagerx-gen info` has a list, or `policy: FILE`");
 }
 
 /// Of one of the `nodes` of the graph: what it runs. A mistake leaves a type that nothing more is
