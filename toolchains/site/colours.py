@@ -31,8 +31,8 @@ def coloured(text, rule):
 
 
 class Code:
-    def __init__(self, words, graph_keys, manifest_keys):
-        self.words, self.graph_keys, self.manifest_keys = words, graph_keys, manifest_keys
+    def __init__(self, words, graph_keys, manifest_keys, settings_keys):
+        self.words, self.graph_keys, self.manifest_keys, self.settings_keys = words, graph_keys, manifest_keys, settings_keys
 
     def block(self, text, language, page):
         """A block as HTML. Without a language it is what one types, or what a program says."""
@@ -80,7 +80,7 @@ class Code:
         return coloured(text, re.compile(r"(?P<c>(?:^|(?<=\s))#[^\n]*)|(?P<s>\"[^\"\n]*\")", re.MULTILINE))
 
     def root_of(self, root):
-        """Which keys an excerpt has: a whole graph or manifest, entities, connections."""
+        """Which keys an excerpt has: a whole graph or manifest, settings of a training, entities, connections."""
         if isinstance(root, yaml.SequenceNode):
             return self.graph_keys, ("connections",)
         if not isinstance(root, yaml.MappingNode):
@@ -93,6 +93,8 @@ class Code:
             return self.manifest_keys, ("node",)
         if names & self.graph_keys.top:
             return self.graph_keys, ()
+        if names and names <= self.settings_keys.top:
+            return self.settings_keys, ()
         if {"from", "to"} <= names:
             return self.graph_keys, ("connections", "[]")
         inner = {key.value for _, value in root.value if isinstance(value, yaml.MappingNode) for key, _ in value.value if isinstance(key, yaml.ScalarNode)}

@@ -53,7 +53,9 @@ class Site:
         self.version = run("--version").split()[-1]
         self.graph_keys = Keys("keys.html", {(): json.loads(run("schema"))})
         self.manifest_keys = Keys("manifest-keys.html", manifest_roots(json.loads(run("schema", "--manifest"))))
-        self.code = Code(self.words, self.graph_keys, self.manifest_keys)
+        self.settings_keys = Keys("settings-keys.html", {(): json.loads(run("schema", "--train-settings"))})
+        self.groups = {"keys.html": "key", "manifest-keys.html": "manifest key", "settings-keys.html": "setting"}  # for the search
+        self.code = Code(self.words, self.graph_keys, self.manifest_keys, self.settings_keys)
         self.entities = Entities(library, self.sources, self.words, self.code)
         self.commands = Commands(run, self.words, self.code)
         self.codes = [path for path in self.sources.documents if path.startswith("generator/diagnostics/codes/")]
@@ -82,6 +84,8 @@ class Site:
         for path in self.sources.documents:
             name = posixpath.basename(posixpath.dirname(path)) if path.endswith("README.md") else pathlib.Path(path).stem
             self.words.add(name.lower() or "readme", self.sources.page_of(path))
+        for place, *_ in self.settings_keys.rows:
+            self.words.add(place[-1], self.settings_keys.page(place))
 
     def find_users(self):
         """Which examples use an entity: those with a graph that names it."""
@@ -129,14 +133,16 @@ class Site:
                       f'<a href="{SPEC}">The graph file, key by key</a> explains them.', EXPLAINED)
         self.add_keys(self.manifest_keys, "Keys of manifests", 'What the JSON schema says of each key (<code>eagerx-gen schema --manifest'
                       '</code>), by the kind of manifest. <a href="models/index.html#keys-of-a-manifest">Models</a> explains them.', {})
+        self.add_keys(self.settings_keys, "Settings of a training", 'What <code>train --settings FILE.yaml</code> takes, from the JSON schema '
+                      '(<code>eagerx-gen schema --train-settings</code>). '
+                      '<a href="targets/environments/train/index.html#settings">The trainer</a> explains them.', {})
 
     def add_keys(self, keys, title, text, explained):
         links = {name: f"{SPEC}#{anchor}" for name, anchor in explained.items()}
         self.add(keys.page_name, title, f"<h1>{title}</h1>\n<p>{text} NAME is a name that you give, [] an item of a list.</p>\n"
                  + keys.html(links), [], [], "page")
         for place, schema, *_ in keys.rows:
-            group = "key" if keys is self.graph_keys else "manifest key"
-            self.index.append([".".join(place), keys.page(place), group, schema.get("description", "")])
+            self.index.append([".".join(place), keys.page(place), self.groups[keys.page_name], schema.get("description", "")])
 
     def add_codes(self):
         rows = []
