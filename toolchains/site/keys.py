@@ -12,6 +12,17 @@ def alternatives(schema):
             yield from alternatives(inner)
 
 
+def range_of(schema):
+    """Bounds of a number as they follow the word: ` 0 to 1`, ` ≥ 0`."""
+    low, high = schema.get("minimum"), schema.get("maximum")
+    if low is not None and high is not None:
+        return f" {low:.10g} to {high:.10g}"
+    for sign, bound in (("≥", low), ("≤", high), ("&gt;", schema.get("exclusiveMinimum"))):
+        if bound is not None:
+            return f" {sign} {bound:.10g}"
+    return ""
+
+
 def shape_of(schema):
     """What a value is, in words."""
     kinds = []
@@ -20,7 +31,7 @@ def shape_of(schema):
             kinds.append(" | ".join(f"<code>{html.escape(str(word))}</code>" for word in each["enum"]))
         elif isinstance(each.get("type"), str):
             kinds.append({"object": "mapping", "array": "list", "string": "text", "integer": "whole number",
-                          "boolean": "true or false"}.get(each["type"], each["type"]))
+                          "boolean": "true or false"}.get(each["type"], each["type"]) + range_of(each))
         elif isinstance(each.get("type"), list):
             kinds.append("mapping" if "object" in each["type"] else "value")
     return " or ".join(dict.fromkeys(kinds)) or "any value"

@@ -139,8 +139,9 @@ class Site:
 
     def add_keys(self, keys, title, text, explained):
         links = {name: f"{SPEC}#{anchor}" for name, anchor in explained.items()}
-        self.add(keys.page_name, title, f"<h1>{title}</h1>\n<p>{text} NAME is a name that you give, [] an item of a list.</p>\n"
-                 + keys.html(links), [], [], "page")
+        if any(len(place) > 1 for place, *_ in keys.rows):
+            text += " NAME is a name that you give, [] an item of a list."
+        self.add(keys.page_name, title, f"<h1>{title}</h1>\n<p>{text}</p>\n" + keys.html(links), [], [], "page")
         for place, schema, *_ in keys.rows:
             self.index.append([".".join(place), keys.page(place), self.groups[keys.page_name], schema.get("description", "")])
 
