@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <utility>
 
 #include "generator/diagnostics/join.hpp"
 #include "generator/diagnostics/search.hpp"
 #include "generator/resolve/draft.hpp"
+#include "generator/resolve/unknown_owners.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -62,7 +64,7 @@ std::vector<PortIndex> find_ports(const Draft& draft, const PortName& port, Side
 
 class Connector {
  public:
-  explicit Connector(Draft& draft) : draft_(draft) {}
+  explicit Connector(Draft& draft) : draft_(draft), unknown_(draft) {}
 
   void run() {
     for (const auto& connection : draft_.spec.connections) {
@@ -76,6 +78,7 @@ class Connector {
         if (!sources.empty()) connect(connection, index_of(sources.front()), index_of(sink));
       }
     }
+    unknown_.report();
     report_open_inputs();
     report_open_actions();
   }
@@ -217,6 +220,7 @@ class Connector {
                        : fmt::format("did you mean `{}.{}`?", port.owner, near);
   }
 
+  /// Also what stands at the wrong end. Returns the owner that was meant.
   std::string report_unknown_owner(const PortName& port, const Spanned<std::string>& text,
                                    Side side) {
     if (port.owner == "actions" || port.owner == "observations") {
@@ -231,24 +235,7 @@ class Connector {
     for (const auto& node : draft_.nodes) {
       if (node.node.role == NodeRole::node) known.push_back(node.node.name);
     }
-    auto& problem = diagnostics().error(
-        "E0309", text.span, fmt::format("there is nothing called `{}` in this graph", port.owner));
-    // With thousands of such connections nobody reads the others, and each is compared with all.
-    constexpr std::size_t kMostHelped = 100;
-    if (++unknown_owners_ > kMostHelped) return {};
-    std::size_t elements = 0;
-    for (const std::string& name : known) elements += name.starts_with(port.owner + "[") ? 1 : 0;
-    if (elements > 0) {
-      problem.help = fmt::format(
-          "`{0}` has {1}: write `\"{0}[*].{2}\"` for all of them, or "
-          "`\"{0}[0].{2}\"` for one",
-          port.owner, counted(elements, "element"), port.name);
-      return {};
-    }
-    std::string near = nearest(port.owner, known);
-    problem.help = near.empty() ? fmt::format("there is {}", join(known, ", "))
-                                : fmt::format("did you mean `{}.{}`?", near, port.name);
-    return near;
+    return unknown_.add(port, text.span, std::move(known));
   }
 
   /// A connection to `owner` is wrong, so its open ports on that side are not a second mistake.
@@ -344,7 +331,7 @@ class Connector {
 
   Draft& draft_;
   std::set<End> excused_;  // not open: in use, or the subject of another message
-  std::size_t unknown_owners_ = 0;
+  UnknownOwners unknown_;
 };
 
 }  // namespace
