@@ -39,9 +39,9 @@ std::string UnknownOwners::add(const PortName& port, Span span, std::vector<std:
     return same->near;
   }
   if (unknown_.size() >= kMostHelped) known.clear();
-  std::string near =
-      elements_of(port.owner, known) > 0 ? std::string() : nearest(port.owner, known);
-  unknown_.push_back({port.owner, {{port.name, span}}, std::move(known), near});
+  const std::size_t elements = elements_of(port.owner, known);
+  std::string near = elements > 0 ? std::string() : nearest(port.owner, known);
+  unknown_.push_back({port.owner, {{port.name, span}}, std::move(known), elements, near});
   return near;
 }
 
@@ -74,10 +74,11 @@ void UnknownOwners::report_declared(const Unknown& unknown, Span declared) {
 
 void UnknownOwners::report_used(const Unknown& unknown, const Place& place) {
   auto& problem = error(unknown, place);
-  if (const std::size_t elements = elements_of(unknown.owner, unknown.known); elements > 0) {
+  if (++helped_ > kMostHelped) return;
+  if (unknown.elements > 0) {
     problem.help = fmt::format(
         "`{0}` has {1}: write `\"{0}[*].{2}\"` for all of them, or `\"{0}[0].{2}\"` for one",
-        unknown.owner, counted(elements, "element"), place.port);
+        unknown.owner, counted(unknown.elements, "element"), place.port);
   } else if (!unknown.near.empty()) {
     problem.help = fmt::format("did you mean `{}.{}`?", unknown.near, place.port);
   } else if (!unknown.known.empty()) {

@@ -1,6 +1,7 @@
 // Names at the beginning of connections' ends that nothing in the graph has.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,7 @@ class UnknownOwners {
     std::string owner;
     std::vector<Place> places;       // where it is used
     std::vector<std::string> known;  // what it could be
+    std::size_t elements;            // if it is an array
     std::string near;
   };
 
@@ -41,6 +43,7 @@ class UnknownOwners {
 
   Draft& draft_;
   std::vector<Unknown> unknown_;
+  std::size_t helped_ = 0;
 };
 
 }  // namespace eagerx::gen
