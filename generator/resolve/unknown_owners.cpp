@@ -19,14 +19,10 @@ std::size_t elements_of(std::string_view array, const std::vector<std::string>& 
   return count;
 }
 
-/// Where an object or a node is called `name`; line 0 if the graph file has none.
-Span declaration(const GraphSpec& spec, std::string_view name) {
-  for (const auto* section : {&spec.objects, &spec.nodes}) {
-    for (const EntitySpec& entity : *section) {
-      if (entity.name.value == name) return entity.name.span;
-    }
-  }
-  return {};
+/// The object or the node that the graph file calls so; nullptr without one.
+const EntitySpec* declaration(const GraphSpec& spec, std::string_view name) {
+  const EntitySpec* object = find_named(spec.objects, name);
+  return object != nullptr ? object : find_named(spec.nodes, name);
 }
 
 }  // namespace
@@ -47,9 +43,9 @@ std::string UnknownOwners::add(const PortName& port, Span span, std::vector<std:
 
 void UnknownOwners::report() {
   for (const Unknown& each : unknown_) {
-    const Span declared = declaration(draft_.spec, each.near);
-    if (each.places.size() > 1 && declared.line != 0 && !is_used(each.near)) {
-      report_declared(each, declared);
+    const EntitySpec* declared = declaration(draft_.spec, each.near);
+    if (each.places.size() > 1 && declared != nullptr && !is_used(each.near)) {
+      report_declared(each, declared->name.span);
       continue;
     }
     for (const Place& place : each.places) report_used(each, place);

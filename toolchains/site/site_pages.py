@@ -54,7 +54,6 @@ class Site:
         self.graph_keys = Keys("keys.html", {(): json.loads(run("schema"))})
         self.manifest_keys = Keys("manifest-keys.html", manifest_roots(json.loads(run("schema", "--manifest"))))
         self.settings_keys = Keys("settings-keys.html", {(): json.loads(run("schema", "--train-settings"))})
-        self.groups = {"keys.html": "key", "manifest-keys.html": "manifest key", "settings-keys.html": "setting"}  # for the search
         self.code = Code(self.words, self.graph_keys, self.manifest_keys, self.settings_keys)
         self.entities = Entities(library, self.sources, self.words, self.code)
         self.commands = Commands(run, self.words, self.code)
@@ -129,21 +128,21 @@ class Site:
             self.add(*self.commands.topic(name), "page")
         self.add(*self.commands.index(), "page")
         self.add_codes()
-        self.add_keys(self.graph_keys, "Keys of the graph file", f'What the JSON schema says of each key (<code>eagerx-gen schema</code>). '
+        self.add_keys(self.graph_keys, "key", "Keys of the graph file", f'What the JSON schema says of each key (<code>eagerx-gen schema</code>). '
                       f'<a href="{SPEC}">The graph file, key by key</a> explains them.', EXPLAINED)
-        self.add_keys(self.manifest_keys, "Keys of manifests", 'What the JSON schema says of each key (<code>eagerx-gen schema --manifest'
-                      '</code>), by the kind of manifest. <a href="models/index.html#keys-of-a-manifest">Models</a> explains them.', {})
-        self.add_keys(self.settings_keys, "Settings of a training", 'What <code>train --settings FILE.yaml</code> takes, from the JSON schema '
-                      '(<code>eagerx-gen schema --train-settings</code>). '
+        self.add_keys(self.manifest_keys, "manifest key", "Keys of manifests", 'What the JSON schema says of each key '
+                      '(<code>eagerx-gen schema --manifest</code>), by the kind of manifest. <a href="models/index.html#keys-of-a-manifest">Models</a> explains them.', {})
+        self.add_keys(self.settings_keys, "setting", "Settings of a training", 'What <code>train --settings FILE.yaml</code> takes, from the '
+                      'JSON schema (<code>eagerx-gen schema --train-settings</code>). '
                       '<a href="targets/environments/train/index.html#settings">The trainer</a> explains them.', {})
 
-    def add_keys(self, keys, title, text, explained):
+    def add_keys(self, keys, group, title, text, explained):
         links = {name: f"{SPEC}#{anchor}" for name, anchor in explained.items()}
         if any(len(place) > 1 for place, *_ in keys.rows):
             text += " NAME is a name that you give, [] an item of a list."
         self.add(keys.page_name, title, f"<h1>{title}</h1>\n<p>{text}</p>\n" + keys.html(links), [], [], "page")
         for place, schema, *_ in keys.rows:
-            self.index.append([".".join(place), keys.page(place), self.groups[keys.page_name], schema.get("description", "")])
+            self.index.append([".".join(place), keys.page(place), group, schema.get("description", "")])
 
     def add_codes(self):
         rows = []
