@@ -139,6 +139,8 @@ std::vector<ExtraTemplate> templates_of(const Run& run, const GenerateOptions& o
   const auto add_shared = [&](const std::map<std::string, std::string>& places, bool yours) {
     for (const auto& [place, name] : places) {
       const fs::path path = folder_of_packages(run) / "shared" / (name + ".mustache");
+      // Two packages may have it at one place.
+      if (ranges::contains(templates, place, &ExtraTemplate::output)) continue;
       templates.push_back({place, path.string(), yours});
     }
   };
