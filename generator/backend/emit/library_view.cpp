@@ -19,7 +19,8 @@ std::string described(const Space& space) {
   return fmt::format("{}, from {} to {}", space.describe(), space.low.front(), space.high.front());
 }
 
-/// "rad; the measured angle": unit and text of a port of a node; empty if its manifest says neither.
+/// "rad; the measured angle": unit and text of a port of a node; empty if its manifest says
+/// neither.
 std::string meaning(const PortManifest* manifest) {
   if (manifest == nullptr) return {};
   std::string text = manifest->unit;
@@ -82,13 +83,12 @@ View library_view(const Plan& plan, bool has_policy, bool has_memory) {
   const auto& outputs = graph.environment().outputs;
   const auto& inputs = graph.environment().inputs;
   for (std::size_t i = 0; i < outputs.size(); ++i)
-    actions.push_back(
-        port(outputs[i].name, outputs[i].space, meaning_of_action(graph, i),
-             graph.cut ? &graph.cut->actions[i] : nullptr));
+    actions.push_back(port(outputs[i].name, outputs[i].space, meaning_of_action(graph, i),
+                           graph.cut ? &graph.cut->actions[i] : nullptr));
   for (std::size_t i = 0; i < inputs.size(); ++i)
-    observations.push_back(
-        port(inputs[i].name, inputs[i].space, meaning_of_observation(graph, inputs[i]),
-             graph.cut ? &graph.cut->observations[i] : nullptr));
+    observations.push_back(port(inputs[i].name, inputs[i].space,
+                                meaning_of_observation(graph, inputs[i]),
+                                graph.cut ? &graph.cut->observations[i] : nullptr));
   View view = object();
   view.set("is_cut", graph.cut.has_value());
   view.set("period", (Rational(1) / graph.environment().rate_hz).to_string());
@@ -97,10 +97,10 @@ View library_view(const Plan& plan, bool has_policy, bool has_memory) {
   // Without engine and agent the actions are measurements.
   const bool measures = !has_policy && !graph.has_engine() && actions.is_non_empty_list();
   view.set("measures", measures);
-  view.set("an_action", measures     ? "not_measured()"
+  view.set("an_action", measures      ? "not_measured()"
                         : !has_policy ? "Graph::zero()"
-                        : has_memory ? "Graph::policy(seen, program.policy_memory)"
-                                     : "Graph::policy(seen)");
+                        : has_memory  ? "Graph::policy(seen, program.policy_memory)"
+                                      : "Graph::policy(seen)");
   view.set("guards", actions.is_non_empty_list());
   view.set("guards_outputs", !graph.safety.outputs.empty());
   view.set("has_safety", graph.safety.declared);
