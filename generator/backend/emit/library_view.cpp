@@ -19,9 +19,48 @@ std::string described(const Space& space) {
   return fmt::format("{}, from {} to {}", space.describe(), space.low.front(), space.high.front());
 }
 
+/// "rad; the measured angle": unit and text of a port of a node; empty if its manifest says
+/// neither.
+std::string meaning(const PortManifest* manifest) {
+  if (manifest == nullptr) return {};
+  std::string text = manifest->unit;
+  if (!text.empty() && !manifest->about.empty()) text += "; ";
+  text += manifest->about;
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+/// Of an action: what the first node that takes it as it is says of it.
+std::string meaning_of_action(const Graph& graph, std::size_t action) {
+  for (const auto& node : graph.nodes) {
+    if (node.role != NodeRole::node || node.entity == nullptr) continue;
+    for (const auto& input : node.inputs) {
+      if (input.source_node != 0 || input.source_output != action || input.processor) continue;
+      const std::string text = meaning(node.entity->input(input.name));
+      if (!text.empty()) return text;
+    }
+  }
+  return {};
+}
+
+/// Of an observation: what the node that sends it says of it.
+std::string meaning_of_observation(const Graph& graph, const Input& input) {
+  const GraphNode& node = graph.nodes[input.source_node];
+  const Output& output = node.outputs[input.source_output];
+  const bool known = node.role == NodeRole::node && node.entity != nullptr && !output.processor;
+  return known && !input.processor ? meaning(node.entity->output(output.name)) : std::string();
+}
+
 /// `cut`: what is said of the port where it was cut out of a larger graph.
-View port(const std::string& field, const Space& space, const CutPort* cut) {
+View port(const std::string& field, const Space& space, const std::string& meaning,
+          const CutPort* cut) {
   View view = object();
+  view["meaning"] = View(false);
+  if (!meaning.empty()) {
+    View text = object();
+    text.set("text", meaning);
+    view["meaning"] = std::move(text);
+  }
   view["of_graph"] = View(false);
   if (cut != nullptr) {
     View of_graph = object();
@@ -32,6 +71,7 @@ View port(const std::string& field, const Space& space, const CutPort* cut) {
   view.set("field", field);
   view.set("type", message_type(space));
   view.set("space", described(space));
+  view.set("is_array", !space.shape.empty());
   return view;
 }
 
@@ -43,19 +83,24 @@ View library_view(const Plan& plan, bool has_policy, bool has_memory) {
   const auto& outputs = graph.environment().outputs;
   const auto& inputs = graph.environment().inputs;
   for (std::size_t i = 0; i < outputs.size(); ++i)
-    actions.push_back(
-        port(outputs[i].name, outputs[i].space, graph.cut ? &graph.cut->actions[i] : nullptr));
+    actions.push_back(port(outputs[i].name, outputs[i].space, meaning_of_action(graph, i),
+                           graph.cut ? &graph.cut->actions[i] : nullptr));
   for (std::size_t i = 0; i < inputs.size(); ++i)
-    observations.push_back(
-        port(inputs[i].name, inputs[i].space, graph.cut ? &graph.cut->observations[i] : nullptr));
+    observations.push_back(port(inputs[i].name, inputs[i].space,
+                                meaning_of_observation(graph, inputs[i]),
+                                graph.cut ? &graph.cut->observations[i] : nullptr));
   View view = object();
   view.set("is_cut", graph.cut.has_value());
   view.set("period", (Rational(1) / graph.environment().rate_hz).to_string());
   view.set("has_policy", has_policy);
   view.set("has_memory", has_memory);
-  view.set("an_action", !has_policy  ? "Graph::zero()"
-                        : has_memory ? "Graph::policy(seen, program.policy_memory)"
-                                     : "Graph::policy(seen)");
+  // Without engine and agent the actions are measurements.
+  const bool measures = !has_policy && !graph.has_engine() && actions.is_non_empty_list();
+  view.set("measures", measures);
+  view.set("an_action", measures      ? "not_measured()"
+                        : !has_policy ? "Graph::zero()"
+                        : has_memory  ? "Graph::policy(seen, program.policy_memory)"
+                                      : "Graph::policy(seen)");
   view.set("guards", actions.is_non_empty_list());
   view.set("guards_outputs", !graph.safety.outputs.empty());
   view.set("has_safety", graph.safety.declared);

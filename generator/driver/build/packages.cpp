@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <set>
@@ -34,7 +35,9 @@ FormatPtr package_format() {
        {"headers", format::text("a folder"), true, "where headers go with --library"},
        {"library", places, false, "templates that are shared, with --library"},
        {"program", places, false, "templates that are shared, without --library"},
-       {"yours", places, false, "templates of files that are written once, with --library"}});
+       {"yours", places, false, "templates of files that are written once, with --library"},
+       {"taken", format::list("names that a graph cannot have here", format::text("a name")), false,
+        "what the build system has of that name; `x_*`: all that begin with x_"}});
 }
 
 std::vector<std::string> names_of_packages(const Run& run) {
@@ -55,6 +58,31 @@ std::map<std::string, std::string> places_at(const YamlValue& yaml, std::string_
   return places;
 }
 
+std::vector<std::string> names_at(const YamlValue& yaml, std::string_view key) {
+  std::vector<std::string> names;
+  if (const YamlValue* given = yaml.find(key)) {
+    for (const auto& item : given->items) names.push_back(item.text);
+  }
+  return names;
+}
+
+/// NAME.h of a tree lies in a folder of the compiler's search path: it must hide none of these, and
+/// is not `hardware.h`, which is the user's.
+constexpr std::array kHeaders = {
+    "alloca",   "assert", "complex", "ctype",  "errno",    "fenv",    "float",     "hardware",
+    "inttypes", "iso646", "limits",  "locale", "malloc",   "math",    "memory",    "pthread",
+    "sched",    "search", "setjmp",  "signal", "stdalign", "stdarg",  "stdatomic", "stdbool",
+    "stddef",   "stdint", "stdio",   "stdlib", "string",   "strings", "tgmath",    "threads",
+    "time",     "uchar",  "unistd",  "wchar",  "wctype"};
+
+/// Whether `taken` has the name, or `x_*` of one that begins so.
+bool has_name(const std::vector<std::string>& taken, std::string_view name) {
+  return std::ranges::any_of(taken, [&](std::string_view pattern) {
+    return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1))
+                                  : name == pattern;
+  });
+}
+
 std::optional<Package> read_package(Run& run, const std::string& name) {
   const fs::path folder = folder_of_packages(run) / name;
   const YamlValue yaml =
@@ -66,7 +94,8 @@ std::optional<Package> read_package(Run& run, const std::string& name) {
                  yaml.find("headers")->text,
                  places_at(yaml, "library"),
                  places_at(yaml, "program"),
-                 places_at(yaml, "yours")};
+                 places_at(yaml, "yours"),
+                 names_at(yaml, "taken")};
 }
 
 std::string with_name(std::string path, const std::string& name) {
@@ -90,6 +119,24 @@ std::vector<Package> read_packages(Run& run, const GenerateOptions& options) {
         suggestion(name, known);
   }
   return packages;
+}
+
+void check_names(Run& run, const std::vector<Package>& packages) {
+  const std::string& name = run.graph->name;
+  for (const Package& package : packages) {
+    const bool is_header = ranges::contains(kHeaders, name);
+    if (!is_header && !has_name(package.taken, name)) continue;
+    run.diagnostics
+        .error("E0504", run.spec ? run.spec->name.span : Span{},
+               is_header ? fmt::format("a graph named `{0}` cannot be the package `{1}`: its "
+                                       "header would be `{0}.h`, which is another one",
+                                       name, package.name)
+                         : fmt::format("a graph named `{0}` cannot be the package `{1}`, which has "
+                                       "something named `{0}` already",
+                                       name, package.name))
+        .help = fmt::format("give the graph another `name:`, such as `{}_control`", name);
+    return;
+  }
 }
 
 bool is_standalone(const GenerateOptions& options) {
@@ -139,6 +186,8 @@ std::vector<ExtraTemplate> templates_of(const Run& run, const GenerateOptions& o
   const auto add_shared = [&](const std::map<std::string, std::string>& places, bool yours) {
     for (const auto& [place, name] : places) {
       const fs::path path = folder_of_packages(run) / "shared" / (name + ".mustache");
+      // Two packages may have it at one place.
+      if (ranges::contains(templates, place, &ExtraTemplate::output)) continue;
       templates.push_back({place, path.string(), yours});
     }
   };

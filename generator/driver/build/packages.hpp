@@ -19,11 +19,15 @@ struct Package {
   std::map<std::string, std::string> library;  // with --library: the main loop
   std::map<std::string, std::string> program;  // without it: an episode
   std::map<std::string, std::string> yours;    // with --library: written once, then the user's
+  std::vector<std::string> taken;              // names that a graph cannot have
 };
 
 /// Those that the command line names. Problems: E0502 there is none, E02xx its package.yaml is
 /// wrong.
 std::vector<Package> read_packages(Run& run, const GenerateOptions& options);
+
+/// Whether the graph's name is free there: E0504.
+void check_names(Run& run, const std::vector<Package>& packages);
 
 /// Whether the output has all headers that it needs.
 bool is_standalone(const GenerateOptions& options);

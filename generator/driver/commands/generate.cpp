@@ -59,6 +59,7 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
   if (standalone) emit_options.header_folder = kHeaderFolder;
   const std::vector<Package> packages =
       is_part ? std::vector<Package>() : read_packages(run, options);
+  check_names(run, packages);
   check_for_packages(run, options);
   emit_options.extra = templates_of(run, options, packages);
   emit_options.cmake = !bare;
