@@ -14,7 +14,7 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::size_t kMostBytes = 200'000'000;
+constexpr std::size_t kMostTextBytes = 200'000'000;
 
 bool is_worse(const TrainingEpisode& a, const TrainingEpisode& b) {
   return a.success != b.success ? b.success : a.sum < b.sum;
@@ -54,14 +54,14 @@ std::optional<TrainingRecord> read(FileId file, const std::string& text, const S
 std::optional<TrainingRecord> read_training(const std::string& path, SourceMap& sources,
                                             Diagnostics& diagnostics) {
   remember_input(path);
-  LoadedFile loaded = load_file(path, kMostBytes);
+  LoadedFile loaded = load_file(path, kMostTextBytes);
   if (loaded.status != LoadedFile::Status::loaded) {
     diagnostics
-        .io_error(
-            "E0363", {},
-            loaded.status == LoadedFile::Status::too_large
-                ? fmt::format("`{}` is too large: more than {} MB", path, kMostBytes / 1'000'000)
-                : fmt::format("cannot read `{}`: {}", path, loaded.reason))
+        .io_error("E0363", {},
+                  loaded.status == LoadedFile::Status::too_large
+                      ? fmt::format("`{}` is too large: more than {} MB", path,
+                                    kMostTextBytes / 1'000'000)
+                      : fmt::format("cannot read `{}`: {}", path, loaded.reason))
         .help = "give what `eagerx-gen train` wrote with `--record` or `--csv`";
     return std::nullopt;
   }

@@ -21,7 +21,7 @@ foreach(i RANGE ${last})
   string(JSON file GET "${package}" files ${i})
   file(COPY ${here}/${file} DESTINATION ${stage}/extension)
 endforeach()
-file(COPY_FILE ${here}/../../../LICENSE ${stage}/extension/LICENSE.txt)
+file(COPY_FILE ${here}/../../../../LICENSE ${stage}/extension/LICENSE.txt)
 file(WRITE "${stage}/[Content_Types].xml" [[
 <?xml version="1.0" encoding="utf-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">

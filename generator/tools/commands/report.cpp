@@ -11,11 +11,11 @@
 #include "generator/driver/build/targets.hpp"
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
-#include "generator/driver/commands/commands.hpp"
-#include "generator/driver/commands/report_training.hpp"
 #include "generator/driver/pipeline/paths.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "generator/tools/commands/report_training.hpp"
+#include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/monitor/live.hpp"
 #include "generator/tools/page/page.hpp"
 

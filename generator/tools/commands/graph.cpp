@@ -5,9 +5,9 @@
 
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
-#include "generator/driver/commands/commands.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/drawing/format.hpp"
 
 namespace eagerx::gen {

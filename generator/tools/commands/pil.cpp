@@ -10,8 +10,8 @@
 #include "generator/driver/build/targets.hpp"
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
-#include "generator/driver/commands/commands.hpp"
 #include "generator/support/process/process.hpp"
+#include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/pil/recording.hpp"
 
 namespace eagerx::gen {

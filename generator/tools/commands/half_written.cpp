@@ -1,4 +1,4 @@
-#include "generator/driver/pipeline/half_written.hpp"
+#include "generator/tools/commands/half_written.hpp"
 
 #include <filesystem>
 #include <system_error>

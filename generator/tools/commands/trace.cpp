@@ -10,8 +10,8 @@
 
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
-#include "generator/driver/commands/commands.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
+#include "generator/tools/commands/tool_commands.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -13,15 +13,15 @@
 #include <utility>
 
 #include "generator/driver/commands/arguments.hpp"
-#include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/manifest_check.hpp"
-#include "generator/driver/pipeline/half_written.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
-#include "generator/driver/pipeline/resolved_facts.hpp"
 #include "generator/frontend/library/schema.hpp"
 #include "generator/frontend/read/memory.hpp"
 #include "generator/support/files/files.hpp"
 #include "generator/support/files/unsaved.hpp"
+#include "generator/tools/commands/half_written.hpp"
+#include "generator/tools/commands/resolved_facts.hpp"
+#include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/lsp/server.hpp"
 #include "generator/tools/lsp/stream.hpp"
 

@@ -1,4 +1,4 @@
-#include "generator/driver/commands/report_training.hpp"
+#include "generator/tools/commands/report_training.hpp"
 
 #include <fmt/format.h>
 

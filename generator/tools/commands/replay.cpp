@@ -5,7 +5,7 @@
 
 #include "generator/driver/build/become.hpp"
 #include "generator/driver/commands/arguments.hpp"
-#include "generator/driver/commands/commands.hpp"
+#include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/replay/compare.hpp"
 
 namespace eagerx::gen {

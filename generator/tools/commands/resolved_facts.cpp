@@ -1,4 +1,4 @@
-#include "generator/driver/pipeline/resolved_facts.hpp"
+#include "generator/tools/commands/resolved_facts.hpp"
 
 #include <fmt/format.h>
 
