@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "generator/emit/literals.hpp"
-#include "generator/quote/quote.hpp"
+#include "generator/backend/emit/literals.hpp"
+#include "generator/support/quote/quote.hpp"
 #include "generator/urdf/robot.hpp"
 
 namespace eagerx::urdf {

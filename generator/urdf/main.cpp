@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <string_view>
 
-#include "generator/cli/pages.hpp"
-#include "generator/cli/write.hpp"
-#include "generator/command_line/bugs.hpp"
-#include "generator/command_line/command_line.hpp"
-#include "generator/command_line/output.hpp"
-#include "generator/diagnostics/join.hpp"
-#include "generator/diagnostics/pages.hpp"
+#include "generator/driver/build/write.hpp"
+#include "generator/driver/commands/pages.hpp"
+#include "generator/support/command_line/bugs.hpp"
+#include "generator/support/command_line/command_line.hpp"
+#include "generator/support/command_line/output.hpp"
+#include "generator/support/diagnostics/join.hpp"
+#include "generator/support/diagnostics/pages.hpp"
 #include "generator/urdf/robot.hpp"
 
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/diagnostics/join.hpp"
-#include "generator/emit/literals.hpp"
-#include "generator/quote/quote.hpp"
+#include "generator/backend/emit/literals.hpp"
+#include "generator/support/diagnostics/join.hpp"
+#include "generator/support/quote/quote.hpp"
 #include "generator/urdf/robot.hpp"
 
 namespace eagerx::urdf {

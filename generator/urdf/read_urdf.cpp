@@ -5,8 +5,8 @@
 #include <map>
 #include <numbers>
 
-#include "generator/files/beside.hpp"
-#include "generator/read/text.hpp"
+#include "generator/frontend/read/text.hpp"
+#include "generator/support/files/beside.hpp"
 #include "generator/urdf/urdf.hpp"
 #include "generator/urdf/xml.hpp"
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "generator/emit/namer.hpp"
-#include "generator/spec/format.hpp"
+#include "generator/backend/emit/namer.hpp"
+#include "generator/frontend/spec/format.hpp"
 #include "generator/urdf/inertia.hpp"
 
 namespace eagerx::urdf {

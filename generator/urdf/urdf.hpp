@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/support/diagnostics/diagnostics.hpp"
 #include "models/engines/open_dynamics_engine/scene.hpp"
 
 namespace eagerx::urdf {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "generator/read/scalar.hpp"
+#include "generator/frontend/read/scalar.hpp"
 
 namespace eagerx::urdf {
 namespace {

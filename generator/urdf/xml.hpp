@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "generator/read/locator.hpp"
+#include "generator/frontend/read/locator.hpp"
 #include "models/engines/open_dynamics_engine/rotation.hpp"
 
 namespace eagerx::urdf {

@@ -36,13 +36,13 @@ class Countdown {
     }
     return result;
   }
-  static constexpr std::uint64_t count_of(std::uint32_t i) {
+  static constexpr std::uint64_t quanta_of(std::uint32_t i) {
     const std::uint32_t other = counts_ticks_of(i);
     return other == i ? Periods::kQuanta[i] : Periods::kQuanta[i] / Periods::kQuanta[other];
   }
   static constexpr bool fits_32_bits() {
     for (std::uint32_t i = 0; i < kRates; ++i) {
-      if (count_of(i) > 0xffffffffU) return false;
+      if (quanta_of(i) > 0xffffffffU) return false;
     }
     return true;
   }
@@ -63,7 +63,7 @@ class Countdown {
   template <std::uint32_t I>
   constexpr void advance(Count step, Mask& due) {
     constexpr std::uint32_t kOther = counts_ticks_of(I);
-    constexpr Count kCount = static_cast<Count>(count_of(I));
+    constexpr Count kCount = static_cast<Count>(quanta_of(I));
     Count left = left_[I];
     if constexpr (kOther == I) {
       left -= step;

@@ -82,9 +82,10 @@ std::string problem_with_files(const Options& options) {
                       : stat(output.path.c_str(), &place.status) != 0)
       continue;  // there is none yet; what is wrong with its folder is said when it is made
     if (host::is_dev_null(place.status)) continue;
-    if (!is_descriptor && !S_ISREG(place.status.st_mode))
-      return "error: " + place.name + " is no file\nhelp: `-` writes to the standard output";
-    if (!S_ISREG(place.status.st_mode)) continue;
+    if (!is_descriptor && !S_ISREG(place.status.st_mode) && !host::takes_output(place.status))
+      return "error: " + place.name +
+             " is no file, FIFO or character device\nhelp: `-` writes to the standard output";
+    if (is_descriptor && !S_ISREG(place.status.st_mode)) continue;
     for (const Place& other : places) {
       if (is_same(place, other))
         return "error: " + place.name + " and " + other.name +

@@ -1,12 +1,8 @@
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <optional>
 #include <runtime/host/base/files.hpp>
-#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/identify/identification.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <runtime/host/trace/replay.hpp>
@@ -20,16 +16,6 @@
 
 namespace eagerx::linux_sim {
 namespace {
-
-/// All of it, or what was there stays. Why it could not be done, as `errno` says it, or 0.
-int write_result(const std::string& path, const std::string& text) {
-  struct stat found {};
-  const bool is_device = stat(path.c_str(), &found) == 0 && !S_ISREG(found.st_mode);
-  if (!is_device) return host::write_whole(path, text);
-  host::TextFile file;
-  if (file.open(path)) file.text(text);
-  return file.close() ? 0 : file.error();
-}
 
 using identification::Experiment;
 using identification::Trial;
@@ -106,10 +92,11 @@ class Trials {
 /// Writes the YAML to a file, or prints it.
 int finish(const Options& options, const std::string& report, const std::string& yaml) {
   if (options.identify_out.empty()) return print(stdout, report + yaml) ? kDone : kBadFile;
-  const int error = write_result(options.identify_out, yaml);
+  const int error = host::write_whole(options.identify_out, yaml);
   if (error == 0) return print(stdout, report) ? kDone : kBadFile;
-  return fail("error: cannot write `" + options.identify_out + "`: " + std::strerror(error),
-              kBadFile);
+  return fail(
+      "error: cannot write `" + options.identify_out + "`: " + host::problem_of_writing(error),
+      kBadFile);
 }
 
 int identify_with(const Options& options, const trace_log::Log& log, const Fields& fields,

@@ -1,9 +1,8 @@
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <eagerx/float_environment.hpp>
 #include <eagerx/trace_text.hpp>
 #include <optional>
+#include <runtime/host/base/files.hpp>
 #include <runtime/host/base/interrupt.hpp>
 #include <string>
 #include <string_view>
@@ -26,15 +25,18 @@ namespace {
 /// Says that `path` cannot be written and why; returns false.
 bool cannot_write(const host::TextFile& file, const std::string& path) {
   const std::string name = path == "-" ? "the standard output" : "`" + path + "`";
-  const char* const why = file.error() == ETIMEDOUT ? "nobody reads it, or too slowly"
-                          : file.error() == EINVAL  ? "it is no file"
-                                                    : std::strerror(file.error());
-  fail("error: cannot write " + name + ": " + why, kBadFile);
+  fail("error: cannot write " + name + ": " + host::problem_of_writing(file.error()), kBadFile);
   return false;
 }
 /// Written by a thread of its own: a disk that is slow for once must not make a step late.
 bool open_output(host::TextFile& file, const std::string& path, host::Writing writing) {
   return path.empty() || file.open(path, writing) || cannot_write(file, path);
+}
+/// Two programs that write into one file would mix their lines.
+bool reserve_output(host::TextFile& file, const std::string& path) {
+  if (path.empty() || file.reserve()) return true;
+  fail("error: another program writes into `" + path + "`\nhelp: give each its own file", kBadFile);
+  return false;
 }
 bool close_output(host::TextFile& file, const std::string& path) {
   return path.empty() || file.close() || cannot_write(file, path);
@@ -129,6 +131,8 @@ class Session {
       return kBadFile;
     if (csv_.is_same_file(trace_))
       return fail("error: `--csv` and `--trace` are one file\nhelp: give each its own", kBadUsage);
+    if (!reserve_output(csv_, options_.csv) || !reserve_output(trace_, options_.trace))
+      return kBadFile;
     std::string unseen = problem_of_scenes(options_, facts_);
     if (unseen.empty()) unseen = open_pictures(options_, program_);
     if (unseen.empty() && !options_.publish.empty()) {

@@ -1,5 +1,5 @@
 // What the server of `eagerx-gen serve` is asked and told: one question after the other, so that an edit always knows
-// the newest revision. generator/serve/README.md has the protocol.
+// the newest revision. generator/tools/serve/README.md has the protocol.
 
 const kJson = {
   "Content-Type": "application/json"

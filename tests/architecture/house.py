@@ -103,7 +103,7 @@ def included(root, path, quoted, name):
 
 
 def edges(root, declared):
-    """{(folder, included folder): includes}, and what is wrong, a line each."""
+    """{(folder, included folder): includes}, of the folders of sources, and what is wrong, a line each."""
     found, problems = collections.Counter(), []
     paths = sorted(p for top in TOPS for p in (root / top).rglob("*") if p.suffix in KINDS and p.is_file())
     for file in paths:
@@ -117,10 +117,34 @@ def edges(root, declared):
         for match in INCLUDE.finditer(text):
             place = included(root, path, match[1] == '"', match[2])
             library = declared.library_of(place) if place else None
-            if library is None or library.folder == home.folder:
+            if library is None:
                 continue
-            found[home.folder, library.folder] += 1
-            if library.name not in declared.reach(user):
+            here, there = os.path.dirname(path), os.path.dirname(place)
+            if here != there:
+                found[here, there] += 1
+            if library is not home and library.name not in declared.reach(user):
                 line = text.count("\n", 0, match.start(2)) + 1
                 problems.append(f"{path}:{line}: includes `{match[2]}`, but {user.name} does not link {library.name}")
     return found, problems
+
+
+def folder_circles(edges):
+    """Folders of generator/ that include each other in a circle, a line each: data go one way within a library, too."""
+    below = collections.defaultdict(set)
+    for a, b in edges:
+        if a.startswith("generator/") and b.startswith("generator/"):
+            below[a].add(b)
+    order, done, problems = [], set(), []
+
+    def visit(folder):
+        if folder in order:
+            problems.append("folders in a circle: " + " -> ".join(order[order.index(folder):] + [folder]))
+        elif folder not in done:
+            order.append(folder)
+            for included in sorted(below[folder]):
+                visit(included)
+            done.add(order.pop())
+
+    for folder in sorted(below):
+        visit(folder)
+    return problems

@@ -5,8 +5,8 @@ function(eagerx_write_links file)
   set(text "")
   foreach(folder IN LISTS ARGN)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
-    # Units of stages, and what programs link of targets/, which eagerx_targets stands for.
-    list(FILTER targets EXCLUDE REGEX "^eagerx_unit_|^eagerx_(linux_sim|pictures|environments)$")
+    # What programs link of targets/, eagerx_targets stands for.
+    list(FILTER targets EXCLUDE REGEX "^eagerx_(linux_sim|pictures|environments)$")
     foreach(target IN LISTS targets)
       _eagerx_links_of(lines ${target})
       string(APPEND text "${lines}")
@@ -33,12 +33,12 @@ function(_eagerx_links_of variable target)
     endif()
   endforeach()
   # What a library does not hand on to those that include it is for the linker, $<LINK_ONLY:…>. `::@` marks the folder in
-  # which libraries were added. Stages are compiled in units (generator/CMakeLists.txt), which follow no drawing.
+  # which libraries were added.
   set(public)
   set(all)
   if(NOT type STREQUAL EXECUTABLE)
     get_target_property(all ${target} INTERFACE_LINK_LIBRARIES)
-    list(FILTER all EXCLUDE REGEX "NOTFOUND|^::@|eagerx_unit_")
+    list(FILTER all EXCLUDE REGEX "NOTFOUND|^::@")
     set(public ${all})
     list(FILTER public EXCLUDE REGEX "LINK_ONLY")
     list(TRANSFORM all REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1")

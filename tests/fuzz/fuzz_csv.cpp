@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "generator/diagnostics/utf8.hpp"
-#include "generator/read/text.hpp"
-#include "generator/tables/csv.hpp"
+#include "generator/frontend/read/text.hpp"
+#include "generator/frontend/tables/csv.hpp"
+#include "generator/support/diagnostics/utf8.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "generator/monitor/datagram.hpp"
-#include "generator/monitor/lines.hpp"
-#include "generator/monitor/screen_lines.hpp"
-#include "generator/monitor/step_order.hpp"
+#include "generator/tools/monitor/datagram.hpp"
+#include "generator/tools/monitor/lines.hpp"
+#include "generator/tools/monitor/screen_lines.hpp"
+#include "generator/tools/monitor/step_order.hpp"
 
 // The name is libFuzzer's.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

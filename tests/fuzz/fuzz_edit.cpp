@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "generator/edit/structure.hpp"
-#include "generator/serve/edit_request.hpp"
-#include "generator/serve/history.hpp"
-#include "generator/serve/state_json.hpp"
+#include "generator/tools/edit/structure.hpp"
+#include "generator/tools/serve/edit_request.hpp"
+#include "generator/tools/serve/history.hpp"
+#include "generator/tools/serve/state_json.hpp"
 
 namespace {
 

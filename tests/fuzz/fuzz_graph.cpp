@@ -6,11 +6,11 @@
 #include <set>
 #include <string>
 
-#include "generator/compose/compose.hpp"
-#include "generator/compose/flat_text.hpp"
-#include "generator/compose/variants.hpp"
-#include "generator/emit/emit.hpp"
-#include "generator/plan/plan.hpp"
+#include "generator/backend/emit/emit.hpp"
+#include "generator/frontend/compose/compose.hpp"
+#include "generator/frontend/compose/flat_text.hpp"
+#include "generator/frontend/compose/variants.hpp"
+#include "generator/graph/plan/plan.hpp"
 
 namespace {
 

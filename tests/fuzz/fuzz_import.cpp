@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "generator/import/import.hpp"
-#include "generator/resolve/graph.hpp"
+#include "generator/frontend/import/import.hpp"
+#include "generator/graph/resolve/graph.hpp"
 
 namespace {
 

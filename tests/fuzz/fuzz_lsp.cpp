@@ -9,12 +9,12 @@
 #include <string_view>
 #include <utility>
 
-#include "generator/edit/helps.hpp"
-#include "generator/edit/rename_port.hpp"
-#include "generator/lsp/complete.hpp"
-#include "generator/lsp/fold.hpp"
-#include "generator/lsp/server.hpp"
-#include "generator/lsp/stream.hpp"
+#include "generator/tools/edit/helps.hpp"
+#include "generator/tools/edit/rename_port.hpp"
+#include "generator/tools/lsp/complete.hpp"
+#include "generator/tools/lsp/fold.hpp"
+#include "generator/tools/lsp/server.hpp"
+#include "generator/tools/lsp/stream.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "generator/formats/actor/actor.hpp"
-#include "generator/formats/statistics.hpp"
-#include "generator/formats/tensors/pickle.hpp"
-#include "generator/network/problem.hpp"
+#include "generator/policy/formats/actor/actor.hpp"
+#include "generator/policy/formats/statistics.hpp"
+#include "generator/policy/formats/tensors/pickle.hpp"
+#include "generator/policy/network/problem.hpp"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/formats/read.hpp"
-#include "generator/network/cost.hpp"
-#include "generator/network/evaluate.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/network/cost.hpp"
+#include "generator/policy/network/evaluate.hpp"
 
 namespace {
 

@@ -1,18 +1,19 @@
 // Any bytes as a YAML file: no crash, no endless work, and spans that point into the text.
 //
 //   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -I. tests/fuzz/fuzz_read.cpp
-//       generator/read/*.cpp generator/diagnostics/*.cpp -lyaml-cpp -lfmt -o fuzz_read
+//       generator/frontend/read/*.cpp generator/support/diagnostics/*.cpp -lyaml-cpp -lfmt -o
+//       fuzz_read
 //   ./fuzz_read -max_len=4096 -timeout=5 -dict=tests/fuzz/yaml.dict corpus/ tests/data/read/
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
-#include "generator/diagnostics/diagnostics.hpp"
-#include "generator/diagnostics/utf8.hpp"
-#include "generator/read/rational.hpp"
-#include "generator/read/scalar.hpp"
-#include "generator/read/tree.hpp"
+#include "generator/frontend/read/rational.hpp"
+#include "generator/frontend/read/scalar.hpp"
+#include "generator/frontend/read/tree.hpp"
+#include "generator/support/diagnostics/diagnostics.hpp"
+#include "generator/support/diagnostics/utf8.hpp"
 
 namespace {
 

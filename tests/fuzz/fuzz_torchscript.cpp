@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/formats/read.hpp"
-#include "generator/formats/tensors/archive.hpp"
-#include "generator/network/cost.hpp"
-#include "generator/network/evaluate.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/formats/tensors/archive.hpp"
+#include "generator/policy/network/cost.hpp"
+#include "generator/policy/network/evaluate.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 
 namespace {

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "generator/json/json.hpp"
-#include "generator/training/tables.hpp"
-#include "generator/training/training.hpp"
+#include "generator/support/json/json.hpp"
+#include "generator/tools/training/tables.hpp"
+#include "generator/tools/training/training.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // The tables of graphs and manifests as JSON, for tests/keys/run.
 #include <cstdio>
 
-#include "generator/json/json.hpp"
-#include "generator/library/library.hpp"
+#include "generator/frontend/library/library.hpp"
+#include "generator/support/json/json.hpp"
 
 namespace eagerx::gen {
 namespace {

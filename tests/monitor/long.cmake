@@ -1,6 +1,6 @@
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 # The screen, where the generator has one.
-get_target_property(definitions eagerx_unit_tools COMPILE_DEFINITIONS)
+get_target_property(definitions eagerx_gen_tools COMPILE_DEFINITIONS)
 if(definitions MATCHES EAGERX_NCURSES)
   add_test(NAME monitor.screen COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/screen $<TARGET_FILE:eagerx-gen>
                                        $<TARGET_FILE:replay_swing_up>)

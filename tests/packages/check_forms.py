@@ -39,7 +39,7 @@ IDF_COMPONENT_YML = {
     "properties": {"version": VERSION, "description": TEXT,
                    "dependencies": {"type": "object", "properties": {"idf": TEXT}, "additionalProperties": False}}}
 
-ARCHITECTURES = {"esp32", "rp2040", "stm32"}  # with a compiler that has C++20
+ARCHITECTURES = {"esp32", "rp2040", "stm32", "teensy"}  # with a compiler that has C++20
 CATEGORIES = {"Display", "Communication", "Signal Input/Output", "Sensors", "Device Control", "Timing", "Data Storage",
               "Data Processing", "Other"}
 

@@ -42,7 +42,7 @@ test("of a stream no more than twice what is shown is kept", () => {
   assert.equal(Math.round(begin / step), low[0]);
 });
 
-/** As generator/page/scenes.cpp writes it: scenes of [tick, numbers]. */
+/** As generator/tools/page/scenes.cpp writes it: scenes of [tick, numbers]. */
 function encoded(scenes) {
   const bytes = [], shown = [];
   const put = (value, size) => {

@@ -1,4 +1,4 @@
-// What generator/page/modules.cpp needs of the modules to make one script of them.
+// What generator/tools/page/modules.cpp needs of the modules to make one script of them.
 import assert from "node:assert/strict";
 import {readdirSync, readFileSync} from "node:fs";
 import test from "node:test";

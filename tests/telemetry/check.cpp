@@ -17,7 +17,7 @@
 #include <string>
 #include <tuple>
 
-#include "generator/telemetry/read_layout.hpp"
+#include "generator/tools/telemetry/read_layout.hpp"
 
 namespace {
 

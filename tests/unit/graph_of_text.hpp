@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "generator/plan/plan.hpp"
+#include "generator/graph/plan/plan.hpp"
 
 namespace eagerx::gen {
 

@@ -101,6 +101,6 @@ class Commands:
                         f"<td>{escape(about)}</td></tr>")
         topics = "".join(f'<li><a href="{name}.html">{name}</a></li>' for name in self.topics)
         body = ("<h1>Commands</h1>\n<p>What <code>eagerx-gen help COMMAND</code> prints. "
-                f'<a href="{relative(page, "generator/cli/index.html")}">Another page</a> says how they go together.</p>\n'
+                f'<a href="{relative(page, "generator/driver/commands/index.html")}">Another page</a> says how they go together.</p>\n'
                 f'<div class="wide"><table><tbody>{"".join(rows)}</tbody></table></div>\n<h2 id="topics">Topics</h2>\n<ul>{topics}</ul>')
         return page, "Commands", body, [], []

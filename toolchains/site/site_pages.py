@@ -19,7 +19,7 @@ from words import Words
 
 HERE = pathlib.Path(__file__).resolve().parent
 ASSETS = ("site.css", "theme.js", "search.js")
-SPEC = "generator/spec/index.html"
+SPEC = "generator/frontend/spec/index.html"
 EXPLAINED = {  # where the graph file's page says more of a key
     "objects": "objects-sensors-actuators", "nodes": "nodes", "connections": "connections", "agent": "the-agent-and-policies",
     "task": "task", "render": "render", "safety": "safety", "telemetry": "telemetry", "budget": "budget", "allow": "warnings",
@@ -57,7 +57,7 @@ class Site:
         self.code = Code(self.words, self.graph_keys, self.manifest_keys, self.settings_keys)
         self.entities = Entities(library, self.sources, self.words, self.code)
         self.commands = Commands(run, self.words, self.code)
-        self.codes = [path for path in self.sources.documents if path.startswith("generator/diagnostics/codes/")]
+        self.codes = [path for path in self.sources.documents if path.startswith("generator/support/diagnostics/codes/")]
         self.add_words()
         self.find_users()
         contents = yaml.safe_load((HERE / "contents.yaml").read_text(encoding="utf-8"))

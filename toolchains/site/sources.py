@@ -38,7 +38,7 @@ class Sources:
     def page_of(self, path):
         """The page of a document, from the top of the site."""
         folder, name = posixpath.split(path)
-        if folder == "generator/diagnostics/codes":
+        if folder == "generator/support/diagnostics/codes":
             folder = "codes"
         stem = "index" if name == "README.md" else name.removesuffix(".md")
         return posixpath.join(folder, stem + ".html")

@@ -55,10 +55,10 @@ class MagneticEncoder {
   template <SpiBus Bus>
   void request(Bus& bus, std::uint8_t select) {
     const SpiDevice device{select, 1, kMaxHz};
-    if (clear_) word(bus, device, read_command(Registers::kClearErrors), nullptr);
-    word(bus, device, read_command(Registers::kAngle), nullptr);
-    word(bus, device, read_command(Registers::kDiagnostics), angle_);
-    word(bus, device, kNoOperation, diagnostics_);
+    if (clear_) transfer(bus, device, read_command(Registers::kClearErrors), nullptr);
+    transfer(bus, device, read_command(Registers::kAngle), nullptr);
+    transfer(bus, device, read_command(Registers::kDiagnostics), angle_);
+    transfer(bus, device, kNoOperation, diagnostics_);
   }
 
   /// After run(): the angle in counts, 0 to 16383. Errors: parity, refused (error flag set by an
@@ -87,7 +87,7 @@ class MagneticEncoder {
   static constexpr std::uint16_t kField = 0x0c00;
 
   template <class Bus>
-  static void word(Bus& bus, SpiDevice device, std::uint16_t command, std::uint8_t* answer) {
+  static void transfer(Bus& bus, SpiDevice device, std::uint16_t command, std::uint8_t* answer) {
     const std::uint8_t bytes[2] = {high_byte(command), low_byte(command)};
     bus.spi(device, bytes, answer, 2);
   }

@@ -72,10 +72,10 @@ class Mpu6050 {
     constexpr Real kPerDegree[] = {Real(131), Real(65.5), Real(32.8), Real(16.4)};
     const Real per_degree = kPerDegree[static_cast<std::size_t>(gyro_)];
     for (std::size_t i = 0; i < 3; ++i) {
-      sample.acceleration[i] = word(i) / per_g * kGravity;
-      sample.angular_velocity[i] = word(i + 4) / per_degree * kRadPerDegree;
+      sample.acceleration[i] = word_at(i) / per_g * kGravity;
+      sample.angular_velocity[i] = word_at(i + 4) / per_degree * kRadPerDegree;
     }
-    sample.temperature = word(3) / Real(340) + Real(36.53);
+    sample.temperature = word_at(3) / Real(340) + Real(36.53);
     return BusError::none;
   }
 
@@ -94,7 +94,7 @@ class Mpu6050 {
     const std::uint8_t bytes[2] = {reg, value};
     bus.i2c(device(), bytes, 2, nullptr, 0, status);
   }
-  std::int16_t word(std::size_t i) const { return signed_word(big_endian(words_ + 2 * i)); }
+  std::int16_t word_at(std::size_t i) const { return signed_word(big_endian(words_ + 2 * i)); }
 
   std::uint8_t address_;
   AccelerationRange acceleration_;

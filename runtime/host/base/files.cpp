@@ -1,12 +1,23 @@
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/random.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <climits>
+#include <cstring>
+#include <filesystem>
 #include <runtime/host/base/files.hpp>
+#include <runtime/host/base/hash.hpp>
+#include <runtime/host/base/text_file.hpp>
+#include <thread>
 #include <utility>
 
 namespace eagerx::host {
 namespace {
+
+namespace fs = std::filesystem;
 
 int write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -15,36 +26,192 @@ int write_all(int file, std::string_view bytes) {
     if (written < 0) return errno;
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
-  return fsync(file) == 0 ? 0 : errno;
+  return 0;
+}
+
+/// The name behind all links, where there may be nothing yet.
+std::string behind_links(fs::path path) {
+  constexpr int kMostLinks = 40;  // as Linux follows them
+  std::error_code none;
+  for (int i = 0; i < kMostLinks; ++i) {
+    const fs::path next = fs::read_symlink(path, none);
+    if (none) break;
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path.string();
+}
+
+bool is_same(const std::string& path, const struct stat& status) {
+  struct stat found {};
+  return lstat(path.c_str(), &found) == 0 && found.st_dev == status.st_dev &&
+         found.st_ino == status.st_ino;
+}
+
+/// `a/q.csv` → `a/.q.csv.0123456789abcdef.part`, where no program expects it.
+std::string name_beside(const std::string& path, std::string_view ending) {
+  constexpr std::size_t kMostOfName = 200;  // of the 255 bytes that a name has
+  std::uint64_t random = 0;
+  if (getrandom(&random, sizeof random, 0) != sizeof random)
+    random =
+        static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+  const fs::path whole(path);
+  std::string name = whole.filename().string();
+  if (name.size() > kMostOfName) name.clear();
+  return (whole.parent_path() / ("." + name + "." + hex_text(random) + ".part"))
+      .string()
+      .append(ending);
+}
+
+/// Owner and mode of a file that is to be replaced. False if it cannot have them.
+bool keep_owner(int file, const struct stat& replaced) {
+  constexpr mode_t kPermissions = 07777;
+  return fchown(file, replaced.st_uid, replaced.st_gid) == 0 &&
+         fchmod(file, replaced.st_mode & kPermissions) == 0;
 }
 
 }  // namespace
 
-Draft::Draft(std::string path) : path_(std::move(path)), draft_(path_ + ".part") {}
-
-Draft::~Draft() {
-  if (is_there_) std::remove(draft_.c_str());
+bool takes_output(const struct stat& status) {
+  constexpr mode_t kAnyWrites = S_IWUSR | S_IWGRP | S_IWOTH;
+  if (S_ISREG(status.st_mode)) return (status.st_mode & kAnyWrites) != 0;
+  return S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode);
 }
 
-int Draft::write(std::string_view bytes) {
-  constexpr mode_t kEverybodyReads = 0644;
-  const int file = open(draft_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kEverybodyReads);
-  if (file < 0) return errno;
-  is_there_ = true;
-  const int error = write_all(file, bytes);
+std::string problem_of_writing(int error) {
+  switch (error) {
+    case EINVAL:
+      return "it is no file, FIFO or character device";
+    case ENXIO:
+      return "no program reads it";
+    case ETIMEDOUT:
+      return "nobody reads it, or too slowly";
+    case EWOULDBLOCK:
+      return "another program writes it";
+    default:
+      return std::strerror(error);
+  }
+}
+
+Draft::Draft(std::string path) : path_(std::move(path)) {}
+
+Draft::~Draft() {
+  if (!draft_.empty()) unlink(draft_.c_str());
+}
+
+int Draft::make_beside(const struct stat* replaced, std::string_view ending, int& file) {
+  constexpr int kTries = 8;
+  constexpr mode_t kForAll = 0666, kForOwner = 0600;
+  for (int i = 0; i < kTries && file < 0; ++i) {
+    draft_ = name_beside(place_, ending);
+    file = open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                replaced == nullptr ? kForAll : kForOwner);
+    if (file < 0 && errno != EEXIST) break;
+  }
+  const int error = file < 0 ? errno : 0;
+  if (error != 0) draft_.clear();
+  if (replaced == nullptr) return error;
+  if (error == 0 && keep_owner(file, *replaced)) return 0;
+  if (error != 0 && error != EACCES && error != EPERM && error != EROFS) return error;
+  if (error == 0) close(std::exchange(file, -1));
+  if (error == 0) unlink(std::exchange(draft_, std::string()).c_str());
+  return 0;  // it is written into
+}
+
+/// `file`: what was made, or none if something is written into. Returns what refuses both.
+int Draft::begin(std::string_view ending, int& file) {
+  struct stat found {};
+  if (stat(path_.c_str(), &found) != 0) {
+    if (errno != ENOENT) return errno;
+    place_ = behind_links(path_);
+    return make_beside(nullptr, ending, file);
+  }
+  if (S_ISDIR(found.st_mode)) return EISDIR;
+  if (!takes_output(found)) return S_ISREG(found.st_mode) ? EACCES : EINVAL;
+  if (faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) != 0) return errno;
+  place_ = behind_links(path_);
+  // The name of an open descriptor below /proc may lead nowhere.
+  if (!S_ISREG(found.st_mode) || !is_same(place_, found)) return 0;
+  return make_beside(&found, ending, file);
+}
+
+int Draft::make(std::string_view ending) {
+  int file = -1;
+  const int error = begin(ending, file);
+  is_made_ = true;
+  return file < 0 || close(file) == 0 ? error : errno;
+}
+
+int Draft::write(std::string_view bytes, Durability durability) {
+  int file = -1;
+  if (const int refused = begin({}, file)) return refused;
+  if (file < 0) {
+    bytes_ = bytes;
+    return 0;
+  }
+  int error = write_all(file, bytes);
+  if (error == 0 && durability == Durability::synced && fsync(file) != 0) error = errno;
   return close(file) == 0 || error != 0 ? error : errno;
 }
 
 int Draft::put() {
-  if (std::rename(draft_.c_str(), path_.c_str()) != 0) return errno;
-  is_there_ = false;
+  if (draft_.empty()) return write_into();
+  if (std::rename(draft_.c_str(), place_.c_str()) != 0) return errno;
+  draft_.clear();
   return 0;
 }
 
-int write_whole(const std::string& path, std::string_view bytes) {
+int Draft::write_into() {
+  if (is_made_ || (bytes_.empty() && !is_replaced_by_output(path_))) return 0;
+  TextFile file;
+  if (file.open(path_ == "-" ? "./-" : path_)) file.text(bytes_);
+  return file.close() ? 0 : file.error();
+}
+
+int write_whole(const std::string& path, std::string_view bytes, Durability durability) {
   Draft draft(path);
-  const int error = draft.write(bytes);
+  const int error = draft.write(bytes, durability);
   return error != 0 ? error : draft.put();
+}
+
+int problem_of_output(const std::string& path) {
+  return Draft(path).make({});
+}
+
+bool is_replaced_by_output(const std::string& path) {
+  struct stat found {};
+  return stat(path.c_str(), &found) != 0 || !(S_ISFIFO(found.st_mode) || S_ISCHR(found.st_mode));
+}
+
+FileLock::FileLock(const std::string& path) : error_(take(path)) {}
+
+FileLock::~FileLock() {
+  if (file_ >= 0) close(file_);
+}
+
+/// The file that had the name may have been replaced while somebody else had its lock.
+int FileLock::take(const std::string& path) {
+  using namespace std::chrono_literals;
+  constexpr mode_t kForAll = 0666;
+  constexpr int kTries = 1'000;
+  for (int i = 0; i < kTries; ++i) {
+    if (!is_replaced_by_output(path)) return 0;
+    if (file_ < 0)
+      file_ = open(path.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, kForAll);
+    if (file_ < 0) return errno;
+    const bool is_mine = flock(file_, LOCK_EX | LOCK_NB) == 0;
+    if (!is_mine && errno != EWOULDBLOCK) return 0;  // some file systems have no locks
+    if (!is_mine) {
+      std::this_thread::sleep_for(10ms);
+      continue;
+    }
+    struct stat mine {
+    }, its{};
+    if (fstat(file_, &mine) != 0) return errno;
+    if (stat(path.c_str(), &its) == 0 && mine.st_dev == its.st_dev && mine.st_ino == its.st_ino)
+      return 0;
+    close(std::exchange(file_, -1));
+  }
+  return EWOULDBLOCK;
 }
 
 bool is_dev_null(const struct stat& status) {

@@ -1,15 +1,22 @@
-// Files that are there as a whole or not at all. Errors are those of errno, 0 without one.
+// The files that programs write for their users. Errors are those of errno, 0 without one.
 #pragma once
 
 #include <sys/stat.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
 
 namespace eagerx::host {
 
-/// What takes the place of the file `path` once it is complete: `path`.part, beside it.
+/// Whether what is written is on the disk, or on its way there.
+enum class Durability : std::uint8_t { synced, cached };
+
+/// A file that is there as a whole or not at all. It is written beside the one that `path` leads to
+/// by links, with a random name that nothing had, and with owner and mode of the one it replaces.
+/// What cannot be replaced so is written into: a device, a FIFO, a file of another owner or in a
+/// folder that takes no new files. A file without write permission is refused, for root too.
 class Draft {
  public:
   explicit Draft(std::string path);
@@ -19,21 +26,62 @@ class Draft {
   Draft& operator=(const Draft&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Writes all of `bytes` down to the disk.
-  [[nodiscard]] int write(std::string_view bytes);
+  /// Keeps all of `bytes` until put().
+  [[nodiscard]] int write(std::string_view bytes, Durability durability = Durability::synced);
+  /// Makes an empty file that another program writes: name(), which ends with `ending`.
+  [[nodiscard]] int make(std::string_view ending);
+  const std::string& name() const { return draft_.empty() ? path_ : draft_; }
   /// From now on the file is what was written.
   [[nodiscard]] int put();
 
  private:
+  int begin(std::string_view ending, int& file);
+  int make_beside(const struct stat* replaced, std::string_view ending, int& file);
+  int write_into();
+
   std::string path_;
-  std::string draft_;
-  bool is_there_ = false;
+  std::string place_;     // where the links of path_ lead
+  std::string draft_;     // beside it, while it is there
+  std::string bytes_;     // for what is written into
+  bool is_made_ = false;  // and written by another program
 };
 
-/// Both.
-[[nodiscard]] int write_whole(const std::string& path, std::string_view bytes);
+/// write() and put().
+[[nodiscard]] int write_whole(const std::string& path, std::string_view bytes,
+                              Durability durability = Durability::synced);
 
-/// Where people send what they do not want: it may be an output, as no other device may.
+/// What a Draft of `path` meets. Changes nothing, and opens no device and no FIFO.
+[[nodiscard]] int problem_of_output(const std::string& path);
+
+/// Whether a Draft replaces what is there. Into anything else, such as a FIFO, all is written once.
+bool is_replaced_by_output(const std::string& path);
+
+/// Whether something of this kind is written at all: no folder, socket or disk, and no file that
+/// nobody may write, which root could.
+bool takes_output(const struct stat& status);
+
+/// Why a file cannot be written.
+std::string problem_of_writing(int error);
+
+/// For programs that read a file, change it and put a Draft in its place: one at a time.
+class FileLock {
+ public:
+  /// Waits for at most ten seconds. Makes an empty file if there is none.
+  explicit FileLock(const std::string& path);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+  /// EWOULDBLOCK: others have had it all the time.
+  int error() const { return error_; }
+
+ private:
+  int take(const std::string& path);
+
+  int file_ = -1;
+  int error_ = 0;
+};
+
+/// Where people send what they do not want.
 bool is_dev_null(const struct stat& status);
 
 /// Writes `text` to `out`, all of it, now.

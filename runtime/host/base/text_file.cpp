@@ -49,14 +49,18 @@ TextFile::~TextFile() {
 bool TextFile::open(const std::string& path, Writing writing) {
   if (path == "-") return open(STDOUT_FILENO, writing);
   constexpr int kReadWriteForAll = 0666;
-  // Without O_NONBLOCK, a FIFO that nobody reads would be waited for before it can be refused.
+  // Without O_NONBLOCK, a FIFO that nobody reads would be waited for: ENXIO.
   constexpr int kFlags = O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
   int file = ::open(path.c_str(), kFlags);
   const bool is_new = file < 0 && errno == ENOENT;
   if (is_new) file = ::open(path.c_str(), kFlags | O_CREAT, kReadWriteForAll);
   struct stat status {};
-  if (file < 0 || fstat(file, &status) != 0 || !(S_ISREG(status.st_mode) || is_dev_null(status))) {
-    error_ = file < 0 && errno != ENXIO ? errno : EINVAL;
+  if (file < 0 || fstat(file, &status) != 0) {
+    error_ = errno;
+  } else if (!is_new && !takes_output(status)) {
+    error_ = S_ISREG(status.st_mode) ? EACCES : EINVAL;
+  }
+  if (failed()) {
     if (file >= 0) ::close(file);
     return false;
   }

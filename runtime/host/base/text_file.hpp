@@ -50,8 +50,8 @@ class TextFile {
   ~TextFile();
 
   /// Creates `path`, or takes the standard output for "-". What is in a file that exists stays
-  /// until something is written in its place. Anything else than a file on a disk is refused
-  /// (EINVAL). False if that is not possible; see error().
+  /// until something is written in its place. A FIFO that nobody reads is refused (ENXIO), and so
+  /// is what takes_output() refuses (EINVAL, EACCES). False if that is not possible; see error().
   bool open(const std::string& path, Writing writing = Writing::direct);
   /// Writes to what is open already, and will be closed by somebody else.
   bool open(int descriptor, Writing writing);

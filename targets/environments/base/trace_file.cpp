@@ -1,7 +1,6 @@
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <eagerx/trace_text.hpp>
+#include <runtime/host/base/files.hpp>
 #include <runtime/host/base/text_file.hpp>
 #include <string>
 #include <targets/environments/base/problem.hpp>
@@ -48,8 +47,7 @@ void TraceFile::hand_on() {
 }
 
 std::string TraceFile::cannot_write() const {
-  const char* const why = file_.error() == EINVAL ? "it is no file" : std::strerror(file_.error());
-  return "cannot write `" + path_ + "`: " + why;
+  return "cannot write `" + path_ + "`: " + host::problem_of_writing(file_.error());
 }
 
 }  // namespace eagerx::environments

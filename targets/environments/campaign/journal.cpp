@@ -1,12 +1,14 @@
 #include "targets/environments/campaign/journal.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <runtime/host/base/files.hpp>
 #include <string_view>
 
 #include "targets/environments/campaign/record.hpp"
@@ -49,20 +51,31 @@ Journal::~Journal() {
   if (file_ >= 0) close(file_);
 }
 
+/// Opens the file for this program alone, at its end.
 void Journal::open(int flags) {
-  constexpr mode_t kEverybodyReads = 0644;
-  file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | flags, kEverybodyReads);
-  if (file_ < 0)
-    throw Problem(kInputOutput, "cannot write `" + path_ + "`: " + std::strerror(errno));
+  constexpr mode_t kForAll = 0666;
+  const auto refuse = [&](int error) {
+    throw Problem(kInputOutput, "cannot write `" + path_ + "`: " + host::problem_of_writing(error));
+  };
+  if (file_ >= 0) close(file_);
+  // Without O_NONBLOCK, a FIFO that nobody reads would be waited for.
+  file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK | flags, kForAll);
+  struct stat status {};
+  if (file_ < 0 || fstat(file_, &status) != 0) refuse(errno);
+  if (!host::takes_output(status)) refuse(S_ISREG(status.st_mode) ? EACCES : EINVAL);
+  if (S_ISREG(status.st_mode) && flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    refuse(EWOULDBLOCK);
+  if (fcntl(file_, F_SETFL, 0) != 0) refuse(errno);
 }
 
 void Journal::begin() {
+  open(O_CREAT);
   refuse_full(path_);
-  open(O_CREAT | O_TRUNC);
   write(header_);
 }
 
 Journal::Found Journal::resume(const Plan& plan, Results& results) {
+  open(0);
   const std::string bytes = client::read_file(path_);
   if (!bytes.starts_with(kTitle)) {
     throw Problem(kInputOutput, "`" + path_ + "` is no checkpoint of a campaign",
@@ -98,8 +111,10 @@ Journal::Found Journal::resume(const Plan& plan, Results& results) {
     at = end;
   }
   // As a whole or not at all: a kill must not cost what is good.
-  if (found.damaged_bytes != 0 && !found.is_cut_off) client::write_file(path_, good);
-  open(0);
+  if (found.damaged_bytes != 0 && !found.is_cut_off) {
+    client::write_file(path_, good);
+    open(0);
+  }
   if (ftruncate(file_, static_cast<off_t>(good.size())) != 0 || lseek(file_, 0, SEEK_END) < 0)
     throw Problem(kInputOutput, "cannot write `" + path_ + "`: " + std::strerror(errno));
   return found;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// Throws Problem if it was not possible.
 void check(int error, const std::string& path) {
-  if (error != 0) fail("write", path, std::strerror(error));
+  if (error != 0) fail("write", path, host::problem_of_writing(error));
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void check_writable(const std::string& path) {
   std::error_code error;
   if (path.empty()) fail("write", path, "it has no name");
   if (fs::is_directory(path, error)) fail("write", path, "it is a folder");
-  check(host::Draft(path).write({}), path);
+  check(host::problem_of_output(path), path);
 }
 
 std::string read_file(const std::string& path) {

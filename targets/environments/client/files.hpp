@@ -7,7 +7,7 @@
 
 namespace eagerx::client {
 
-/// Writes `bytes` to another name, then renames it. Throws Problem, and leaves what was there.
+/// Writes `bytes` as runtime/host/base/files.hpp does. Throws Problem, and leaves what was there.
 void write_file(const std::string& path, std::string_view bytes);
 
 /// The same for files that belong together: nothing is renamed before all are written.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <runtime/host/base/cells.hpp>
+#include <runtime/host/base/files.hpp>
 #include <runtime/host/base/number.hpp>
 #include <utility>
 
@@ -68,9 +69,16 @@ bool read_row(std::string_view line, SweepRow& row) {
 }  // namespace
 
 SweepResults::SweepResults(std::string path) : path_(std::move(path)) {
+  rows_ = read();
+}
+
+/// Nothing of a file that is empty, and of what is no file: that cannot be read again.
+std::vector<SweepRow> SweepResults::read() const {
   std::error_code ignored;
-  if (!std::filesystem::exists(path_, ignored)) return;
+  std::vector<SweepRow> rows;
+  if (!std::filesystem::exists(path_, ignored) || !host::is_replaced_by_output(path_)) return rows;
   const std::string text = read_file(path_);
+  if (text.empty()) return rows;
   const auto refuse = [&](const std::string& what) {
     throw Problem(kInputOutput, fmt::format("`{}` {}", path_, what),
                   "give a new file, or one that a sweep has written");
@@ -83,9 +91,10 @@ SweepResults::SweepResults(std::string path) : path_(std::move(path)) {
     SweepRow row;
     if (end == std::string::npos || !read_row(std::string_view(text).substr(at, end - at), row))
       refuse(fmt::format("is damaged: line {} is no result", number));
-    rows_.push_back(std::move(row));
+    rows.push_back(std::move(row));
     at = end + 1;
   }
+  return rows;
 }
 
 const SweepRow* SweepResults::find(std::string_view training) const {
@@ -103,7 +112,21 @@ std::string SweepResults::add(SweepRow row) {
   return {};
 }
 
-void SweepResults::write() const {
+void SweepResults::add_from_file() {
+  std::vector<SweepRow> all = read();
+  for (SweepRow& row : rows_) {
+    if (std::ranges::find(all, row.training, &SweepRow::training) == all.end())
+      all.push_back(std::move(row));
+  }
+  rows_ = std::move(all);
+}
+
+void SweepResults::write() {
+  const host::FileLock lock(path_);
+  if (lock.error() != 0)
+    throw Problem(kInputOutput, fmt::format("cannot write `{}`: {}", path_,
+                                            host::problem_of_writing(lock.error())));
+  add_from_file();
   std::string text = std::string(kResultColumns) + "\n";
   for (const SweepRow& row : rows_) text += line_of(row);
   write_file(path_, text);

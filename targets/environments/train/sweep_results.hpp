@@ -21,6 +21,8 @@ struct SweepRow {
   std::string problem;  // why it broke; then there are no numbers
 };
 
+/// Several sweeps may write into one file at the same time: each adds its rows to those that are
+/// there.
 class SweepResults {
  public:
   /// Reads what is there. Throws Problem if that is no such file.
@@ -32,10 +34,13 @@ class SweepResults {
   /// Adds a row and writes the file. Returns why not, if so: the row is there, and a later add() or
   /// write() writes it, too.
   std::string add(SweepRow row);
-  /// Throws Problem.
-  void write() const;
+  /// Takes the rows that others have written, too. Throws Problem.
+  void write();
 
  private:
+  std::vector<SweepRow> read() const;
+  void add_from_file();
+
   std::string path_;
   std::vector<SweepRow> rows_;
 };

@@ -345,10 +345,10 @@ void OutsideAgent::answer_piece(const void* data, std::size_t bytes) {
 }
 
 /// Never waits: an agent that does not read what it asked for ends the run.
-void OutsideAgent::say(const Answer& answer, const void* data, std::size_t bytes) {
-  // sendmsg() only reads them.
-  std::array<iovec, 2> parts{
-      {{const_cast<Answer*>(&answer), sizeof answer}, {const_cast<void*>(data), bytes}}};
+void OutsideAgent::say(Answer answer, const void* data, std::size_t bytes) {
+  answer.asked = request_.asked;
+  // sendmsg() only reads it.
+  std::array<iovec, 2> parts{{{&answer, sizeof answer}, {const_cast<void*>(data), bytes}}};
   msghdr message{};
   message.msg_iov = parts.data();
   message.msg_iovlen = parts.size();

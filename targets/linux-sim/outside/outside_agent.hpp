@@ -72,7 +72,7 @@ class OutsideAgent {
   void answer_observation();
   void answer_problem(const std::string& text);
   void answer_piece(const void* data, std::size_t bytes);
-  void say(const Answer& answer, const void* data, std::size_t bytes);
+  void say(Answer answer, const void* data, std::size_t bytes);
   std::string description() const;
   std::string counts() const;
   void lose(std::string why);

@@ -8,7 +8,7 @@
 namespace eagerx::linux_sim {
 
 /// Of what is written here; the first thing that an agent looks at.
-inline constexpr std::uint32_t kOutsideVersion = 2;
+inline constexpr std::uint32_t kOutsideVersion = 3;
 
 /// What an agent asks for; each is answered once.
 enum class Ask : std::uint32_t {
@@ -27,8 +27,9 @@ struct Request {
   Ask ask;
   std::uint32_t number;  // first byte of a piece; of a reset whether there is a seed
   std::uint64_t seed;    // episode 0 of it begins; without one the next episode
+  std::uint64_t asked;   // any number; its answer has the same
 };
-static_assert(sizeof(Request) == 16);
+static_assert(sizeof(Request) == 24);
 
 enum class Said : std::uint32_t { problem = 1, piece = 2, number = 3, observation = 4 };
 
@@ -37,13 +38,14 @@ enum class Said : std::uint32_t { problem = 1, piece = 2, number = 3, observatio
 struct Answer {
   Said said;
   std::uint32_t episode;
+  std::uint64_t asked;   // what the request had: an agent that was interrupted skips older answers
   std::uint64_t step;    // of the episode; of a piece: bytes of all
   std::int64_t time_ns;  // when the observation was there, CLOCK_MONOTONIC
   double reward;         // of all steps since the answer before, as the terms
   std::uint32_t flags;   // kTerminated, …
   std::uint32_t late;    // steps since the answer before that had no action in time
 };
-static_assert(sizeof(Answer) == 40);
+static_assert(sizeof(Answer) == 48);
 
 inline constexpr std::uint32_t kTerminated = 1, kTruncated = 2, kSuccess = 4;
 

@@ -4,7 +4,6 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <targets/linux-sim/pictures/film.hpp>
@@ -14,13 +13,6 @@ namespace eagerx::linux_sim {
 namespace {
 
 constexpr int kNoProgram = 127;
-
-/// `film.mp4` → `film.part.mp4`: ffmpeg knows the kind of a film from its ending.
-std::string part_of(const std::string& path) {
-  const std::filesystem::path whole(path);
-  return (whole.parent_path() / (whole.stem().string() + ".part" + whole.extension().string()))
-      .string();
-}
 
 std::vector<std::string> command(const std::string& path, int width, int height,
                                  const std::string& rate) {
@@ -59,17 +51,23 @@ Film::~Film() {
   give_up();
 }
 
+/// Whether there is a file to write to is said by us, and in words.
+std::string Film::open_draft() {
+  // ffmpeg knows the kind of a film from its ending.
+  int error = draft_.emplace(path_).make(std::filesystem::path(path_).extension().string());
+  if (error == 0) held_ = ::open(draft_->name().c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  if (error == 0 && held_ < 0) error = errno;
+  return error == 0 ? std::string()
+                    : "error: cannot write `" + path_ + "`: " + host::problem_of_writing(error);
+}
+
 std::string Film::open(const std::string& path, int width, int height, const std::string& rate) {
   if (width % 2 != 0 || height % 2 != 0)
     return "error: films have even widths and heights, not " + std::to_string(width) + "x" +
            std::to_string(height) + "\nhelp: give another `--size`";
   path_ = path;
-  part_ = part_of(path);
-  std::vector<std::string> words = command(part_, width, height, rate);
-  // Whether there is a file to write to is said by us, and in words.
-  const int file = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) return "error: cannot write `" + path + "`: " + std::strerror(errno);
-  close(file);
+  if (std::string problem = open_draft(); !problem.empty()) return problem;
+  std::vector<std::string> words = command(draft_->name(), width, height, rate);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
     return "error: cannot start ffmpeg: " + std::string(std::strerror(errno));
@@ -114,11 +112,10 @@ std::string Film::finish() {
     problem = "error: films need the program ffmpeg\nhelp: apt install ffmpeg";
   } else if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || broken_) {
     problem = "error: cannot write `" + path_ + "`: ffmpeg has failed";
-  } else if (std::rename(part_.c_str(), path_.c_str()) != 0) {
-    problem = "error: cannot write `" + path_ + "`: " + std::strerror(errno);
+  } else if (const int error = draft_->put()) {
+    problem = "error: cannot write `" + path_ + "`: " + host::problem_of_writing(error);
   }
-  if (!problem.empty()) unlink(part_.c_str());
-  part_.clear();
+  let_go();
   return problem;
 }
 
@@ -129,9 +126,14 @@ void Film::give_up() {
     kill(child_, SIGKILL);
     waitpid(child_, nullptr, 0);
   }
-  if (!part_.empty() && child_ != 0) unlink(part_.c_str());
   child_ = -1;
-  part_.clear();
+  let_go();
+}
+
+void Film::let_go() {
+  if (held_ >= 0) close(held_);
+  held_ = -1;
+  draft_.reset();
 }
 
 }  // namespace eagerx::linux_sim

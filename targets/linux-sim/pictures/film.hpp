@@ -4,6 +4,8 @@
 #include <sys/types.h>
 
 #include <cstdint>
+#include <optional>
+#include <runtime/host/base/files.hpp>
 #include <string>
 
 namespace eagerx::linux_sim {
@@ -25,8 +27,12 @@ class Film {
   std::string finish();
 
  private:
+  std::string open_draft();
+  void let_go();
   void give_up();
-  std::string path_, part_;
+  std::string path_;
+  std::optional<host::Draft> draft_;
+  int held_ = -1;  // the file, until ffmpeg has ended: a FIFO's reader must not see its end before
   int pipe_ = -1;
   pid_t child_ = -1;
   bool broken_ = false;

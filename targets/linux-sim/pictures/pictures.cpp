@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <eagerx/picture.hpp>
 #include <eagerx/scene.hpp>
 #include <filesystem>
 #include <memory>
+#include <runtime/host/base/files.hpp>
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/keeper.hpp>
 #include <targets/linux-sim/pacer.hpp>
@@ -78,13 +76,9 @@ bool is_film(const std::string& path) {
 
 void write_png(const std::string& path) {
   const std::string png = png_of(studio->pixels.data(), studio->width, studio->height);
-  std::FILE* const file = std::fopen(path.c_str(), "wb");
-  bool good = file != nullptr;
-  if (good) good = std::fwrite(png.data(), 1, png.size(), file) == png.size();
-  if (file != nullptr && std::fclose(file) != 0) good = false;
-  if (good) return;
-  studio->problem = "error: cannot write `" + path + "`: " + std::strerror(errno);
-  if (file != nullptr) std::remove(path.c_str());
+  const int error = host::write_whole(path, png, host::Durability::cached);
+  if (error != 0)
+    studio->problem = "error: cannot write `" + path + "`: " + host::problem_of_writing(error);
 }
 
 std::string open_files(const std::string& path) {

@@ -1,6 +1,6 @@
 #include <chrono>
-#include <cstring>
 #include <optional>
+#include <runtime/host/base/files.hpp>
 #include <runtime/host/base/text_file.hpp>
 #include <runtime/host/trace/mcap.hpp>
 #include <targets/linux-sim/publish/recording.hpp>
@@ -56,7 +56,7 @@ class McapSink final : public PublishSink {
     file_.hand_on(true);
   }
   std::string problem() const {
-    return "error: cannot write `" + to_.file + "`: " + std::strerror(file_.error());
+    return "error: cannot write `" + to_.file + "`: " + host::problem_of_writing(file_.error());
   }
 
   Destination to_;

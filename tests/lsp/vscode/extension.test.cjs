@@ -10,7 +10,7 @@ const { test, before, after } = require("node:test");
 
 const mock = require("./vscode.cjs");
 const root = path.resolve(__dirname, "../../..");
-const source = path.join(root, "generator/lsp/vscode");
+const source = path.join(root, "generator/tools/lsp/vscode");
 const load = Module._load;
 Module._load = (name, ...rest) => (name === "vscode" ? mock : load(name, ...rest));
 const extension = require(path.join(source, "extension.js"));

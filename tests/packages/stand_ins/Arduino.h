@@ -15,6 +15,10 @@
 #define radians(deg) ((deg)*0.017453292519943295)
 #define constrain(amt, low, high) ((amt) < (low) ? (low) : ((amt) > (high) ? (high) : (amt)))
 #define F(string_literal) (string_literal)
+#define count_of(a) (sizeof(a) / sizeof((a)[0]))
+#define degrees(rad) ((rad)*57.295779513082320876798154814105)
+#define interrupts() world::pass(0)
+#define word(...) makeWord(__VA_ARGS__)
 #define PI 3.1415926535897932384626433832795
 #define INPUT 0x0
 #define OUTPUT 0x1
@@ -38,9 +42,20 @@ inline void delay(unsigned long ms) {
 }
 
 #if defined(ARDUINO_ARCH_RP2040)
-struct Rp2040 {
+struct RP2040 {
+  enum resetReason_t {
+    UNKNOWN_RESET,
+    PWRON_RESET,
+    RUN_PIN_RESET,
+    SOFT_RESET,
+    WDT_RESET,
+    DEBUG_RESET,
+    GLITCH_RESET,
+    BROWNOUT_RESET
+  };
+  resetReason_t getResetReason() { return WDT_RESET; }
   void wdt_begin(std::uint32_t ms) { world::start_watchdog(ms * std::uint64_t{1000}); }
   void wdt_reset() { world::feed(); }
 };
-inline Rp2040 rp2040;
+inline RP2040 rp2040;
 #endif

@@ -15,6 +15,34 @@ inline constexpr std::uint64_t kFails = 30;  // this measurement, and four after
 inline constexpr std::uint64_t kSlow = 90;   // this one takes 2.2 periods
 inline constexpr std::uint64_t kHangs = 150;
 
+// With OPTIONAL.
+inline constexpr std::uint64_t kReset = 130;
+inline bool is_armed(std::uint64_t step) {
+  return step < 110 || step >= 117;
+}
+/// Between steps; all counts of the guard in one number.
+template <class Guard>
+void print_counts(std::uint64_t step, const Guard& guard, std::uint64_t late_steps) {
+  if (step % 20 != 19) return;
+  unsigned long long all = 0;
+  guard.for_each_count([&](const char* name, std::uint64_t count) {
+    for (; *name != '\0'; ++name) all = all * 31 + static_cast<unsigned char>(*name);
+    all = all * 31 + count;
+  });
+  std::printf("guard %016llx, steps too late %llu\n", all,
+              static_cast<unsigned long long>(late_steps));
+}
+template <class StepTimes>
+std::uint64_t late_steps(const StepTimes& times) {
+  std::uint64_t result = 0;
+  bool first = true;
+  times.for_each_count([&](const char* /*name*/, std::uint64_t count) {
+    if (first) result = count;
+    first = false;
+  });
+  return result;
+}
+
 /// Microseconds that reading takes.
 template <class Rate>
 std::uint64_t reading_us(std::uint64_t step) {

@@ -1,4 +1,4 @@
-#include "generator/compose/port_pattern.hpp"
+#include "generator/frontend/compose/port_pattern.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "generator/diagnostics/join.hpp"
+#include "generator/support/diagnostics/join.hpp"
 
 #include <gtest/gtest.h>
 

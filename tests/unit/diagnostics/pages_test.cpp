@@ -1,10 +1,10 @@
-#include "generator/diagnostics/pages.hpp"
+#include "generator/support/diagnostics/pages.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/support/diagnostics/diagnostics.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/support/diagnostics/diagnostics.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/support/diagnostics/diagnostics.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,4 +1,4 @@
-#include "generator/diagnostics/search.hpp"
+#include "generator/support/diagnostics/search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "generator/diagnostics/utf8.hpp"
+#include "generator/support/diagnostics/utf8.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "generator/edit/edit.hpp"
+#include "generator/tools/edit/edit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "generator/edit/helps.hpp"
-#include "generator/edit/rename_port.hpp"
-#include "generator/outline/lines.hpp"
+#include "generator/tools/edit/helps.hpp"
+#include "generator/tools/edit/rename_port.hpp"
+#include "generator/tools/outline/lines.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,5 +1,5 @@
 // Changes of what a graph is made of: before, what is asked for, after.
-#include "generator/edit/structure.hpp"
+#include "generator/tools/edit/structure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "generator/emit/literals.hpp"
+#include "generator/backend/emit/literals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "generator/emit/namer.hpp"
-#include "generator/quote/quote.hpp"
-#include "generator/spec/format.hpp"
+#include "generator/backend/emit/namer.hpp"
+#include "generator/frontend/spec/format.hpp"
+#include "generator/support/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {

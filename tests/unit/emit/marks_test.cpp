@@ -1,4 +1,4 @@
-#include "generator/emit/marks.hpp"
+#include "generator/backend/emit/marks.hpp"
 
 #include <gtest/gtest.h>
 

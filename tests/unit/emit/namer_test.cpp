@@ -1,4 +1,4 @@
-#include "generator/emit/namer.hpp"
+#include "generator/backend/emit/namer.hpp"
 
 #include <gtest/gtest.h>
 

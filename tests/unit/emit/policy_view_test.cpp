@@ -1,5 +1,5 @@
 // The generated policy header: its text, and that its literals are the weights to the bit.
-#include "generator/emit/policy_view.hpp"
+#include "generator/backend/emit/policy_view.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "generator/emit/render.hpp"
+#include "generator/backend/emit/render.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,5 +1,5 @@
 // Templates that cannot be used: an error each, and no text with a hole in it.
-#include "generator/emit/render.hpp"
+#include "generator/backend/emit/render.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "generator/emit/render.hpp"
+#include "generator/backend/emit/render.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,4 +1,4 @@
-#include "generator/emit/wrap.hpp"
+#include "generator/backend/emit/wrap.hpp"
 
 #include <gtest/gtest.h>
 

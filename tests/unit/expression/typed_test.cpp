@@ -1,8 +1,8 @@
 // Expressions of tasks: types, and the C++ that they become.
 #include <gtest/gtest.h>
 
-#include "generator/emit/expression_text.hpp"
-#include "generator/expression/expression.hpp"
+#include "generator/backend/emit/expression_text.hpp"
+#include "generator/frontend/expression/expression.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <string>
 
-#include "generator/formats/golden.hpp"
-#include "generator/formats/read.hpp"
-#include "generator/network/evaluate.hpp"
+#include "generator/policy/formats/golden.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/network/evaluate.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 

@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/formats/read.hpp"
-#include "generator/formats/statistics.hpp"
-#include "generator/json/json.hpp"
-#include "generator/network/problem.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/formats/statistics.hpp"
+#include "generator/policy/network/problem.hpp"
+#include "generator/support/json/json.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 

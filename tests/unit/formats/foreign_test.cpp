@@ -1,6 +1,6 @@
 // Files that people take for policies: each is named as what it is, with the way to one that is
 // read.
-#include "generator/formats/common/foreign.hpp"
+#include "generator/policy/formats/common/foreign.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "generator/formats/golden.hpp"
-#include "generator/formats/read.hpp"
-#include "generator/formats/statistics.hpp"
-#include "generator/network/evaluate.hpp"
-#include "generator/network/problem.hpp"
+#include "generator/policy/formats/golden.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/formats/statistics.hpp"
+#include "generator/policy/network/evaluate.hpp"
+#include "generator/policy/network/problem.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -7,13 +7,13 @@
 #include <fstream>
 #include <iterator>
 
-#include "generator/formats/actor/actor.hpp"
-#include "generator/formats/golden.hpp"
-#include "generator/formats/read.hpp"
-#include "generator/formats/tensors/archive.hpp"
-#include "generator/formats/tensors/containers.hpp"
-#include "generator/network/evaluate.hpp"
-#include "generator/network/problem.hpp"
+#include "generator/policy/formats/actor/actor.hpp"
+#include "generator/policy/formats/golden.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/formats/tensors/archive.hpp"
+#include "generator/policy/formats/tensors/containers.hpp"
+#include "generator/policy/network/evaluate.hpp"
+#include "generator/policy/network/problem.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 

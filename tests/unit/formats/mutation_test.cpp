@@ -9,11 +9,11 @@
 #include <random>
 #include <string>
 
-#include "generator/formats/read.hpp"
-#include "generator/formats/tensors/archive.hpp"
-#include "generator/network/cost.hpp"
-#include "generator/network/evaluate.hpp"
-#include "generator/network/problem.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/formats/tensors/archive.hpp"
+#include "generator/policy/network/cost.hpp"
+#include "generator/policy/network/evaluate.hpp"
+#include "generator/policy/network/problem.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 
 namespace eagerx::gen {

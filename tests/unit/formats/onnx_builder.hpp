@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/formats/onnx/onnx.pb.h"
-#include "generator/formats/read.hpp"
+#include "generator/policy/formats/onnx/onnx.pb.h"
+#include "generator/policy/formats/read.hpp"
 
 namespace eagerx::gen::test {
 

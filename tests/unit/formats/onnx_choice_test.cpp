@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "generator/network/evaluate.hpp"
+#include "generator/policy/network/evaluate.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 
 namespace eagerx::gen {

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "generator/formats/read.hpp"
+#include "generator/policy/formats/read.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 
 namespace eagerx::gen {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/network/evaluate.hpp"
+#include "generator/policy/network/evaluate.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 
 namespace eagerx::gen {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/formats/read.hpp"
-#include "generator/network/network.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/network/network.hpp"
 #include "tests/support/plain_sum.hpp"
 
 namespace eagerx::gen {

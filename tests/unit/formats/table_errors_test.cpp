@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "generator/formats/actor/actor.hpp"
-#include "generator/formats/tensors/containers.hpp"
+#include "generator/policy/formats/actor/actor.hpp"
+#include "generator/policy/formats/tensors/containers.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 

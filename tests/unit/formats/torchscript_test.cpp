@@ -10,11 +10,11 @@
 #include <iterator>
 #include <string>
 
-#include "generator/formats/golden.hpp"
-#include "generator/formats/read.hpp"
-#include "generator/formats/tensors/archive.hpp"
-#include "generator/network/buffers.hpp"
-#include "generator/network/evaluate.hpp"
+#include "generator/policy/formats/golden.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/formats/tensors/archive.hpp"
+#include "generator/policy/network/buffers.hpp"
+#include "generator/policy/network/evaluate.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 

@@ -1,14 +1,11 @@
 // runtime/host/base: what programs for Linux have in common.
 #include <gtest/gtest.h>
 #include <pthread.h>
-#include <sys/stat.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -16,7 +13,6 @@
 #include <system_error>
 #include <vector>
 
-#include "runtime/host/base/files.hpp"
 #include "runtime/host/base/hash.hpp"
 #include "runtime/host/base/json.hpp"
 #include "runtime/host/base/number.hpp"
@@ -158,41 +154,6 @@ TEST(Json, WritesWhatIsSaid) {
   EXPECT_EQ(json.str(),
             "{\"a\\\"b\\\\c\\u000a\": [3, 0.5, true, null, {}], \"text\": "
             "\"\\u001f\xc3\xa4\"}");
-}
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-bool is_there(const std::string& path) {
-  struct stat status {};
-  return stat(path.c_str(), &status) == 0;
-}
-
-TEST(Draft, TakesThePlaceOfTheFileAsAWhole) {
-  const std::string path = ::testing::TempDir() + "draft_of_base_test";
-  std::remove(path.c_str());
-  EXPECT_EQ(write_whole(path, "first"), 0);
-  {
-    Draft draft(path);
-    EXPECT_EQ(draft.write("second"), 0);
-    EXPECT_EQ(text_of(path), "first");
-  }
-  EXPECT_EQ(text_of(path), "first");
-  EXPECT_FALSE(is_there(path + ".part"));
-  EXPECT_EQ(write_whole(path, "third"), 0);
-  EXPECT_EQ(text_of(path), "third");
-  EXPECT_FALSE(is_there(path + ".part"));
-  std::remove(path.c_str());
-}
-
-TEST(Draft, LeavesNothingWhereItCannotWrite) {
-  EXPECT_EQ(write_whole("/nowhere/file", "x"), ENOENT);
-  const std::string folder = ::testing::TempDir() + "folder_of_base_test";
-  mkdir(folder.c_str(), 0755);
-  EXPECT_EQ(write_whole(folder, "x"), EISDIR);
-  EXPECT_FALSE(is_there(folder + ".part"));
-  rmdir(folder.c_str());
 }
 
 }  // namespace

@@ -128,15 +128,34 @@ TEST(TextFile, WhatIsThereStaysUntilSomethingTakesItsPlace) {
   }
 }
 
-TEST(TextFile, OnlyFilesOnADiskAreFiles) {
+TEST(TextFile, FoldersAndFifosThatNobodyReadsAreRefused) {
   const std::string path = ::testing::TempDir() + "text_file_test.fifo";
   std::remove(path.c_str());
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  for (const std::string& name : {path, std::string("/dev/zero")}) {
+  const auto error_of = [](const std::string& name) {
     TextFile file;
     EXPECT_FALSE(file.open(name)) << name;
-    EXPECT_EQ(file.error(), EINVAL);
-  }
+    return file.error();
+  };
+  EXPECT_EQ(error_of(path), ENXIO);
+  EXPECT_EQ(error_of(::testing::TempDir()), EISDIR);
+  std::remove(path.c_str());
+}
+
+// At 9028afbf, only what the shell opened as the standard output could be a FIFO.
+TEST(TextFile, AFifoThatSomebodyReadsIsWritten) {
+  const std::string path = ::testing::TempDir() + "text_file_test.fifo";
+  std::remove(path.c_str());
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  TextFile file;
+  ASSERT_TRUE(file.open(path, Writing::background));
+  file.text("a row\n");
+  EXPECT_TRUE(file.close());
+  char bytes[16] = {};
+  EXPECT_EQ(::read(reader, bytes, sizeof bytes), 6);
+  EXPECT_STREQ(bytes, "a row\n");
+  ::close(reader);
   std::remove(path.c_str());
 }
 

@@ -1,4 +1,4 @@
-#include "generator/import/counterparts.hpp"
+#include "generator/frontend/import/counterparts.hpp"
 
 #include <gtest/gtest.h>
 

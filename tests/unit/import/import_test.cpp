@@ -1,8 +1,8 @@
-#include "generator/import/import.hpp"
+#include "generator/frontend/import/import.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/import/saved.hpp"
+#include "generator/frontend/import/saved.hpp"
 #include "tests/unit/import/saved_text.hpp"
 
 namespace eagerx::gen {

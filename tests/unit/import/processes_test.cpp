@@ -1,8 +1,8 @@
 // `process:` of a file of EAGERx.
 #include <gtest/gtest.h>
 
-#include "generator/import/import.hpp"
-#include "generator/resolve/graph.hpp"
+#include "generator/frontend/import/import.hpp"
+#include "generator/graph/resolve/graph.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/import/import.hpp"
+#include "generator/frontend/import/import.hpp"
 
 namespace eagerx::gen {
 

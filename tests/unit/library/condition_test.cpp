@@ -1,11 +1,11 @@
-#include "generator/library/condition.hpp"
+#include "generator/frontend/library/condition.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "generator/library/library.hpp"
-#include "generator/spec/reference.hpp"
+#include "generator/frontend/library/library.hpp"
+#include "generator/frontend/spec/reference.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,4 +1,4 @@
-#include "generator/library/library.hpp"
+#include "generator/frontend/library/library.hpp"
 
 #include <gtest/gtest.h>
 

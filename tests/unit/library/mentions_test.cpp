@@ -1,4 +1,4 @@
-#include "generator/library/mentions.hpp"
+#include "generator/frontend/library/mentions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <set>
 
-#include "generator/library/library.hpp"
+#include "generator/frontend/library/library.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,9 +1,9 @@
 // Streams and positions; what the server answers is in tests/lsp.
 #include <gtest/gtest.h>
 
-#include "generator/files/uri.hpp"
-#include "generator/lsp/stream.hpp"
-#include "generator/lsp/text.hpp"
+#include "generator/support/files/uri.hpp"
+#include "generator/tools/lsp/stream.hpp"
+#include "generator/tools/lsp/text.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {

@@ -1,5 +1,5 @@
 // What is known of a stream, without a clock: times are given.
-#include "generator/monitor/model.hpp"
+#include "generator/tools/monitor/model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "generator/monitor/lines.hpp"
+#include "generator/tools/monitor/lines.hpp"
 
 namespace eagerx::gen {
 namespace {

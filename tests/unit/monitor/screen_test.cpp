@@ -4,10 +4,10 @@
 #include <limits>
 #include <string>
 
-#include "generator/diagnostics/utf8.hpp"
-#include "generator/monitor/numbers.hpp"
-#include "generator/monitor/screen_lines.hpp"
-#include "generator/monitor/sparkline.hpp"
+#include "generator/support/diagnostics/utf8.hpp"
+#include "generator/tools/monitor/numbers.hpp"
+#include "generator/tools/monitor/screen_lines.hpp"
+#include "generator/tools/monitor/sparkline.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,13 +1,13 @@
 // Datagrams and their order; what a graph expects of a stream.
-#include "generator/monitor/stream.hpp"
+#include "generator/tools/monitor/stream.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "generator/monitor/datagram.hpp"
-#include "generator/monitor/step_order.hpp"
+#include "generator/tools/monitor/datagram.hpp"
+#include "generator/tools/monitor/step_order.hpp"
 
 namespace eagerx::gen {
 namespace {

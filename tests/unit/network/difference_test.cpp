@@ -1,5 +1,5 @@
 // How far two policies are apart, and observations with the answers of one.
-#include "generator/network/difference.hpp"
+#include "generator/policy/network/difference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "generator/network/int8.hpp"
-#include "generator/network/observations.hpp"
+#include "generator/policy/network/int8.hpp"
+#include "generator/policy/network/observations.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,11 +1,11 @@
 // Which differences from known answers are rounding, and which are another function.
-#include "generator/network/golden.hpp"
+#include "generator/policy/network/golden.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "generator/network/evaluate.hpp"
+#include "generator/policy/network/evaluate.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/network/graph/ends.hpp"
-#include "generator/network/graph/evaluate.hpp"
-#include "generator/network/graph/lower.hpp"
-#include "generator/network/graph/operators.hpp"
+#include "generator/policy/network/graph/ends.hpp"
+#include "generator/policy/network/graph/evaluate.hpp"
+#include "generator/policy/network/graph/lower.hpp"
+#include "generator/policy/network/graph/operators.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,5 +1,5 @@
 // Weights of eight bits: rounding, the bits of the program, the error that is told.
-#include "generator/network/int8.hpp"
+#include "generator/policy/network/int8.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <eagerx/policy/int8.hpp>
 #include <eagerx/policy/recurrent.hpp>
 
-#include "generator/network/evaluate.hpp"
+#include "generator/policy/network/evaluate.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,4 +1,4 @@
-#include "generator/outline/outline.hpp"
+#include "generator/tools/outline/outline.hpp"
 
 #include <gtest/gtest.h>
 

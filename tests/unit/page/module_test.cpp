@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "generator/page/page.hpp"
+#include "generator/tools/page/page.hpp"
 
 namespace eagerx::gen {
 namespace {

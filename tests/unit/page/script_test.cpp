@@ -6,8 +6,8 @@
 #include <fstream>
 #include <map>
 
-#include "generator/page/modules.hpp"
-#include "generator/page/page.hpp"
+#include "generator/tools/page/modules.hpp"
+#include "generator/tools/page/page.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,5 +1,5 @@
 // Ages between what a budget may name; tests/semantics/ages compares many graphs with a simulation.
-#include "generator/plan/ages.hpp"
+#include "generator/graph/plan/ages.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "generator/plan/counts.hpp"
+#include "generator/graph/plan/counts.hpp"
 
 #include <gtest/gtest.h>
 

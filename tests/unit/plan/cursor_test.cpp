@@ -4,7 +4,7 @@
 #include <eagerx/cursor.hpp>
 #include <utility>
 
-#include "generator/plan/counts.hpp"
+#include "generator/graph/plan/counts.hpp"
 
 namespace eagerx::gen {
 namespace {

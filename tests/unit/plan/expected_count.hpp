@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/plan/counts.hpp"
-#include "generator/read/rational.hpp"
+#include "generator/frontend/read/rational.hpp"
+#include "generator/graph/plan/counts.hpp"
 
 namespace eagerx::gen {
 

@@ -1,4 +1,4 @@
-#include "generator/plan/order.hpp"
+#include "generator/graph/plan/order.hpp"
 
 #include <gtest/gtest.h>
 

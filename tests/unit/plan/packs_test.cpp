@@ -1,5 +1,5 @@
 // What packs of environments need not keep of messages.
-#include "generator/plan/packs.hpp"
+#include "generator/graph/plan/packs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "generator/plan/receptions.hpp"
+#include "generator/graph/plan/receptions.hpp"
 
 #include <gtest/gtest.h>
 

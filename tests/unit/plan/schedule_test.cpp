@@ -1,4 +1,4 @@
-#include "generator/plan/schedule.hpp"
+#include "generator/graph/plan/schedule.hpp"
 
 #include <gtest/gtest.h>
 

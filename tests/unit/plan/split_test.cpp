@@ -1,5 +1,5 @@
 // What crosses the links between the programs of a placed graph.
-#include "generator/plan/split.hpp"
+#include "generator/graph/plan/split.hpp"
 
 #include <gtest/gtest.h>
 

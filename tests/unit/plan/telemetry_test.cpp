@@ -1,5 +1,5 @@
 // What a board sends: which channels go together, and how many of their messages fit.
-#include "generator/plan/telemetry.hpp"
+#include "generator/graph/plan/telemetry.hpp"
 
 #include <gtest/gtest.h>
 

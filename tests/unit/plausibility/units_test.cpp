@@ -1,4 +1,4 @@
-#include "generator/plausibility/units.hpp"
+#include "generator/analysis/plausibility/units.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // program.map as it is written and read; also when it is not what was written.
-#include "generator/program_map/program_map.hpp"
+#include "generator/backend/program_map/program_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "generator/read/bytes.hpp"
+#include "generator/frontend/read/bytes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // With a memory everything is read as without one.
-#include "generator/read/memory.hpp"
+#include "generator/frontend/read/memory.hpp"
 
 #include <gtest/gtest.h>
 

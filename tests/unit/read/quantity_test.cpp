@@ -1,4 +1,4 @@
-#include "generator/read/quantity.hpp"
+#include "generator/frontend/read/quantity.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "generator/read/rational.hpp"
+#include "generator/frontend/read/rational.hpp"
 
 #include <gtest/gtest.h>
 

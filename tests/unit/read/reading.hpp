@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "generator/diagnostics/diagnostics.hpp"
-#include "generator/read/tree.hpp"
+#include "generator/frontend/read/tree.hpp"
+#include "generator/support/diagnostics/diagnostics.hpp"
 
 namespace eagerx::gen {
 

@@ -1,4 +1,4 @@
-#include "generator/read/scalar.hpp"
+#include "generator/frontend/read/scalar.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How `placement:`, `--split` and `--of` call nodes.
-#include "generator/resolve/chosen_nodes.hpp"
+#include "generator/graph/resolve/chosen_nodes.hpp"
 
 #include <gtest/gtest.h>
 

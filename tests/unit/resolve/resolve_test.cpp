@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "generator/read/tree.hpp"
-#include "generator/resolve/graph.hpp"
+#include "generator/frontend/read/tree.hpp"
+#include "generator/graph/resolve/graph.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,17 +1,17 @@
 // What the compiler's tools print, and what becomes of it; also when it is not what they should
 // print.
-#include "generator/size/size.hpp"
+#include "generator/analysis/size/size.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <runtime/host/base/hash.hpp>
 
-#include "generator/cli/commands.hpp"
-#include "generator/program_map/program_map.hpp"
-#include "generator/size/function_name.hpp"
-#include "generator/size/stack.hpp"
-#include "generator/size/tools.hpp"
+#include "generator/analysis/size/function_name.hpp"
+#include "generator/analysis/size/stack.hpp"
+#include "generator/analysis/size/tools.hpp"
+#include "generator/backend/program_map/program_map.hpp"
+#include "generator/driver/commands/commands.hpp"
 #include "tests/unit/size/tools.hpp"
 
 namespace eagerx::gen {

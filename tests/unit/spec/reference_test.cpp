@@ -1,4 +1,4 @@
-#include "generator/spec/reference.hpp"
+#include "generator/frontend/spec/reference.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <regex>
 #include <sstream>
 
-#include "generator/read/tree.hpp"
-#include "generator/spec/graph_spec.hpp"
+#include "generator/frontend/read/tree.hpp"
+#include "generator/frontend/spec/graph_spec.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/agent/order.hpp"
+#include "generator/policy/agent/order.hpp"
 
 namespace eagerx::gen {
 namespace {

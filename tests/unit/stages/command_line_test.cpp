@@ -1,11 +1,11 @@
 // The table of a command line: what is taken, and what is said of what is wrong.
-#include "generator/command_line/command_line.hpp"
+#include "generator/support/command_line/command_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "generator/command_line/bugs.hpp"
+#include "generator/support/command_line/bugs.hpp"
 
 namespace eagerx::gen {
 namespace {

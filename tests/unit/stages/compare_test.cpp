@@ -1,5 +1,5 @@
 // Graphs compared by what they mean.
-#include "generator/compare/compare.hpp"
+#include "generator/analysis/compare/compare.hpp"
 
 #include "tests/unit/stages/graphs.hpp"
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "generator/compile/forbidden.hpp"
-#include "generator/compile/messages.hpp"
-#include "generator/process/process.hpp"
+#include "generator/backend/compile/forbidden.hpp"
+#include "generator/backend/compile/messages.hpp"
+#include "generator/support/process/process.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {

@@ -1,7 +1,7 @@
 // Drawings of graphs; tests/drawings looks at those of the examples.
 #include <algorithm>
 
-#include "generator/drawing/format.hpp"
+#include "generator/tools/drawing/format.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {

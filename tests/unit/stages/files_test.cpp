@@ -1,9 +1,9 @@
 // One file by two names.
-#include "generator/files/files.hpp"
+#include "generator/support/files/files.hpp"
 
 #include <filesystem>
 
-#include "generator/files/beside.hpp"
+#include "generator/support/files/beside.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {

@@ -1,5 +1,5 @@
 // What a plan says of itself, and its budgets.
-#include "generator/info/info.hpp"
+#include "generator/analysis/info/info.hpp"
 
 #include "tests/unit/stages/graphs.hpp"
 

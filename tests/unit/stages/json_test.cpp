@@ -1,11 +1,11 @@
 // JSON of others.
-#include "generator/json/json.hpp"
+#include "generator/support/json/json.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "generator/json/base64.hpp"
+#include "generator/support/json/base64.hpp"
 
 namespace eagerx::gen {
 namespace {

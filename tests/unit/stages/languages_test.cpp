@@ -1,8 +1,8 @@
 // What a part in another language is told of its graph.
 #include <eagerx/link/frame.hpp>
 
-#include "generator/json/json.hpp"
-#include "generator/languages/package.hpp"
+#include "generator/backend/languages/package.hpp"
+#include "generator/support/json/json.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {

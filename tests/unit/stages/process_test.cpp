@@ -1,5 +1,5 @@
 // Other programs.
-#include "generator/process/process.hpp"
+#include "generator/support/process/process.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "generator/process/companions.hpp"
+#include "generator/support/process/companions.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {

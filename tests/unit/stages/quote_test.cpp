@@ -1,12 +1,12 @@
 // Text of others in other languages: what reads the language gets the text back.
-#include "generator/quote/quote.hpp"
+#include "generator/support/quote/quote.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/json/json.hpp"
-#include "generator/process/process.hpp"
-#include "generator/quote/language.hpp"
-#include "generator/read/tree.hpp"
+#include "generator/frontend/read/tree.hpp"
+#include "generator/support/json/json.hpp"
+#include "generator/support/process/process.hpp"
+#include "generator/support/quote/language.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -8,12 +8,12 @@
 #include <iterator>
 #include <random>
 
-#include "generator/serve/edit_request.hpp"
-#include "generator/serve/graph_file.hpp"
-#include "generator/serve/history.hpp"
-#include "generator/serve/router.hpp"
-#include "generator/serve/session.hpp"
-#include "generator/serve/state_json.hpp"
+#include "generator/tools/serve/edit_request.hpp"
+#include "generator/tools/serve/graph_file.hpp"
+#include "generator/tools/serve/history.hpp"
+#include "generator/tools/serve/router.hpp"
+#include "generator/tools/serve/session.hpp"
+#include "generator/tools/serve/state_json.hpp"
 
 namespace eagerx::gen::serve {
 namespace {

@@ -4,8 +4,8 @@
 #include <eagerx/version.hpp>
 #include <string>
 
-#include "generator/json/json.hpp"
-#include "generator/telemetry/read_layout.hpp"
+#include "generator/support/json/json.hpp"
+#include "generator/tools/telemetry/read_layout.hpp"
 
 namespace eagerx::gen {
 namespace {

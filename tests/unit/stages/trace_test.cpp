@@ -1,16 +1,16 @@
 // Traces: two of them compared, and one in the form of other tools.
-#include "generator/trace/trace.hpp"
+#include "generator/tools/trace/trace.hpp"
 
 #include <algorithm>
 #include <runtime/host/trace/log_file.hpp>
 
-#include "generator/json/json.hpp"
-#include "generator/replay/compare.hpp"
-#include "generator/trace/axis.hpp"
-#include "generator/trace/bytes.hpp"
-#include "generator/trace/convert.hpp"
-#include "generator/trace/plot.hpp"
-#include "generator/trace/timeline.hpp"
+#include "generator/support/json/json.hpp"
+#include "generator/tools/replay/compare.hpp"
+#include "generator/tools/trace/axis.hpp"
+#include "generator/tools/trace/bytes.hpp"
+#include "generator/tools/trace/convert.hpp"
+#include "generator/tools/trace/plot.hpp"
+#include "generator/tools/trace/timeline.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {

@@ -1,6 +1,6 @@
 // What a training leaves, as the page has it: records, tables of curves, results of sweeps; and
 // files that are none.
-#include "generator/training/training.hpp"
+#include "generator/tools/training/training.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -10,9 +10,9 @@
 #include <fstream>
 #include <numeric>
 
-#include "generator/training/curves.hpp"
-#include "generator/training/settings.hpp"
-#include "generator/training/tables.hpp"
+#include "generator/tools/training/curves.hpp"
+#include "generator/tools/training/settings.hpp"
+#include "generator/tools/training/tables.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,5 +1,5 @@
 // Cells of csv files, and parameters whose numbers are in one.
-#include "generator/tables/tables.hpp"
+#include "generator/frontend/tables/tables.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "generator/tables/csv.hpp"
+#include "generator/frontend/tables/csv.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -71,10 +71,14 @@ TEST_F(Files, NoOutputIsAnInput) {
   close(file);
 }
 
-TEST_F(Files, OutputsAreFilesOrThereIsNothingYet) {
+TEST_F(Files, OutputsAreNoFolders) {
   ASSERT_EQ(mkfifo((folder + "fifo").c_str(), 0600), 0);
-  for (const std::string& name : {folder + "fifo", std::string("/dev/zero"), folder})
-    EXPECT_TRUE(is_refused([&](Options& options) { options.csv = name; })) << name;
+  EXPECT_TRUE(is_refused([&](Options& options) { options.csv = folder; }));
+  for (const std::string& name : {folder + "fifo", std::string("/dev/zero")}) {
+    EXPECT_FALSE(is_refused([&](Options& options) { options.csv = name; })) << name;
+    EXPECT_TRUE(is_refused([&](Options& options) { options.csv = options.trace = name; }))
+        << name << " mixes them";
+  }
   EXPECT_FALSE(is_refused([&](Options& options) { options.csv = folder + "new.csv"; }));
   EXPECT_FALSE(is_refused([&](Options& options) { options.csv = folder + "a.csv"; }));
   EXPECT_FALSE(is_refused([&](Options& options) { options.csv = options.trace = "/dev/null"; }));

@@ -74,21 +74,22 @@ TEST(OutsideRows, StatesAreCheckedAndReadAsTheirDecimals) {
 }
 
 TEST(OutsideProtocol, EachRequestHasItsSize) {
-  const auto problem = [](std::uint32_t ask, std::size_t bytes) {
-    return problem_of_request({static_cast<Ask>(ask), 0, 0}, bytes, 4, 3) != nullptr;
+  const auto problem = [](std::uint32_t ask, std::ptrdiff_t behind) {
+    const std::size_t bytes = sizeof(Request) + static_cast<std::size_t>(behind);
+    return problem_of_request({static_cast<Ask>(ask), 0, 0, 0}, bytes, 4, 3) != nullptr;
   };
-  for (std::uint32_t ask = 0; ask < 10; ++ask) EXPECT_TRUE(problem(ask, 15)) << ask;
-  EXPECT_FALSE(problem(2, 16 + 12));
-  EXPECT_TRUE(problem(2, 16 + 16));
-  EXPECT_FALSE(problem(3, 16 + 16));
-  EXPECT_TRUE(problem(3, 16));
-  EXPECT_TRUE(problem(0, 16));
-  EXPECT_FALSE(problem(8, 16 + 12));
-  EXPECT_TRUE(problem(8, 16));
-  EXPECT_TRUE(problem(9, 16));
+  for (std::uint32_t ask = 0; ask < 10; ++ask) EXPECT_TRUE(problem(ask, -1)) << ask;
+  EXPECT_FALSE(problem(2, 12));
+  EXPECT_TRUE(problem(2, 16));
+  EXPECT_FALSE(problem(3, 16));
+  EXPECT_TRUE(problem(3, 0));
+  EXPECT_TRUE(problem(0, 0));
+  EXPECT_FALSE(problem(8, 12));
+  EXPECT_TRUE(problem(8, 0));
+  EXPECT_TRUE(problem(9, 0));
   for (const std::uint32_t ask : {1U, 4U, 5U, 6U, 7U}) {
-    EXPECT_FALSE(problem(ask, 16)) << ask;
-    EXPECT_TRUE(problem(ask, 17)) << ask;
+    EXPECT_FALSE(problem(ask, 0)) << ask;
+    EXPECT_TRUE(problem(ask, 1)) << ask;
   }
 }
 
@@ -106,8 +107,8 @@ class Outside : public testing::Test {
     close(mine);
     close(options.agent_socket);
   }
-  void ask(Ask what, const std::vector<float>& row = {}, std::uint32_t number = 0) const {
-    const Request request{what, number, 9};
+  void ask(Ask what, const std::vector<float>& row = {}, std::uint32_t number = 0) {
+    const Request request{what, number, 9, ++asked};
     std::vector<char> bytes(sizeof request + row.size() * sizeof(float));
     std::memcpy(bytes.data(), &request, sizeof request);
     std::memcpy(bytes.data() + sizeof request, row.data(), row.size() * sizeof(float));
@@ -128,6 +129,7 @@ class Outside : public testing::Test {
   Options options;
   const Fields fields{program};
   int mine = -1;
+  std::uint64_t asked = 0;  // numbers of requests
   static inline const std::vector<float> kAction{1.0F, 1.0F, 1.0F, 1.0F};
   static inline const std::vector<float> kDrawn{kNone, kNone, kNone};
 };
@@ -176,8 +178,12 @@ TEST_F(Outside, AnEndThatTheAgentWasLateForIsTold) {
   ask(Ask::step, kAction);
   ask(Ask::reset, kDrawn);
   ASSERT_TRUE(agent.go_on());
-  EXPECT_EQ(answer().late, 1U);  // the end
-  EXPECT_EQ(answer().said, Said::problem);
+  const Answer end = answer();
+  EXPECT_EQ(end.late, 1U);
+  EXPECT_EQ(end.asked, 2U) << "the number of the request that it answers";
+  const Answer too_late = answer();
+  EXPECT_EQ(too_late.said, Said::problem);
+  EXPECT_EQ(too_late.asked, 3U);
   EXPECT_TRUE(agent.wants_reset());
 }
 

@@ -128,7 +128,7 @@ TEST_F(TrainTraining, ACheckpointThatCannotBeWrittenDoesNotCostThePolicy) {
   const std::string policy = trained(some);
   fs::remove(some.output);
   some.checkpoint = path("checkpoint");
-  fs::create_directories(path("checkpoint.part"));  // nothing can be written there
+  fs::create_directories(path("checkpoint"));  // nothing can be written there
   EXPECT_NE(said_by([&] { Training(some, pendulum()).run(never); }).find("cannot write"),
             std::string::npos);
   EXPECT_EQ(read_file(some.output), policy);

@@ -1,9 +1,12 @@
 // The table of a learning curve while it grows.
 #include "targets/environments/train/curve_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -37,12 +40,25 @@ TEST_F(TrainCurveFile, IsWrittenAtOnceAndThenEachSecond) {
 TEST_F(TrainCurveFile, AFullDiskIsToldOnceAndTriedAgain) {
   CurveFile file(path("curve.csv"));
   const auto text = [] { return "rows"; };
-  fs::create_directories(path("curve.csv.part"));  // nothing can be written there
+  fs::create_directories(path("curve.csv"));  // nothing can be written there
   EXPECT_NE(file.grow(0.0, text).find("cannot write"), std::string::npos);
   EXPECT_EQ(file.grow(2.0, text), "");
-  fs::remove(path("curve.csv.part"));
+  fs::remove(path("curve.csv"));
   EXPECT_EQ(file.grow(4.0, text), "");
   EXPECT_EQ(read_file(path("curve.csv")), "rows");
+}
+
+// At 9028afbf, a FIFO or device was replaced by a file.
+TEST_F(TrainCurveFile, WhatCannotBeReadAgainGetsTheCompleteTableOnly) {
+  ASSERT_EQ(mkfifo(path("fifo").c_str(), 0600), 0);
+  const int reader = open(path("fifo").c_str(), O_RDONLY | O_NONBLOCK);
+  CurveFile file(path("fifo"));
+  EXPECT_EQ(file.grow(0.0, [] { return "begun"; }), "");
+  file.write([] { return "complete"; });
+  std::array<char, 64> bytes{};
+  const ssize_t count = read(reader, bytes.data(), bytes.size());
+  EXPECT_EQ(std::string(bytes.data(), count < 0 ? 0 : static_cast<std::size_t>(count)), "complete");
+  close(reader);
 }
 
 TEST_F(TrainCurveFile, WithoutANameThereIsNone) {

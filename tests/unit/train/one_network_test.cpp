@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <tuple>
 
-#include "generator/formats/read.hpp"
-#include "generator/network/evaluate.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/network/evaluate.hpp"
 #include "targets/environments/train/export.hpp"
 #include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/recurrent/states.hpp"

@@ -6,9 +6,9 @@
 #include <limits>
 #include <set>
 
-#include "generator/formats/read.hpp"
-#include "generator/network/evaluate.hpp"
-#include "generator/network/golden.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/network/evaluate.hpp"
+#include "generator/policy/network/golden.hpp"
 #include "targets/environments/train/choice.hpp"
 #include "targets/environments/train/export.hpp"
 

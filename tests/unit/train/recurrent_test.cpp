@@ -6,10 +6,10 @@
 #include <eagerx/policy/recurrent.hpp>
 #include <fstream>
 
-#include "generator/formats/golden.hpp"
-#include "generator/formats/read.hpp"
-#include "generator/network/evaluate.hpp"
-#include "generator/network/golden.hpp"
+#include "generator/policy/formats/golden.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/network/evaluate.hpp"
+#include "generator/policy/network/golden.hpp"
 #include "targets/environments/train/export.hpp"
 #include "targets/environments/train/network.hpp"
 #include "targets/environments/train/recurrent/states.hpp"

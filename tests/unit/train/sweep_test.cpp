@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <thread>
 
 #include "targets/environments/client/intervals.hpp"
 #include "targets/environments/train/sweep_results.hpp"
@@ -131,7 +132,7 @@ TEST_F(TrainSweep, ResultsOfOthersAreRefused) {
   const std::string head = kResultsHead, row = kResultsRow;
   EXPECT_EQ(said_of(head + row), "1 rows");
   EXPECT_EQ(said_of(head), "0 rows");
-  EXPECT_EQ(said_of(""), "has no results of a sweep");
+  EXPECT_EQ(said_of(""), "0 rows");
   EXPECT_EQ(said_of("precious data\n"), "has no results of a sweep");
   EXPECT_EQ(said_of(head + row + row.substr(0, 30)), "is damaged: line 3 is no result");
   for (const char* bad :
@@ -147,6 +148,31 @@ TEST_F(TrainSweep, ResultsOfOthersAreRefused) {
         "0123456789abcdef,\"a=1\",1,1,8192,0,0,-12.5,1,\"\"",
         "0123456789abcdef,\"a=1\",1,1,8192,399,400,-12.5,0.75,\"\",", ""})
     EXPECT_EQ(said_of(head + bad + "\n"), "is damaged: line 2 is no result") << bad;
+}
+
+// At 9028afbf, the one that wrote last had its own rows only.
+TEST_F(TrainSweep, TwoSweepsWithOneFileLoseNoRow) {
+  const std::string shared = path("results.csv");
+  SweepResults first(shared), second(shared);
+  const auto add = [](SweepResults& to, int number) {
+    EXPECT_EQ(to.add({.training = fmt::format("{:016x}", number),
+                      .settings = "clip=0.1",
+                      .successes = 1,
+                      .episodes = 1,
+                      .problem = ""}),
+              "");
+  };
+  for (int i = 0; i < 4; ++i) add(i % 2 == 0 ? first : second, i);
+  EXPECT_EQ(SweepResults(shared).size(), 4U);
+  constexpr int kEach = 25;
+  const auto more = [&](int from) {
+    SweepResults own(shared);
+    for (int i = 0; i < kEach; ++i) add(own, from + i);
+  };
+  std::thread one([&] { more(100); }), other([&] { more(200); });
+  one.join();
+  other.join();
+  EXPECT_EQ(SweepResults(shared).size(), 4U + 2 * kEach);
 }
 
 TEST_F(TrainSweep, AFileOfSomethingElseStays) {

@@ -1,10 +1,13 @@
 #include "targets/environments/train/training.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -258,10 +261,18 @@ TEST_F(TrainTraining, FilesThatCannotBeWrittenAreRefusedBefore) {
 
 TEST_F(TrainTraining, AFileIsThereAsAWholeOrNotAtAll) {
   write_file(path("file"), "before");
-  fs::create_directories(path("file.part"));  // nothing can be written there
-  EXPECT_NE(said_by([&] { write_file(path("file"), "after"); }).find("cannot write"),
-            std::string::npos);
+  // As a disk that is full behind the third byte.
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit little{3, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &little);
+  const std::string said = said_by([&] { write_file(path("file"), "after"); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(said.find("cannot write"), std::string::npos);
   EXPECT_EQ(read_file(path("file")), "before");
+  EXPECT_EQ(std::distance(fs::directory_iterator(path("")), fs::directory_iterator()), 1);
 }
 
 TEST(TrainLibrary, AnythingElseIsRefused) {

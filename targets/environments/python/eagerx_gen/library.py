@@ -1,12 +1,12 @@
 """The C interface of targets/environments/eagerx_environments.h over numpy arrays."""
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import json
 import operator
 import os
 import reprlib
-import threading
 from ctypes import c_char_p, c_int, c_uint32, c_uint64, c_void_p
 
 import numpy as np
@@ -14,14 +14,13 @@ import numpy as np
 from . import checks
 from .description import Described, picture_size, states_row, tuning_row
 from .errors import Error, RewardNotFinite
+from .turn import turn
 
 VERSION = 4
 """Of the C interface."""
 
 MOST = 1_000_000
 """Environments in a batch: EAGERX_ENVIRONMENTS_MOST."""
-
-BUSY = "another thread is in a call with these environments"
 
 AUTORESET = {"next_step": 0, "same_step": 1, "disabled": 2}
 
@@ -132,8 +131,7 @@ class Environments(checks.Single):
                            checks.whole("seed", seed, 0, 2**64 - 1), checks.whole("longest", longest, 0, 2**32 - 1), AUTORESET[autoreset],
                            checks.whole("threads", threads, 0, 2**32 - 1), int(bool(pictures)))
         self._library, self._count, self._autoreset = library, count, autoreset
-        # Of the thread that is in a call; the same one may come again, as after an interrupt.
-        self._turn = threading.RLock()
+        self._turn = turn()
         self._handle = library.c.eagerx_create(ctypes.byref(options))
         if not self._handle:
             self._handle = None
@@ -176,17 +174,11 @@ class Environments(checks.Single):
     def _fail(self, kind=Error):
         raise kind(self._library.c.eagerx_error().decode(errors="replace"))
 
-    def _begin_call(self):
-        if not self._turn.acquire(False):
-            raise Error(BUSY)
-
     def _call(self, function, *arguments):
         """What a function of the library answers, to one thread at a time."""
-        self._begin_call()
-        try:
-            return function(self._open(), *arguments)
-        finally:
-            self._turn.release()
+        with self._turn:
+            result = function(self._open(), *arguments)
+        return result
 
     def _open(self):
         if self._handle is None:
@@ -217,13 +209,8 @@ class Environments(checks.Single):
 
         That step is made and its rows are there: who wants to go on catches it. counts() has how often.
         """
-        turn = self._turn
-        if not turn.acquire(False):  # as _begin_call(), which would cost more than the rest of this
-            raise Error(BUSY)
-        try:
+        with self._turn:  # not _call(), which would cost more than the rest of this
             result = self._step(self._handle, *self._arguments)
-        finally:
-            turn.release()
         if result != 0:
             self._open()
             self._fail(RewardNotFinite if result > 0 else Error)
@@ -307,14 +294,11 @@ class Environments(checks.Single):
         """Frees what the library has; the rows stay. Not while another thread is in a call."""
         if self._handle is None:
             return
-        self._begin_call()
-        try:
+        with self._turn:
             handle, self._handle = self._handle, None
             if handle is not None:
                 self._library.c.eagerx_destroy(handle)
-        finally:
-            self._turn.release()
 
     def __del__(self):
-        if self._handle is not None and self._turn.acquire(blocking=False):  # else a thread is still in a call when Python ends
+        with contextlib.suppress(Error):  # a thread is still in a call when Python ends
             self.close()

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import json
 import os
 import reprlib
@@ -10,7 +11,6 @@ import struct
 import subprocess
 import sys
 import tempfile
-import threading
 import weakref
 
 import numpy as np
@@ -18,15 +18,16 @@ import numpy as np
 from . import checks
 from .description import Described, picture_size, states_row, tuning_row
 from .errors import Error, RewardNotFinite
+from .turn import turn
 
-VERSION = 2
+VERSION = 3
 """Of the protocol."""
 
 _DESCRIBE, _RESET, _STEP, _COUNTS, _HASH, _PICTURE, _CLOSE, _TUNE = range(1, 9)
 _PROBLEM, _PIECE, _NUMBER, _OBSERVATION = range(1, 5)
 _TERMINATED, _TRUNCATED, _SUCCESS = 1, 2, 4
-_REQUEST = struct.Struct("=IIQ")
-_ANSWER = struct.Struct("=IIQqdII")
+_REQUEST = struct.Struct("=IIQQ")
+_ANSWER = struct.Struct("=IIQQqdII")
 _LONGEST = 2**18  # bytes of an answer
 _PATIENCE_S = 10  # until a program that was told to end has ended
 
@@ -64,9 +65,11 @@ def _finish(ours, process, errors, owner):
     """Tells the program to end, and waits: it makes safe, writes its files."""
     if os.getpid() != owner:  # a child was forked, which has nothing to do with the program
         return
-    with contextlib.suppress(OSError):
-        ours.send(_REQUEST.pack(_CLOSE, 0, 0), socket.MSG_DONTWAIT)
-    ours.close()  # without this it would see that its agent is gone, which is the same
+    try:
+        with contextlib.suppress(OSError):
+            ours.send(_REQUEST.pack(_CLOSE, 0, 0, 0), socket.MSG_DONTWAIT)
+    finally:
+        ours.close()  # without the request it sees that its agent is gone, which is the same
     with contextlib.suppress(subprocess.TimeoutExpired):
         process.wait(_PATIENCE_S)
     errors.close()
@@ -100,8 +103,8 @@ class RunningProgram(checks.Single):
         if render_mode is not None:
             width, height = picture_size(render_size)
             options += ["--render", "window" if render_mode == "human" else "asked", "--size", f"{width}x{height}"]
-        self._turn = threading.RLock()
-        self._owed = 0  # answers that an interrupt has left unread
+        self._turn = turn()
+        self._numbers = itertools.count(1)  # of requests: an answer that an interrupt has left unread has another one
         self._start(path, options, variables)
         description = json.loads(self._pieces(_DESCRIBE))
         if description["version"] != VERSION:
@@ -158,26 +161,21 @@ class RunningProgram(checks.Single):
             answer = self._socket.recv(_LONGEST)
         except ConnectionError:
             answer = b""
-        self._owed -= 1
         return answer or self._lost()
 
     def _ask(self, kind, number=0, seed=0, row=b""):
         """(header, bytes behind it) of the answer."""
-        if not self._turn.acquire(False):
-            raise Error("another thread is in a call with these environments")
-        try:
+        with self._turn:
             self.check_open()
-            while self._owed > 0:
-                self._receive()
+            asked = next(self._numbers)
             try:
-                self._owed += 1
-                self._socket.send(_REQUEST.pack(kind, number, seed) + row)
+                self._socket.send(_REQUEST.pack(kind, number, seed, asked) + row)
             except OSError:
                 self._lost()
-            answer = self._receive()
-        finally:
-            self._turn.release()
-        header = _ANSWER.unpack_from(answer)
+            header = None
+            while header is None or header[2] != asked:
+                answer = self._receive()
+                header = _ANSWER.unpack_from(answer)
         if header[0] == _PROBLEM:
             raise Error(answer[_ANSWER.size:].decode(errors="replace"))
         return header, answer[_ANSWER.size:]
@@ -188,7 +186,7 @@ class RunningProgram(checks.Single):
         while size is None or sum(map(len, pieces)) < size:
             header, piece = self._ask(kind, sum(map(len, pieces)))
             pieces.append(piece)
-            size = header[2]
+            size = header[3]
         return b"".join(pieces)
 
     def _take(self, header, row):
@@ -197,7 +195,7 @@ class RunningProgram(checks.Single):
         self.terms[0] = numbers[:terms]
         self.applied[0] = numbers[terms:terms + actions]
         self.observation[0] = numbers[terms + actions:]
-        _, self._episode, self._step, time_ns, self.reward[0], flags, self.late = header
+        _, self._episode, _, self._step, time_ns, self.reward[0], flags, self.late = header
         self.time_s = time_ns * 1e-9
         self.terminated[0], self.truncated[0], self.success[0] = flags & _TERMINATED, flags & _TRUNCATED, flags & _SUCCESS
 
@@ -236,7 +234,7 @@ class RunningProgram(checks.Single):
 
     def hash(self, environment=0):
         """Of all messages."""
-        return self._ask(_HASH)[0][2]
+        return self._ask(_HASH)[0][3]
 
     def picture(self, environment=0, size=None):
         """uint8 [height, width, 3] of the size that the program was started with: what `render:` showed last."""

@@ -2,6 +2,7 @@
 #pragma once
 
 struct device {
+  const char* name;
   bool is_ready;
 };
 #define DEVICE_DT_GET(node) (&world_##node)

@@ -7,7 +7,7 @@ import tempfile
 import kconfiglib
 import yaml
 
-# As lib/cpp/Kconfig, arch/Kconfig and kernel/Kconfig of Zephyr say it.
+# As lib/cpp/Kconfig, arch/Kconfig, kernel/Kconfig and drivers/watchdog/Kconfig of Zephyr say it, for an STM32.
 ZEPHYR = """
 config CPP
 	bool "C++"
@@ -19,6 +19,8 @@ config STD_CPP11
 	bool "C++ 11"
 config STD_CPP20
 	bool "C++ 20"
+config STD_CPP2B
+	bool "C++ 2b"
 endchoice
 config REQUIRES_FULL_LIBCPP
 	bool "complete C++ standard library"
@@ -33,6 +35,17 @@ config FPU_SHARING
 	depends on FPU
 config WATCHDOG
 	bool "watchdog drivers"
+config HWINFO
+	bool "hardware information"
+config IWDG_STM32
+	def_bool y
+	depends on WATCHDOG
+	select HAS_WDT_DISABLE_AT_BOOT
+config HAS_WDT_DISABLE_AT_BOOT
+	bool
+config WDT_DISABLE_AT_BOOT
+	bool "disable at boot"
+	depends on WATCHDOG && HAS_WDT_DISABLE_AT_BOOT
 config MAIN_STACK_SIZE
 	int "stack of the main thread"
 	default 1024
@@ -54,7 +67,10 @@ def main(module, conf, fpu, output):
         assert name in kconfig.syms, f"there is no {name}"
         assert kconfig.syms[name].str_value == wanted, f"{name} is {kconfig.syms[name].str_value}, not {wanted}"
     assert not kconfig.warnings, kconfig.warnings
-    for name, wanted in {"FPU": fpu, "FPU_SHARING": fpu, "REQUIRES_FULL_LIBCPP": "y"}.items():
+    forced = {"FPU": fpu, "FPU_SHARING": fpu, "REQUIRES_FULL_LIBCPP": "y"}
+    if kconfig.syms["WATCHDOG"].str_value == "y":
+        forced["WDT_DISABLE_AT_BOOT"] = "y"
+    for name, wanted in forced.items():
         assert kconfig.syms[name].str_value == wanted, f"{name} is not {wanted}"
     lines = [f'set(MODULE_CMAKE {description["build"]["cmake"]})']
     lines += [f"set(CONFIG_{name} y)" for name, symbol in kconfig.syms.items() if symbol.str_value == "y"]

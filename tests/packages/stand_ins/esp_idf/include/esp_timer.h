@@ -27,3 +27,8 @@ inline esp_err_t esp_timer_start_once(esp_timer_handle_t /*timer*/, std::uint64_
   world::timer_us = world::now_us + us;
   return ESP_OK;
 }
+inline esp_err_t esp_timer_stop(esp_timer_handle_t /*timer*/) {
+  if (world::timer_us == 0) return ESP_ERR_INVALID_STATE;
+  world::timer_us = 0;
+  return ESP_OK;
+}

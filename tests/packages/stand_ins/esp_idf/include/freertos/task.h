@@ -10,6 +10,7 @@
 namespace world {
 inline int task = 0;
 inline unsigned notified = 0;
+inline unsigned waits = 0;
 inline std::uint64_t timer_us = 0;  // when the timer fires; 0: it does not run
 inline void (*timer_callback)(void*) = nullptr;
 inline void* timer_argument = nullptr;
@@ -32,6 +33,11 @@ inline void xTaskNotifyGive(TaskHandle_t task) {
 }
 inline std::uint32_t ulTaskNotifyTake(BaseType_t /*clear*/, TickType_t /*wait*/) {
   if (world::timer_us == 0) std::abort();  // it would sleep for ever
+  // Now and then another task notifies this one, before the timer does.
+  if (++world::waits % 7 == 0 && world::timer_us > world::now_us) {
+    world::pass((world::timer_us - world::now_us) / 2);
+    return 1;
+  }
   if (world::timer_us > world::now_us) world::pass(world::timer_us - world::now_us);
   world::timer_us = 0;
   world::timer_callback(world::timer_argument);

@@ -1,0 +1,20 @@
+// Two graphs compared by what they mean: nodes, connections, rates, spaces, ages. The order, the
+// layout and the names of files do not matter, nor whether a value is written or a default.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "generator/analysis/info/info.hpp"
+
+namespace eagerx::gen {
+
+/// What is known of a graph, by what it is about: "nodes.smooth.rate" → "30".
+using GraphFacts = std::map<std::string, std::string>;
+GraphFacts facts_of(const PlanInfo& report);
+
+/// A line for each difference: `-` only the first has it, `+` only the second, `~` both, but
+/// another value. Of an entity that only one has, one line. Empty if there is none.
+std::string differences(const GraphFacts& first, const GraphFacts& second);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,78 @@
+// What a plan says of time, memory and traffic before anything is compiled; budgets of it.
+#pragma once
+
+#include <string>
+
+#include "generator/graph/plan/ages.hpp"
+#include "generator/graph/plan/link.hpp"
+#include "generator/support/json/json.hpp"
+
+namespace eagerx::gen {
+
+/// An entry of `age` in `budget:`.
+struct AgeLimit {
+  std::string from, to;  // empty: all of this kind
+  WayEnds ends;
+  Rational at_most_s;
+  Span span;
+};
+
+/// What an entry is compared with: the pairs that no entry with more names of its own is about.
+struct AgeComparison {
+  AgeLimit limit;
+  std::vector<DataAge> ages;
+  std::vector<const Input*> unknown;  // connections that these leave out
+};
+
+struct PlanInfo {
+  const Plan* plan = nullptr;
+  std::vector<DataAge> ages;               // between the usual ends
+  std::vector<const Input*> ages_unknown;  // connections that `ages` leave out
+  std::vector<AgeComparison> compared;
+  Link link;
+};
+
+/// `budget` of the graph, if it has one. Problems with its `age`: E0208 a key that does nothing,
+/// E0424 a name that is none, E0425 a pair that no data go between, W0120 an entry that limits
+/// nothing.
+PlanInfo info_of(const Plan& plan, const std::optional<YamlValue>& budget,
+                 Diagnostics& diagnostics);
+/// The comparisons of it.
+std::vector<AgeComparison> compare_ages(const Plan& plan, const YamlValue& budget,
+                                        Diagnostics& diagnostics);
+/// Through which nodes: "position, speed" or "agent, smooth"; empty if there is none between.
+std::string nodes_on_way(const DataAge& age);
+
+/// Rates, slots, buffers.
+std::string plan_text(const PlanInfo& report);
+/// What boards send of themselves; empty without `telemetry:`.
+std::string telemetry_text(const Plan& plan);
+Json telemetry_json(const Plan& plan);
+/// Ages from sensors to actuators, and the link.
+std::string timing_text(const PlanInfo& report);
+/// What goes over the links of a graph with parts, beside the key `parts` of its `budget:`; empty
+/// without parts.
+std::string parts_text(const Plan& plan, const std::optional<YamlValue>& budget);
+/// "1 exchange, 34 bytes with their frames", of a step.
+std::string load_of_part(const Plan& plan, std::size_t part);
+Json parts_json(const Plan& plan);
+/// On a serial line, with frames: bytes a step both ways, and bits a second in real time.
+double bytes_on_line(const PartLink& link);
+double baud_of(const Plan& plan, const PartLink& link);
+/// The key `parts` of `budget:`, for each link. Exceeded: E0420.
+void check_parts_budget(const Plan& plan, const YamlValue& entry, Diagnostics& diagnostics);
+/// Whether target environments steps environments of the graph in packs.
+std::string packs_text(const Plan& plan);
+/// What the graph's task sees and gives; empty without one.
+std::string task_text(const Graph& graph);
+Json task_json(const Graph& graph);
+/// A time as its exact fraction and in seconds.
+Json time_json(const Rational& seconds);
+/// One JSON object with all of it; fractions as texts, beside them numbers in seconds.
+Json info_json(const PlanInfo& report);
+
+/// The keys `age`, `link` and `telemetry` of a graph's `budget:`. Exceeded: E0420, with the
+/// connection that adds the most.
+void check_plan_budget(const PlanInfo& report, const YamlValue& budget, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,110 @@
+// Times and rates of a size that another unit is meant by.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/analysis/plausibility/plausibility.hpp"
+#include "generator/frontend/read/scalar.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// The values of a delay that are written, whether it is drawn or not.
+std::vector<const YamlValue*> written_delays(const ConnectionSettings& settings) {
+  std::vector<const YamlValue*> result;
+  const auto add = [&](const std::optional<YamlValue>& value) {
+    if (!value) return;
+    if (value->is_scalar()) result.push_back(&*value);
+    for (const YamlValue& item : value->items) result.push_back(&item);
+  };
+  add(settings.delay);
+  if (settings.random_delay) {
+    add(settings.random_delay->first);
+    add(settings.random_delay->second);
+  }
+  add(settings.max_delay);
+  return result;
+}
+
+/// A delay of seconds that nobody has written a unit behind, and many steps long.
+void check_delay(const Judged& judged, const ConnectionSettings& settings,
+                 Diagnostics& diagnostics) {
+  constexpr std::int64_t kManySteps = 10;
+  for (const YamlValue* value : written_delays(settings)) {
+    const auto seconds = Rational::parse(value->text);
+    if (value->with_unit || !seconds || *seconds < Rational(1)) continue;
+    const Rational steps = *seconds * judged.graph.environment().rate_hz;
+    if (steps < Rational(kManySteps) || steps.overflowed()) continue;
+    auto& problem = diagnostics.warning(
+        "W0114", value->span,
+        fmt::format("a delay of {0} is {0} s, {1} steps of the graph", value->text, steps.floor()));
+    problem.help = fmt::format("write the unit: `{0} ms` if these are milliseconds, else `{0} s`",
+                               value->text);
+    return;  // the others are of the same unit
+  }
+}
+
+void check_delays(const Judged& judged, Diagnostics& diagnostics) {
+  const GraphSpec& spec = judged.spec;
+  if (spec.simulate_delays && !spec.simulate_delays->value) return;
+  const auto check_ports = [&](const Selection& ports) {
+    if (!ports) return;
+    for (const ComponentSpec& port : *ports) check_delay(judged, port.settings, diagnostics);
+  };
+  for (const EntitySpec& object : spec.objects) check_ports(object.sensors);
+  for (const EntitySpec& node : spec.nodes) check_ports(node.inputs);
+  for (const ConnectionSpec& each : spec.connections)
+    check_delay(judged, each.settings, diagnostics);
+}
+
+class Rates {
+ public:
+  explicit Rates(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  void check(const std::string& what, const Rational& rate_hz, Span span) {
+    constexpr std::int64_t kHighest = 100'000;
+    if (!(rate_hz > Rational(kHighest))) return;
+    auto& problem = diagnostics_.warning(
+        "W0115", span,
+        fmt::format("{} {} Hz, which is faster than controllers and their computers are", what,
+                    rate_hz.to_string()));
+    problem.help = fmt::format(
+        "numbers without a unit are in Hz: write `rate: {} Hz` if that is meant; else `allow: "
+        "[W0115]`",
+        (rate_hz / Rational(1000)).to_string());
+  }
+  void check(const EntitySpec& entity, const std::string& what) {
+    if (!entity.rate) return;
+    if (const auto rate = Rational::parse(entity.rate->value.text))
+      check(what, *rate, entity.rate->span);
+  }
+  void check(const Selection& ports, const std::string& owner) {
+    if (!ports) return;
+    for (const ComponentSpec& port : *ports) {
+      if (port.rate)
+        check(fmt::format("`{}.{}` has a rate of", owner, port.name.value), port.rate->value,
+              port.rate->span);
+    }
+  }
+
+ private:
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void check_numbers(const Judged& judged, Diagnostics& diagnostics) {
+  check_delays(judged, diagnostics);
+  Rates rates(diagnostics);
+  const GraphSpec& spec = judged.spec;
+  rates.check("the graph has a rate of", spec.rate.value, spec.rate.span);
+  rates.check(spec.engine, "the engine steps at");
+  for (const EntitySpec& node : spec.nodes)
+    rates.check(node, fmt::format("`{}` runs at", node.name.value));
+  for (const EntitySpec& object : spec.objects) {
+    rates.check(object.sensors, object.name.value);
+    rates.check(object.actuators, object.name.value);
+  }
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,74 @@
+// What leaves a graph without engine while it is safe, and keys of `safety:` that do nothing.
+#include <fmt/format.h>
+
+#include "generator/analysis/plausibility/plausibility.hpp"
+#include "generator/frontend/spec/named.hpp"
+#include "generator/support/diagnostics/join.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+void report_idle(Span span, std::string_view key, std::string_view why, Diagnostics& diagnostics) {
+  diagnostics.warning("W0109", span, fmt::format("`{}` does nothing: {}", key, why)).help =
+      "leave it out";
+}
+
+void check_idle_keys(const Judged& judged, Diagnostics& diagnostics) {
+  if (!judged.spec.safety) return;
+  const SafetySpec& safety = *judged.spec.safety;
+  const Setting* const nodes = find_named(safety.settings, "nodes");
+  if (judged.spec.has_engine()) {
+    constexpr const char* kAgent = "this graph has an engine, so its observations go to the agent";
+    if (safety.outputs_span) report_idle(*safety.outputs_span, "outputs", kAgent, diagnostics);
+    if (nodes != nullptr) report_idle(nodes->span, "nodes", kAgent, diagnostics);
+    for (const Setting& frozen : safety.frozen)
+      report_idle(frozen.span, "frozen." + frozen.name, kAgent, diagnostics);
+    return;
+  }
+  if (judged.graph.safety.outputs.empty()) {
+    constexpr const char* kNone = "this graph has no safe outputs";
+    if (nodes != nullptr) report_idle(nodes->span, "nodes", kNone, diagnostics);
+    for (const Setting& frozen : safety.frozen)
+      report_idle(frozen.span, "frozen." + frozen.name, kNone, diagnostics);
+    return;
+  }
+  for (const Setting& action : safety.actions) {
+    report_idle(action.span, "actions." + action.name,
+                "without an engine, actions are measurements, and `outputs` take over",
+                diagnostics);
+  }
+}
+
+}  // namespace
+
+void check_outputs(const Judged& judged, Diagnostics& diagnostics) {
+  check_idle_keys(judged, diagnostics);
+  check_safe_outputs(judged.graph, diagnostics);
+}
+
+void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics) {
+  const Safety& safety = graph.safety;
+  if (safety.undeclared.empty()) return;
+  std::vector<std::string> names, values, many;
+  for (const std::size_t i : safety.undeclared) {
+    const Input& input = graph.environment().inputs[i];
+    names.push_back("`" + input.written + "`");
+    if (input.window != 1) many.push_back("`" + input.written + "`");
+    values.push_back(input.name + (input.window == 1 ? ": 0.0" : ": none"));
+  }
+  const Input& first = graph.environment().inputs[safety.undeclared.front()];
+  auto& problem = diagnostics.warning(
+      "W0111", first.span,
+      fmt::format("nothing says what {} {} while a measurement is missing or wrong",
+                  join(names, ", "), names.size() == 1 ? "is" : "are"));
+  problem.label = many.empty()
+                      ? "zero, moved into its space"
+                      : fmt::format("{} would leave as the nodes made it", join(many, ", "));
+  problem.help = fmt::format(
+      "write `safety: {{outputs: {{{}}}}}` with values that are safe, or {} if nothing acts on "
+      "what "
+      "leaves",
+      join(values, ", "), graph.cut ? "`none` in place of a value" : "`outputs: none`");
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,71 @@
+#include "generator/analysis/plausibility/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "generator/frontend/spec/named.hpp"
+#include "generator/support/diagnostics/pages.hpp"
+
+namespace eagerx::gen {
+
+void check_plausibility(const Judged& judged, Diagnostics& diagnostics) {
+  check_actions(judged, diagnostics);
+  check_units(judged, diagnostics);
+  check_wiring(judged, diagnostics);
+  check_sensors(judged, diagnostics);
+  check_memory(judged, diagnostics);
+  check_keys(judged, diagnostics);
+  check_outputs(judged, diagnostics);
+  check_task(judged.graph, diagnostics);
+  check_numbers(judged, diagnostics);
+  check_steps(judged, diagnostics);
+  check_kept_states(judged, diagnostics);
+  check_files(judged, diagnostics);
+}
+
+void check_keys(const Judged& judged, Diagnostics& diagnostics) {
+  const auto& timeout = judged.spec.reset_timeout_s;
+  if (!timeout || judged.graph.has_reset_nodes()) return;
+  diagnostics
+      .warning("W0109", timeout->span,
+               "`reset_timeout` does nothing: this graph has no reset nodes")
+      .help = "leave it out";
+}
+
+void allow_warnings(const std::vector<Spanned<std::string>>& allowed, bool complete,
+                    Diagnostics& diagnostics) {
+  std::set<std::string> given;
+  for (const auto& diagnostic : diagnostics.all()) {
+    if (diagnostic.severity == Severity::warning) given.insert(diagnostic.code);
+  }
+  std::vector<std::string> known;
+  for (const CodePage& page : code_pages()) {
+    if (page.code.starts_with('W')) known.emplace_back(page.code);
+  }
+  std::vector<std::string> codes;
+  for (const auto& [code, span] : allowed) {
+    if (!contains(known, code)) {
+      auto& problem =
+          diagnostics.warning("W0108", span, fmt::format("there is no warning `{}`", code));
+      problem.help = code.starts_with('E') ? "errors cannot be allowed: `allow` takes codes of "
+                                             "warnings, such as W0103"
+                                           : "`eagerx-gen explain` lists all codes";
+    } else if (contains(codes, code)) {
+      diagnostics.warning("W0108", span, fmt::format("`{}` is allowed twice", code)).help =
+          "leave it out";
+    } else if (complete && !given.contains(code)) {
+      diagnostics
+          .warning("W0108", span,
+                   fmt::format("`{}` is allowed, but this graph does not give it", code))
+          .help = "leave it out, so that you are warned when the graph gives it";
+    }
+    codes.push_back(code);
+  }
+  // What is wrong with `allow` itself is said whatever is allowed.
+  std::erase(codes, "W0108");
+  diagnostics.drop_warnings(codes);
+}
+
+}  // namespace eagerx::gen

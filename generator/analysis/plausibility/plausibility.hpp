@@ -1,0 +1,49 @@
+// What a graph says that is allowed and hardly meant: warnings, and errors where it cannot work.
+#pragma once
+
+#include <vector>
+
+#include "generator/graph/plan/plan.hpp"
+
+namespace eagerx::gen {
+
+/// What is judged: the graph as it was written, resolved and planned, for these targets.
+struct Judged {
+  const GraphSpec& spec;
+  const Graph& graph;
+  const Plan& plan;
+  const std::vector<const Target*>& targets;
+};
+
+/// W0101 an action wider than its actuator, W0102 units that differ, W0103 an actuator that nothing
+/// drives, W0104 what reaches nothing, W0105 a port that is connected and not listed, W0106 a
+/// sensor faster than the engine, W0107 an observation of a policy without bounds, W0109 a key that
+/// does nothing in this graph, W0110 what of a task changes nothing, W0111 an output that nobody
+/// said the safe value of, W0112 nodes without an engine that are faster than a step, W0113 a state
+/// that goes on from one episode to the next, W0114 a long delay without a unit, W0115 a rate that
+/// hardly anything has, W0118 a file of actions that is not there; E0421 a budget for a node that
+/// there is not, E0423 buffers that do not fit into the RAM.
+void check_plausibility(const Judged& judged, Diagnostics& diagnostics);
+
+/// Leaves out the warnings whose codes are in `allow:`. W0108 where that does nothing; `complete`:
+/// whether all warnings of the graph are here, so that one that is missing is not given.
+void allow_warnings(const std::vector<Spanned<std::string>>& allowed, bool complete,
+                    Diagnostics& diagnostics);
+
+// The parts of check_plausibility().
+void check_actions(const Judged& judged, Diagnostics& diagnostics);
+void check_units(const Judged& judged, Diagnostics& diagnostics);
+void check_wiring(const Judged& judged, Diagnostics& diagnostics);
+void check_sensors(const Judged& judged, Diagnostics& diagnostics);
+void check_memory(const Judged& judged, Diagnostics& diagnostics);
+void check_keys(const Judged& judged, Diagnostics& diagnostics);
+void check_outputs(const Judged& judged, Diagnostics& diagnostics);
+/// W0111, also of nodes that were cut out.
+void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics);
+void check_task(const Graph& graph, Diagnostics& diagnostics);
+void check_numbers(const Judged& judged, Diagnostics& diagnostics);
+void check_steps(const Judged& judged, Diagnostics& diagnostics);
+void check_kept_states(const Judged& judged, Diagnostics& diagnostics);
+void check_files(const Judged& judged, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "generator/analysis/size/size.hpp"
+
+namespace eagerx::gen {
+
+/// The deepest stack of the program in `image`, from its start-up code on. `build` has the .ci
+/// files of what it was compiled from. Whose its calls are is not said yet. Interrupts come on top.
+StackBound stack_bound(const std::string& prefix, const std::string& image,
+                       const std::string& build);
+
+}  // namespace eagerx::gen

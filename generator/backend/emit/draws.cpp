@@ -1,0 +1,65 @@
+#include "generator/backend/emit/draws.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/backend/emit/literals.hpp"
+#include "generator/backend/emit/namer.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::string initializer(const std::vector<double>& values, const Space& space) {
+  const std::string text = message_literal(values, space);
+  return space.shape.empty() ? "{" + text + "}" : text;
+}
+
+}  // namespace
+
+Space range_of(const Random& random, const Space& space) {
+  Space range = space;
+  if (random.kind == RandomSpec::Kind::uniform || random.kind == RandomSpec::Kind::log_uniform) {
+    range.low = random.first;
+    range.high = random.second;
+  }
+  return range;
+}
+
+View draw_lines(const Random& random, const Space& space, const std::string& field,
+                const std::string& constant) {
+  const std::string type = message_type(space);
+  std::vector<std::string> text;
+  switch (random.kind) {
+    case RandomSpec::Kind::value:
+      text = {fmt::format("states.{} = {}{};", field, type, initializer(random.first, space))};
+      break;
+    case RandomSpec::Kind::uniform:
+      text = {fmt::format("states.{} = {}.sample(random);", field, constant)};
+      break;
+    case RandomSpec::Kind::log_uniform:
+      text = {fmt::format("states.{} = eagerx::draw_log_uniform(random, {}.low, {}.high);", field,
+                          constant, constant)};
+      break;
+    case RandomSpec::Kind::normal:
+      text = {fmt::format("constexpr {} kMean{};", type, initializer(random.first, space)),
+              fmt::format("constexpr {} kStd{};", type, initializer(random.second, space)),
+              fmt::format("states.{} = {}.clipped(eagerx::draw_normal(random, kMean, kStd));",
+                          field, constant)};
+      break;
+    case RandomSpec::Kind::choice:
+      text = {fmt::format("constexpr {} kChoices[] = {{", type)};
+      for (const auto& choice : random.choices)
+        text.push_back(fmt::format("    {},", message_literal(choice, space)));
+      text.push_back("};");
+      text.push_back(fmt::format("states.{} = eagerx::draw_choice(random, kChoices);", field));
+      break;
+  }
+  View lines = list();
+  for (const auto& line : text) {
+    View item = object();
+    item.set("line", line);
+    lines.push_back(item);
+  }
+  return lines;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,22 @@
+// How a state is drawn, as C++.
+#pragma once
+
+#include <string>
+
+#include "generator/backend/emit/render.hpp"
+#include "generator/graph/resolve/graph.hpp"
+
+namespace eagerx::gen {
+
+/// The lines ("line") that set `states.FIELD` from `random`; `constant`: what its range is called.
+View draw_lines(const Random& random, const Space& space, const std::string& field,
+                const std::string& constant);
+
+/// Whether draws need a range: a value and a choice do not.
+inline bool needs_range(const Random& random) {
+  return random.kind != RandomSpec::Kind::value && random.kind != RandomSpec::Kind::choice;
+}
+/// What a state is drawn from.
+Space range_of(const Random& random, const Space& space);
+
+}  // namespace eagerx::gen

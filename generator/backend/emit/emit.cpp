@@ -1,0 +1,333 @@
+#include "generator/backend/emit/emit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <runtime/host/base/hash.hpp>
+
+#include "generator/backend/emit/names.hpp"
+#include "generator/backend/emit/policy_answers.hpp"
+#include "generator/backend/emit/policy_view.hpp"
+#include "generator/backend/emit/wrap.hpp"
+#include "generator/graph/plan/packs.hpp"
+#include "generator/graph/resolve/needs.hpp"
+#include "generator/support/diagnostics/search.hpp"
+#include "generator/support/quote/quote.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEqualsHash = " = 0x";  // what is between the name of a hash and its digits
+
+class Emitter {
+ public:
+  Emitter(const Plan& plan, const std::optional<Network>& network,
+          const std::vector<NodePolicy>& node_policies, const EmitOptions& options,
+          Diagnostics& diagnostics)
+      : plan_(plan),
+        options_(options),
+        diagnostics_(diagnostics),
+        names_(plan, options.part, Numbers::plain, true) {
+    why_no_packs_ = why_no_packs(plan);
+    has_packs_ = why_no_packs_.empty() && options.part == Part::whole &&
+                 ranges::any_of(options.targets, &Target::packs);
+    // Where the agent is, and in the hub, which has everything of the graph's own sources.
+    const bool decides = !options.part.is_placed() || names_.runs(Graph::kEnvironment);
+    if (decides) network_ = network;
+    for (const NodePolicy& policy : node_policies) {
+      if (!options.part.is_placed() || names_.runs(policy.node)) node_policies_.push_back(policy);
+    }
+  }
+
+  std::optional<std::vector<GeneratedFile>> run() {
+    const std::string folder = options_.header_folder + plan_.graph->name + "/";
+    const auto& task = plan_.graph->task;
+    add(folder + "messages.hpp", "cpp/messages.hpp.mustache", messages_view(plan_, names_));
+    const fs::path here = fs::path(options_.output) / folder;
+    View io = io_view(plan_, names_, {options_.builtin_root, here.string()});
+    add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
+    if (task && names_.runs(task->node))
+      add(folder + "task.hpp", "cpp/task.hpp.mustache", task_view(plan_));
+    add(folder + "limits.hpp", "cpp/limits.hpp.mustache", limits_view(plan_, names_));
+    if (has_packs_) add_packs(folder, here);
+    const std::size_t at = files_.size();
+    add_program(folder, names_, false);
+    if (has_packs_ && !failed_) {
+      // What packs read is no array.
+      program_alone_ = std::move(files_[at].text);
+      files_.resize(at);
+      add_program(folder, ProgramNames(plan_, options_.part), true);
+    }
+    add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
+    const std::size_t first_policy = files_.size();
+    if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", agent_view());
+    for (const NodePolicy& policy : node_policies_) {
+      add(fmt::format("{}{}.hpp", folder, policy_namespace(plan_.graph->nodes[policy.node].name)),
+          "cpp/policy.hpp.mustache", node_view(policy));
+    }
+    if (!failed_) add_hashes(first_policy);
+    if (plan_.telemetry && !failed_) add_telemetry(folder);
+    if (options_.targets.empty()) {
+      add(options_.header_folder + plan_.graph->name + ".hpp", "library/library.hpp.mustache",
+          gen::library_view(plan_, network_.has_value(), network_ && network_->has_memory()));
+      if (options_.cmake) add("CMakeLists.txt", "library/CMakeLists.txt.mustache", cmake_view());
+    } else {
+      add("CMakeLists.txt", "cpp/CMakeLists.txt.mustache", cmake_view());
+    }
+    for (const Target* target : options_.targets) {
+      if (target->language.empty()) add_target(*target);
+    }
+    for (const auto& item : options_.extra) add_extra(item);
+    if (failed_) return std::nullopt;
+    return std::move(files_);
+  }
+
+ private:
+  /// `view` with what every template may name.
+  View with_common(View view) const {
+    const std::size_t dot = options_.version.find('.');
+    view.set("name", plan_.graph->name);
+    // A graph may be called `time` or `read`, as functions of the C library are.
+    std::string upper = plan_.graph->name;
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    view.set("upper_name", upper);
+    const auto set_default = [&](const char* key, const std::string& value) {
+      if (view.get(key) == nullptr) view.set(key, value);
+    };
+    set_default("namespace", "graphs::" + plan_.graph->name);
+    set_default("headers", plan_.graph->name + "/");
+    view.set("header", plan_.graph->name + "/graph.hpp");
+    view.set("file",
+             view.get("file") != nullptr ? *view.get("file") : View(plan_.graph->file_name));
+    view.set("version", options_.version);
+    view.set("major", options_.version.substr(0, dot));
+    view.set("minor",
+             options_.version.substr(dot + 1, options_.version.find('.', dot + 1) - dot - 1));
+    return view;
+  }
+
+  void add(const std::string& path, const std::string& template_file, View view) {
+    add_rendered(path, (fs::path(options_.templates) / template_file).string(), std::move(view));
+  }
+
+  /// The program once more, over packs of numbers.
+  void add_packs(const std::string& folder, const fs::path& here) {
+    Plan plan = plan_;
+    plan.schedule = schedule_of_packs(plan_);
+    const ProgramNames names(plan, Part::whole, Numbers::packs);
+    const auto add_one = [&](const std::string& file, const std::string& template_file, View view) {
+      view.set("namespace", "graphs::" + plan_.graph->name + "::packs");
+      view.set("headers", plan_.graph->name + "/packs/");
+      add(folder + "packs/" + file, template_file, std::move(view));
+    };
+    add_one("messages.hpp", "cpp/packs_messages.hpp.mustache", messages_view(plan, names));
+    add_one("io.hpp", "cpp/io.hpp.mustache",
+            io_view(plan, names, {options_.builtin_root, (here / "packs").string()}));
+    View program = program_view(plan, names);
+    program.set("indented", indented());
+    add_one("program.hpp", "cpp/packs_program.hpp.mustache", std::move(program));
+    if (!failed_) files_.back().text = take_marks(files_.back().text).text;
+    add_one("draws.hpp", "cpp/packs_draws.hpp.mustache", draws_view(plan_, names_));
+    if (acts_in_packs()) {
+      View view = pack_policy_view(*network_, "policy");
+      view["agent"] = pack_agent_view(plan_, *network_);
+      add_one("policy.hpp", "cpp/packs_policy.hpp.mustache", std::move(view));
+    }
+    for (const NodePolicy& policy : node_policies_) {
+      const std::string name = policy_namespace(plan_.graph->nodes[policy.node].name);
+      View view = pack_policy_view(*policy.network, name);
+      view["node"] = policy_node_view(plan_, policy, Numbers::packs);
+      add_one(name + ".hpp", "cpp/packs_policy.hpp.mustache", std::move(view));
+    }
+  }
+
+  /// What the agent remembers is in each environment's own program.
+  bool acts_in_packs() const { return has_packs_ && network_ && !network_->has_memory(); }
+
+  static View pack_policy_view(const Network& network, const std::string& name) {
+    View view = policy_view(network, "F32");
+    view.set("policy", name);
+    view.set("by_lane", needs_lane_by_lane(network));
+    view.set("node", View(false));
+    view.set("agent", View(false));
+    return view;
+  }
+
+  /// program.hpp, and what of it belongs to which node.
+  void add_program(const std::string& folder, const ProgramNames& names, bool beside_packs) {
+    View view = program_view(plan_, names);
+    view.set("has_memory", network_ && network_->has_memory());
+    view.set("indented", indented());
+    view.set("beside_packs", beside_packs);
+    add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(view));
+    if (failed_) return;
+    MarkedText program = take_marks(files_.back().text);
+    if (options_.cmake)
+      files_.push_back({folder + "program.map", to_text(program_map(plan_, names, program))});
+    ranges::find(files_, folder + "program.hpp", &GeneratedFile::path)->text =
+        std::move(program.text);
+  }
+
+  /// Into messages.hpp, which has zeros in their places: what all headers so far were made from.
+  /// Equal for all targets, and for a standalone tree.
+  void add_hashes(std::size_t first_policy) {
+    std::vector<GeneratedFile> headers, policies;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      GeneratedFile file = files_[i];
+      file.path.erase(0, options_.header_folder.size());
+      if (has_packs_ && file.path.ends_with("/program.hpp")) file.text = program_alone_;
+      if (i >= first_policy) policies.push_back(file);
+      if (file.path.find("/packs/") == std::string::npos) headers.push_back(std::move(file));
+    }
+    hash_ = options_.graph_hash != 0 ? options_.graph_hash : hash_of(headers);
+    put_hash("kGraphHash", hash_);
+    put_hash("kPolicyHash", policies.empty() ? 0 : hash_of(policies));
+  }
+
+  /// How to read what a board sends, for who has no C++.
+  void add_telemetry(const std::string& folder) {
+    View view = telemetry_view(plan_);
+    view.set("hash", fmt::format("0x{:016x}", hash_));
+    add(folder + "telemetry.json", "cpp/telemetry.json.mustache", std::move(view));
+  }
+
+  void put_hash(const std::string& constant, std::uint64_t hash) {
+    std::string& text = files_.front().text;
+    const std::string begin = constant + kEqualsHash;
+    const std::string digits = fmt::format("{:016x}", hash);
+    if (const auto at = text.find(begin); at != std::string::npos)
+      text.replace(at + begin.size(), digits.size(), digits);
+  }
+
+  void add_rendered(const std::string& path, const std::string& template_path, View view) {
+    auto text = render_file(template_path, path, with_common(std::move(view)), diagnostics_);
+    failed_ = failed_ || !text;
+    if (!text) return;
+    const bool cpp = path.ends_with(".hpp") || path.ends_with(".cpp") || path.ends_with(".h") ||
+                     path.ends_with(".ino");
+    files_.push_back({path, cpp ? wrapped(*text) : std::move(*text)});
+  }
+
+  View graph_view() const {
+    View view = gen::graph_view(plan_, names_, network_, node_policies_);
+    return view;
+  }
+
+  /// The weights of the agent's policy.
+  View agent_view() const {
+    View view = policy_view(*network_);
+    view.set("policy", "policy");
+    view.set("node", View(false));
+    return view;
+  }
+
+  /// Those of a node's, with the class that runs them.
+  View node_view(const NodePolicy& policy) {
+    View view = policy_view(*policy.network);
+    view.set("policy", policy_namespace(plan_.graph->nodes[policy.node].name));
+    view["node"] = policy_node_view(plan_, policy);
+    return view;
+  }
+
+  View cmake_view() const {
+    View view(View::type::object);
+    View targets(View::type::list);
+    for (const Target* target : options_.targets) {
+      View item(View::type::object);
+      item.set("id", target->id.value);
+      item.set("toolchain", target->toolchain.empty() ? View(false) : View(target->toolchain));
+      targets.push_back(item);
+    }
+    view["targets"] = std::move(targets);
+    view.set("first", options_.targets.empty() ? "" : options_.targets.front()->id.value);
+    view.set("standalone", !options_.header_folder.empty());
+    const auto packages = packages_of(*plan_.graph, options_.part);
+    view.set("packages", View(!packages.empty()));
+    View libraries(View::type::list);
+    for (const auto& package : packages) {
+      View item(View::type::object);
+      item.set("library", package);
+      libraries.push_back(item);
+    }
+    view["libraries"] = std::move(libraries);
+    return view;
+  }
+
+  void add_extra(const ExtraTemplate& item) {
+    View view = options_.targets.empty()
+                    ? loop_view(plan_, network_.has_value(), network_ && network_->has_memory())
+                    : View(View::type::object);
+    add_rendered(item.output, item.path, std::move(view));
+    if (!failed_) files_.back().yours = item.yours;
+  }
+
+  void add_target(const Target& target) {
+    for (const auto& [file, output] :
+         options_.part.is_placed() ? target.partner : target.templates) {
+      View view(View::type::object);
+      view.set("target", target.id.value);
+      view.set("is_split", options_.part != Part::whole);
+      view.set("packs", has_packs_);
+      view.set("acts_in_packs", acts_in_packs());
+      view.set("why_no_packs", why_no_packs_);
+      view["stages"] = stages_view(plan_, names_);
+      add_rendered(target.id.value + "/" + output, file, std::move(view));
+    }
+  }
+
+  const Plan& plan_;
+  std::optional<Network> network_;
+  std::vector<NodePolicy> node_policies_;
+  const EmitOptions& options_;
+  Diagnostics& diagnostics_;
+  ProgramNames names_;
+  bool has_packs_ = false;
+  std::string why_no_packs_;
+  std::string program_alone_;  // program.hpp without what packs need of it
+  std::vector<GeneratedFile> files_;
+  std::uint64_t hash_ = 0;  // of the graph
+  bool failed_ = false;
+};
+
+}  // namespace
+
+std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
+  std::uint64_t hash = host::fnv1a({});
+  for (const auto& file : files) {
+    if (!file.path.ends_with(".hpp")) continue;
+    hash = host::fnv1a(file.path, hash);
+    for (std::string_view rest = file.text; !rest.empty();) {
+      const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
+      if (!line.starts_with("#include \"")) hash = host::fnv1a(line, hash);
+      rest.remove_prefix(line.size());
+    }
+  }
+  return hash;
+}
+
+std::optional<std::uint64_t> hash_in(const std::vector<GeneratedFile>& files) {
+  constexpr int kHexadecimal = 16;
+  const std::string begin = std::string("kGraphHash") + kEqualsHash;
+  for (const GeneratedFile& file : files) {
+    if (!file.path.ends_with("/messages.hpp")) continue;
+    const std::size_t at = file.text.find(begin);
+    if (at == std::string::npos) continue;
+    return std::strtoull(file.text.c_str() + at + begin.size(), nullptr, kHexadecimal);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::vector<GeneratedFile>> emit(const Plan& plan,
+                                               const std::optional<Network>& network,
+                                               const std::vector<NodePolicy>& node_policies,
+                                               const EmitOptions& options,
+                                               Diagnostics& diagnostics) {
+  return Emitter(plan, network, node_policies, options, diagnostics).run();
+}
+
+}  // namespace eagerx::gen

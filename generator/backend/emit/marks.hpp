@@ -1,0 +1,23 @@
+// Marks that templates leave in a text to say which of its lines are whose.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/backend/program_map/program_map.hpp"
+
+namespace eagerx::gen {
+
+/// Lines of their own, before the first and behind the last of a node.
+std::string begin_mark(const std::string& node);
+std::string end_mark();
+
+struct MarkedText {
+  std::string text;  // without the marks
+  std::vector<ProgramMap::Block> blocks;
+};
+/// Takes the marks out again. None may be open when another begins.
+MarkedText take_marks(std::string_view text);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,36 @@
+// Mustache, with its silent failures made loud.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+#include <optional>
+#include <string>
+
+#include "generator/support/diagnostics/diagnostics.hpp"
+
+namespace eagerx::gen {
+
+using View = kainjow::mustache::data;
+inline View object() {
+  return View(View::type::object);
+}
+inline View list() {
+  return View(View::type::list);
+}
+
+/// For a section that is left out where there is no text.
+inline View text_or_false(const std::string& text) {
+  return text.empty() ? View(false) : View(text);
+}
+
+/// A section whose lines are indented by two more columns.
+View indented();
+
+/// Renders the template file for the file `output`; `{{>NAME}}` includes NAME.mustache beside it.
+/// `{{NAME}}` is escaped as the language of `output` wants it at that place (quote/language.hpp);
+/// `{{{NAME}}}` is written as it is, for lines and tables that the generator itself made. A
+/// template that cannot be read, does not parse, names a key that the view does not have, or has a
+/// value where it cannot stand is an error (E0501).
+std::optional<std::string> render_file(const std::string& path, const std::string& output,
+                                       const View& view, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,35 @@
+// Generated trees: how each is configured, and the build of one.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/driver/pipeline/pipeline.hpp"
+
+namespace eagerx::gen {
+
+/// A generated project of CMake, for one target.
+struct Tree {
+  std::string source, build;                                  // folders
+  std::string toolchain;                                      // its file; empty: this machine's
+  std::vector<std::pair<std::string, std::string>> settings;  // variables of CMake
+};
+
+/// The tree of `target` in the output `folder`. `several`: others lie in the same folder.
+Tree tree_of(const Run& run, const GenerateOptions& options, const Target& target,
+             const std::string& folder, bool several);
+/// The folder of a target's manifest.
+std::string folder_of(const Run& run, const Target& target);
+/// Whether it is none of eagerx-gen's.
+bool is_own(const Run& run, const Target& target);
+
+/// Configures a tree, if it is not yet, and builds what is not up to date: with Ninja and ccache
+/// where they are; the environment variables of CMake (CMAKE_GENERATOR, CMAKE_BUILD_TYPE, …) and
+/// CXX count. Unless `quiet`, tells on the standard error at least every 5 s how far it is.
+/// `cmake_target`: only this; empty: all. False with E0513 a program that is missing, E0514 what
+/// does not build.
+bool build_tree(const Tree& tree, const std::string& name, bool quiet, Diagnostics& diagnostics,
+                const std::string& cmake_target = {});
+
+}  // namespace eagerx::gen

@@ -1,0 +1,80 @@
+// From a graph to programs that are built.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/driver/build/build_tree.hpp"
+#include "generator/driver/build/packages.hpp"
+#include "generator/driver/pipeline/pipeline.hpp"
+
+namespace eagerx::gen {
+
+/// Where a graph was generated, and for what.
+struct Generated {
+  std::string folder;
+  std::vector<const Target*> targets;  // of a placed graph those of the hub
+  std::vector<Package> packages;
+  std::size_t written = 0, unchanged = 0, kept = 0;
+};
+
+/// Reads, checks and writes the graph of `options`. Nothing if there is a problem, which is in
+/// `run`; then `code` is the least that the exit code may be.
+std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options, int& code);
+
+/// What a program says of itself to those who watch it.
+struct ProgramFacts {
+  std::uint64_t hash = 0;  // of the graph
+  std::string telemetry;   // the text of telemetry.json; empty: it sends none
+};
+/// Of the program of a graph that was made, or of all of a placed one. Nothing if there is a
+/// problem, which is in `run`.
+std::optional<ProgramFacts> facts_of_program(Run& run, const GraphOptions& options);
+
+/// Compiles the classes of the graph's entities with this machine's compiler, as boards would: the
+/// whole program, also of a split graph. What is wrong is in `diagnostics` (check_entities()).
+void compile_entities(Run& run, const std::vector<const Target*>& targets,
+                      Diagnostics& diagnostics);
+
+/// build_tree() of a graph's program for `target`. What does not build because of the class of an
+/// entity is told with its place in that entity, as compile_entities() tells it.
+bool build_program(Run& run, const Tree& tree, const Target& target, const std::string& name,
+                   bool quiet, const std::string& cmake_target = {});
+
+/// The program of a target, built.
+struct BuiltProgram {
+  const Target* target = nullptr;
+  std::string build;                 // its build folder
+  std::string image;                 // its file
+  const PlacedPart* part = nullptr;  // of a placed graph: which part; without one, the hub
+};
+
+/// make(), and build_made_graph(). Nothing if there is a problem, which is in `run`.
+std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions options, int& code,
+                                                     std::vector<std::string>* to_run = nullptr);
+
+/// generate_graph(), in a folder of its own for each target that is not this machine, and
+/// build_tree() of every program, of a graph that make() has read. Of a placed graph the parts come
+/// first. `to_run`: the last program is to be run with these options, E0515 if nothing here can,
+/// E0516 an option that it does not take; those that are left are what it gets.
+std::optional<std::vector<BuiltProgram>> build_made_graph(
+    Run& run, GenerateOptions options, int& code, std::vector<std::string>* to_run = nullptr);
+
+/// What starts a program, before its own options; nothing if nothing here can (its target's
+/// manifest has no `run:`).
+std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program);
+
+/// Whether a target has something to compile: in another language than C++, if it makes a project
+/// of CMake.
+bool is_compiled(const Target& target);
+
+/// Becomes the program, or what starts it, for as long as it takes; `words` are its own options.
+int become_built(const Run& run, const BuiltProgram& program,
+                 const std::vector<std::string>& words);
+
+/// The file of a target's program in a build folder.
+std::string image_of(const Run& run, const Target& target, const std::string& build);
+
+}  // namespace eagerx::gen

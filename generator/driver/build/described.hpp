@@ -1,0 +1,15 @@
+// What a library of environments would say of its graph, before it is built.
+#pragma once
+
+#include <string>
+
+#include "generator/graph/resolve/graph.hpp"
+
+namespace eagerx::gen {
+
+/// The JSON of eagerx_describe() as far as it is known without compiling: the names, types, shapes
+/// and bounds of observations, actions and states, and whether there is a success. Empty for
+/// observations with `window: 0`, whose most messages only the plan knows.
+std::string description_of(const Graph& graph);
+
+}  // namespace eagerx::gen

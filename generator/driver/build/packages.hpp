@@ -1,0 +1,55 @@
+// Packages for other build systems: what `--package NAME` adds to an output, and where it goes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/backend/emit/emit.hpp"
+#include "generator/driver/pipeline/pipeline.hpp"
+
+namespace eagerx::gen {
+
+/// A folder of templates/packages, as its package.yaml describes it.
+struct Package {
+  std::string name;
+  std::string folder;   // of its templates
+  std::string headers;  // where the graph's headers go with --library: "src"
+  // Places in the output of templates that several packages have in common.
+  std::map<std::string, std::string> library;  // with --library: the main loop
+  std::map<std::string, std::string> program;  // without it: an episode
+  std::map<std::string, std::string> yours;    // with --library: written once, then the user's
+  std::vector<std::string> taken;              // names that a graph cannot have
+};
+
+/// Those that the command line names. Problems: E0502 there is none, E02xx its package.yaml is
+/// wrong.
+std::vector<Package> read_packages(Run& run, const GenerateOptions& options);
+
+/// Whether the graph's name is free there: E0504.
+void check_names(Run& run, const std::vector<Package>& packages);
+
+/// Whether the output has all headers that it needs.
+bool is_standalone(const GenerateOptions& options);
+/// Whether the output is only these packages: with --library, and without --standalone.
+bool is_bare(const GenerateOptions& options);
+
+/// What of the graph cannot be a package's main loop: E0503 an engine, E0330 a node that needs an
+/// operating system.
+void check_for_packages(Run& run, const GenerateOptions& options);
+
+/// Their templates.
+std::vector<ExtraTemplate> templates_of(const Run& run, const GenerateOptions& options,
+                                        const std::vector<Package>& packages);
+
+/// With --library, puts the graph's headers where each package has them, and nowhere else if the
+/// output is only packages. `others`: what is in its place.
+void place_headers(const Run& run, const GenerateOptions& options,
+                   const std::vector<Package>& packages, const std::vector<ExtraTemplate>& others,
+                   std::vector<GeneratedFile>& files);
+
+/// What to type next, for each package: its next.library.sh or next.program.sh.
+std::string next_steps(Run& run, const GenerateOptions& options,
+                       const std::vector<Package>& packages, const std::string& folder);
+
+}  // namespace eagerx::gen

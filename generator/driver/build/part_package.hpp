@@ -1,0 +1,22 @@
+// `generate --part PART --package LANGUAGE`: one part of a placed graph for another language.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/backend/emit/emit.hpp"
+#include "generator/driver/pipeline/pipeline.hpp"
+
+namespace eagerx::gen {
+
+/// Gives the part of `options` the language that they name, if they name one. False: E0307 there is
+/// no such part, E0502 no such language, E0336 what does not go together with `--part`.
+bool choose_language(Run& run, const GenerateOptions& options);
+
+/// Leaves the files of one part, in the folder itself.
+void keep_part(const std::string& part, std::vector<GeneratedFile>& files);
+
+/// What to type to run it.
+std::string next_steps_of_part(const Run& run, const std::string& part, const std::string& folder);
+
+}  // namespace eagerx::gen

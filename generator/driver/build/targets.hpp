@@ -1,0 +1,23 @@
+// The targets that a graph is made for, and whether it can be.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/driver/pipeline/pipeline.hpp"
+
+namespace eagerx::gen {
+
+std::uint64_t warnings_in(const Diagnostics& diagnostics);
+
+/// The folder for these targets: "build-mps2-an386" of "build", so that two targets in turn do not
+/// write over each other and nothing is built twice.
+std::string folder_for_targets(std::string folder, const GraphOptions& options);
+
+/// Those of the command line. Problems: E0316 unknown, E0335, E0337, E0341 and those of
+/// check_system() where the graph cannot run, E0340 what nobody has filled in yet.
+std::vector<const Target*> find_targets(Run& run, const GraphOptions& options);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,110 @@
+// eagerx-gen check: all that is wrong with a graph, and with the code of its entities.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "generator/backend/compile/compile.hpp"
+#include "generator/driver/build/built.hpp"
+#include "generator/driver/build/emitted.hpp"
+#include "generator/driver/build/targets.hpp"
+#include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/commands/commands.hpp"
+#include "generator/driver/commands/judge.hpp"
+#include "generator/driver/commands/manifest_check.hpp"
+#include "generator/driver/pipeline/check_variants.hpp"
+#include "generator/graph/resolve/needs.hpp"
+#include "generator/support/diagnostics/join.hpp"
+
+namespace eagerx::gen {
+
+void compile_entities(Run& run, const std::vector<const Target*>& targets,
+                      Diagnostics& diagnostics) {
+  const TemporaryFolder folder;
+  if (folder.path().empty()) {
+    diagnostics.io_error("E0901", {},
+                         fmt::format("cannot make a temporary folder: {}", std::strerror(errno)));
+    return;
+  }
+  const auto files = emit_whole(run, emit_options_for(run, targets, folder.path()));
+  if (!files) return;
+  const char* compiler = std::getenv("CXX");
+  check_entities(*run.plan, *files, folder,
+                 {compiler != nullptr && *compiler != '\0' ? compiler : "c++", run.root,
+                  run.graph->include_roots, packages_of(*run.graph, Part::whole)},
+                 run.sources, diagnostics);
+}
+
+namespace {
+
+struct CheckOptions : GraphOptions {
+  bool compile = false;  // also the code of entities
+};
+
+/// Without a graph.
+int perform_manifest(const CheckOptions& options) {
+  Run run;
+  const auto file = load_yaml_file(options.graph, run.sources, run.diagnostics);
+  if (file) {
+    const std::string text = run.sources.text(*file);
+    check_manifest(run, options, options.graph, text);
+  }
+  const int code = finish(run, options);
+  if (code == kDone && !options.quiet) say("{}: no problems\n", options.graph);
+  return code;
+}
+
+int perform(const CheckOptions& options) {
+  if (is_manifest(options.graph)) return perform_manifest(options);
+  Run run;
+  const std::string output = options.compile ? "/" : "";  // the compiler gets whole paths
+  const auto targets = make(run, options) ? judged_targets(run, options, output) : std::nullopt;
+  if (targets && options.compile) compile_entities(run, *targets, run.diagnostics);
+  const std::size_t variants =
+      targets && options.variant.empty() ? check_variants(run, options) : 0;
+  const int code = finish(run, options);
+  if (code == kDone && !options.quiet) {
+    std::uint64_t messages = 0;
+    const std::uint64_t warnings = warnings_in(run.diagnostics);
+    for (const auto& ring : run.plan->rings) messages += ring.capacity;
+    say("{}: {}, {}, {} with room for {}; {}{}\n", options.graph,
+        counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
+        counted(run.plan->rings.size(), "buffer"), counted(messages, "message"),
+        warnings == 0 ? "no problems" : counted(warnings, "warning"),
+        variants == 0 ? std::string()
+                      : fmt::format("; {} of the right form", counted(variants, "variant")));
+  }
+  return code;
+}
+
+Command table(CheckOptions& options) {
+  return {
+      .name = "check",
+      .about = "only look for problems",
+      .examples = {{"look for problems", "eagerx-gen check pendulum.yaml"},
+                   {"a manifest, without a graph that uses it",
+                    "eagerx-gen check my_models/gain/manifest.yaml"},
+                   {"also the code of the entities", "eagerx-gen check pendulum.yaml --compile"},
+                   {"with entities of your own, messages as JSON",
+                    "eagerx-gen check pendulum.yaml --path my_models --diagnostics json"}},
+      .arguments = joined(
+          {{graph(options)},
+           selection(options),
+           rates(options),
+           {library(options), warnings(options)},
+           {cut_out_nodes(options, "check the library of these nodes alone, as generate --of"),
+            flag("--compile", options.compile,
+                 "also compile the entities as boards do: no heap, no <cmath>, no "
+                 "double in a graph of floats")},
+           diagnostics(options)}),
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command check_command() {
+  return with_options<CheckOptions>(table);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,32 @@
+// What `eagerx-gen new` makes: one folder of templates a kind, in templates/new.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/support/diagnostics/diagnostics.hpp"
+
+namespace eagerx::gen {
+
+/// A kind as its kind.yaml describes it.
+struct Kind {
+  std::string name;     // "reset-node": of its folder
+  std::string folder;   // of its templates
+  std::string about;    // one line
+  std::string defines;  // what the new folder adds to a library: entity, target; empty: nothing
+  std::string parent;   // where new folders go if nothing else is said; empty: here
+  bool dashes = false;  // names are `my-board` instead of `my_board`
+
+  /// "a node", "an engine"
+  [[nodiscard]] std::string with_article() const;
+};
+
+/// Names of the kinds that there are, sorted; empty if the templates are not found.
+std::vector<std::string> kinds_of_new();
+
+/// One kind. Problems: E0301 there is none, E02xx its kind.yaml is wrong.
+std::optional<Kind> read_kind(const std::string& name, SourceMap& sources,
+                              Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,16 @@
+// What to type after a program was generated.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/driver/pipeline/pipeline.hpp"
+
+namespace eagerx::gen {
+
+/// Commands that build and start each program in `folder`, for its target's compiler and as its
+/// manifest says; of a split graph also what goes over the link. Lines for a terminal.
+std::string next_steps(const Run& run, const GenerateOptions& options,
+                       const std::vector<const Target*>& targets, const std::string& folder);
+
+}  // namespace eagerx::gen

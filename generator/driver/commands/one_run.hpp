@@ -1,0 +1,14 @@
+// Command lines that are shown to who types them.
+#pragma once
+
+#include <string>
+
+#include "generator/driver/pipeline/options.hpp"
+
+namespace eagerx::gen {
+
+/// "eagerx-gen run GRAPH …" with the graph, policy, variant, engine, rates and libraries of
+/// `options`; in place of `run` another command.
+std::string command_on_graph(const GraphOptions& options, const char* command = "run");
+
+}  // namespace eagerx::gen

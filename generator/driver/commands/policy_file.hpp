@@ -1,0 +1,26 @@
+// Weight files and observations of the commands `policy`.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/driver/commands/policy_options.hpp"
+#include "generator/policy/network/golden.hpp"
+#include "generator/policy/network/network.hpp"
+
+namespace eagerx::gen {
+
+/// Reads the file with what is said besides it. One error if it cannot be used.
+std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& diagnostics);
+
+/// Observations without answers, and where they are from.
+struct AskedRows {
+  GoldenRows rows;
+  std::string origin;
+};
+/// Those of `--observations`, else as many drawn as `--rows` says; problems if `network` cannot be
+/// asked for its answers to them.
+std::optional<AskedRows> asked_rows(const Network& network, const AskedOptions& options,
+                                    Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

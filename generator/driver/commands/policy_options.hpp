@@ -1,0 +1,51 @@
+// What the commands `policy` take: weight files, and observations to ask them about.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "generator/driver/commands/arguments.hpp"
+
+namespace eagerx::gen {
+
+/// A weight file, and what is said besides it.
+struct PolicyFile {
+  std::string file;  // as the user wrote it
+  std::string normalize, activation, output_activation, output_name, actor;
+};
+
+struct PolicyOptions : MessageOptions {
+  PolicyFile policy;
+};
+
+/// Observations for which answers are asked.
+struct AskedOptions {
+  std::string observations;  // a file; empty: drawn ones
+  std::optional<std::uint64_t> rows, seed;
+};
+
+/// What may be said of a weight file besides it.
+struct Saying {
+  const char* names;
+  const char* about;
+  const char* type;
+  std::string PolicyFile::*member;
+  FileUse use = FileUse::none;
+};
+const std::vector<Saying>& sayings();
+
+/// A weight file, with what is said of it.
+Arguments one_policy(PolicyOptions& options);
+Arguments asked(AskedOptions& options);
+/// What is wrong with them together, or "".
+std::string check_asked(const AskedOptions& options);
+
+Command policy_info_command();
+Command policy_test_command();
+/// Writes observations with a policy's answers.
+Command policy_golden_command();
+/// How far the answers of two policies are apart.
+Command policy_compare_command();
+
+}  // namespace eagerx::gen

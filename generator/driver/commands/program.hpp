@@ -1,0 +1,17 @@
+// What the programs `eagerx-gen` and `eagerx-gen-tools` have in common besides commands.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "generator/support/command_line/command_line.hpp"
+
+namespace eagerx::gen {
+
+/// The program beside `eagerx-gen` that has all commands; it can be left out of a build.
+constexpr std::string_view kToolsProgram = "eagerx-gen-tools";
+
+/// The command line of eagerx-gen with these commands.
+CommandLine program_command_line(std::vector<Command> commands);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,29 @@
+// Where files say the settings of a training: the trainer knows which of them do not go together,
+// but no files.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "generator/support/diagnostics/diagnostics.hpp"
+
+namespace eagerx::gen {
+
+class SettingPlaces {
+ public:
+  /// `word`: as the trainer gets it, "clip=0.3", or "clip" for any value of a range.
+  void add(std::string word, Span span) { places_.emplace_back(std::move(word), span); }
+
+  /// What the trainer's `--check` has said, as an error (E0206) at the settings that it is about.
+  /// False, and nothing is reported, if it is about none that a file says.
+  bool report(std::string_view said, bool is_io, Diagnostics& diagnostics) const;
+
+ private:
+  [[nodiscard]] const Span* find(std::string_view word) const;
+
+  std::vector<std::pair<std::string, Span>> places_;
+};
+
+}  // namespace eagerx::gen

@@ -1,0 +1,101 @@
+// eagerx-gen train: the environments are a library that is generated and built here; learning is
+// the work of eagerx-train (targets/environments/train), which knows nothing of graphs.
+#include "targets/environments/options/train.hpp"
+
+#include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/commands/commands.hpp"
+#include "generator/driver/commands/environments.hpp"
+#include "generator/driver/commands/ranks.hpp"
+#include "generator/driver/commands/setting_places.hpp"
+#include "generator/driver/commands/train_settings.hpp"
+#include "generator/driver/commands/train_sweep.hpp"
+#include "generator/driver/pipeline/pipeline.hpp"
+
+namespace eagerx::gen {
+
+namespace {
+
+struct TrainOptions : EnvironmentsOptions {
+  std::string settings, sweep;  // files
+};
+
+/// Words of both files; nullopt and errors where they are wrong.
+std::optional<std::vector<std::string>> read_settings(const TrainOptions& options, Run& run,
+                                                      SettingPlaces& places) {
+  std::vector<std::string> words;
+  if (!options.settings.empty()) {
+    const auto read = read_train_settings(options.settings, run.sources, run.diagnostics, places);
+    if (!read) return std::nullopt;
+    words = *read;
+  }
+  if (!options.sweep.empty()) {
+    const auto read = read_train_sweep(options.sweep, run.sources, run.diagnostics, places);
+    if (!read) return std::nullopt;
+    words.insert(words.end(), read->begin(), read->end());
+  }
+  return words;
+}
+
+int perform(const TrainOptions& options) {
+  GenerateOptions training = options;
+  training.purpose = Purpose::training;
+  Run run;
+  SettingPlaces places;
+  const auto words = [&](std::vector<std::string>& all) {
+    const auto read = read_settings(options, run, places);
+    if (!read) return finish(run, options);
+    all = *read;
+    all.insert(all.end(), options.of_program.begin(), options.of_program.end());
+    return int{kDone};
+  };
+  const auto explain = [&](const ProcessResult& checked) {
+    const bool is_io = checked.exit_code == kInputOutput;
+    return places.report(checked.output, is_io, run.diagnostics) ? finish(run, options)
+                                                                 : int{kDone};
+  };
+  return become_in_ranks("eagerx-train", training, words, explain);
+}
+
+Command table(TrainOptions& options) {
+  return {
+      .name = "train",
+      .about = "train a policy on the graph, whose `task:` says what is good",
+      .examples =
+          {{"until it succeeds: writes policy.safetensors", "eagerx-gen train pendulum.yaml"},
+           {"with another seed, and a picture of the learning curve",
+            "eagerx-gen train pendulum.yaml --seed 2 --curve curve.svg -o swing_up.safetensors"},
+           {"with a record of all of it, which `report` shows on a page for a browser",
+            "eagerx-gen train pendulum.yaml --record training.json"},
+           {"a long one that can be interrupted",
+            "eagerx-gen train robot.yaml --steps 50000000 --checkpoint robot.checkpoint"},
+           {"and goes on",
+            "eagerx-gen train robot.yaml --steps 50000000 --resume robot.checkpoint"},
+           {"over settings: a table of how good each is, and the best policy",
+            "eagerx-gen train robot.yaml --sweep sweep.yaml --csv settings.csv"},
+           {"fine-tune for another graph what was learnt on this one",
+            "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"},
+           {"on four processes, for an eagerx-gen with MPI: the same policy, sooner",
+            "mpirun -n 4 eagerx-gen train robot.yaml"}},
+      .arguments = joined(
+          {{graph(options),
+            reads(text("--settings", options.settings,
+                       "settings of the algorithm; `eagerx-gen help "
+                       "train-settings` lists them",
+                       "FILE.yaml")),
+            reads(
+                text("--sweep", options.sweep,
+                     "train with each of these settings, beside each other, and say how good each "
+                     "is; a file with lists and ranges, see `eagerx-gen help train-settings`",
+                     "FILE.yaml"))},
+           handed_on(eagerx::options::kTrain, options),
+           on_environments(options)}),
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command train_command() {
+  return with_options<TrainOptions>(table);
+}
+
+}  // namespace eagerx::gen

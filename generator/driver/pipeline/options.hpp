@@ -1,0 +1,61 @@
+// What several commands of eagerx-gen take. A command's own options are a struct in its own file,
+// derived from that of these which it needs.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/frontend/read/rational.hpp"
+
+namespace eagerx::gen {
+
+/// How problems are told.
+struct MessageOptions {
+  bool json = false;  // --diagnostics=json
+  bool quiet = false;
+};
+
+/// Of commands that look things up in the library.
+struct LibraryOptions : MessageOptions {
+  std::vector<std::string> paths;  // folders of the user's own entities and targets
+};
+
+/// What a graph is made for.
+enum class Purpose : std::uint8_t {
+  program,
+  training,    // the whole graph, whatever its agent is
+  campaign,    // the whole graph, with its agent
+  simulation,  // the whole graph, with whatever agent
+  recording,   // the whole graph, with its agent, for a library that is cut out of it
+};
+
+/// A graph, and what is wanted in place of what its file says.
+struct GraphOptions : LibraryOptions {
+  std::string graph;
+  std::string variant;                              // empty: the graph as it is written
+  std::string engine, real;                         // empty: the graph's
+  std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
+  std::vector<std::string> targets;                 // empty: linux-sim
+  std::vector<std::string> split;                   // NAMES=BOARD; empty: the graph's placement
+  std::vector<std::string> of;                      // nodes that are cut out; empty: all
+  std::string agent_policy;                         // a weight file; empty: the graph's agent
+  Purpose purpose = Purpose::program;
+  bool warnings_as_errors = false;
+};
+
+/// And what is written of it.
+struct GenerateOptions : GraphOptions {
+  std::string output;  // a folder; empty: generated/<name of the graph>
+  std::string depfile;
+  std::string part;  // of a placed graph: only this one, in the language that `packages` names
+  std::vector<std::string> packages;  // kinds of packages that the output is to be as well
+  bool library = false;               // headers for a main loop of one's own, no program
+  bool standalone = false;            // the output has all headers it needs
+
+  /// What is cut out of a graph is always a library.
+  [[nodiscard]] bool makes_library() const { return library || !of.empty(); }
+};
+
+}  // namespace eagerx::gen

@@ -1,0 +1,28 @@
+// Graphs made of graphs: arrays and composites of a graph file become the entities and connections
+// that they stand for. What comes out is a graph file as one could have written it, whose spans say
+// where everything is written and who used it.
+#pragma once
+
+#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/library/library.hpp"
+
+namespace eagerx::gen {
+
+struct FlatGraph {
+  YamlValue root;
+  GraphForm form = GraphForm::written;    // flat: something was composed
+  Ends ends = {};                         // ports of its composites
+  std::vector<CompositeSpec> composites;  // where they are, for pictures
+};
+
+/// The flat graph. Inner names are `arm/position`, those of arrays `leg[0]`. Problems: E0390 a
+/// composite that cannot be bound, E0391 counts that do not fit, E0392 an index that there is not,
+/// E0393 composites in a circle or too many of them, E0396 what is not tunable, and those of
+/// parameters.
+FlatGraph compose(const YamlValue& root, const Library& library, SourceMap& sources,
+                  Diagnostics& diagnostics);
+
+/// Entities that composing may need though no graph names them: for connections with indices.
+std::vector<std::string> entities_of_patterns(const YamlValue& root);
+
+}  // namespace eagerx::gen

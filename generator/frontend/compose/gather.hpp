@@ -1,0 +1,34 @@
+// Elements of messages that are connected one by one: `robot.torque[*]`.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/frontend/library/library.hpp"
+
+namespace eagerx::gen {
+
+/// What comes to one element.
+struct GatheredElement {
+  std::int64_t element = 0;
+  Spanned<std::string> from;
+  YamlValue connection;  // with its settings
+};
+
+/// Nodes `Mux` and connections that make one message of its elements, and who sends it.
+struct Gathered {
+  std::vector<YamlValue::Entry> nodes;
+  std::vector<YamlValue> connections;
+  Spanned<std::string> from;
+  YamlValue connection;  // from there, with its settings
+};
+/// `rate`: of the nodes. Problems: E0391 an element twice or never.
+std::optional<Gathered> gather(const Spanned<std::string>& to,
+                               std::vector<GatheredElement> elements, const YamlValue& rate,
+                               Diagnostics& diagnostics);
+
+/// A connection that takes one element of what its source sends.
+YamlValue with_element(YamlValue connection, std::int64_t element, Span span);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,42 @@
+// Which ports there are in what is being made flat, by the full names of their owners.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/library/library.hpp"
+#include "generator/frontend/spec/port_name.hpp"
+
+namespace eagerx::gen {
+
+struct InnerPorts {
+  Ends ends;                                       // of composites
+  std::map<std::string, const Entity*> entity_of;  // of others; nullptr: unknown, or a policy
+
+  /// Names of the ports of an owner that send, or receive; nullopt where they are not known.
+  [[nodiscard]] std::optional<std::vector<std::string>> known(const PortName& name,
+                                                              bool sends) const;
+  /// Whether what a composite is bound to is there (E0390). Of entities that are unknown nothing is
+  /// said.
+  bool is_there(const Spanned<std::string>& bound, const std::string& port, bool sends,
+                Diagnostics& diagnostics) const;
+  /// Whether a composite that a graph connects has the port (E0307).
+  bool has_port(const Spanned<std::string>& written, const std::string& port, bool sends,
+                Diagnostics& diagnostics) const;
+};
+
+/// What feeds the inputs in a composite: its connections and its ports.
+class Feeds {
+ public:
+  void add_connection(const YamlValue& connection);
+  /// E0390 if something else feeds the input.
+  void bind(const std::string& port, const Spanned<std::string>& written, Diagnostics& diagnostics);
+
+ private:
+  std::map<std::string, Span> bound_, connected_;
+};
+
+}  // namespace eagerx::gen

@@ -1,0 +1,58 @@
+// Ports of elements of arrays: `leg[*].torque`, `leg[i + 1].y`, `robot.torque[2]`.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/frontend/spec/settings.hpp"
+
+namespace eagerx::gen {
+
+/// What stands between brackets: a number, or a name and what is added to it. The k-th `*` of a
+/// port is the name "*k".
+struct PatternIndex {
+  std::string name;  // empty: a number
+  std::int64_t offset = 0;
+};
+
+/// A port with indices: `leg`, [*], `.torque`.
+struct PortPattern {
+  std::vector<std::string> texts;  // one more than indices
+  std::vector<PatternIndex> indices;
+  Span span;
+
+  /// Whether the last index is that of an element of a message: `robot.torque[*]`.
+  [[nodiscard]] bool has_element() const;
+};
+
+/// nullopt and E0392 where brackets hold no index.
+std::optional<PortPattern> parse_pattern(const Spanned<std::string>& port,
+                                         Diagnostics& diagnostics);
+
+/// One port that a pattern stands for.
+struct IndexedPort {
+  std::string port;                     // `leg[0].torque`
+  std::optional<std::int64_t> element;  // of its messages
+};
+struct IndexedConnection {
+  IndexedPort from, to;
+};
+
+/// How many elements the array of this name has; nullopt for what is none.
+using CountOf = std::function<std::optional<std::int64_t>(const std::string&)>;
+
+/// The ports of a pattern, for all values of its names.
+std::vector<IndexedPort> indexed_ports(const PortPattern& pattern, const CountOf& count_of,
+                                       Diagnostics& diagnostics);
+/// The connections of two patterns, which share their names. Problems: E0391 counts that differ,
+/// no value that fits, several messages for one input; E0392 an index that there is not.
+std::vector<IndexedConnection> indexed_connections(const PortPattern& from, const PortPattern& to,
+                                                   const CountOf& count_of,
+                                                   Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,38 @@
+// A graph that is being made flat, and what is said of it from outside.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/frontend/parameters/config.hpp"
+
+namespace eagerx::gen {
+
+/// What a composite says of its inner entities, by their names: entries of `states:`, `sensors:` …
+using Said = std::map<std::string, std::vector<YamlValue::Entry>>;
+
+/// A graph that is being made flat: the user's, or what is in one composite.
+struct Scope {
+  std::string prefix;  // of names in it: "arm/"
+  References references;
+  std::vector<const Entity*> around;  // the composites that it is in
+  Said states, sensors, actuators;
+};
+
+/// A text, or each of a list.
+std::vector<Spanned<std::string>> texts_of(const YamlValue& yaml);
+
+/// Puts what composites around say of the entity `written`, called `name`, into its settings.
+void add_said(const Scope& scope, const YamlValue::Entry& written, const std::string& name,
+              YamlValue& settings);
+
+/// `states: {position.integral: …}` of a composite: of `integral` of the inner `position`.
+/// Problems: E0390.
+void take_states(const YamlValue& settings, Scope& scope, Diagnostics& diagnostics);
+/// What a graph says of sensors and actuators of a composite goes to those inside.
+void take_settings_of_ports(const YamlValue& settings, const YamlValue& inside, Scope& scope);
+/// Reports states of what is not in the graph (E0390).
+void report_unknown_inner(const Scope& scope, const YamlValue& graph, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

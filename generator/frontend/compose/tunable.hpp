@@ -1,0 +1,12 @@
+// `tunable: [controller.kp]`: parameters that a reset may set.
+#pragma once
+
+#include "generator/frontend/library/library.hpp"
+
+namespace eagerx::gen {
+
+/// Names the parameters of `tunable:` among the states of their nodes, in a flat graph. Problems:
+/// E0396 what is no tunable parameter of a node.
+void take_tunable(YamlValue& root, const Library& library, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

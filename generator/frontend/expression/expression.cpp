@@ -1,0 +1,54 @@
+#include "generator/frontend/expression/expression.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/frontend/read/scalar.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// From `place` to the end of the text; all of it where it was written with escapes or over several
+/// lines.
+Span span_at(const YamlValue& yaml, std::size_t place) {
+  const std::size_t quotes = yaml.quoted ? 2 : 0;
+  if (yaml.span.length != yaml.text.size() + quotes) return yaml.span;
+  Span span = yaml.span;
+  span.column += static_cast<std::uint32_t>(place + quotes / 2);
+  span.length = static_cast<std::uint32_t>(std::max<std::size_t>(yaml.text.size() - place, 1));
+  return span;
+}
+
+/// What a task does with a name that it does not know.
+std::string input_to_name(const std::string& name) {
+  if (name.find('.') == std::string::npos) return {};
+  return fmt::format("give it a name under `inputs:`: `x: {}`", name);
+}
+
+}  // namespace
+
+ExpressionNumber exact_number(const Expression& number) {
+  if (const auto whole = parse_int(number.text)) return *whole;
+  if (const auto exact = Rational::parse(number.text)) return *exact;
+  return parse_number(number.text).value_or(0.0);
+}
+
+bool report_problem(const ExpressionText& text, const YamlValue& yaml, const char* code,
+                    Diagnostics& diagnostics) {
+  if (text.good()) return false;
+  const auto& [place, message, help] = *text.problem();
+  diagnostics.error(code, span_at(yaml, place), message).help = help;
+  return true;
+}
+
+std::optional<TypedExpression> read_typed_expression(
+    const YamlValue& yaml, const std::vector<ExpressionVariable>& variables, ExpressionType wanted,
+    Diagnostics& diagnostics) {
+  ExpressionText text(yaml.text);
+  const expression::Names names{variables, NameForm::plain, input_to_name};
+  auto typed = expression::read_typed(text, names, wanted);
+  return report_problem(text, yaml, "E0339", diagnostics) ? std::nullopt : std::move(typed);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,40 @@
+// Expressions of graphs and manifests: those of runtime/host/expression, with exact numbers and
+// with problems at their place in the file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <runtime/host/expression/typed.hpp>
+#include <variant>
+#include <vector>
+
+#include "generator/frontend/read/rational.hpp"
+#include "generator/frontend/read/tree.hpp"
+#include "generator/support/diagnostics/diagnostics.hpp"
+
+namespace eagerx::gen {
+
+using expression::Expression;
+using expression::NameForm;
+using ExpressionText = expression::Text;
+using TypedExpression = expression::Typed;
+using ExpressionType = expression::Type;
+using ExpressionVariable = expression::Variable;
+
+/// Whole numbers and decimals are exact as long as they fit into 64 bits; else a double.
+using ExpressionNumber = std::variant<std::int64_t, double, Rational>;
+
+/// Of an Op::number.
+ExpressionNumber exact_number(const Expression& number);
+
+/// Tells of the problem of `text`, which is that of `yaml`, at its place. False: there is none.
+bool report_problem(const ExpressionText& text, const YamlValue& yaml, const char* code,
+                    Diagnostics& diagnostics);
+
+/// An expression of a task with the type that is wanted. Problems, at their place in the text:
+/// E0339. nullopt then.
+std::optional<TypedExpression> read_typed_expression(
+    const YamlValue& text, const std::vector<ExpressionVariable>& variables, ExpressionType wanted,
+    Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

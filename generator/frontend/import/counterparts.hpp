@@ -1,0 +1,87 @@
+// Our entities for EAGERx's, found through their manifests, with their parameters.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "generator/frontend/import/saved.hpp"
+#include "generator/frontend/library/library.hpp"
+
+namespace eagerx::gen {
+
+/// What an entity of EAGERx is used as.
+enum class Use : std::uint8_t { engine, node, object, processor, engine_node, engine_state };
+
+/// An entity of EAGERx without a counterpart.
+struct Missing {
+  Use use = Use::node;
+  std::vector<std::pair<std::string, Span>> users;
+  bool other_parameters = false;  // there is one, for other values of its parameters
+  /// Its interface as saved, of the first user.
+  SavedEntity saved;
+};
+
+class Counterparts {
+ public:
+  Counterparts(const Library& library, Diagnostics& diagnostics)
+      : library_(library), diagnostics_(diagnostics) {}
+
+  /// Our entity for `id` with these parameters, or nullptr. `user`: who needs it, as messages say
+  /// it ("the node `smooth`").
+  const Entity* find(const Spanned<std::string>& id, const YamlValue& config, Use use,
+                     const std::string& user);
+  /// The same without a word if there is none.
+  [[nodiscard]] const Entity* look_up(const std::string& id, const YamlValue& config,
+                                      Use use) const;
+  /// As find(), and keeps the interface for missing().
+  const Entity* require(const SavedEntity& saved, Use use, const std::string& user);
+  /// Whether any entity of ours stands for this one of EAGERx.
+  [[nodiscard]] bool knows(const std::string& id) const;
+  /// A class of `__main__` is any script's: our entity of that name may stand in for it if ports,
+  /// their spaces and parameters are the same, with a warning (E0806); else E0801 and false. The
+  /// user's own entity is what its manifest says.
+  bool may_stand_in(const Entity& entity, const SavedEntity& saved, const std::string& user);
+  /// Whether our entity stands for this one of EAGERx, whatever its parameters.
+  [[nodiscard]] static bool stands_for(const Entity& entity, const std::string& id);
+
+  /// The parameters in our words, without those that have their default. What our entity does not
+  /// have is noted; `user` as above.
+  std::vector<Setting> settings(const Entity& entity, const YamlValue& config,
+                                const std::string& user);
+  /// The processor of a port, if it has one.
+  std::optional<ProcessorSpec> processor(const SavedPort& port, const std::string& user);
+
+  /// Reports every id that was asked for and has no counterpart (E0801), each once.
+  void report_missing();
+  /// By EAGERx's id.
+  [[nodiscard]] const std::map<std::string, Missing>& missing() const { return missing_; }
+  [[nodiscard]] bool any_missing() const { return !missing_.empty(); }
+  [[nodiscard]] const Library& library() const { return library_; }
+
+ private:
+  struct Choice {
+    const Entity* best = nullptr;
+    bool known = false, ambiguous = false;
+  };
+  [[nodiscard]] Choice choose(const std::string& id, const YamlValue& config, Use use) const;
+
+  const Library& library_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, Missing> missing_;
+  std::set<std::string> told_;  // about stand-ins
+};
+
+/// Every entity that the file needs, those inside objects that are not known too.
+void require_all(const SavedGraph& saved, Counterparts& counterparts);
+
+const char* to_string(Use use);
+
+/// Parameters that EAGERx writes for every entity.
+bool is_common_parameter(std::string_view name);
+
+/// Whether two values are the same: 1 and 1.0, [0] and 0.
+bool same_value(const YamlValue& a, const YamlValue& b);
+
+}  // namespace eagerx::gen

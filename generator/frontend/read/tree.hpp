@@ -1,0 +1,85 @@
+// YAML text as a tree in which everything knows its place. Nothing outside read/ sees yaml-cpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/support/diagnostics/diagnostics.hpp"
+
+namespace eagerx::gen {
+
+enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
+
+/// What a value is besides its text. Files give only the first: what a user writes can say any
+/// text, and is never taken for one of the others.
+enum class Origin : std::uint8_t {
+  written,
+  computed,    // a number that an expression gave, perhaps a fraction: `1/3`
+  unresolved,  // not known, and somebody was told why: nothing more is said of it
+  python,      // an object that only Python knows; its text names it
+};
+
+/// A value and what is below it. Maps keep their order and have no duplicate keys.
+struct YamlValue {
+  struct Entry;
+
+  YamlKind kind = YamlKind::null;
+  Span span;         // a scalar: its text; a map or sequence: its first token
+  std::string tag;   // explicit tag such as "!!python/tuple" in full
+                     // ("tag:yaml.org,2002:python/tuple"), else empty
+  std::string text;  // scalars
+  Origin origin = Origin::written;
+  bool quoted = false;
+  bool with_unit = false;        // a rate or time, whose unit was taken off `text`
+  std::vector<YamlValue> items;  // sequences
+  std::vector<Entry> entries;    // maps
+
+  [[nodiscard]] bool is_null() const { return kind == YamlKind::null; }
+  [[nodiscard]] bool is_scalar() const { return kind == YamlKind::scalar; }
+  [[nodiscard]] bool is_sequence() const { return kind == YamlKind::sequence; }
+  [[nodiscard]] bool is_map() const { return kind == YamlKind::map; }
+  /// The value under `key`, or nullptr.
+  [[nodiscard]] const YamlValue* find(std::string_view key) const;
+};
+
+struct YamlValue::Entry {
+  std::string key;
+  Span key_span;
+  YamlValue value;
+};
+
+/// Values that were not in a file, at `span`.
+YamlValue made_scalar(std::string text, Span span);
+YamlValue made_list(std::vector<YamlValue> items, Span span);
+
+/// Limits on what is read; past them there is an error, not a long wait.
+struct ReadLimits {
+  std::size_t max_bytes = 16U << 20U;
+  std::size_t max_values = 2'000'000;  // aliases expanded
+  std::size_t max_depth = 64;
+};
+
+/// Reads a YAML file of exactly one document. On a problem adds errors and returns a null value:
+/// unreadable or too large file, not UTF-8, control characters, syntax, duplicate key, key that is
+/// not a plain scalar, unknown alias, more than one document, too deep, too many values, empty
+/// file. `tags`: whether explicit tags are accepted (EAGERx files carry Python's).
+enum class Tags : std::uint8_t { refuse, accept };
+YamlValue read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
+                         Tags tags = Tags::refuse, const ReadLimits& limits = {});
+/// The first half of it: the file's text is in `sources`; nullopt and an error where it cannot be
+/// loaded. One that cannot be read is told of where it is named, at `mention`, as `written`.
+std::optional<FileId> load_yaml_file(const std::string& path, SourceMap& sources,
+                                     Diagnostics& diagnostics, const ReadLimits& limits = {},
+                                     Span mention = {}, const std::string& written = {});
+/// The second half, of a file that is loaded.
+YamlValue read_loaded_yaml(FileId file, const SourceMap& sources, Diagnostics& diagnostics,
+                           Tags tags = Tags::refuse, const ReadLimits& limits = {});
+/// The same for text in memory; `name` stands for the file name in messages.
+YamlValue read_yaml_text(const std::string& name, std::string text, SourceMap& sources,
+                         Diagnostics& diagnostics, Tags tags = Tags::refuse,
+                         const ReadLimits& limits = {});
+
+}  // namespace eagerx::gen

@@ -1,0 +1,19 @@
+// yaml-cpp's messages in the words of someone who writes graphs.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "generator/frontend/read/locator.hpp"
+#include "generator/frontend/read/tree_builder.hpp"
+#include "generator/support/diagnostics/diagnostics.hpp"
+
+namespace eagerx::gen {
+
+/// Adds the error that stands for a YAML::ParserException with this message at this offset (npos:
+/// nowhere). `builder` knows what was open at that moment.
+void report_yaml_error(std::string_view message, std::size_t offset, const Locator& locator,
+                       const TreeBuilder& builder, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

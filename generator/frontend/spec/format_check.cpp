@@ -1,0 +1,274 @@
+// A tree against its table, with every problem in plain words.
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
+#include "generator/frontend/read/bytes.hpp"
+#include "generator/frontend/read/rational.hpp"
+#include "generator/frontend/read/scalar.hpp"
+#include "generator/frontend/read/slips.hpp"
+#include "generator/frontend/spec/format.hpp"
+#include "generator/frontend/spec/format_scalar.hpp"
+#include "generator/frontend/spec/misplaced.hpp"
+#include "generator/frontend/spec/named.hpp"
+#include "generator/frontend/spec/slips.hpp"
+#include "generator/support/diagnostics/join.hpp"
+#include "generator/support/diagnostics/search.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+Diagnostic& report_missing(const Field& field, Span span, const Format& format,
+                           Diagnostics& diagnostics) {
+  Diagnostic& problem = diagnostics.error(
+      "E0202", span, fmt::format("missing key `{}` in {}", field.name, format.what));
+  problem.help = fmt::format("add `{}:`, {}", field.name, field.about);
+  return problem;
+}
+
+/// The first key that a record needs and that is not in `yaml`; null: it has all, or is none.
+const Field* missing_field(const YamlValue& yaml, const Format& format) {
+  if (!yaml.is_map() && !yaml.is_null()) return nullptr;
+  const auto missing = ranges::find_if(format.fields, [&](const Field& field) {
+    return field.required && yaml.find(field.name) == nullptr;
+  });
+  return missing == format.fields.end() ? nullptr : &*missing;
+}
+
+/// `pendlum: {states: …}` beside `pendulum: {type: …}`, as a variant that mistypes a name makes it:
+/// whether entry `i` has been reported as such.
+bool report_meant_neighbour(const YamlValue& yaml, std::size_t i, const Format& format,
+                            Diagnostics& diagnostics) {
+  const YamlValue::Entry& entry = yaml.entries[i];
+  const Field* missing = missing_field(entry.value, *format.item);
+  if (missing == nullptr) return false;
+  std::vector<std::string> whole;
+  for (const auto& other : yaml.entries)
+    if (other.value.is_map() && missing_field(other.value, *format.item) == nullptr)
+      whole.push_back(other.key);
+  if (nearest(entry.key, whole).empty()) return false;
+  Diagnostic& problem = report_missing(*missing, entry.key_span, *format.item, diagnostics);
+  problem.help = did_you_mean_or(entry.key, whole, problem.help);
+  return true;
+}
+
+bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (yaml.is_null()) return true;  // `config:` with nothing behind it
+  if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
+  bool good = true;
+  for (std::size_t i = 0; i < yaml.entries.size(); ++i) {
+    const auto& entry = yaml.entries[i];
+    const bool bare = i + 1 < yaml.entries.size() && entry.value.is_null();
+    const std::size_t outside =
+        bare ? report_not_indented(yaml, i + 1, format, diagnostics) : std::size_t{0};
+    if (outside > 0 || report_decimal_comma(yaml.entries, i, diagnostics)) {
+      good = false;
+      i += outside;
+      continue;
+    }
+    if (report_meant_neighbour(yaml, i, format, diagnostics)) {
+      good = false;
+      continue;
+    }
+    if (format.key)
+      good = check(made_scalar(entry.key, entry.key_span), *format.key, diagnostics) && good;
+    const bool is_name = format.dotted_names  ? is_dotted_name(entry.key)
+                         : format.inner_names ? is_inner_name(entry.key)
+                                              : is_identifier(entry.key);
+    if (!format.file_names && !is_name) {
+      report_bad_name(entry.key, entry.key_span, diagnostics);
+      good = false;
+    }
+    good = check(entry.value, *format.item, diagnostics) && good;
+  }
+  return good;
+}
+
+bool check_list(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (!yaml.is_sequence()) return wrong_type(yaml, format, diagnostics);
+  if (yaml.items.size() < format.min_items) {
+    diagnostics.error("E0204", yaml.span,
+                      fmt::format("expected {}, found an empty list", format.what));
+    return false;
+  }
+  bool good = true;
+  for (const auto& item : yaml.items) good = check(item, *format.item, diagnostics) && good;
+  return good;
+}
+
+/// `theta:` with nothing behind it is a record without settings, where nothing is required.
+bool is_empty_record(const YamlValue& yaml, const Format& format) {
+  return yaml.is_null() && ranges::none_of(format.fields, &Field::required);
+}
+
+/// Returns the key that was meant; empty if nobody can say. `told`: the helps for misplaced keys of
+/// the record so far; several that belong to one place are one mistake.
+std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Format& format,
+                               const std::vector<std::string>& known, std::set<std::string>& told,
+                               Diagnostics& diagnostics) {
+  const YamlValue::Entry& entry = yaml.entries[i];
+  const auto report = [&](std::string help) {
+    diagnostics
+        .error("E0201", entry.key_span,
+               fmt::format("unknown key `{}` in {}", entry.key, format.what))
+        .help = std::move(help);
+  };
+  const auto glued = entry.value.is_null() ? glued_key(entry.key) : std::nullopt;
+  if (glued && contains(known, glued->key)) {
+    report(glued->help);
+    return glued->key;
+  }
+  std::string near = nearest(entry.key, known);
+  const std::string outer = outdented_from(yaml, i, format);
+  if (!outer.empty()) {
+    report(fmt::format("indent it, if it is one of `{}:`", outer));
+    return near;
+  }
+  const std::string misplaced = help_for_misplaced(yaml, i, format, known);
+  if (!misplaced.empty()) {
+    if (told.insert(misplaced).second) report(misplaced);
+    return {};
+  }
+  report(near.empty() ? fmt::format("{} has the keys {}", format.what, join(known, ", "))
+                      : fmt::format("did you mean `{}`?", near));
+  return near;
+}
+
+bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (is_empty_record(yaml, format)) return true;
+  if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
+  bool good = true;
+  const std::vector<std::string> known = names_of(format.fields);
+  std::vector<std::string> meant;
+  std::set<std::string> told;
+  for (std::size_t i = 0; i < yaml.entries.size(); ++i) {
+    const auto& entry = yaml.entries[i];
+    if (const Field* field = find_named(format.fields, entry.key)) {
+      good = check(entry.value, *field->format, diagnostics) && good;
+      continue;
+    }
+    if (format.item) {
+      good = check_name(entry.key, entry.key_span, diagnostics) &&
+             check(entry.value, *format.item, diagnostics) && good;
+      continue;
+    }
+    good = false;
+    if (!report_decimal_comma(yaml.entries, i, diagnostics))
+      meant.push_back(report_unknown_key(yaml, i, format, known, told, diagnostics));
+  }
+  for (const auto& field : format.fields) {
+    if (!field.required || yaml.find(field.name) != nullptr) continue;
+    if (contains(meant, field.name)) continue;  // just misspelt
+    report_missing(field, yaml.span, format, diagnostics);
+    good = false;
+  }
+  return good;
+}
+
+/// Whether a value of this kind could be meant for the format at all.
+bool takes(const YamlValue& yaml, const Format& format) {
+  switch (format.kind) {
+    case Format::Kind::any:
+      return true;
+    case Format::Kind::list:
+      return yaml.is_sequence();
+    case Format::Kind::map:
+      return yaml.is_map();
+    case Format::Kind::record:
+      return yaml.is_map() || is_empty_record(yaml, format);
+    case Format::Kind::one_of:
+      return ranges::any_of(format.options,
+                            [&](const FormatPtr& option) { return takes(yaml, *option); });
+    case Format::Kind::integer:
+      return yaml.is_scalar() && !yaml.quoted && parse_int(yaml.text);
+    case Format::Kind::number:
+    case Format::Kind::decimal:
+      return yaml.is_scalar() && !yaml.quoted &&
+             (parse_number(yaml.text) || Rational::parse(yaml.text) || has_unit(yaml, format));
+    case Format::Kind::boolean:
+      return yaml.is_scalar() && !yaml.quoted && parse_bool(yaml.text);
+    default:
+      return yaml.is_scalar();
+  }
+}
+
+}  // namespace
+
+bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  switch (format.kind) {
+    case Format::Kind::any:
+      return true;
+    case Format::Kind::text:
+      return yaml.is_scalar() || wrong_type(yaml, format, diagnostics);
+    case Format::Kind::name:
+      return check_scalar_name(yaml, format, diagnostics);
+    case Format::Kind::port:
+      return check_port(yaml, format, diagnostics);
+    case Format::Kind::path:
+      return check_path(yaml, format, diagnostics);
+    case Format::Kind::keyword:
+      return check_keyword(yaml, format, "", diagnostics);
+    case Format::Kind::boolean:
+      return (yaml.is_scalar() && !yaml.quoted && parse_bool(yaml.text)) ||
+             wrong_type(yaml, format, diagnostics);
+    case Format::Kind::integer:
+    case Format::Kind::decimal:
+    case Format::Kind::number:
+      return check_number(yaml, format, diagnostics);
+    case Format::Kind::memory:
+      return check_memory(yaml, format, diagnostics);
+    case Format::Kind::list:
+      return check_list(yaml, format, diagnostics);
+    case Format::Kind::map:
+      return check_map(yaml, format, diagnostics);
+    case Format::Kind::record:
+      return check_record(yaml, format, diagnostics);
+    case Format::Kind::one_of:
+      for (const auto& option : format.options) {
+        if (!takes(yaml, *option)) continue;
+        return option->kind == Format::Kind::keyword
+                   ? check_keyword(yaml, *option, format.what, diagnostics)
+                   : check(yaml, *option, diagnostics);
+      }
+      return wrong_type(yaml, format, diagnostics);
+  }
+  return false;
+}
+
+namespace {
+
+void put_in_base_units(YamlValue& yaml, const Format& format) {
+  if (format.kind == Format::Kind::one_of) {
+    const auto option =
+        ranges::find_if(format.options, [&](const FormatPtr& each) { return takes(yaml, *each); });
+    if (option != format.options.end()) put_in_base_units(yaml, **option);
+    return;
+  }
+  if (format.quantity != Quantity::none && yaml.is_scalar()) {
+    const Unit& base = *find_unit(format.quantity == Quantity::rate ? "Hz" : "s");
+    yaml.with_unit = !take_unit_off(yaml.text).unit.empty();
+    yaml.text = number_in(yaml.text, base).value_or(yaml.text);
+  }
+  if (format.kind == Format::Kind::memory && yaml.is_scalar()) {
+    const auto bytes = parse_bytes(yaml.text);
+    yaml.text = bytes ? std::to_string(*bytes) : yaml.text;
+  }
+  for (auto& item : yaml.items) {
+    if (format.item) put_in_base_units(item, *format.item);
+  }
+  for (auto& [key, span, value] : yaml.entries) {
+    const Field* field = find_named(format.fields, key);
+    const Format* inner = field != nullptr ? field->format.get() : format.item.get();
+    if (inner != nullptr) put_in_base_units(value, *inner);
+  }
+}
+
+}  // namespace
+
+YamlValue in_base_units(YamlValue yaml, const Format& format) {
+  put_in_base_units(yaml, format);
+  return yaml;
+}
+
+}  // namespace eagerx::gen

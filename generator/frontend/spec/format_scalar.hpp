@@ -1,0 +1,27 @@
+// Values that are one word, against their format. Inside spec/ only.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "generator/frontend/spec/format.hpp"
+
+namespace eagerx::gen {
+
+/// Reports what is not of the format's kind (E0204), and is false.
+bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
+void report_bad_name(std::string_view text, Span span, Diagnostics& diagnostics);
+bool check_scalar_name(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
+bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
+/// Names of files and ids of targets go into paths, into CMake and into C++.
+bool check_path(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
+/// `otherwise`: what may be written instead of a keyword.
+bool check_keyword(const YamlValue& yaml, const Format& format, const std::string& otherwise,
+                   Diagnostics& diagnostics);
+bool check_number(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
+bool check_memory(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
+bool is_dotted_name(std::string_view text);
+/// Right or wrong: it is meant as a number with a unit.
+bool has_unit(const YamlValue& yaml, const Format& format);
+
+}  // namespace eagerx::gen

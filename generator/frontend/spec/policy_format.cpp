@@ -1,0 +1,72 @@
+// What a trained policy needs in the graph file, of a node and of the agent.
+#include "generator/frontend/spec/graph_spec.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::vector<Field> policy_settings() {
+  return {
+      {"output", format::keyword({"squashed", "raw", "argmax", "binary"}), false,
+       "squashed: answers from -1 to 1 are mapped to the action's bounds (SB3's SAC and TD3); raw: "
+       "answers are clipped to the bounds (PPO, A2C); argmax: the action is the index of the "
+       "largest output (DQN), or of several whole numbers the index of the largest of its own "
+       "outputs (MultiDiscrete); binary: 1 where an output is above zero, else 0 (MultiBinary). "
+       "Default: as the file says, else squashed if the last layer is a tanh, else raw"},
+      {"trained_at", format::rate(), false,
+       "steps a second in training, in Hz, for files that do not say it: it must be the rate here"},
+      {"normalize", format::text("a file name"), false,
+       "statistics of the observations: VecNormalize.save, npz or JSON"},
+      {"activation",
+       format::keyword({"identity", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu",
+                        "gelu_tanh", "softplus", "sigmoid"}),
+       false, "activation after the hidden layers, for files that do not say it"},
+      {"output_activation",
+       format::keyword({"none", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu", "gelu_tanh",
+                        "softplus", "sigmoid"}),
+       false,
+       "what follows the last layer, for files that do not say it: state dicts of modules that no "
+       "known library made"},
+      {"actor", format::text("a name"), false,
+       "of a file with several actors: how the names of its tensors begin"},
+      {"output_name", format::text("a name"), false,
+       "of an ONNX file with several outputs: the one that is the action; of TorchScript with "
+       "several results: its place, from \"0\" on"},
+      {"golden", format::text("a file name"), false,
+       "observations with known answers (CSV or npz); the generator and every program check them"},
+      {"weights", format::keyword({"float32", "int8"}), false,
+       "int8: eight bits a weight, a quarter of the flash (default: float32)"},
+      {"max_error", format::decimal("a number above 0", 0.0, true), false,
+       "int8: largest difference from float32 that an output may have on the golden rows"},
+      {"profile", format::keyword({"exact", "fast"}), false,
+       "fast: faster on Linux, but the bits differ from machine to machine (default: exact)"}};
+}
+
+}  // namespace
+
+FormatPtr node_policy_format() {
+  const Field file = {"file", format::text("a file name"), true, "the weight file"};
+  return format::one_of(
+      "a weight file, or a mapping with its `file`",
+      {format::record("a policy", with({file}, policy_settings())), format::text("a file name")});
+}
+
+FormatPtr agent_format() {
+  return format::one_of(
+      "`zero`, `random`, `{policy: FILE}` or `{csv: FILE}`",
+      {format::record(
+           "an agent",
+           with({{"policy", format::text("a file name"), false,
+                  "weight file of a trained policy: Stable-Baselines3's zip, ONNX, safetensors, "
+                  "npz, "
+                  "torch.save"},
+                 {"csv", format::text("a file name"), false, "file of actions, one row a step"},
+                 {"observations", format::list("a list of observations", format::name("a name"), 1),
+                  false,
+                  "order in which the policy takes the observations (default: by name, as "
+                  "Gymnasium's "
+                  "Dict)"}},
+                policy_settings())),
+       format::keyword({"zero", "random"})});
+}
+
+}  // namespace eagerx::gen

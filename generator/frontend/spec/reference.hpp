@@ -1,0 +1,40 @@
+// What `$(…)` refers to in manifests: something that the graph says of the same entity.
+#pragma once
+
+#include <compare>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "generator/frontend/read/tree.hpp"
+
+namespace eagerx::gen {
+
+/// `config limit`, `config limit 0`, `size limit`, `sensors theta rate`, `safe u`, `safety late`;
+/// `rate` and `index` alone.
+struct Reference {
+  std::string what;
+  std::string name = {};
+  std::string part = {};  // of a list: the element; of a sensor or an actuator: "rate"
+
+  friend auto operator<=>(const Reference&, const Reference&) = default;
+};
+
+Reference parameter_reference(std::string name);                  // `config NAME`
+Reference rate_reference(std::string section, std::string name);  // `sensors NAME rate`
+
+/// "config limit 0", as expressions and messages name it.
+std::string to_string(const Reference& reference);
+/// "$(config limit 0)", as manifests write it.
+std::string in_dollars(const Reference& reference);
+
+/// Of a text that is one reference and nothing else.
+std::optional<Reference> parse_reference(std::string_view text);
+/// Of a value that is one; what is quoted is a text of its own.
+std::optional<Reference> reference_in(const YamlValue& yaml);
+
+/// Whether the value computes something from references: `$(2 * config limit)`, `-$(config limit)`,
+/// or is one.
+bool is_expression(const YamlValue& yaml);
+
+}  // namespace eagerx::gen

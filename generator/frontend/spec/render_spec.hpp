@@ -1,0 +1,20 @@
+// What the user wrote under `render:`.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/frontend/spec/settings.hpp"
+
+namespace eagerx::gen {
+
+/// How connections call what draws.
+inline constexpr const char* kRender = "render";
+
+struct RenderSpec {
+  Span span;
+  Spanned<std::string> source;
+  std::optional<Spanned<Rational>> rate;  // of pictures; default: that of the environment
+};
+
+}  // namespace eagerx::gen

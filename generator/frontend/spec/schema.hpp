@@ -1,0 +1,21 @@
+// JSON schemas (draft-07) from the tables of graphs and manifests.
+#pragma once
+
+#include <string>
+
+#include "generator/frontend/spec/format.hpp"
+#include "generator/support/json/json.hpp"
+
+namespace eagerx::gen {
+
+/// The schema of what `format` accepts.
+Json schema_of(const Format& format);
+
+/// The schema of graphs, in which one that `extends:` another may leave out what that one says: the
+/// keys of the graph, of its engine, and of each object and node.
+Json with_extending(Json graph);
+
+/// With the head of a file of its own.
+std::string schema_text(const Json& schema, const std::string& title, const std::string& id);
+
+}  // namespace eagerx::gen

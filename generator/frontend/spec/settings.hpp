@@ -1,0 +1,74 @@
+// What may be set of an entity, a port or a connection, as it is written in graphs and manifests.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/frontend/read/rational.hpp"
+#include "generator/frontend/read/tree.hpp"
+
+namespace eagerx::gen {
+
+/// A value and where it was written.
+template <class T>
+struct Spanned {
+  T value{};
+  Span span;
+};
+
+/// A key with a value that only a manifest can judge.
+struct Setting {
+  std::string name;
+  Span span;
+  YamlValue value;
+};
+
+struct ProcessorSpec {
+  Spanned<std::string> type;
+  std::vector<Setting> config;
+  std::vector<ProcessorSpec> before = {};  // of a list: those that convert before it, in order
+};
+
+/// How a state or a delay gets its value at a reset.
+struct RandomSpec {
+  enum class Kind : std::uint8_t { value, uniform, normal, log_uniform, choice };
+  Kind kind = Kind::uniform;
+  Span span;
+  std::optional<YamlValue> first;   // value; low; mean; list of choices
+  std::optional<YamlValue> second;  // high; std
+};
+
+/// Settings of a connection. A manifest's port, the graph's port and the connection may each give
+/// some; `overlay` puts one on top of the other.
+struct ConnectionSettings {
+  // A number of messages, and seconds; in manifests also `$(…)`.
+  std::optional<YamlValue> window;
+  std::optional<YamlValue> delay;
+  std::optional<RandomSpec> random_delay;  // drawn at every reset, in place of `delay`
+  std::optional<YamlValue> max_delay;      // a reset may change the delay up to these seconds
+  std::optional<Spanned<bool>> skip;
+  std::optional<ProcessorSpec> processor;
+};
+
+/// `base` with everything that `over` says.
+ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over);
+
+// What settings mean, with the default of what is not said.
+/// 1 if nothing is said; nullopt if it is a reference.
+std::optional<std::uint32_t> window_of(const ConnectionSettings& settings);
+/// In seconds, 0 if nothing is said; nullopt if it is a reference.
+std::optional<Rational> delay_of(const ConnectionSettings& settings);
+bool skips(const ConnectionSettings& settings);
+
+// Of trees that `check` has accepted.
+/// A copy of the value under `key`, if there is one.
+std::optional<YamlValue> value_at(const YamlValue& yaml, std::string_view key);
+std::vector<Setting> read_config(const YamlValue* yaml);
+ProcessorSpec read_processor(const YamlValue& yaml);
+/// nullopt if nothing is said of the value, or E0206 if too much is.
+std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagnostics);
+/// Of the mapping of a connection, or of a port in a graph or a manifest.
+ConnectionSettings read_connection_settings(const YamlValue& yaml, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

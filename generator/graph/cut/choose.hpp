@@ -1,0 +1,17 @@
+// Which nodes are cut out, and what is said of them.
+#pragma once
+
+#include <vector>
+
+#include "generator/graph/cut/cut.hpp"
+
+namespace eagerx::gen {
+
+/// By node of `whole`; also what gathers elements of messages among them. Empty after a problem:
+/// E0307, E0397.
+std::vector<bool> choose_nodes(const Graph& whole, const std::vector<std::string>& names,
+                               Diagnostics& diagnostics);
+/// Whether each step can have its actions before it begins. False: E0398.
+bool check_order(const Graph& whole, const std::vector<bool>& inside, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,133 @@
+#include "generator/graph/plan/ages.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace eagerx::gen {
+namespace {
+
+using Way = std::vector<const Hop*>;
+
+constexpr std::int64_t kMaxHyperperiod = std::int64_t{1} << 50;  // in quanta
+constexpr std::int64_t kMaxLookUps = 3'000'000;                  // of one pair
+
+std::int64_t newest_bound(const Way& way) {
+  std::int64_t sum = 0;
+  for (const Hop* hop : way) sum += hop->newest_bound;
+  return sum;
+}
+
+std::int64_t oldest_bound(const Way& way) {
+  std::int64_t sum = 0;
+  for (const Hop* hop : way) sum += hop->oldest_bound;
+  return sum;
+}
+
+/// When every tick on the way has settled.
+std::int64_t settled(const Way& way) {
+  std::int64_t sum = 0;
+  for (const Hop* hop : way) sum += hop->settled * hop->period + hop->oldest_bound;
+  return sum;
+}
+
+struct Worst {
+  std::int64_t newest = 0, oldest = 0;
+};
+
+/// Tick by tick over a hyperperiod; nullopt if that is too long.
+std::optional<Worst> worst_tick(const Ways& ways) {
+  std::int64_t hyperperiod = 1, start = 0, hops = 0;
+  for (const Way& way : ways.all) {
+    hops += static_cast<std::int64_t>(way.size());
+    start = std::max(start, settled(way));
+    for (const Hop* hop : way) {
+      for (const std::int64_t period : {hop->period, hop->source_period}) {
+        const std::int64_t factor = period / std::gcd(hyperperiod, period);
+        if (factor > kMaxHyperperiod / hyperperiod) return std::nullopt;
+        hyperperiod *= factor;
+      }
+    }
+  }
+  const std::int64_t period = ways.all.front().front()->period;  // of the last reader
+  const std::int64_t ticks = hyperperiod / period;
+  if (ticks > kMaxLookUps / hops) return std::nullopt;
+  const std::int64_t first = start / period + 1;
+  Worst worst;
+  for (std::int64_t tick = first; tick < first + ticks; ++tick) {
+    std::int64_t freshest = kMaxHyperperiod;
+    for (const Way& way : ways.all) {
+      std::int64_t newest = tick, oldest = tick;
+      for (const Hop* hop : way) {
+        newest = hop->newest(newest);
+        oldest = hop->oldest(oldest);
+      }
+      const std::int64_t born = way.back()->source_period;
+      freshest = std::min(freshest, tick * period - newest * born);
+      worst.oldest = std::max(worst.oldest, tick * period - oldest * born);
+    }
+    worst.newest = std::max(worst.newest, freshest);
+  }
+  return worst;
+}
+
+class Ages {
+ public:
+  Ages(const Plan& plan, const WayEnds& ends) : plan_(plan) {
+    const Graph& graph = *plan.graph;
+    if (ends.from_actions && ends.to_observations && !graph.has_engine())
+      step_s_ = Rational(1) / plan.rates[plan.nodes.front().rate].rate_hz;
+  }
+
+  DataAge of(const WayFinder::Pair& pair, const Ways& ways) const {
+    const Way& best = *std::ranges::min_element(ways.all, {}, newest_bound);
+    DataAge age;
+    age.from = pair.first;
+    age.to = pair.second;
+    const auto worst = ways.complete ? worst_tick(ways) : std::nullopt;
+    age.exact = worst.has_value();
+    age.newest_s = seconds(worst ? worst->newest : newest_bound(best)) - step_s_;
+    if (worst) {
+      age.oldest_s = seconds(worst->oldest) - step_s_;
+    } else if (ways.complete) {
+      std::int64_t most = 0;
+      for (const Way& way : ways.all) most = std::max(most, oldest_bound(way));
+      age.oldest_s = seconds(most) - step_s_;
+    }
+    const Way from_source(best.rbegin(), best.rend());
+    for (const Hop* hop : from_source) {
+      const Input& input = plan_.graph->nodes[hop->node].inputs[hop->input];
+      age.way.push_back({input.written, input.span, seconds(hop->newest_bound)});
+    }
+    take_off_step(age.way);
+    return age;
+  }
+
+ private:
+  /// All that happens within a step happens at one time: its end takes nothing of it.
+  void take_off_step(std::vector<AgeHop>& way) const {
+    Rational rest = step_s_;
+    for (auto hop = way.rbegin(); hop != way.rend() && rest > Rational(); ++hop) {
+      const Rational part = hop->newest_s < rest ? hop->newest_s : rest;
+      hop->newest_s = hop->newest_s - part;
+      rest = rest - part;
+    }
+  }
+
+  Rational seconds(std::int64_t quanta) const {
+    const RateClass& fastest = plan_.rates.front();
+    return Rational(quanta) /
+           (fastest.rate_hz * Rational(static_cast<std::int64_t>(fastest.period)));
+  }
+
+  const Plan& plan_;
+  Rational step_s_;  // that is not counted
+};
+
+}  // namespace
+
+DataAges::DataAges(const Plan& plan, const WayEnds& ends) : finder_(plan, ends) {
+  const Ages ages(plan, ends);
+  for (const auto& [pair, ways] : finder_.ways()) known_.push_back(ages.of(pair, ways));
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,75 @@
+#include "generator/graph/plan/hop.hpp"
+
+#include <numeric>
+
+#include "generator/graph/plan/counts.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::int64_t kMaxQuanta = std::int64_t{1} << 50;  // sums and products stay in 64 bits
+constexpr std::int64_t kMaxTicks = 1'000'000;               // that are gone through to settle
+
+struct Settled {
+  std::int64_t received = 0, tick = 0;  // as in Hop
+};
+
+/// From the first ticks, which the formula treats apart, to the sum that goes on for ever; nullopt
+/// if that takes too long.
+std::optional<Settled> settle(const Hop& hop, const Counts& counts) {
+  std::int64_t total = 0;
+  const std::int64_t most = ceil_div(counts.a, counts.b);
+  for (std::int64_t n = 0; n < kMaxTicks; ++n) {
+    total += counts.at(n);
+    // From here on no count is cut short by what has not been sent yet.
+    if (n > 0 && counts.cum(n) >= most && total >= hop.window)
+      return Settled{total - counts.cum(n + hop.off), n};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::int64_t Hop::total(std::int64_t n) const {
+  return received + floor_div(a * (n + off) - x, b);
+}
+
+std::int64_t Hop::oldest(std::int64_t n) const {
+  if (window > 0) return total(n) - window;
+  const std::int64_t before = total(n - 1);
+  return before == total(n) ? before - 1 : before;
+}
+
+std::optional<Hop> make_hop(const Plan& plan, std::size_t node, std::size_t input) {
+  const Input& what = plan.graph->nodes[node].inputs[input];
+  const Reception& reception = plan.nodes[node].receptions[input];
+  const RateClass& source = plan.rates[plan.nodes[what.source_node].rate];
+  const RateClass& own = plan.rates[plan.nodes[node].rate];
+  Hop hop;
+  hop.node = node;
+  hop.input = input;
+  hop.a = reception.a;
+  hop.b = reception.b;
+  hop.off = reception.off;
+  hop.window = what.window;
+  const Rational longest = what.max_delay_s.value_or(what.delay_s);
+  hop.x = (Rational(hop.b) * source.rate_hz * longest).ceil();
+  if (source.period > kMaxQuanta || own.period > kMaxQuanta) return std::nullopt;
+  hop.source_period = static_cast<std::int64_t>(source.period);
+  hop.period = static_cast<std::int64_t>(own.period);
+  const auto settled = settle(hop, {hop.a, hop.b, hop.x, what.skip});
+  if (!settled) return std::nullopt;
+  hop.received = settled->received;
+  hop.settled = settled->tick;
+  // n / rate - newest(n) / source rate, in steps of a quantum common to both.
+  const std::int64_t step = std::gcd(hop.source_period, hop.period);
+  const std::int64_t steps = hop.x + hop.b - 1 - hop.b * (hop.received - 1) - hop.a * hop.off;
+  if (steps > kMaxQuanta / step) return std::nullopt;
+  hop.newest_bound = steps * step;
+  const std::int64_t more = (hop.window == 0 ? ceil_div(hop.a, hop.b) : hop.window) - 1;
+  if (more > kMaxQuanta / hop.source_period) return std::nullopt;
+  hop.oldest_bound = hop.newest_bound + more * hop.source_period;
+  return hop;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,48 @@
+// What would cross a serial link between the engine with its sensors and actuators, and the rest.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/graph/plan/plan.hpp"
+
+namespace eagerx::gen {
+
+/// A message that crosses, once however many read it.
+struct LinkMessage {
+  std::string name;        // "pendulum.theta", "actions.voltage", "smooth.filtered"
+  bool to_engine = false;  // else from a sensor
+  Rational rate_hz;
+  std::uint64_t bytes = 0;  // of its elements
+  Span span;                // where it is sent
+  [[nodiscard]] Rational bytes_per_s() const {
+    return rate_hz * Rational(static_cast<std::int64_t>(bytes));
+  }
+};
+
+/// One direction. All messages of an instant go in one frame.
+struct LinkLoad {
+  Rational frames_per_s, bytes_per_s;  // without and with nothing but the elements
+  std::uint64_t largest_frame = 0;     // bytes of elements
+  Rational baud;                       // with framing
+};
+
+struct Link {
+  std::vector<LinkMessage> messages;  // by name, sensors first
+  LinkLoad sensors, actuators;
+  /// What both directions need at once, each having a wire of its own.
+  [[nodiscard]] const Rational& baud() const {
+    return sensors.baud < actuators.baud ? actuators.baud : sensors.baud;
+  }
+};
+
+/// Bytes of a frame besides its elements, as split programs have it (targets/README.md): two
+/// delimiters, COBS (one more for every 254 bytes, not counted), kind, number, CRC-32C; and the
+/// bits of a byte with start and stop bit.
+inline constexpr std::int64_t kFrameBytes = 12;
+inline constexpr std::int64_t kBitsOfByte = 10;
+
+Link link_of(const Plan& plan);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,37 @@
+// Whether environments of a graph can be calculated in packs: one lane of a pack one environment.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/graph/plan/plan.hpp"
+
+namespace eagerx::gen {
+
+/// Why they run one by one instead, as a sentence without its end; empty if they can run in packs.
+/// Steps of a pack are those of the graph, with packs for numbers; resets run alone. So all lanes
+/// do the same at the same time: every rate is due whenever an episode may begin.
+std::string why_no_packs(const Plan& plan);
+
+/// Whether packs run a node one lane after the other, as it is written for plain numbers or gets
+/// another number of messages in each lane. Engines, objects and engine nodes cannot: what they
+/// simulate is in lanes.
+bool runs_lane_by_lane(const GraphNode& node);
+
+/// Steps after which every rate is due again; 1 where all rates are multiples of the environment's.
+std::size_t steps_in_hyperperiod(const Plan& plan);
+
+/// By rate of the plan, whether packs have it: not that of pictures alone, which they never show.
+std::vector<bool> rates_of_packs(const Plan& plan);
+/// The slots of packs, with the masks of the plan: without those in which only pictures are due,
+/// and without regard to reset nodes, whose routines end in any slot, but not in packs. Where an
+/// environment goes on in its own program, that is where its reset has left it, a step like any
+/// other but for its pictures, which nobody sees.
+Schedule schedule_of_packs(const Plan& plan);
+
+/// By ring of a plan with the schedule of packs, whether nobody but the step that writes a message
+/// reads it: packs need not keep it then. None where that is not plain to see, or where a reset
+/// goes on from messages of the last episode.
+std::vector<bool> passing_rings(const Plan& plan);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,29 @@
+// What goes over the links between the programs of a placed graph.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "generator/graph/plan/plan.hpp"
+#include "generator/graph/resolve/needs.hpp"
+
+namespace eagerx::gen {
+
+/// Needs everything of the plan but the split, and the graph's placement.
+Split make_split(const Plan& plan);
+
+/// What a program does with a message at its links, each called by its part. A part has one, its
+/// own; the hub has all, and hands on what goes from one part to others.
+struct LinkUse {
+  std::optional<std::size_t> from;
+  std::vector<std::size_t> to;
+  [[nodiscard]] bool any() const { return from || !to.empty(); }
+};
+LinkUse link_use(const Plan& plan, Part part, std::size_t node, std::size_t output);
+/// The same of what all programs know: whether the reset node `node` has reached its targets.
+LinkUse link_use_of_flags(const Graph& graph, Part part, std::size_t node);
+
+/// Whether the program `part` is the hub and asks for what `node` sends, without waiting for it.
+bool posts(const Plan& plan, Part part, std::size_t node);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,219 @@
+#include "generator/graph/plan/ways.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::size_t kMaxSteps = 20'000;  // of a search from one destination
+
+/// In an episode a reset node passes its feedthroughs on and nothing else.
+bool passes_on(const GraphNode& node, const Input& input) {
+  return !node.is_reset_node() || input.feedthrough;
+}
+
+}  // namespace
+
+WayEnds usual_ends(const Graph& graph) {
+  const bool engine = graph.has_engine();
+  return {!engine, !engine, engine};
+}
+
+std::vector<std::string> names_of_sources(const Graph& graph, bool actions) {
+  std::set<std::string> names;
+  for (const GraphNode& node : graph.nodes) {
+    for (const Output& output : node.outputs) {
+      if (actions && node.role == NodeRole::environment) names.insert("actions." + output.name);
+      if (!actions) names.insert(output.sensors.begin(), output.sensors.end());
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+std::vector<std::string> names_of_destinations(const Graph& graph, bool observations) {
+  std::set<std::string> names;
+  for (const GraphNode& node : graph.nodes) {
+    for (const Input& input : node.inputs) {
+      if (observations ? node.role == NodeRole::environment : input.actuator)
+        names.insert(input.written);
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+WayFinder::WayFinder(const Plan& plan, const WayEnds& ends) : plan_(plan), ends_(ends) {
+  make_hops();
+  mark_behind_sources();
+  on_way_.assign(hops_.size(), false);
+  for (std::size_t n = 0; n < hops_.size(); ++n) {
+    for (const Hop& hop : hops_[n]) {
+      const Input& input = plan.graph->nodes[n].inputs[hop.input];
+      if (!is_last(plan.graph->nodes[n], input)) continue;
+      steps_ = 0;
+      walk(input.written, hop);
+      if (steps_ > kMaxSteps) shortest(input.written, hop);
+    }
+  }
+}
+
+bool WayFinder::is_last(const GraphNode& node, const Input& input) const {
+  return ends_.to_observations ? node.role == NodeRole::environment : input.actuator;
+}
+
+/// Whether a way may lead through a node. It begins at the environment or does not go over it.
+bool WayFinder::is_passed(const GraphNode& node) const {
+  if (node.role == NodeRole::environment) return ends_.through_agent && !ends_.from_actions;
+  return node.role != NodeRole::engine_node && node.role != NodeRole::engine;
+}
+
+void WayFinder::make_hops() {
+  const auto& nodes = plan_.graph->nodes;
+  hops_.resize(nodes.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (std::size_t i = 0; i < nodes[n].inputs.size(); ++i) {
+      if (!passes_on(nodes[n], nodes[n].inputs[i])) continue;
+      const Input& input = nodes[n].inputs[i];
+      if (auto hop = make_hop(plan_, n, i)) {
+        hops_[n].push_back(*hop);
+      } else if (input.actuator || nodes[n].role == NodeRole::environment ||
+                 nodes[n].role == NodeRole::node) {
+        unknown_.emplace_back(n, i);
+      }
+    }
+  }
+}
+
+void WayFinder::mark_behind_sources() {
+  const auto& nodes = plan_.graph->nodes;
+  reached_.assign(nodes.size(), false);
+  std::vector<std::vector<std::size_t>> readers(nodes.size());
+  std::vector<std::size_t> todo;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (const Hop& hop : hops_[n]) {
+      const Input& input = nodes[n].inputs[hop.input];
+      if (!is_passed(nodes[n])) continue;
+      readers[input.source_node].push_back(n);
+      if (!source_of(hop).empty()) todo.push_back(n);
+    }
+  }
+  while (!todo.empty()) {
+    const std::size_t node = todo.back();
+    todo.pop_back();
+    if (reached_[node]) continue;
+    reached_[node] = true;
+    todo.insert(todo.end(), readers[node].begin(), readers[node].end());
+  }
+}
+
+/// Where a way begins; empty if it goes on.
+std::string WayFinder::source_of(const Hop& hop) const {
+  const Input& input = plan_.graph->nodes[hop.node].inputs[hop.input];
+  const GraphNode& source = plan_.graph->nodes[input.source_node];
+  const Output& output = source.outputs[input.source_output];
+  if (!ends_.from_actions) return input.sensor;
+  return source.role == NodeRole::environment ? "actions." + output.name : std::string();
+}
+
+std::vector<const Hop*> WayFinder::behind(const Hop& hop) const {
+  const Input& input = plan_.graph->nodes[hop.node].inputs[hop.input];
+  const GraphNode& source = plan_.graph->nodes[input.source_node];
+  std::vector<const Hop*> result;
+  if (!reached_[input.source_node]) return result;
+  for (const Hop& next : hops_[input.source_node]) {
+    // Each output of a reset node has a feedthrough of its own.
+    const Input& read = source.inputs[next.input];
+    if (read.feedthrough && read.name != source.outputs[input.source_output].name) continue;
+    result.push_back(&next);
+  }
+  return result;
+}
+
+void WayFinder::walk(const std::string& destination, const Hop& hop) {
+  if (++steps_ > kMaxSteps) return;
+  const std::size_t sender = plan_.graph->nodes[hop.node].inputs[hop.input].source_node;
+  way_.push_back(&hop);
+  if (const std::string source = source_of(hop); !source.empty()) {
+    keep(source, destination, way_, true);
+  } else if (!on_way_[sender]) {
+    on_way_[sender] = true;
+    for (const Hop* next : behind(hop)) walk(destination, *next);
+    on_way_[sender] = false;
+  }
+  way_.pop_back();
+}
+
+/// The way with the least sum to every source, from the destination backwards (Dijkstra).
+void WayFinder::shortest(const std::string& destination, const Hop& first) {
+  std::map<const Hop*, std::pair<std::int64_t, const Hop*>> best;  // sum, the hop after it
+  std::set<std::pair<std::int64_t, const Hop*>> open;
+  best[&first] = {first.newest_bound, nullptr};
+  open.insert({first.newest_bound, &first});
+  std::set<std::string> found;
+  while (!open.empty()) {
+    const auto [sum, hop] = *open.begin();
+    open.erase(open.begin());
+    if (const std::string source = source_of(*hop); !source.empty()) {
+      if (!found.insert(source).second) continue;
+      std::vector<const Hop*> way;
+      for (const Hop* at = hop; at != nullptr; at = best[at].second) way.insert(way.begin(), at);
+      keep(source, destination, way, false);
+      continue;
+    }
+    for (const Hop* next : behind(*hop)) {
+      const std::int64_t longer = sum + next->newest_bound;
+      const auto known = best.find(next);
+      if (known != best.end() && known->second.first <= longer) continue;
+      if (known != best.end()) open.erase({known->second.first, next});
+      best[next] = {longer, hop};
+      open.insert({longer, next});
+    }
+  }
+}
+
+void WayFinder::keep(const std::string& source, const std::string& destination,
+                     const std::vector<const Hop*>& way, bool complete) {
+  Ways& ways = ways_[{source, destination}];
+  ways.all.push_back(way);
+  ways.complete = ways.complete && complete;
+}
+
+std::vector<const Input*> WayFinder::unknown_between(const std::string& from,
+                                                     const std::string& to) const {
+  std::vector<const Input*> result;
+  if (unknown_.empty()) return result;
+  const auto& nodes = plan_.graph->nodes;
+  // Nodes that data reach from `from`, and nodes whose data reach `to`, over all connections.
+  std::vector<bool> before(nodes.size(), false), after(nodes.size(), false);
+  const auto begins = [&](const Hop& hop) {
+    const std::string source = source_of(hop);
+    return !source.empty() && (from.empty() || source == from);
+  };
+  const auto ends = [&](std::size_t n, const Input& input) {
+    return is_last(nodes[n], input) && (to.empty() || input.written == to);
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      for (std::size_t i = 0; i < nodes[n].inputs.size(); ++i) {
+        const Input& input = nodes[n].inputs[i];
+        if (!passes_on(nodes[n], input)) continue;
+        const Hop hop{.node = n, .input = i};
+        const std::size_t source = input.source_node;
+        if (!before[n] && is_passed(nodes[n]) && (begins(hop) || before[source]))
+          more = before[n] = true;
+        if (!after[source] && is_passed(nodes[source]) && (ends(n, input) || after[n]))
+          more = after[source] = true;
+      }
+    }
+  }
+  for (const auto& [n, i] : unknown_) {
+    const Input& input = nodes[n].inputs[i];
+    if ((begins({.node = n, .input = i}) || before[input.source_node]) &&
+        (ends(n, input) || after[n]))
+      result.push_back(&input);
+  }
+  return result;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,71 @@
+// The ways that messages take from sensors or actions to actuators or observations.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/graph/plan/hop.hpp"
+
+namespace eagerx::gen {
+
+/// Between what ways are looked for.
+struct WayEnds {
+  bool from_actions = false;     // else from sensors
+  bool to_observations = false;  // else to actuators
+  bool through_agent = true;     // from an observation to every action; never if from_actions
+
+  friend auto operator<=>(const WayEnds&, const WayEnds&) = default;
+};
+
+/// From sensors to actuators; without an engine from actions to observations.
+WayEnds usual_ends(const Graph& graph);
+
+/// The names of what can be an end, whether or not a way leads there, sorted.
+std::vector<std::string> names_of_sources(const Graph& graph, bool actions);
+std::vector<std::string> names_of_destinations(const Graph& graph, bool observations);
+
+/// All ways of one pair, each from the last connection back to the first.
+struct Ways {
+  std::vector<std::vector<const Hop*>> all;
+  bool complete = true;  // false: there are more; the one with the least sum is among these
+};
+
+/// Ways by the names of both ends. Hops live as long as this.
+class WayFinder {
+ public:
+  WayFinder(const Plan& plan, const WayEnds& ends);
+  WayFinder(const WayFinder&) = delete;
+  WayFinder& operator=(const WayFinder&) = delete;
+  using Pair = std::pair<std::string, std::string>;  // from, to
+  [[nodiscard]] const std::map<Pair, Ways>& ways() const { return ways_; }
+  /// Connections that a way from `from` to `to` may go over, but that are too slow or too long to
+  /// say by how much data age on them. No way goes over them. An empty name stands for every end.
+  [[nodiscard]] std::vector<const Input*> unknown_between(const std::string& from,
+                                                          const std::string& to) const;
+
+ private:
+  void make_hops();
+  void mark_behind_sources();
+  void walk(const std::string& destination, const Hop& hop);
+  void shortest(const std::string& destination, const Hop& hop);
+  void keep(const std::string& source, const std::string& destination,
+            const std::vector<const Hop*>& way, bool complete);
+  [[nodiscard]] bool is_last(const GraphNode& node, const Input& input) const;
+  [[nodiscard]] bool is_passed(const GraphNode& node) const;
+  [[nodiscard]] std::vector<const Hop*> behind(const Hop& hop) const;
+  [[nodiscard]] std::string source_of(const Hop& hop) const;
+
+  const Plan& plan_;
+  const WayEnds ends_;
+  std::vector<std::vector<Hop>> hops_;  // by node: those that its outputs come from
+  std::vector<bool> reached_;           // nodes that data of a source reach
+  std::vector<const Hop*> way_;
+  std::vector<bool> on_way_;
+  std::size_t steps_ = 0;
+  std::map<Pair, Ways> ways_;
+  std::vector<std::pair<std::size_t, std::size_t>> unknown_;  // node, input
+};
+
+}  // namespace eagerx::gen

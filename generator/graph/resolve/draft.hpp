@@ -1,0 +1,269 @@
+// The graph while it is being resolved: ports are known, spaces and connections not yet all.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "generator/frontend/parameters/config.hpp"
+#include "generator/frontend/spec/named.hpp"
+#include "generator/frontend/spec/port_name.hpp"
+#include "generator/graph/resolve/graph.hpp"
+
+namespace eagerx::gen {
+
+/// As much of a space as is written down.
+struct PartialSpace {
+  std::optional<Dtype> dtype;
+  std::optional<std::vector<std::uint64_t>> shape;
+  std::vector<double> low, high;
+  std::optional<std::string> like;  // an input of the same node; for actions a port of the graph
+  Span span, like_span;
+  Span bounds_span;  // of the bound that was written last
+};
+
+struct DraftEdge {
+  std::size_t node = 0;
+  std::size_t output = 0;
+  Span span;
+};
+
+struct DraftInput {
+  std::string name;
+  std::string
+      written;  // as the graph calls it: "smooth.signal", "pendulum.u", "observations.angle"
+  Span span;
+  PartialSpace declared;        // what the callback takes, after the processor
+  ConnectionSettings settings;  // once it is connected; before, what its manifest says
+  ConnectionSettings said;      // of the port, in the graph
+  std::optional<DraftEdge> edge;
+  std::optional<PartialSpace> outside = {};  // an actuator that has a processor: what comes to that
+  bool entity_sets_delay = false;
+  bool optional = false;  // of a node: a graph may do without it
+  bool feedthrough = false;
+  bool actuator = false;
+  std::string sensor = {};  // that it reads, as connections call it: "pendulum.theta"
+};
+
+struct DraftOutput {
+  std::string name;
+  Span span;
+  PartialSpace declared;  // what the callback gives
+  std::optional<ProcessorSpec> processor;
+  PartialSpace published = {};              // what comes out of the processor
+  std::vector<std::string> sensors = {};    // what it stands for: "pendulum.theta"
+  std::vector<std::string> converted = {};  // those with a processor of their own
+  bool of_sensor = false;      // the processor: other readers get what is in front of it
+  bool of_connection = false;  // the processor, which is written there
+};
+
+struct DraftNode {
+  GraphNode node;
+  std::vector<DraftInput> inputs;
+  std::vector<DraftOutput> outputs;
+
+  /// By name, feedthroughs apart.
+  [[nodiscard]] DraftInput* input(std::string_view name);
+  [[nodiscard]] const DraftInput* input(std::string_view name) const;
+  [[nodiscard]] DraftOutput* output(std::string_view name);
+};
+
+struct PortIndex {
+  std::size_t node = 0;
+  std::size_t port = 0;
+};
+
+/// What the readers of a sensor get of an engine node's output.
+struct DraftSensor {
+  std::string written;  // "pendulum.theta"
+  PortIndex output;
+  // For these readers alone, as the output has other sensors. What is empty is as the output says.
+  PartialSpace taken;  // bounds of what comes from there
+  std::optional<ProcessorSpec> processor;
+  PartialSpace space = {};     // what that gives
+  bool of_connection = false;  // the processor, which is written there
+};
+
+struct DraftObject {
+  std::string name;
+  const Entity* entity = nullptr;
+  std::map<std::string, DraftSensor> sensors;
+  std::map<std::string, std::vector<PortIndex>> actuators;  // to inputs of engine nodes
+  std::map<std::string, ConnectionSettings> delays;         // defaults of what comes from sensors
+};
+
+struct Draft {
+  const GraphSpec& spec;
+  const Library& library;
+  Diagnostics& diagnostics;
+  Graph graph;
+  std::vector<DraftNode> nodes;
+  std::vector<DraftObject> objects;
+  std::set<std::string> doubtful;  // objects and nodes with a reported problem of their ports:
+                                   // what follows from it is not said
+  References safety = {};          // `$(safety KEY)`, in defaults of parameters
+  std::optional<std::size_t> task = {};  // its node
+  std::optional<std::size_t> render = {};
+  std::deque<EntitySpec> added = {};  // nodes that the graph file has not, as it would say them
+  std::map<std::string, std::size_t, std::less<>> node_of_name = {};  // once all are there
+
+  /// A node that no entity of the graph is: what the generator itself adds.
+  [[nodiscard]] bool is_added(std::size_t node) const { return node == task || node == render; }
+  /// Whether a node, or the object that an engine node is of, has such a problem.
+  [[nodiscard]] bool is_doubtful(const DraftNode& node) const;
+};
+
+/// While the ports of an object or a node are made: if a problem is reported meanwhile, it is the
+/// cause, and what would be said of connections to these ports only follows from it.
+class MakingPorts {
+ public:
+  MakingPorts(Draft& draft, std::string name)
+      : draft_(draft), name_(std::move(name)), before_(draft.diagnostics.error_count()) {}
+  ~MakingPorts() {
+    if (draft_.diagnostics.error_count() != before_) draft_.doubtful.insert(name_);
+  }
+  MakingPorts(const MakingPorts&) = delete;
+  MakingPorts& operator=(const MakingPorts&) = delete;
+
+ private:
+  Draft& draft_;
+  std::string name_;
+  std::size_t before_;
+};
+
+/// What a SpaceSpec says, with references replaced. Problems: E0325 shape, E0326 bounds.
+PartialSpace partial_space(const SpaceSpec& spec, const References& references,
+                           Diagnostics& diagnostics);
+/// `base` with everything that `over` says.
+PartialSpace overlay(PartialSpace base, const PartialSpace& over);
+/// The same where dtype and shape must not change: `what` has the space `base` (E0305, E0306).
+PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what,
+                    Diagnostics& diagnostics);
+/// What a manifest says of the connections to a port, with references replaced (E0204 where one is
+/// no number of messages or seconds).
+ConnectionSettings manifest_settings(const PortManifest& port, const References& references,
+                                     Diagnostics& diagnostics);
+/// An input or output as its manifest describes it.
+DraftOutput draft_output(const PortManifest& port, Span span, const References& references,
+                         Diagnostics& diagnostics);
+DraftInput draft_input(const PortManifest& port, const std::string& written, Span span,
+                       const References& references, Diagnostics& diagnostics);
+/// The space if dtype and shape are known.
+std::optional<Space> complete(const PartialSpace& partial);
+PartialSpace partial_of(const Space& space);
+/// Bounds must be one number or one for each element, fit the dtype, and leave something between
+/// them (E0326 at `place`). Nothing else may look at bounds that were not checked.
+bool check_bounds(const Space& space, Span place, Diagnostics& diagnostics);
+/// Where the bounds are written, if that is in the file of `otherwise`.
+Span place_of_bounds(const PartialSpace& space, Span otherwise);
+/// The bound of an element; `otherwise` if there is none.
+double bound_of(const std::vector<double>& bounds, std::size_t element, double otherwise);
+/// float32 bounds are written as decimals: 3.14 is allowed where the bound is float32(3.14), and
+/// back.
+double rounded(const Space& space, double value);
+/// Whether what arrives has the dtype and shape that are declared, where they are.
+bool fits(const PartialSpace& declared, const Space& arriving);
+/// Applies what is said of an output beside its manifest: a processor, and the space of what is
+/// published.
+void settle(DraftOutput& output, const ComponentSpec& said, const std::string& written,
+            Diagnostics& diagnostics);
+/// What is said of a port, or nullptr.
+const ComponentSpec* find_component(const Selection& selection, std::string_view name);
+/// Reports names in the selection that are none of the entity's `ports` (E0307); true if there was
+/// any. `what` they are: "sensor", "input", …
+bool report_unknown(const Selection& selection, const std::vector<PortManifest>& ports,
+                    const Entity& entity, std::string_view what, Diagnostics& diagnostics);
+/// E0308: an engine node or state that is of other engines.
+void report_wrong_engine(const Entity& entity, const Entity& engine, Span span,
+                         Diagnostics& diagnostics);
+/// "float32 [2]", "any dtype, any shape"
+std::string describe(const PartialSpace& space);
+// The steps of resolve(), in their order; each adds to the draft.
+void add_environment(Draft& draft);
+void add_engine(Draft& draft, const ResolveOptions& options);
+void add_nodes(Draft& draft);
+/// One of them, whose optional inputs are there if `connected` has their names.
+DraftNode node_of(Draft& draft, const EntitySpec& spec,
+                  const std::set<std::string_view>& connected);
+void add_objects(Draft& draft);
+void add_task(Draft& draft);       // its node
+void add_render(Draft& draft);     // its node
+void let_task_skip(Draft& draft);  // its inputs that wait for the action of the same tick
+void check_cycles(Draft& draft);
+void connect(Draft& draft);         // the user's connections; unconnected ports
+void resolve_spaces(Draft& draft);  // spaces and processors; fills the graph's inputs and outputs
+void resolve_safety(Draft& draft);  // safe actions, in the spaces of the actions
+/// Expressions of the task, once its inputs' spaces are known. Problems: E0323 a time of too many
+/// steps, E0339 an expression.
+void resolve_task(Draft& draft);
+/// A node that adds noise to each observation that `task.noise` names, once it is connected (E0307,
+/// E0315).
+void add_noise(Draft& draft);
+/// What the critic of a training sees (E0307). Its inputs of the task get an output each, of the
+/// task's node, behind the terms (E0315).
+void add_critic_outputs(Draft& draft, DraftNode& task);
+void resolve_critic(Draft& draft);
+/// What a training draws and weighs otherwise at first (E0307 names, E0327 ranges, E0352 what no
+/// stage can be).
+void resolve_stages(Draft& draft);
+/// Whether the source of `render:` can be shown (E0360), and which nodes only pictures need.
+void resolve_render(Draft& draft);
+void resolve_states(Draft& draft);         // how states are drawn
+void resolve_reset_targets(Draft& draft);  // which states the reset nodes bring about
+/// `sync: false` (E0338 what does not go together with it).
+void check_sync(Draft& draft);
+
+/// What runs in which program (E0332 what cannot be placed, E0333 what is placed twice, E0334
+/// targets that are no partners).
+void place_parts(Draft& draft, const std::vector<PlacementSpec>& placement);
+
+/// Names in `settings` that are not among those of a graph. `what` they are: "action" (E0307).
+void report_unknown_names(const std::vector<Setting>& settings,
+                          const std::vector<std::string>& known, std::string_view what,
+                          const char* otherwise, Diagnostics& diagnostics);
+/// What leaves of a graph without engine while it is safe (E0307, E0327, E0348).
+void resolve_safe_outputs(Draft& draft);
+
+/// What `$(safety KEY)` means in manifests.
+References safety_references(const GraphSpec& spec);
+/// Adds what `$(safe ACTUATOR)` means in the implementation of `object`, whose own references are
+/// `references`: its value in `safety:`, else that of the action that is connected to it, else zero
+/// moved into its space. Problems: E0307, E0327.
+void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& entity,
+                        References& references);
+/// A processor between a port with the space `arriving` and its receiver; `source`: where the
+/// message comes from. Problems: E0303 to E0306, E0312.
+std::optional<Processor> make_processor(Draft& draft, const ProcessorSpec& spec,
+                                        const Space& arriving, Span source);
+/// The processors that turn a message with the space `arriving` into what is declared, as a
+/// connection names them: "processor: {type: GetIndex, config: {index: [0]}}".
+std::vector<std::string> fitting_processors(const Library& library, const PartialSpace& takes,
+                                            const Space& arriving);
+/// How `name` is drawn, checked against its space (E0322, E0327).
+std::optional<Random> read_random(const std::string& name, const Space& space,
+                                  const RandomSpec& spec, Diagnostics& diagnostics);
+/// Which messages boards send (E0206, E0307), which is nothing for half of a split graph (E0342).
+void resolve_telemetry(Draft& draft);
+/// The delay of the connection to `from`, in `into`: what it is at first, the longest that a reset
+/// may make it, and how it is drawn (E0327).
+void resolve_delay(const Draft& draft, const DraftInput& from, Input& into);
+/// What a reset needs of the finished graph (E0317, E0318); marks what cannot run during one.
+void check_resets(Graph& graph, Diagnostics& diagnostics);
+/// What manifests require of parameters, ports and rates together (E0328).
+void check_limits(Draft& draft);
+/// The same of a processor and those before it; false if there was a problem.
+bool check_limits(const Processor& processor, Diagnostics& diagnostics);
+/// The space that an input is declared with, by the name that connections call it; nullopt if there
+/// is none.
+std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& port);
+/// Whether a connection asks a reset node for a state: `to: node.targets.name`.
+bool is_reset_target(const ConnectionSpec& connection);
+/// All names that `to:` may say.
+std::vector<std::string> input_names(const Draft& draft);
+
+}  // namespace eagerx::gen

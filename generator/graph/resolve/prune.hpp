@@ -1,0 +1,24 @@
+// Which engine nodes of an object are needed.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "generator/graph/resolve/draft.hpp"
+
+namespace eagerx::gen {
+
+/// From one engine node of an object to another, by their indices.
+struct InnerLink {
+  std::size_t from, to;
+};
+
+/// For each of `nodes`, whether it is needed. EAGERx's rule: those of `sensors` in use and those
+/// that used `actuators` feed, descendants of the latter that are synchronised with the engine, and
+/// what these need.
+std::vector<bool> needed_engine_nodes(const std::vector<DraftNode>& nodes,
+                                      const std::vector<InnerLink>& links,
+                                      const std::vector<std::size_t>& sensors,
+                                      const std::vector<std::size_t>& actuators);
+
+}  // namespace eagerx::gen

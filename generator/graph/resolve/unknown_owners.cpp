@@ -1,0 +1,91 @@
+#include "generator/graph/resolve/unknown_owners.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "generator/support/diagnostics/join.hpp"
+#include "generator/support/diagnostics/search.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::size_t kMostHelped = 100;  // nobody reads more, and each is compared with all names
+
+std::size_t elements_of(std::string_view array, const std::vector<std::string>& known) {
+  const std::string begin = fmt::format("{}[", array);
+  std::size_t count = 0;
+  for (const std::string& name : known) count += name.starts_with(begin) ? 1 : 0;
+  return count;
+}
+
+/// The object or the node that the graph file calls so; nullptr without one.
+const EntitySpec* declaration(const GraphSpec& spec, std::string_view name) {
+  const EntitySpec* object = find_named(spec.objects, name);
+  return object != nullptr ? object : find_named(spec.nodes, name);
+}
+
+}  // namespace
+
+std::string UnknownOwners::add(const PortName& port, Span span, std::vector<std::string> known) {
+  const auto same =
+      ranges::find_if(unknown_, [&](const Unknown& each) { return each.owner == port.owner; });
+  if (same != unknown_.end()) {
+    same->places.push_back({port.name, span});
+    return same->near;
+  }
+  if (unknown_.size() >= kMostHelped) known.clear();
+  const std::size_t elements = elements_of(port.owner, known);
+  std::string near = elements > 0 ? std::string() : nearest(port.owner, known);
+  unknown_.push_back({port.owner, {{port.name, span}}, std::move(known), elements, near});
+  return near;
+}
+
+void UnknownOwners::report() {
+  for (const Unknown& each : unknown_) {
+    const EntitySpec* declared = declaration(draft_.spec, each.near);
+    if (each.places.size() > 1 && declared != nullptr && !is_used(each.near)) {
+      report_declared(each, declared->name.span);
+      continue;
+    }
+    for (const Place& place : each.places) report_used(each, place);
+  }
+}
+
+bool UnknownOwners::is_used(std::string_view owner) const {
+  return ranges::any_of(draft_.spec.connections, [&](const ConnectionSpec& connection) {
+    return parse_port(connection.from.value).owner == owner ||
+           parse_port(connection.to.value).owner == owner;
+  });
+}
+
+/// All who use the name agree on it, so it is the other one that is mistyped.
+void UnknownOwners::report_declared(const Unknown& unknown, Span declared) {
+  auto& problem = error(unknown, unknown.places.front());
+  problem.label = fmt::format("here, and at {}", counted(unknown.places.size() - 1, "other place"));
+  problem.notes.push_back({fmt::format("nothing uses `{}`", unknown.near), declared, ""});
+  problem.help = fmt::format("did you mean to call that `{}`?", unknown.owner);
+  draft_.doubtful.insert(unknown.owner);
+}
+
+void UnknownOwners::report_used(const Unknown& unknown, const Place& place) {
+  auto& problem = error(unknown, place);
+  if (++helped_ > kMostHelped) return;
+  if (unknown.elements > 0) {
+    problem.help = fmt::format(
+        "`{0}` has {1}: write `\"{0}[*].{2}\"` for all of them, or `\"{0}[0].{2}\"` for one",
+        unknown.owner, counted(unknown.elements, "element"), place.port);
+  } else if (!unknown.near.empty()) {
+    problem.help = fmt::format("did you mean `{}.{}`?", unknown.near, place.port);
+  } else if (!unknown.known.empty()) {
+    problem.help = fmt::format("there is {}", join(unknown.known, ", "));
+  }
+}
+
+Diagnostic& UnknownOwners::error(const Unknown& unknown, const Place& place) {
+  return draft_.diagnostics.error(
+      "E0309", place.span,
+      fmt::format("there is nothing called `{}` in this graph", unknown.owner));
+}
+
+}  // namespace eagerx::gen

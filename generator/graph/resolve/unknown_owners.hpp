@@ -1,0 +1,49 @@
+// Names at the beginning of connections' ends that nothing in the graph has.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/graph/resolve/draft.hpp"
+
+namespace eagerx::gen {
+
+/// Gathers them before they are said: where an object's own name is mistyped, all of its
+/// connections are right, and it is one mistake.
+class UnknownOwners {
+ public:
+  explicit UnknownOwners(Draft& draft) : draft_(draft) {}
+
+  /// Port `port` at `span` has an owner that is none of `known`. Returns the one that is meant, or
+  /// nothing.
+  std::string add(const PortName& port, Span span, std::vector<std::string> known);
+  /// E0309 for each place, or one for all if it is the name of an object or a node that is
+  /// mistyped: what follows from that is not said later.
+  void report();
+
+ private:
+  struct Place {
+    std::string port;
+    Span span;
+  };
+  struct Unknown {
+    std::string owner;
+    std::vector<Place> places;       // where it is used
+    std::vector<std::string> known;  // what it could be
+    std::size_t elements;            // if it is an array
+    std::string near;
+  };
+
+  [[nodiscard]] bool is_used(std::string_view owner) const;
+  void report_declared(const Unknown& unknown, Span declared);
+  void report_used(const Unknown& unknown, const Place& place);
+  Diagnostic& error(const Unknown& unknown, const Place& place);
+
+  Draft& draft_;
+  std::vector<Unknown> unknown_;
+  std::size_t helped_ = 0;
+};
+
+}  // namespace eagerx::gen

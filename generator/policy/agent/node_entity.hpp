@@ -1,0 +1,14 @@
+// A node that runs a policy, as an entity of the library: the graph has no manifest for it.
+#pragma once
+
+#include "generator/frontend/library/library.hpp"
+#include "generator/frontend/spec/graph_spec.hpp"
+#include "generator/policy/network/network.hpp"
+
+namespace eagerx::gen {
+
+/// What `node` is: its inputs and outputs are what the graph says, and what the weights say of size
+/// and bounds; the class is generated. `network` is nullptr if the weights could not be read.
+Entity policy_entity(const GraphSpec& spec, const EntitySpec& node, const Network* network);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,92 @@
+#include "generator/policy/agent/weights.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "generator/policy/formats/golden.hpp"
+#include "generator/policy/formats/read.hpp"
+#include "generator/policy/network/int8.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Rounds the weights if the graph wants them in eight bits, and says what that costs. E0709.
+void round_weights(Network& network, const AgentSpec& policy, const GoldenRows* rows,
+                   Diagnostics& diagnostics) {
+  const bool int8 = policy.weights && policy.weights->value == "int8";
+  if (policy.max_error && !int8) {
+    diagnostics.error("E0206", policy.max_error->span, "`max_error` needs `weights: int8`");
+  }
+  if (!int8) return;
+  Network rounded = with_int8_weights(network);
+  const RoundingError error = rounding_error(network, rounded, rows);
+  network = std::move(rounded);
+  if (policy.max_error && !(error.largest <= policy.max_error->value)) {
+    diagnostics
+        .error("E0709", policy.max_error->span,
+               fmt::format("with weights of eight bits the policy `{}` is farther off than {:g}",
+                           network.file, policy.max_error->value))
+        .help = fmt::format("its error against float32: {}", to_string(error));
+    return;
+  }
+  diagnostics.note(
+      policy.weights->span,
+      fmt::format("weights of eight bits, error against float32: {}", to_string(error)));
+}
+
+/// Checks the policy against the rows that the graph names, and gives the program some to check.
+void add_known_answers(Network& network, const AgentSpec& policy, const fs::path& folder,
+                       Diagnostics& diagnostics) {
+  const auto& golden = policy.golden;
+  if (!golden) {
+    network.self_test = self_test_rows(network, nullptr);
+    return round_weights(network, policy, nullptr, diagnostics);
+  }
+  const std::string path = (folder / golden->value).string();
+  const auto rows = read_golden(path, golden->value, golden->span, diagnostics);
+  if (!rows || !check_normalized(network, *rows, golden->value, golden->span, diagnostics)) {
+    return;
+  }
+  if (compare(network, *rows, golden->value, golden->span, diagnostics)) {
+    network.self_test = self_test_rows(network, &*rows);
+    round_weights(network, policy, &*rows, diagnostics);
+  }
+}
+
+}  // namespace
+
+std::optional<Network> read_weights(const AgentSpec& policy, const std::string& graph_file,
+                                    Diagnostics& diagnostics) {
+  const fs::path folder = fs::path(graph_file).parent_path();
+  PolicyRequest request;
+  request.path = (folder / policy.file.value).string();
+  request.name = policy.file.value;
+  request.span = policy.file.span;
+  if (policy.normalize) {
+    request.normalize_path = (folder / policy.normalize->value).string();
+    request.normalize_name = policy.normalize->value;
+    request.normalize_span = policy.normalize->span;
+  }
+  ReadContext& said = request.context;
+  if (policy.activation) said.activation = activation_of(policy.activation->value);
+  if (policy.output_activation) {
+    said.output_activation = activation_of(policy.output_activation->value);
+  }
+  if (policy.actor) said.actor = policy.actor->value;
+  if (policy.output_name) said.output_name = policy.output_name->value;
+  auto network = read_policy(request, diagnostics);
+  if (!network) return network;
+  for (const auto& what : network->assumed) {
+    diagnostics.note(policy.file.span, fmt::format("`{}` does not say it, so this is assumed: {}",
+                                                   policy.file.value, what));
+  }
+  if (policy.profile && policy.profile->value == "fast") network->profile = Profile::fast;
+  add_known_answers(*network, policy, folder, diagnostics);
+  return network;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,24 @@
+// What a reader may need besides the bytes of a file.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "generator/policy/network/layer.hpp"
+
+namespace eagerx::gen {
+
+/// The bytes of the file called so beside the policy; nothing, and why not ("which is no file").
+using FilesBeside =
+    std::function<std::optional<std::string>(const std::string& name, std::string& why)>;
+
+struct ReadContext {
+  std::optional<Activation> activation{};  // of hidden layers, as the graph says
+  std::string actor{};                     // of tables: how the names of its tensors begin
+  std::string output_name{};               // of ONNX and TorchScript: which output is the action
+  std::optional<Activation> output_activation{};  // after the last layer, as the graph says
+  FilesBeside files{};                            // of ONNX, whose values may be in others
+};
+
+}  // namespace eagerx::gen

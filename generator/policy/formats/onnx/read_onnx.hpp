@@ -1,0 +1,19 @@
+// ONNX files to networks.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "generator/policy/formats/common/read_context.hpp"
+#include "generator/policy/network/network.hpp"
+#include "generator/policy/network/problem.hpp"
+
+namespace eagerx::gen {
+
+/// The actor in the bytes of an ONNX file, `file` left empty; or why there is none. Its action is
+/// the output `output`; empty: the one that is known to be it. Values may be in `files`. E0617,
+/// E0751, E0752.
+std::optional<Network> read_onnx(std::string_view bytes, std::string_view output,
+                                 const FilesBeside& files, PolicyProblem& problem);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,184 @@
+// From a path to bytes to the reader of the format.
+#include "generator/policy/formats/read.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+
+#include "generator/policy/formats/actor/files.hpp"
+#include "generator/policy/formats/common/foreign.hpp"
+#include "generator/policy/formats/files.hpp"
+#include "generator/policy/formats/onnx/read_onnx.hpp"
+#include "generator/policy/formats/statistics.hpp"
+#include "generator/policy/formats/tensors/containers.hpp"
+#include "generator/policy/formats/torchscript/read_torchscript.hpp"
+#include "generator/support/files/beside.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+bool is_safetensors(std::string_view bytes) {
+  constexpr std::size_t kLength = 8;
+  return bytes.size() > kLength && bytes[kLength] == '{' && bytes[kLength - 1] == '\0';
+}
+
+PolicyProblem none_of_the_formats() {
+  return {"E0603", "is in none of the formats that are read", kKnownFormats};
+}
+
+/// TorchScript says every step itself.
+std::optional<Network> read_program(const Archive& archive, const ReadContext& context,
+                                    PolicyProblem& problem) {
+  const char* said = !context.actor.empty()      ? "actor"
+                     : context.activation        ? "activation"
+                     : context.output_activation ? "output_activation"
+                                                 : nullptr;
+  if (said != nullptr) {
+    return refuse(problem, "E0626", "is TorchScript, which says every step of the actor",
+                  fmt::format("leave the graph's `{}` out", said));
+  }
+  return read_torchscript(archive, context.output_name, problem);
+}
+
+std::optional<Network> read_any(std::string_view bytes, const ReadContext& context,
+                                PolicyProblem& problem) {
+  if (bytes.empty()) return refuse(problem, "E0603", "is empty", kKnownFormats);
+  const bool is_zip = bytes.starts_with("PK\x03\x04");
+  std::optional<Archive> archive;
+  if (is_zip && !(archive = Archive::open(bytes, problem))) return std::nullopt;
+  if (archive && is_torchscript(*archive)) return read_program(*archive, context, problem);
+  const bool is_table = is_zip || is_safetensors(bytes) || is_legacy_torch(bytes);
+  if (is_table && !context.output_name.empty()) {
+    return refuse(problem, "E0751", "is a table of tensors, which has no outputs with names",
+                  "leave the graph's `output_name` out: only ONNX and TorchScript have such");
+  }
+  if (archive) return read_zip_policy(*archive, context, problem);
+  if (is_safetensors(bytes)) return read_safetensors(bytes, context, problem);
+  if (is_legacy_torch(bytes)) return read_legacy_torch_policy(bytes, context, problem);
+  if (auto other = foreign_file(bytes)) {
+    problem = std::move(*other);
+    return std::nullopt;
+  }
+  if (!context.actor.empty()) {
+    return refuse(problem, "E0625", "is no table of tensors, which may hold several actors",
+                  "leave the graph's `actor` out; of ONNX say `output_name`");
+  }
+  auto network = read_onnx(bytes, context.output_name, context.files, problem);
+  if (network && (context.activation || context.output_activation)) {
+    return refuse(problem, "E0626", "is ONNX, which says the activation of every layer",
+                  fmt::format("leave the graph's `{}` out",
+                              context.activation ? "activation" : "output_activation"));
+  }
+  // The reader of ONNX is the last one: what it does not know, nobody knows.
+  if (!network && problem.code == "E0603") problem = none_of_the_formats();
+  return network;
+}
+
+/// "`angle` (2), `speed` (1)"
+std::string listed(const std::vector<NamedPart>& parts) {
+  std::string text;
+  for (const NamedPart& part : parts) {
+    text += fmt::format("{}`{}` ({})", text.empty() ? "" : ", ", printable(part.name), part.size);
+  }
+  return text;
+}
+
+/// True also if one of them does not say.
+bool same_order(const std::vector<NamedPart>& a, const std::vector<NamedPart>& b) {
+  return a.empty() || b.empty() ||
+         std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const NamedPart& x, const NamedPart& y) { return x.name == y.name; });
+}
+
+/// Whether `statistics` are those of `network`: E0627, E0631.
+bool check_normalization(const Normalization& statistics, const Network& network,
+                         const std::string& policy, PolicyProblem& problem) {
+  if (statistics.mean.size() != network.inputs()) {
+    return refuse(problem, "E0627",
+                  fmt::format("normalise {} numbers, but the policy `{}` takes {}",
+                              statistics.mean.size(), policy, network.inputs()),
+                  "name the statistics that were saved with this policy");
+  }
+  if (!same_order(statistics.parts, network.contract.observations)) {
+    return refuse(problem, "E0627",
+                  fmt::format("are of {}, but the policy `{}` takes {}", listed(statistics.parts),
+                              policy, listed(network.contract.observations)),
+                  "save them with all parts of the observation, in the order of its space");
+  }
+  const auto& own = network.normalization;
+  if (own && (own->mean != statistics.mean || own->variance != statistics.variance)) {
+    return refuse(problem, "E0631",
+                  fmt::format("differ from those that the policy `{}` holds itself", policy),
+                  "leave `normalize` out, or name the file that belongs to the policy");
+  }
+  return network.contract.choices.empty() ||
+         refuse(problem, "E0627",
+                fmt::format("normalise what the policy `{}` takes as choices, which stay whole "
+                            "numbers",
+                            policy),
+                "leave `normalize` out");
+}
+
+/// Adds the statistics that the graph names. False if they cannot be read or do not fit.
+bool add_normalization(const PolicyRequest& request, Network& network, Diagnostics& diagnostics) {
+  const auto bytes = read_bytes(request.normalize_path, request.normalize_name,
+                                request.normalize_span, "statistics", diagnostics);
+  if (!bytes) return false;
+  PolicyProblem problem;
+  auto statistics = read_statistics(*bytes, problem);
+  if (!statistics || !check_normalization(*statistics, network, request.name, problem)) {
+    report_problem(problem, "statistics", request.normalize_name, request.normalize_span,
+                   diagnostics);
+    return false;
+  }
+  network.normalization = std::move(statistics);
+  network.normalization->source = request.normalize_name;
+  return true;
+}
+
+}  // namespace
+
+std::optional<Network> read_policy_bytes(std::string_view bytes, const std::string& name,
+                                         Span mention, Diagnostics& diagnostics,
+                                         const ReadContext& context) {
+  PolicyProblem problem;
+  std::optional<Network> network = read_any(bytes, context, problem);
+  if (!network) {
+    report_problem(problem, "policy", name, mention, diagnostics);
+    return std::nullopt;
+  }
+  network->file = name;
+  if (network->normalization) network->normalization->source = name;
+  // A file that chooses, and does not say that it makes several choices, makes one.
+  if (network->action == ActionKind::argmax) network->contract.groups = network->groups();
+  return network;
+}
+
+std::optional<Network> read_policy(const PolicyRequest& request, Diagnostics& diagnostics) {
+  if (const auto folder = foreign_folder(entries_of_folder(request.path))) {
+    report_problem(*folder, "policy", request.name, request.span, diagnostics);
+    return std::nullopt;
+  }
+  const auto bytes = read_bytes(request.path, request.name, request.span, "policy", diagnostics);
+  if (!bytes) return std::nullopt;
+  ReadContext context = request.context;
+  if (!context.files) context.files = files_beside(request.path);
+  auto network = read_policy_bytes(*bytes, request.name, request.span, diagnostics, context);
+  if (!network) return std::nullopt;
+  if (!request.normalize_path.empty() && !add_normalization(request, *network, diagnostics)) {
+    return std::nullopt;
+  }
+  return network;
+}
+
+std::optional<Network> read_policy(const std::string& path, const std::string& name, Span mention,
+                                   Diagnostics& diagnostics) {
+  PolicyRequest request;
+  request.path = path;
+  request.name = name;
+  request.span = mention;
+  return read_policy(request, diagnostics);
+}
+
+}  // namespace eagerx::gen

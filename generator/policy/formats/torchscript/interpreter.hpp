@@ -1,0 +1,80 @@
+// Follows `forward` of a TorchScript archive from its arguments to what it returns. Nothing is
+// run: tensors are only names of what is known of them, and conditions must be known.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/policy/formats/torchscript/archive.hpp"
+#include "generator/policy/formats/torchscript/value.hpp"
+
+namespace eagerx::gen {
+
+class TorchInterpreter {
+ public:
+  /// At most `*budget` statements; what is used is taken from it.
+  TorchInterpreter(TorchArchive& archive, NetCall::State& state, std::int64_t& budget,
+                   PolicyProblem& problem)
+      : archive_(archive), state_(state), budget_(budget), problem_(problem) {}
+
+  /// What `forward` of the whole module returns for tensors.
+  std::optional<TorchValue> run(const std::vector<NetValue>& inputs);
+  /// Statements that were followed.
+  [[nodiscard]] std::int64_t followed() const { return followed_; }
+  /// Tensors of modules that were looked at.
+  [[nodiscard]] const std::map<std::uint32_t, std::shared_ptr<TorchTensor>>& cells() const {
+    return cells_;
+  }
+
+ private:
+  using Variables = std::map<std::string, TorchValue, std::less<>>;
+  using Value = std::optional<TorchValue>;
+  using Named = std::vector<std::pair<std::string, TorchValue>>;
+  enum class Flow : std::uint8_t { on, returned, failed };
+
+  Value call(const TorchFunction& function, std::vector<TorchValue> arguments, Named named);
+  Flow follow(const std::vector<TorchStatement>& body, Variables& variables, TorchValue& result);
+  Flow follow(const TorchStatement& statement, Variables& variables, TorchValue& result);
+  bool assign(const std::vector<TorchExpression>& targets, TorchValue value, Variables& variables);
+
+  Value evaluate(const TorchExpression& expression, Variables& variables);
+  Value evaluate_name(const TorchExpression& expression, Variables& variables);
+  Value evaluate_attribute(const TorchExpression& expression, Variables& variables);
+  Value evaluate_call(const TorchExpression& expression, Variables& variables);
+  Value evaluate_subscript(const TorchExpression& expression, Variables& variables);
+  Value built_in(const std::string& name, std::vector<TorchValue> arguments);
+  Value operation(const std::string& name, std::vector<TorchValue> arguments, Named named);
+  Value in_place(const std::string& name, std::vector<TorchValue> arguments, Named named);
+  Value method(const TorchValue& module, const std::string& name, std::vector<TorchValue> arguments,
+               Named named);
+  std::optional<std::uint32_t> index_of(const TorchValue& module, const std::string& name);
+  Value member(const TorchValue& module, const std::string& name);
+  Value value_of(int pickle, std::uint32_t index, const std::string& name, int depth = 0);
+
+  Refused fail(const std::string& what);
+  [[nodiscard]] std::string where() const;
+
+  TorchArchive& archive_;
+  NetCall::State& state_;
+  std::int64_t& budget_;
+  PolicyProblem& problem_;
+  std::map<std::uint32_t, std::shared_ptr<TorchTensor>> cells_;
+  std::map<std::uint32_t, std::string> names_;  // of buffers
+  const std::string* file_ = nullptr;
+  int line_ = 0;
+  int depth_ = 0;
+  std::int64_t followed_ = 0;
+};
+
+/// "torch.nn.functional" of names and their attributes; empty for anything else.
+std::string dotted_name(const TorchExpression& expression);
+
+/// Calculations with known numbers, lists and shapes: "eq", "size", "__not__". Nothing if it is no
+/// such operator.
+std::optional<TorchValue> run_plain_operator(const std::string& name,
+                                             const std::vector<TorchValue>& arguments);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,309 @@
+// The file does not say how many numbers an observation has, so sizes that its tensors have are
+// tried, from the smallest on: `forward` must go through.
+#include "generator/policy/formats/torchscript/read_torchscript.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <unordered_set>
+#include <utility>
+
+#include "generator/policy/formats/torchscript/interpreter.hpp"
+#include "generator/policy/network/graph/ends.hpp"
+#include "generator/policy/network/graph/lower.hpp"
+#include "generator/support/diagnostics/join.hpp"
+#include "generator/support/diagnostics/search.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::string_view kConstants = "constants.pkl";
+constexpr std::int64_t kMostStatements = 400'000;
+constexpr std::size_t kMostTries = 1500;
+constexpr const char* kSayResult =
+    "say it in the graph: `agent: {policy: …, output_name: \"0\"}`; for `policy` with `--output 0`";
+
+/// One try.
+struct TorchTry {
+  NetCall::State state;
+  std::optional<TorchInterpreter> interpreter;
+  std::optional<NetAction> action;
+  std::vector<std::string> others;  // results that are not the action, for people
+  PolicyProblem problem;
+};
+
+/// A part of what `forward` returns, and its place: "0", "1.0".
+struct TorchResult {
+  std::string place;
+  const TorchValue* value;
+};
+
+void add_results(const TorchValue& value, const std::string& place,
+                 std::vector<TorchResult>& results) {
+  constexpr std::size_t kMostResults = 64;
+  if (value.kind != TorchValue::Kind::sequence) {
+    if (value.is_tensor() && results.size() < kMostResults) results.push_back({place, &value});
+    return;
+  }
+  for (std::size_t i = 0; i < value.items.size() && results.size() < kMostResults; ++i) {
+    add_results(value.items[i], fmt::format("{}{}{}", place, place.empty() ? "" : ".", i), results);
+  }
+}
+
+std::string shown(const TorchResult& result) {
+  const auto& shape = result.value->tensor->value.shape;
+  return fmt::format("`{}`{}", result.place, shape ? " " + show(*shape) : "");
+}
+
+class TorchReading {
+ public:
+  TorchReading(TorchArchive& archive, std::string output, PolicyProblem& problem)
+      : archive_(archive), output_(std::move(output)), problem_(problem) {}
+
+  std::optional<Network> run() {
+    const auto names = inputs_of_forward();
+    if (!names) return std::nullopt;
+    std::vector<std::int64_t> sizes;
+    if (!find_sizes(names->size(), sizes)) return std::nullopt;
+    TorchTry found;
+    follow(sizes, found);
+    if (!check_states(found)) return std::nullopt;
+    Network network;
+    std::uint32_t observed = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      observed += static_cast<std::uint32_t>(sizes[i]);
+      if (sizes.size() == 1) continue;
+      network.contract.observations.push_back(
+          {printable((*names)[i]), static_cast<std::uint64_t>(sizes[i])});
+    }
+    if (found.action->is_choice) network.action = ActionKind::argmax;
+    std::unordered_set<const NetTensor*> used;
+    auto layers = make_layers(found.state.steps, found.action->step, observed, used, problem_);
+    if (!layers) return std::nullopt;
+    network.layers = std::move(*layers);
+    network.format = "TorchScript";
+    network.ignored = std::move(found.others);
+    TorchTry longer;
+    ++sizes.back();
+    follow(sizes, longer);
+    if (longer.action) {
+      network.assumed.push_back(
+          fmt::format("an observation of {} numbers: the file takes longer ones too", observed));
+    }
+    return network;
+  }
+
+ private:
+  /// Names of the arguments of `forward`.
+  std::optional<std::vector<std::string>> inputs_of_forward() {
+    const Pickle& modules = archive_.pickle(0);
+    const std::string type(modules.at(modules.top().function).text);
+    const std::size_t dot = type.rfind('.');
+    if (modules.top().kind != PickleValue::Kind::object || dot == std::string::npos) {
+      return refuse(problem_, "E0753", "is a TorchScript archive without a module",
+                    "export the actor again");
+    }
+    const TorchFunction* forward =
+        archive_.function(type.substr(0, dot), type.substr(dot + 1) + ".forward", problem_);
+    if (forward == nullptr) return std::nullopt;
+    std::vector<std::string> names;
+    for (const TorchFunction::Parameter& parameter : forward->parameters) {
+      if (parameter.otherwise) continue;
+      names.push_back(parameter.name);
+      const bool is_self = names.size() == 1;
+      if (!is_self && !parameter.type.empty() && parameter.type != "Tensor") {
+        return refuse(problem_, "E0754",
+                      fmt::format("has a `forward` that takes `{}`, which is no tensor but {}",
+                                  printable(parameter.name), printable(parameter.type)),
+                      "export a module that keeps its state in buffers, or export it to ONNX with "
+                      "the state as an input and an output");
+      }
+    }
+    if (!names.empty()) names.erase(names.begin());  // self
+    constexpr std::size_t kMostInputs = 3;
+    if (!names.empty() && names.size() <= kMostInputs) return names;
+    return refuse(problem_, "E0754", fmt::format("has a `forward` with {} arguments", names.size()),
+                  "export a module that takes the observation");
+  }
+
+  void follow(const std::vector<std::int64_t>& sizes, TorchTry& made) {
+    made.state.has_gates_of_onnx = false;
+    made.state.budget = values_;
+    std::vector<NetValue> inputs;
+    for (const std::int64_t size : sizes) {
+      if (sizes.size() > 1) {
+        inputs.push_back(observation_part(made.state, "observation", {1, size}));
+        continue;
+      }
+      inputs.push_back(data_value(-1, {1, size}));
+      made.state.observed = size;
+    }
+    made.interpreter.emplace(archive_, made.state, statements_, made.problem);
+    const auto result = made.interpreter->run(inputs);
+    values_ = made.state.budget;
+    const TorchValue* action = result ? action_among(*result, made) : nullptr;
+    if (action == nullptr) return;
+    made.action = action_of(action->tensor->value, "export the actor", made.problem);
+  }
+
+  /// Of several results the one that was asked for.
+  const TorchValue* action_among(const TorchValue& all, TorchTry& made) const {
+    std::vector<TorchResult> results;
+    add_results(all, "", results);
+    const auto fail = [&](const char* code, std::string message, const char* help) {
+      return refuse(made.problem, code, std::move(message), help);
+    };
+    if (results.empty()) {
+      return fail("E0754", "has a `forward` that returns no tensor",
+                  "export a module that returns the action");
+    }
+    if (all.is_tensor() && !output_.empty()) {
+      return fail("E0751", "has one result, which has no name", "leave `output_name` out");
+    }
+    if (output_.empty() && results.size() == 1) return results.front().value;
+    std::vector<std::string> texts;
+    texts.reserve(results.size());
+    for (const TorchResult& result : results) texts.push_back(shown(result));
+    const TorchValue* action = nullptr;
+    for (const TorchResult& result : results) {
+      if (result.place == output_) {
+        action = result.value;
+      } else {
+        made.others.push_back("result " + shown(result));
+      }
+    }
+    if (action != nullptr) return action;
+    const std::string listed = fmt::format("{}", join(texts, ", "));
+    if (!output_.empty()) {
+      return fail("E0751", fmt::format("has no result `{}`: it has {}", printable(output_), listed),
+                  "name one of them");
+    }
+    return fail("E0751",
+                fmt::format("has {} results, and it is not known which one is the action: {}",
+                            results.size(), listed),
+                kSayResult);
+  }
+
+  /// The first sizes that go through. Else the problem of the try that came farthest.
+  bool find_sizes(std::size_t count, std::vector<std::int64_t>& sizes) {
+    const std::vector<std::int64_t> candidates = candidates_for(count);
+    std::vector<std::size_t> at(count, 0);
+    std::pair<std::size_t, std::int64_t> farthest;  // steps, statements
+    bool any = false;
+    for (std::size_t tries = 0; tries < kMostTries && !candidates.empty(); ++tries) {
+      sizes.clear();
+      for (const std::size_t i : at) sizes.push_back(candidates[i]);
+      TorchTry made;
+      follow(sizes, made);
+      if (made.action) return true;
+      const std::pair reached(made.state.steps.size(), made.interpreter->followed());
+      if (!any || reached > farthest) {
+        farthest = reached;
+        problem_ = made.problem;
+      }
+      any = true;
+      if (statements_ < 0 || values_ < 0) break;
+      std::size_t k = count;
+      while (k-- > 0 && ++at[k] == candidates.size()) at[k] = 0;
+      if (k >= count) break;
+    }
+    if (!any) {
+      problem_ = {"E0755", "has no tensors, so that the size of its observation is not known",
+                  "export the actor again"};
+    }
+    return false;
+  }
+
+  /// Sizes of tensors; for one input also their sums, as a part of an observation goes to a layer
+  /// and the rest to another, and then what a history of such sizes has.
+  std::vector<std::int64_t> candidates_for(std::size_t count) const {
+    constexpr std::size_t kMostSums = 40;
+    constexpr std::int64_t kLongestHistory = 50;
+    const std::vector<std::int64_t> sizes = archive_.sizes();
+    std::set<std::int64_t> all(sizes.begin(), sizes.end());
+    for (std::size_t i = 0; count == 1 && sizes.size() <= kMostSums && i < sizes.size(); ++i) {
+      for (std::size_t k = 0; k <= i; ++k) all.insert(sizes[i] + sizes[k]);
+    }
+    std::vector<std::int64_t> result(all.begin(), all.end());
+    if (count > 1) return result;
+    std::set<std::int64_t> histories;
+    for (const std::int64_t size : sizes) {
+      for (std::int64_t k = 2; k <= kLongestHistory; ++k) {
+        if (size <= kMaxValues / k && !all.contains(size * k)) histories.insert(size * k);
+      }
+    }
+    result.insert(result.end(), histories.begin(), histories.end());
+    return result;
+  }
+
+  /// Buffers that are written hold what cells remember, each its own, from zeros on.
+  bool check_states(const TorchTry& made) {
+    const auto fail = [&](const std::string& name, const char* what) {
+      return refuse(problem_, "E0756", fmt::format("has a buffer `{}` {}", printable(name), what),
+                    "export the actor with its state as an input and an output, to ONNX");
+    };
+    PolicyProblem ignored;
+    const std::vector<NetStep>& steps = made.state.steps;
+    std::set<const char*> kept;  // names of buffers, each its own text
+    for (const auto& [index, cell] : made.interpreter->cells()) {
+      if (!cell->is_written) continue;
+      const std::vector<NetRemembered>& parts = cell->value.remembered;
+      if (parts.empty())
+        return fail(std::string(cell->buffer),
+                    "that is changed, and is not the state of a GRU or LSTM");
+      for (std::size_t slot = 0; slot < parts.size(); ++slot) {
+        const NetStateSource* from = state_before(steps, parts[slot]);
+        const bool is_own = from != nullptr && from->name.data() == cell->buffer.data() &&
+                            from->slot == static_cast<std::int64_t>(slot);
+        if (!is_own) {
+          return fail(std::string(cell->buffer), "that does not come back to the layer it is of");
+        }
+      }
+      const NetValue* start = archive_.tensor(0, index, std::string(cell->buffer), ignored);
+      const auto numbers = start != nullptr ? read_floats(start->constant, ignored) : std::nullopt;
+      if (!numbers || ranges::any_of(*numbers, [](float x) { return x != 0.0F; })) {
+        return fail(std::string(cell->buffer),
+                    "that does not begin with zeros: reset it before the export");
+      }
+      kept.insert(cell->buffer.data());
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      for (const bool is_cell : {false, true}) {
+        const NetStateSource* from = state_before(steps, {static_cast<std::int32_t>(i), is_cell});
+        if (from != nullptr && !kept.contains(from->name.data())) {
+          return fail(std::string(from->name),
+                      "that a GRU or LSTM starts from and that is not kept");
+        }
+      }
+    }
+    return true;
+  }
+
+  TorchArchive& archive_;
+  std::string output_;
+  PolicyProblem& problem_;
+  std::int64_t statements_ = kMostStatements;
+  std::int64_t values_ = NetCall::State().budget;
+};
+
+}  // namespace
+
+bool is_torchscript(const Archive& archive) {
+  return ranges::any_of(archive.names(),
+                        [](const std::string& name) { return name.ends_with("/constants.pkl"); });
+}
+
+std::optional<Network> read_torchscript(const Archive& archive, const std::string& output,
+                                        PolicyProblem& problem) {
+  std::string folder;
+  for (const std::string& name : archive.names()) {
+    if (name.ends_with("/constants.pkl")) {
+      folder = name.substr(0, name.size() - kConstants.size());
+    }
+  }
+  TorchArchive program(archive, folder);
+  if (!program.open(problem)) return std::nullopt;
+  return TorchReading(program, output, problem).run();
+}
+
+}  // namespace eagerx::gen

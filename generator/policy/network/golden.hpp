@@ -1,0 +1,82 @@
+// Golden rows: observations whose answers are known, and how well a network gives them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/policy/network/network.hpp"
+#include "generator/support/diagnostics/diagnostics.hpp"
+
+namespace eagerx::gen {
+
+/// What files of golden rows look like, as help of an error.
+inline constexpr const char* kGoldenHelp =
+    "columns are obs0, obs1 …, network_out, action; arrays obs, network_out, action";
+
+/// Rows that a policy is known to answer. Outputs and actions are empty where the file has none.
+struct GoldenRows {
+  std::vector<std::vector<double>> starts;  // one number: whether an episode starts with this row
+  std::vector<std::vector<double>> observations;
+  std::vector<std::vector<double>> normalized;
+  std::vector<std::vector<double>> outputs;         // of the network, as trained: float32
+  std::vector<std::vector<double>> outputs_double;  // in float64
+  std::vector<std::vector<double>> actions;
+  double printed = 0.0;  // half of the last digit that a text has of outputs and actions
+};
+
+/// Whether there are `count` rows of `width` numbers, or none at all.
+bool all_of_width(const std::vector<std::vector<double>>& rows, std::size_t count,
+                  std::size_t width);
+
+/// Whether an episode starts with row `i`.
+bool starts_episode(const GoldenRows& rows, std::size_t i);
+
+/// What the network is given for row `i`: without statistics, what was normalised elsewhere.
+std::vector<float> input_of_row(const Network& network, const GoldenRows& rows, std::size_t i);
+
+/// `count` rows of `width` numbers in -1…1, the same on every machine.
+std::vector<std::vector<float>> drawn_rows(std::size_t count, std::size_t width,
+                                           std::uint32_t seed = 1);
+
+/// A few observations for programs to check their answers on: golden rows, or numbers in -1…1. They
+/// take no more than half a kilobyte of flash, answers included, unless one row is larger. Those of
+/// a network with a memory are a sequence, the start of one episode.
+std::vector<std::vector<float>> self_test_rows(const Network& network, const GoldenRows* rows);
+
+/// How far answers are from those in float64, and from what the file knows.
+struct GoldenErrors {
+  double ours = 0.0;      // largest error of the generated program, against float64
+  double theirs = 0.0;    // largest error of the file's answers, against float64
+  double off = 0.0;       // largest difference between the two
+  double limit = 0.0;     // what an answer may be off where it is nearest to failing
+  std::size_t worst = 0;  // row of it, from 0
+  double excess = 0.0;    // how many times its limit an answer is off at most
+};
+
+/// How well a network answers golden rows. An error counts against the largest of twice the file's
+/// own, 5e-5 of the range that an answer has in the rows, 1e-5 of its value, and the digits that
+/// are printed; what is not farther from float64 than the file's own answers never fails.
+struct GoldenResult {
+  std::size_t rows = 0;
+  GoldenErrors outputs;
+  std::optional<GoldenErrors> actions;  // nothing: the file has none, or no bounds
+  bool has_outputs = false;             // else only our own rounding is known of them
+  [[nodiscard]] bool passed() const {
+    return !(outputs.excess > 1.0) && !(actions && actions->excess > 1.0);
+  }
+};
+
+/// For a program, which does not normalise its observations: false, and E0633, if the rows were
+/// normalised and the network has no statistics.
+bool check_normalized(const Network& network, const GoldenRows& rows, const std::string& name,
+                      Span mention, Diagnostics& diagnostics);
+
+/// E0632 if the rows do not fit the network, E0633 if they belong to another function.
+std::optional<GoldenResult> compare(const Network& network, const GoldenRows& rows,
+                                    const std::string& name, Span mention,
+                                    Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

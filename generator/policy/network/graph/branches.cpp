@@ -1,0 +1,96 @@
+// Branches that come together, and functions and sums of numbers.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "generator/policy/network/graph/operators.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = NetValue::Kind;
+using Role = NetPart::Role;
+
+template <Function::Kind What>
+NetValue function(const NetCall& call) {
+  const NetValue& x = call.input(0);
+  if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
+  return call.layer_after(x.step, Function{What}, *x.shape);
+}
+
+/// Over the last axis.
+NetValue norm(const NetCall& call) {
+  const NetValue& x = call.input(0);
+  if (x.kind != Kind::data || !is_over_last_axis(call))
+    return call.misused("that is not over the last axis");
+  Dims shape = *x.shape;
+  shape.back() = 1;
+  if (call.integer("keepdims", 1) == 0) shape.pop_back();
+  const Reduction work{Reduction::Kind::norm, static_cast<std::uint32_t>(x.shape->back())};
+  return call.layer_after(x.step, work, std::move(shape));
+}
+
+}  // namespace
+
+std::optional<NetValue> combined(const NetCall& call, const NetValue& a, const NetValue& b,
+                                 Combination::Operation operation) {
+  if (a.kind != Kind::data || b.kind != Kind::data) return std::nullopt;
+  const std::optional<Dims> shape = broadcast(a.shape, b.shape);
+  if (!shape) return std::nullopt;
+  const auto count = element_count(*shape);
+  for (const NetValue* value : {&a, &b}) {
+    const auto own = element_count(*value->shape);
+    if (own != count && own != 1) return std::nullopt;  // an outer product, or rows
+  }
+  return call.data_of({a, b}, operation, *shape);
+}
+
+std::optional<NetValue> materialized(const NetCall& call, const NetValue& value) {
+  if (auto exact = exact_of(value)) return exact;
+  const NetPart& part = value.part;
+  const bool simple =
+      part.role == Role::mean || part.role == Role::square || part.role == Role::centred;
+  if (value.kind != Kind::other || !simple || !value.shape) return std::nullopt;
+  const std::int64_t count = call.count_after(part.of);
+  const NetValue x = data_value(part.of, part.role == Role::mean ? Dims{count} : *value.shape);
+  NetValue result;
+  if (part.role == Role::square) {
+    result = call.data_of({x, x}, Combination::Operation::product, *value.shape);
+  } else {
+    const Reduction work{Reduction::Kind::mean, static_cast<std::uint32_t>(count)};
+    result = call.layer_after(part.of, work, part.role == Role::mean ? *value.shape : Dims{1});
+    if (part.role == Role::centred && result.kind == Kind::data) {
+      result = call.data_of({x, result}, Combination::Operation::difference, *value.shape);
+    }
+  }
+  if (result.kind != Kind::data) return std::nullopt;
+  result.time = value.time;
+  return result;
+}
+
+std::vector<NetOperator> branch_operators() {
+  using F = Function::Kind;
+  const NetFolding roots = {[](float a, float) { return std::sqrt(a); }, nullptr, true};
+  return {{"Sin", function<F::sin>, time_of_each, {.keeps_shape = true}},
+          {"Cos", function<F::cos>, time_of_each, {.keeps_shape = true}},
+          {"Exp", function<F::exp>, time_of_each, {.keeps_shape = true}},
+          {"Abs", function<F::abs>, time_of_each, {.keeps_shape = true}},
+          {"Sqrt",
+           function<F::sqrt>,
+           time_of_each,
+           {.folding = roots, .formula = NetFormula::root, .keeps_shape = true}},
+          {"ReduceL2", norm, time_of_reduce},
+          // Refused, but random parts of an action are made of them.
+          {"Ceil", nullptr, nullptr, {.keeps_shape = true}},
+          {"Floor", nullptr, nullptr, {.keeps_shape = true}},
+          {"HardSigmoid", nullptr, nullptr, {.keeps_shape = true}},
+          {"Log", nullptr, nullptr, {.keeps_shape = true}},
+          {"Mod", nullptr, nullptr, {.keeps_shape = true}},
+          {"RandomNormalLike", nullptr, nullptr, {.keeps_shape = true}},
+          {"Round", nullptr, nullptr, {.keeps_shape = true}},
+          {"Softsign", nullptr, nullptr, {.keeps_shape = true}}};
+}
+
+}  // namespace eagerx::gen

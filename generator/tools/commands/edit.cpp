@@ -1,0 +1,186 @@
+// eagerx-gen fix and rename: changes of a graph's file, which leave the rest of it as it was
+// written.
+#include "generator/tools/edit/edit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "generator/driver/build/write.hpp"
+#include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/pipeline/pipeline.hpp"
+#include "generator/frontend/read/tree.hpp"
+#include "generator/support/diagnostics/join.hpp"
+#include "generator/support/diagnostics/search.hpp"
+#include "generator/support/files/files.hpp"
+#include "generator/tools/commands/tool_commands.hpp"
+#include "generator/tools/edit/helps.hpp"
+#include "generator/tools/outline/lines.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+struct EditOptions : LibraryOptions {
+  std::string graph;
+  std::string from, to;  // rename
+  bool dry_run = false;
+};
+
+/// The file's text as it is, with whatever ends its lines; nothing and an error if it cannot be
+/// read.
+std::optional<std::string> text_of_file(Run& run, const std::string& path) {
+  if (!load_yaml_file(path, run.sources, run.diagnostics)) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+/// What `check` finds in this text of the file.
+Run check_of(const EditOptions& options, const std::string& text) {
+  GraphOptions graph;
+  static_cast<LibraryOptions&>(graph) = options;
+  graph.graph = options.graph;
+  Run run;
+  check_text(run, graph, text);
+  return run;
+}
+
+/// The lines that differ, as `diff -U0` shows them. No edit adds or removes a line.
+std::string difference(const std::string& name, std::string_view before, std::string_view after) {
+  std::string text = fmt::format("--- {}\n+++ {}\n", name, name);
+  const auto lines = static_cast<std::uint32_t>(std::ranges::count(before, '\n')) + 1;
+  for (std::uint32_t line = 0; line < lines; ++line) {
+    const Bytes was = line_of(before, line), is = line_of(after, line);
+    const auto old_line = before.substr(was.begin, was.end - was.begin);
+    const auto new_line = after.substr(is.begin, is.end - is.begin);
+    if (old_line != new_line)
+      text += fmt::format("@@ -{0} +{0} @@\n-{1}\n+{2}\n", line + 1, old_line, new_line);
+  }
+  return text;
+}
+
+/// Writes the file, or says what would be another.
+void apply(Run& run, const EditOptions& options, const std::string& before,
+           const std::string& after) {
+  if (options.dry_run) {
+    say("{}", difference(options.graph, before, after));
+  } else {
+    forget_files();  // the graph was read, and now it is the output
+    write_file(options.graph, after, run.diagnostics);
+  }
+}
+
+bool is_in(const Run& run, const Diagnostic& diagnostic, const std::string& path) {
+  return diagnostic.span.file != FileId::none && run.sources.name(diagnostic.span.file) == path;
+}
+
+/// Whether there is an error where the other one was.
+bool is_wrong_at(const Run& run, const Span& place, const std::string& path) {
+  return ranges::any_of(run.diagnostics.all(), [&](const Diagnostic& each) {
+    return each.severity == Severity::error && is_in(run, each, path) &&
+           each.span.line == place.line && each.span.column == place.column;
+  });
+}
+
+/// Makes the first change of `text` that the help of an error names and that mends it: then nothing
+/// is wrong at its place any more. (Elsewhere more may be told of now, which it hid.) False: there
+/// is none.
+bool fix_one(Run& run, const EditOptions& options, std::string& text) {
+  for (const Diagnostic& each : run.diagnostics.all()) {
+    const auto fix = is_in(run, each, options.graph) ? fix_of(each, text) : std::nullopt;
+    if (!fix) continue;
+    std::string tried = applied(text, fix->splices);
+    Run then = check_of(options, tried);
+    if (is_wrong_at(then, each.span, options.graph)) continue;
+    if (!options.quiet) say("{}:{}: {}\n", options.graph, each.span.line, fix->reason);
+    text = std::move(tried);
+    run = std::move(then);
+    return true;
+  }
+  return false;
+}
+
+int perform_fix(const EditOptions& options) {
+  constexpr int kMost = 1000;  // so that two changes that undo each other come to an end
+  Run run;
+  const auto file = text_of_file(run, options.graph);
+  if (!file) return finish(run, options);
+  std::string text = *file;
+  run = check_of(options, text);
+  int made = 0;
+  while (made < kMost && fix_one(run, options, text)) ++made;
+  if (made > 0) apply(run, options, *file, text);
+  const int code = finish(run, options);
+  if (!options.quiet && made == 0)
+    say("{}: there is no error whose help is a change of the text\n", options.graph);
+  return code;
+}
+
+int perform_rename(const EditOptions& options) {
+  Run run;
+  const auto file = text_of_file(run, options.graph);
+  if (!file) return finish(run, options);
+  const auto edit = rename(*file, options.from, options.to);
+  if (!edit) {
+    if (uses_of(*file, options.from).empty()) {
+      complain("error: `{}` has no object and no node `{}`\n", options.graph, options.from);
+    } else {
+      complain("error: `{}` is taken, or cannot be the name of an object or a node\n", options.to);
+    }
+    return kProblems;
+  }
+  const std::string text = applied(*file, edit->splices);
+  Run after = check_of(options, text);
+  if (after.diagnostics.has_errors() && !check_of(options, *file).diagnostics.has_errors()) {
+    complain("error: `{}` stays as it is, for with the new name there would be a problem\n",
+             options.graph);
+    return finish(after, options);
+  }
+  apply(run, options, *file, text);
+  const int code = finish(run, options);
+  if (code == kDone && !options.quiet && !options.dry_run)
+    say("{}: {}, {}\n", options.graph, edit->reason, counted(edit->splices.size(), "place"));
+  return code;
+}
+
+Arguments common(EditOptions& options) {
+  return {required(reads(text("graph", options.graph, "the file, which is changed", "GRAPH.yaml"))),
+          flag("--dry-run", options.dry_run, "print the difference, and leave the file"),
+          library(options)};
+}
+
+Command fix_table(EditOptions& options) {
+  return {.name = "fix",
+          .about = "apply what the help of errors says, where it is a change of the graph's text",
+          .examples = {{"look first", "eagerx-gen fix pendulum.yaml --dry-run"},
+                       {"change the file", "eagerx-gen fix pendulum.yaml"}},
+          .arguments = joined({common(options), diagnostics(options)}),
+          .run = [&options] { return perform_fix(options); }};
+}
+
+Command rename_table(EditOptions& options) {
+  Arguments arguments = common(options);
+  arguments.insert(arguments.begin() + 1,
+                   {required(text("old", options.from, "an object or a node of the graph", "OLD")),
+                    required(text("new", options.to, "its new name", "NEW"))});
+  return {.name = "rename",
+          .about = "give an object or a node another name, wherever the graph has it",
+          .examples = {{"in all of a graph", "eagerx-gen rename pendulum.yaml smooth filter"}},
+          .arguments = joined({std::move(arguments), diagnostics(options)}),
+          .run = [&options] { return perform_rename(options); }};
+}
+
+}  // namespace
+
+Command fix_command() {
+  return with_options<EditOptions>(fix_table);
+}
+Command rename_command() {
+  return with_options<EditOptions>(rename_table);
+}
+
+}  // namespace eagerx::gen

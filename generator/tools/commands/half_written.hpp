@@ -1,0 +1,14 @@
+// Options for a graph whose text may be half written, as editors have it.
+#pragma once
+
+#include <string>
+
+#include "generator/driver/pipeline/options.hpp"
+
+namespace eagerx::gen {
+
+/// With the folders that `library:` of the text names beside the file `path`, if they are there.
+LibraryOptions with_folders_of(LibraryOptions options, const std::string& path,
+                               const std::string& text);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,163 @@
+// eagerx-gen pil: processor in the loop. A simulation of the whole graph records what crosses the
+// cut, and the library of what is cut out must answer the same, on Linux or on a board.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "generator/backend/emit/render.hpp"
+#include "generator/driver/build/built.hpp"
+#include "generator/driver/build/targets.hpp"
+#include "generator/driver/build/write.hpp"
+#include "generator/driver/commands/arguments.hpp"
+#include "generator/support/process/process.hpp"
+#include "generator/tools/commands/tool_commands.hpp"
+#include "generator/tools/pil/recording.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PilOptions : GenerateOptions {
+  std::vector<std::string> of_simulation;  // words for its program
+};
+
+/// Runs the simulation; the log that it has written, or nothing.
+std::optional<std::string> record(const PilOptions& options, const std::string& folder, int& code) {
+  GenerateOptions whole = options;
+  whole.of.clear();
+  whole.targets.clear();
+  whole.purpose = Purpose::recording;
+  whole.output = folder + "/simulation";
+  Run run;
+  const auto programs = build_graph(run, whole, code);
+  // In a folder that is ours whatever else the user has.
+  std::string log = folder + "/simulation/build/recorded.log";
+  if (programs && run.graph->has_reset_nodes()) {
+    run.diagnostics.error("E0517", run.graph->span,
+                          "the simulation has reset nodes, and a library has no reset routine");
+  } else if (programs) {
+    std::vector<std::string> command = {fs::absolute(programs->back().image).string(), "--quiet",
+                                        "--trace", log};
+    command.insert(command.end(), options.of_simulation.begin(), options.of_simulation.end());
+    const auto result = run_process(command);
+    if (!result || result->exit_code != 0) {
+      auto& problem = run.diagnostics.error("E0517", {}, "the simulation did not end well");
+      if (result) problem.notes.push_back({result->output, {}, ""});
+    }
+  }
+  // Warnings of the graph are those of the library, too.
+  if (programs && !run.diagnostics.has_errors()) return log;
+  code = std::max(code, finish(run, whole));
+  return std::nullopt;
+}
+
+/// Whether its programs can be stepped with what is in memory.
+bool check_pil_target(Run& run, const Target& target) {
+  const bool good = !target.run.empty() && (target.system == "linux" || target.is_board());
+  if (good) return true;
+  run.diagnostics
+      .error("E0515", {}, fmt::format("nothing here can run a program for `{}`", target.id.value))
+      .help = "take linux-sim, or a board with an emulator: `eagerx-gen info` lists them";
+  return false;
+}
+
+/// The project around the library, with what was recorded.
+bool write_project(Run& run, const Target& target, const std::string& folder,
+                   const std::string& words) {
+  const fs::path templates = fs::path(run.root) / "templates" / "pil";
+  View view = object();
+  view.set("version", EAGERX_GEN_VERSION);
+  view.set("name", run.graph->name);
+  view.set("namespace", "graphs::" + run.graph->name);
+  view.set("file", run.graph->file_name);
+  view.set("target", target.id.value);
+  std::vector<GeneratedFile> files;
+  for (const char* file : {"CMakeLists.txt", "main.cpp"}) {
+    auto text = render_file((templates / (std::string(file) + ".mustache")).string(), file, view,
+                            run.diagnostics);
+    if (!text) return false;
+    files.push_back({file, std::move(*text)});
+  }
+  files.push_back({"recorded.bin", words});
+  return write_files(folder, std::move(files), run.diagnostics).has_value();
+}
+
+std::optional<BuiltProgram> build_pil(Run& run, const PilOptions& options,
+                                      const std::string& folder, const std::string& log,
+                                      int& code) {
+  GenerateOptions library = options;
+  library.output = folder + "/library";
+  const auto generated = make(run, library) ? generate_graph(run, library, code) : std::nullopt;
+  if (!generated) return std::nullopt;
+  const Target& target = *run.library.find_target(wanted_targets(options).front());
+  if (!check_pil_target(run, target)) return std::nullopt;
+  std::string why;
+  const auto recording = recording_of(log, *run.graph, why);
+  if (!recording || recording->steps == 0) {
+    run.diagnostics.error("E0517", {}, recording ? "the simulation has no steps to compare" : why);
+    return std::nullopt;
+  }
+  if (!write_project(run, target, folder, recording->words)) return std::nullopt;
+  const Tree tree = tree_of(run, options, target, folder, false);
+  if (!build_program(run, tree, target, run.graph->name, options.quiet)) return std::nullopt;
+  return BuiltProgram{&target, tree.build,
+                      tree.build + (target.system.empty() ? "/pil.elf" : "/pil")};
+}
+
+int perform(const PilOptions& options) {
+  int code = kDone;
+  std::string folder = options.output;
+  if (folder.empty())
+    folder = folder_for_targets("generated/" + fs::path(options.graph).stem().string() + "-pil",
+                                options);
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  const auto log = record(options, folder, code);
+  if (!log) return std::max(code, int{kProblems});
+  Run run;
+  const auto pil = build_pil(run, options, folder, *log, code);
+  code = std::max(finish(run, options), code);
+  return pil && code == kDone ? become_built(run, *pil, {}) : code;
+}
+
+Command table(PilOptions& options) {
+  const auto option = [&options](const char* name, const char* about) {
+    return handed_on(name, about, "N", options.of_simulation);
+  };
+  return {
+      .name = "pil",
+      .about =
+          "processor in the loop: step a library of some nodes with what a simulation of the "
+          "whole graph recorded, and compare each output, bit for bit",
+      .examples = {{"on this machine", "eagerx-gen pil robot.yaml --of controller"},
+                   {"on an emulated board",
+                    "eagerx-gen pil robot.yaml --of controller --target mps2-an386 --steps 200"}},
+      .arguments = joined(
+          {{graph(options),
+            required(cut_out_nodes(options, "nodes, composites or arrays to make the library of")),
+            option("--steps", "steps of the simulation's environment in an episode"),
+            option("--episodes", "episodes (default: 1)"),
+            option("--seed", "where random numbers start"),
+            folder(text("-o,--output", options.output,
+                        "folder for simulation, library and what was recorded (default: "
+                        "generated/<graph file>-pil, for another target with its name)",
+                        "DIR"))},
+           {variant(options), engine(options),
+            texts("--target", options.targets, "where the library runs (default: linux-sim)",
+                  "NAME")},
+           rates(options),
+           {agent_policy(options), library(options), warnings(options)},
+           diagnostics(options)}),
+      .check = [&options] { return check_one_target(options); },
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command pil_command() {
+  return with_options<PilOptions>(table);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,44 @@
+// What `report --training` adds to a page.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/driver/pipeline/pipeline.hpp"
+#include "generator/tools/training/training.hpp"
+
+namespace eagerx::gen {
+
+class ReportedTraining {
+ public:
+  /// Of the file `path`. Problems: those of read_training().
+  static std::optional<ReportedTraining> read(const std::string& path, SourceMap& sources,
+                                              Diagnostics& diagnostics);
+
+  /// The graph is to be made with the policy that was trained, if it is there and nobody named
+  /// another one; without any if there is none that can be read: a page shows what there is.
+  void choose_policy(GraphOptions& options);
+  /// Whether it is of this graph. Problems: E0361.
+  bool check(const Graph& graph, Diagnostics& diagnostics) const;
+  /// The traces of the best and the worst episode, as read_logs() gives them: run again by the
+  /// graph's program, which is built. None if that cannot be, which the page says. Nothing if there
+  /// is a problem, which has been told; `code` is the exit code.
+  std::optional<Json> run_episodes(const Run& run, const GenerateOptions& options,
+                                   std::size_t points, int& code);
+  /// Says on the page why no episodes are run.
+  void leave_episodes_out(const std::string& why);
+  /// What the page shows, with commands to type next.
+  Json page(const Graph& graph, const GraphOptions& options) const;
+  /// Why there are no episodes; empty: there are, or nobody knows of any.
+  [[nodiscard]] const std::string& why_not() const { return why_not_; }
+
+ private:
+  explicit ReportedTraining(TrainingRecord record) : record_(std::move(record)) {}
+
+  TrainingRecord record_;
+  bool has_policy_ = false;  // that of the training
+  std::string why_not_;
+};
+
+}  // namespace eagerx::gen

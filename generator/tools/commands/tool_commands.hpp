@@ -1,0 +1,31 @@
+// The commands that people and editors use besides the main job. Each is in the file of its name,
+// but for `fix` and `rename` (edit.cpp) and `plot` (trace.cpp).
+#pragma once
+
+#include "generator/support/command_line/command_line.hpp"
+
+namespace eagerx::gen {
+
+/// Steps a library that is cut out of a graph with what a simulation recorded, and compares.
+Command pil_command();
+/// Writes a picture of the graph.
+Command graph_command();
+/// Writes a page for a browser.
+Command report_command();
+Command replay_command();
+/// Writes a log in the form of other tools.
+Command trace_command();
+/// Draws channels of a log.
+Command plot_command();
+/// Watches the messages of a program.
+Command monitor_command();
+/// Changes the text of a graph as the help of its errors says.
+Command fix_command();
+/// Gives an object or a node another name.
+Command rename_command();
+/// Serves an editor.
+Command lsp_command();
+/// Serves the page that edits a graph.
+Command serve_command();
+
+}  // namespace eagerx::gen

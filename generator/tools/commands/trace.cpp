@@ -1,0 +1,126 @@
+// eagerx-gen trace and plot: a log for other tools, and for the eye.
+#include "generator/tools/trace/trace.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "generator/driver/build/write.hpp"
+#include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/pipeline/pipeline.hpp"
+#include "generator/tools/commands/tool_commands.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// A log, and the file that is made of it.
+struct LogOptions : MessageOptions {
+  std::string log, output;
+};
+
+struct PlotOptions : LogOptions {
+  std::vector<std::string> channels;
+  std::optional<std::uint64_t> episode;  // without: all
+};
+
+int finish(const LogOptions& options, const TraceResult& result) {
+  if (!result.problem.empty()) complain("{}\n", result.problem);
+  if (!result.note.empty() && !options.quiet) complain("note: {}\n", result.note);
+  if (!result.problem.empty()) return result.readable ? kProblems : kInputOutput;
+  if (options.output == "-") {
+    say_text(result.bytes);
+    return kDone;
+  }
+  Run run;
+  if (write_file(options.output, result.bytes, run.diagnostics) && !options.quiet)
+    say("{}: {}\n", options.output, result.summary);
+  return gen::finish(run, options);
+}
+
+/// Characters of a line, and whether they may be others than ASCII.
+std::size_t columns_of_terminal() {
+  constexpr std::size_t kColumns = 80, kMost = 200;
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kColumns;
+  return std::min<std::size_t>(size.ws_col, kMost);
+}
+bool has_braille() {
+  for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+    const char* const value = std::getenv(name);
+    if (value == nullptr || *value == 0) continue;
+    const std::string_view text(value);
+    return text.find("UTF-8") != std::string_view::npos ||
+           text.find("utf8") != std::string_view::npos;
+  }
+  return false;
+}
+
+int perform(const LogOptions& options) {
+  return finish(options, convert_log(options.log, *trace_format_of(options.output)));
+}
+
+int perform(const PlotOptions& options) {
+  PlotRequest request{options.log, options.channels, {}};
+  if (options.episode) request.episode = static_cast<std::uint32_t>(*options.episode);
+  return finish(options, options.output == "-"
+                             ? plot_log_as_text(request, columns_of_terminal(), has_braille())
+                             : plot_log_as_svg(request));
+}
+
+Command table(LogOptions& options) {
+  Argument output = checked(
+      required(writes(text("-o,--output", options.output,
+                           "the file to write: .csv, .json (Perfetto, chrome://tracing), "
+                           ".mcap (Foxglove) or .npz (NumPy)",
+                           "FILE"))),
+      [](const std::string& path) { return trace_format_of(path).has_value(); },
+      "ends in none of .csv, .json, .mcap, .npz");
+  return {.name = "convert",
+          .about = "write a log as CSV, for NumPy, Foxglove or Perfetto",
+          .examples = {{"a table, a row for each instant",
+                        "eagerx-gen trace convert run.log -o run.csv"},
+                       {"for Foxglove", "eagerx-gen trace convert run.log -o run.mcap"}},
+          .arguments = {required(reads(
+                            text("log", options.log, "what a run wrote with --trace", "LOG"))),
+                        std::move(output), quiet(options)},
+          .run = [&options] { return perform(options); }};
+}
+
+Command table(PlotOptions& options) {
+  constexpr std::uint64_t kLastEpisode = 999'999'999;
+  Argument output = checked(
+      required(writes(text("-o,--output", options.output,
+                           "the picture to write, .svg, or - for the terminal", "FILE"))),
+      [](const std::string& path) { return path == "-" || path.ends_with(".svg"); },
+      "is neither .svg nor -");
+  return {.name = "plot",
+          .about = "draw channels of a log over time",
+          .examples = {{"a picture", "eagerx-gen plot run.log theta voltage -o run.svg"},
+                       {"in the terminal", "eagerx-gen plot run.log theta -o -"}},
+          .arguments =
+              {required(reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
+               required(texts("channel", options.channels,
+                              "channels: their names, or a part such as theta", "CHANNEL")),
+               std::move(output),
+               whole("--episode", options.episode, "only this episode, from 0", 0, kLastEpisode),
+               quiet(options)},
+          .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command trace_command() {
+  return {.name = "trace",
+          .about = "what a run wrote with --trace, for other tools",
+          .examples = {{"for NumPy", "eagerx-gen trace convert run.log -o run.npz"}},
+          .commands = {with_options<LogOptions>(table)}};
+}
+
+Command plot_command() {
+  return with_options<PlotOptions>(table);
+}
+
+}  // namespace eagerx::gen

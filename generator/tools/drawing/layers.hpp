@@ -1,0 +1,19 @@
+// The first half of a layout: which wires run backwards, and in which layer each box stands.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "generator/tools/drawing/drawing.hpp"
+
+namespace eagerx::gen {
+
+struct Layers {
+  std::vector<std::size_t> layer;  // of each box
+  std::vector<bool> backwards;     // of each wire
+  std::size_t count = 1;
+};
+
+Layers layers_of(const Drawing& drawing);
+
+}  // namespace eagerx::gen

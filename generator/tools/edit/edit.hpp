@@ -1,0 +1,42 @@
+// Changes of a graph's text: splices with a reason. What is not touched stays as somebody wrote it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/support/diagnostics/diagnostics.hpp"
+#include "generator/tools/outline/outline.hpp"
+
+namespace eagerx::gen {
+
+/// `text` takes the place of some bytes.
+struct Splice {
+  Bytes place;
+  std::string text;
+};
+
+struct Edit {
+  std::string reason;  // as a button would say it: "Change to `theta`"
+  std::vector<Splice> splices;
+};
+
+/// The text with all splices that do not overlap an earlier one of the list.
+std::string applied(std::string_view text, std::vector<Splice> splices);
+
+/// Every place that names an object or a node: its key, its ports in connections, what is set,
+/// limited, placed, measured or shown of it, also in variants. Empty: there is none of this name.
+std::vector<Bytes> uses_of(std::string_view text, const std::string& name);
+
+/// Whether it can be the name of an object or a node, and none has it.
+bool is_free_name(std::string_view text, const std::string& name);
+
+/// The object or node that the word at byte `at` names; empty: none.
+std::string name_at(std::string_view text, std::size_t at);
+
+/// Gives an object or a node another name. Nothing if there is none of the first name, or the
+/// second one cannot be its name.
+std::optional<Edit> rename(std::string_view text, const std::string& from, const std::string& to);
+
+}  // namespace eagerx::gen

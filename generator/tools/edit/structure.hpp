@@ -1,0 +1,59 @@
+// Changes of what a graph is made of: objects, nodes, connections, their keys. Each is a splice;
+// comments, order, indentation and line ends of everything else stay as somebody wrote them. They
+// work on a file that is half written, and are refused where they would not do what they say.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/tools/edit/edit.hpp"
+
+namespace eagerx::gen {
+
+/// A change of the text, or why there is none.
+struct Change {
+  std::optional<Edit> edit;
+  std::string problem = {};  // if there is none
+  std::string help = {};
+};
+
+/// `value` is YAML on one line: "30", "{low: -1, high: 1}".
+struct KeyValue {
+  std::string key, value;
+};
+
+/// What is added to `objects`, `nodes`, `actions` or `observations`.
+struct NewEntry {
+  std::string section, name;
+  std::string type = {};                  // the id of an object or a node
+  std::vector<KeyValue> keys = {};        // beside `type`
+  std::vector<KeyValue> parameters = {};  // under `config:`
+};
+
+/// Whether a text is one value of YAML wherever it stands, also within braces.
+bool is_one_value(const std::string& value);
+
+/// Adds it behind the others of its section, as they are written: in braces or on lines.
+Change add_entry(std::string_view text, const NewEntry& entry);
+
+/// Replaces the value at `path`, or adds the key, and those above it that are missing.
+Change set_value(std::string_view text, const OutlinePath& path, const std::string& value);
+
+/// Takes away a key with its value, or an item of a list; of an object, a node, an action or an
+/// observation also its connections, and `render` if it shows a port of it.
+Change remove_entry(std::string_view text, const OutlinePath& path);
+
+/// Adds a connection with `keys` beside its ends. Where the owner of a port has a list of its
+/// ports, the port is added there, too.
+Change connect_ports(std::string_view text, const std::string& from, const std::string& to,
+                     const std::vector<KeyValue>& keys);
+
+/// Gives an object, a node, an action or an observation another name, wherever the graph has it.
+Change rename_entry(std::string_view text, const OutlinePath& path, const std::string& name);
+
+/// What makes `after` of `before`: one splice, as small as it can be.
+Edit difference(std::string reason, std::string_view before, std::string_view after);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,45 @@
+// What can stand where somebody types.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/tools/lsp/ports.hpp"
+#include "generator/tools/lsp/resolved.hpp"
+#include "generator/tools/outline/outline.hpp"
+
+namespace eagerx::gen::lsp {
+
+struct Proposal {
+  enum class Kind : std::uint8_t { key, value, port, snippet };
+  std::string label;   // the word itself
+  std::string insert;  // with what comes behind it: `rate: `
+  std::string about;
+  Kind kind = Kind::key;
+  std::string filter = {};  // what is compared with what was typed; empty: the label
+};
+
+struct Completion {
+  Bytes word;  // what is replaced
+  std::vector<Proposal> proposals;
+};
+
+/// The keys, ids, parameters, ports and values of `library` that fit at byte `at`, the likeliest
+/// first: what is required and missing, ports that nothing is connected to yet. Those that begin
+/// with what was typed come before those that only contain it. With `snippets` also entities with
+/// all that they require.
+Completion complete(const LibraryFacts& library, std::string_view text, std::size_t at,
+                    bool snippets = false);
+
+/// What is said of the key or value at byte `at`, in Markdown; empty: nothing. With what is
+/// `resolved` also rates, spaces, delays and ages.
+struct Hover {
+  Bytes word;
+  std::string text;
+};
+Hover hover(const LibraryFacts& library, std::string_view text, std::size_t at,
+            const Resolved* resolved = nullptr);
+
+}  // namespace eagerx::gen::lsp

@@ -1,0 +1,38 @@
+// What a JSON schema (draft-07, as `eagerx-gen schema` writes it) says of a place in a file that
+// may be half written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/support/json/json.hpp"
+#include "generator/tools/outline/outline.hpp"
+
+namespace eagerx::gen::lsp {
+
+/// All parts of a schema that speak of one value, those of types and alternatives included.
+using Schemas = std::vector<const Json*>;
+
+/// Of the value at `path`. Alternatives that contradict each other are all in it; of what depends
+/// on other keys (`if`), what holds for `top`.
+Schemas schemas_at(const Json& schema, const OutlineNode& top, const OutlinePath& path);
+
+struct SchemaKey {
+  std::string name, about;
+  bool required = false;
+  bool is_map = false;   // its value can be nothing but a map
+  bool is_list = false;  // or a list
+};
+/// The keys that such a map may have, in the order of the schema.
+std::vector<SchemaKey> keys_in(const Schemas& schemas);
+
+struct SchemaValue {
+  std::string text, about;
+};
+/// The values of which it may be one, if there are only some.
+std::vector<SchemaValue> values_in(const Schemas& schemas);
+
+/// What is said of the value; empty: nothing.
+std::string about(const Schemas& schemas);
+
+}  // namespace eagerx::gen::lsp

@@ -1,0 +1,20 @@
+// Files that grow while a stream goes on: a reader, or somebody who kills the monitor, has all that
+// came before the last second. Inside monitor/ only.
+#pragma once
+
+#include <memory>
+#include <runtime/host/publish/sink.hpp>
+#include <string>
+
+#include "generator/tools/monitor/stream.hpp"
+
+namespace eagerx::gen {
+
+/// MCAP, as `eagerx-gen trace convert` writes it.
+std::unique_ptr<publish::PublishSink> mcap_file(const std::string& path,
+                                                const publish::PublishedChannels& channels);
+/// A trace of one run, without its last line. `facts` live as long as this.
+std::unique_ptr<publish::PublishSink> trace_file(const std::string& path, const StreamFacts& facts,
+                                                 const publish::PublishedChannels& channels);
+
+}  // namespace eagerx::gen

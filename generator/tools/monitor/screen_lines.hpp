@@ -1,0 +1,37 @@
+// What a screen shows, as lines of text: nothing here knows a terminal.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/tools/monitor/keys.hpp"
+#include "generator/tools/monitor/model.hpp"
+
+namespace eagerx::gen {
+
+/// How a part of a line looks. Nothing is told by that alone: not every terminal has colours.
+enum class Ink : std::uint8_t { plain, title, head, dim, selected, warning };
+
+struct InkedText {
+  std::string text;
+  Ink ink = Ink::plain;
+};
+using ScreenLine = std::vector<InkedText>;
+
+struct ScreenSize {
+  std::size_t rows = 24, columns = 80;
+  bool unicode = true;  // blocks for plots
+};
+inline constexpr std::size_t kLeastRows = 8, kLeastColumns = 40;
+
+/// As many lines as there are rows, none wider than there are columns. `source`: as the user wrote
+/// it; `note`: what has become of it, such as that it has ended. Keeps the selected row in sight.
+std::vector<ScreenLine> screen_lines(const Model& model, ScreenView& view, const ScreenSize& size,
+                                     const std::string& source, const std::string& note);
+
+/// `text` in exactly so many columns: cut, or filled up with blanks.
+std::string fitted(std::string_view text, std::size_t columns, bool to_the_right = false);
+
+}  // namespace eagerx::gen

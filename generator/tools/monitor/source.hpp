@@ -1,0 +1,56 @@
+// Where a stream comes from. Each kind of source is a file of its own.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "generator/tools/monitor/stream.hpp"
+
+namespace eagerx::gen {
+
+class Source {
+ public:
+  enum class State : std::uint8_t {
+    open,
+    more,    // there is more to read at once
+    ended,   // nothing more will come
+    failed,  // problem() says why
+    refused  // the same: it is the stream of another graph
+  };
+
+  virtual ~Source() = default;
+  /// What poll() waits on until there is something to read; -1: it is asked again and again.
+  [[nodiscard]] virtual int descriptor() const = 0;
+  /// Tells what has come, but of a flood only so much that a screen can be drawn in between. Never
+  /// waits. `now_ns`: of a steady clock.
+  virtual State read(std::int64_t now_ns, StreamListener& listener) = 0;
+  /// "error: …", with a line of help where there is one.
+  [[nodiscard]] virtual std::string problem() const = 0;
+  /// What the user should know before anything comes, a line each; empty: nothing.
+  [[nodiscard]] virtual std::string warning() const { return {}; }
+};
+
+/// Opens what the user calls `name`: `udp:[HOST:]PORT`, `foxglove:[HOST:]PORT`, `serial:DEVICE`, or
+/// the file of a trace or a recording. `layout`: the text of the board's `telemetry.json`, or
+/// empty. Null: `problem` says why.
+std::unique_ptr<Source> open_source(const std::string& name, const std::string& layout,
+                                    std::string& problem);
+
+// The kinds.
+/// Listens at `[HOST:]PORT`, on the loopback interface unless HOST says another.
+std::unique_ptr<Source> open_udp_source(const std::string& name, std::string_view address,
+                                        std::string& problem);
+/// A client of a program's server of Foxglove's protocol at `[HOST:]PORT`.
+std::unique_ptr<Source> open_foxglove_source(const std::string& name, std::string_view address,
+                                             std::string& problem);
+/// The serial line of a board that sends telemetry, as `layout` (the text of its `telemetry.json`)
+/// says; also a pipe, or a file of what one has given.
+std::unique_ptr<Source> open_serial_source(const std::string& path, const std::string& layout,
+                                           std::string& problem);
+/// The file of a trace, which may grow.
+std::unique_ptr<Source> open_log_source(const std::string& path, std::string& problem);
+/// A recording in MCAP, which may grow.
+std::unique_ptr<Source> open_mcap_source(const std::string& path, std::string& problem);
+
+}  // namespace eagerx::gen

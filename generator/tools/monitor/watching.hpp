@@ -1,0 +1,46 @@
+// What all loops over a source have in common. Inside monitor/ only.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "generator/tools/monitor/model.hpp"
+#include "generator/tools/monitor/recording.hpp"
+
+namespace eagerx::gen {
+
+/// What was recorded is to be whole, and the terminal as it was.
+void end_at_signals();
+[[nodiscard]] bool is_interrupted();
+
+/// Of a steady clock.
+[[nodiscard]] std::int64_t steady_ns();
+
+/// Why the stream was refused, and what to do.
+[[nodiscard]] std::string refusal_text(const Model& model);
+
+/// What is shown is also recorded, as soon as the stream was accepted.
+class Both : public StreamListener {
+ public:
+  Both(Model& model, Recording& recording) : model_(model), recording_(recording) {}
+  bool begin(const StreamFacts& facts) override {
+    return model_.begin(facts) && recording_.begin(facts);
+  }
+  void message(const StreamMessage& message) override {
+    model_.message(message);
+    recording_.message(message);
+  }
+  void step(const StreamStep& step) override {
+    model_.step(step);
+    recording_.step(step);
+  }
+  void fault(StreamFault fault, std::uint64_t count) override { model_.fault(fault, count); }
+  void scene(const StreamScene& scene) override { recording_.scene(scene); }
+  [[nodiscard]] bool wants_scenes() const override { return recording_.wants_scenes(); }
+
+ private:
+  Model& model_;
+  Recording& recording_;
+};
+
+}  // namespace eagerx::gen

@@ -1,0 +1,18 @@
+// Lines and columns of a text as bytes.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "generator/support/diagnostics/diagnostics.hpp"
+#include "generator/tools/outline/outline.hpp"
+
+namespace eagerx::gen {
+
+/// Line `line` (from 0) without its newline; behind the last one, the end of the text.
+Bytes line_of(std::string_view text, std::uint32_t line);
+
+/// What a span of a diagnostic covers; of one without a line, the first line.
+Bytes bytes_of(std::string_view text, const Span& span);
+
+}  // namespace eagerx::gen

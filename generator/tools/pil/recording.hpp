@@ -1,0 +1,22 @@
+// What a simulation recorded where nodes were cut out of its graph, for the library of these nodes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "generator/graph/resolve/graph.hpp"
+
+namespace eagerx::gen {
+
+struct Recording {
+  std::string words;  // as targets/common/pil.hpp reads them
+  std::uint64_t steps = 0;
+  std::uint32_t episodes = 0;
+};
+
+/// Of the log in the file `path`, for a graph with a `cut`. `problem`: why there is none.
+std::optional<Recording> recording_of(const std::string& path, const Graph& graph,
+                                      std::string& problem);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,82 @@
+#include "generator/tools/trace/trace.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/support/diagnostics/join.hpp"
+#include "generator/tools/trace/convert.hpp"
+#include "generator/tools/trace/plot.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using trace_log::Log;
+
+/// f(log, result) for a log that can be read.
+template <class F>
+TraceResult with_log(const std::string& path, F&& f) {
+  TraceResult result;
+  const auto log = trace_log::read_log_file(path, result.problem);
+  if (!log) return result;
+  result.readable = true;
+  if (!log->complete) result.note = fmt::format("`{}` ends early, in line {}", path, log->lines);
+  f(*log, result);
+  return result;
+}
+
+std::vector<PlotPanel> panels_of(const Log& log, const PlotRequest& request, std::string& problem) {
+  std::vector<PlotPanel> panels;
+  if (request.episode && *request.episode >= log.episodes()) {
+    problem = fmt::format("error: there is no episode {} in `{}`, whose episodes are 0 to {}",
+                          *request.episode, log.path, log.episodes() - 1);
+    if (log.episodes() == 0) problem = fmt::format("error: `{}` has no messages", log.path);
+    return panels;
+  }
+  for (const auto& name : request.channels) {
+    std::string why;
+    if (const auto channel = channel_named(log, name, why))
+      panels.push_back(panel_of(log, *channel, request.episode));
+    else
+      problem += (problem.empty() ? "error: " : "\nerror: ") + why;
+  }
+  return panels;
+}
+
+template <class F>
+TraceResult plot(const PlotRequest& request, F&& f) {
+  return with_log(request.log, [&](const Log& log, TraceResult& result) {
+    const std::vector<PlotPanel> panels = panels_of(log, request, result.problem);
+    if (!result.problem.empty()) return;
+    result.bytes = f(log, panels);
+    result.summary = counted(panels.size(), "channel");
+  });
+}
+
+}  // namespace
+
+TraceResult convert_log(const std::string& path, TraceFormat format) {
+  return with_log(path, [&](const Log& log, TraceResult& result) {
+    if (const std::string problem = why_not(log, format); !problem.empty()) {
+      result.problem = fmt::format("error: `{}` {}", path, problem);
+      return;
+    }
+    result.bytes = converted(log, format);
+    result.summary =
+        counted(log.rows.size(), "message") + " of " + counted(log.channels.size(), "channel");
+  });
+}
+
+TraceResult plot_log_as_svg(const PlotRequest& request) {
+  return plot(request, [&](const Log& log, const std::vector<PlotPanel>& panels) {
+    return plot_svg(panels, request.episode
+                                ? fmt::format("{}, episode {}", log.graph, *request.episode)
+                                : log.graph + ", " + counted(log.episodes(), "episode"));
+  });
+}
+
+TraceResult plot_log_as_text(const PlotRequest& request, std::size_t columns, bool braille) {
+  return plot(request, [&](const Log& /*log*/, const std::vector<PlotPanel>& panels) {
+    return plot_text(panels, columns, braille);
+  });
+}
+
+}  // namespace eagerx::gen

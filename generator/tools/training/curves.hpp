@@ -1,0 +1,37 @@
+// Learning curves, and the lines that a page draws of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/support/json/json.hpp"
+
+namespace eagerx::gen {
+
+/// Columns of a curve besides `steps`, as `train --csv` and `train --record` call them.
+inline constexpr std::array<std::string_view, 10> kCurveColumns = {
+    "return",     "success", "evaluation_return", "evaluation_success", "deviation", "step_size",
+    "divergence", "stage",   "stage_return",      "stage_success"};
+
+/// Of a file; a page of more says nothing.
+inline constexpr std::size_t kMostTrainings = 1000;
+/// Of all curves of a file together: 400 MB.
+inline constexpr std::size_t kMostNumbers = 50'000'000;
+
+/// Of one training, an element an iteration; NaN where there is nothing.
+struct LearningCurve {
+  std::uint64_t seed = 0;
+  std::vector<double> steps;  // of all environments so far; each more than the one before
+  std::array<std::vector<double>, kCurveColumns.size()> columns;
+  std::vector<std::vector<double>> terms;  // [terms] of the reward, of evaluations
+};
+
+/// A list of {name, unit, lines}; a line is {name, x, y}, and, of several curves or of more points
+/// than a page has, {low, high} of what each point stands for. Of several curves it is their mean,
+/// and one that has ended stays as it was.
+Json curve_charts(const std::vector<LearningCurve>& curves, const std::vector<std::string>& terms);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,22 @@
+// Tables of trainings: the curve of `train --csv`, and what a sweep writes with `--results`.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "generator/tools/training/lines.hpp"
+#include "generator/tools/training/training.hpp"
+
+namespace eagerx::gen {
+
+/// Nothing with a problem, which has been told. `header`: the first line, which has been read.
+std::optional<TrainingRecord> read_curves(std::string_view header, TrainingLines& lines);
+std::optional<TrainingRecord> read_sweep(TrainingLines& lines);
+
+/// What the first line of a sweep's results is.
+extern const std::string_view kSweepHeader;
+
+/// Cells of a line; what is between quotes is one, without them.
+std::vector<std::string_view> cells_of(std::string_view line);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,5 @@
+# The oldest Zephyr that has what the packages use.
+set(PACKAGE_VERSION 3.3)
+if(PACKAGE_FIND_VERSION VERSION_LESS_EQUAL PACKAGE_VERSION)
+  set(PACKAGE_VERSION_COMPATIBLE TRUE)
+endif()
