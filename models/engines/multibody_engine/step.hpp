@@ -82,7 +82,7 @@ class Step {
     return false;
   }
 
-  [[gnu::always_inline]] void start_base() {
+  [[gnu::noinline]] void start_base() {
     const Real zero(Lane(0)), one(Lane(1));
     base_.at = base_.arm = all(zero);
     base_.acceleration = state_.gravity * Real(Lane(-1));
@@ -116,7 +116,7 @@ class Step {
   /// A loop over limbs, not one after the other: code that is as long as the robot is slow in packs
   /// and large on boards.
   template <std::size_t g>
-  [[gnu::always_inline]] void make_equations() {
+  [[gnu::noinline]] void make_equations() {
     auto& records = this->records<g>();
 #pragma GCC unroll 1
     for (std::size_t k = 0; k < GroupOf<Model, g>::kCount; ++k) {
@@ -153,7 +153,7 @@ class Step {
     });
   }
 
-  [[gnu::always_inline]] void finish_base() {
+  [[gnu::noinline]] void finish_base() {
     add_base_points();
     auto& a = equation_.a;
     const Real& m = base_.mass;
@@ -235,7 +235,7 @@ class Step {
 
   /// Projected Gauss-Seidel on the velocities of the end of the step, from the last step's
   /// impulses.
-  [[gnu::always_inline]] void solve_contacts(int sweeps) {
+  [[gnu::noinline]] void solve_contacts(int sweeps) {
     const Real zero(Lane(0)), dt(settings_.dt), per_step(Lane(1) / settings_.dt);
     for (auto& element : base_pushed_) element = zero;
     each_group([&](auto g) __attribute__((always_inline)) {
@@ -302,7 +302,7 @@ class Step {
     });
   }
   template <std::size_t g>
-  [[gnu::always_inline]] void accelerate_limbs() {
+  [[gnu::noinline]] void accelerate_limbs() {
     auto& records = this->records<g>();
 #pragma GCC unroll 1
     for (std::size_t k = 0; k < GroupOf<Model, g>::kCount; ++k) {
