@@ -106,6 +106,10 @@ template <class Real>
   rows[2][3] = p.y, rows[2][4] = -p.x, rows[2][5] = zero;
 }
 
+/// How fast a penetration is undone at most [m/s]: a reset may have put a foot far below the plane.
+template <class Lane>
+inline constexpr Lane kContactSpeed = Lane(1);
+
 /// After `row`, `weighted` and `free`: what the sweeps need. The target is speculative: a point
 /// above the plane may come as far as the plane, so nothing is switched on and off.
 template <class Real, std::size_t n, bool kFloating>
@@ -126,8 +130,9 @@ template <class Real, std::size_t n, bool kFloating>
   };
   const Real zero(Lane(0)), one(Lane(1));
   const Real& depth = point.motion.depth;
-  point.target = depth * eagerx::select(depth > zero, Real(settings.correction / settings.dt),
-                                        Real(Lane(1) / settings.dt));
+  const Real part = eagerx::select(depth > zero, Real(settings.correction / settings.dt),
+                                   Real(Lane(1) / settings.dt));
+  point.target = eagerx::min(depth * part, Real(kContactSpeed<Lane>));
   point.per_normal = one / product(2, 2);
   const Real xy = eagerx::abs(product(0, 1));
   point.per_tangent = one / (eagerx::max(product(0, 0), product(1, 1)) + xy);

@@ -53,20 +53,38 @@ inline constexpr Lane kFirmness = Lane(1000);
 /// The part of what a joint is beyond its stop that a step undoes.
 template <class Lane>
 inline constexpr Lane kStopCorrection = Lane(0.2);
+/// And how fast it comes back at most [rad/s, m/s]: a reset may have put it far beyond.
+template <class Lane>
+inline constexpr Lane kStopSpeed = Lane(5);
 
-/// A motor that holds a velocity with at most a torque, and Coulomb's friction, which holds 0. It
-/// is most/|gap|·(target − v'), and no firmer than `kFirmness` times inertia/dt: so a held joint
-/// creeps by load·dt/(1000·inertia).
+/// What a joint does in the step without motor and stops, as far as its own inertia says.
+template <class Real>
+struct FreeJoint {
+  Real inertia;   // with what slopes add to it
+  Real velocity;  // at the end of the step
+};
+template <class Real>
+[[gnu::always_inline]] inline FreeJoint<Real> free_joint(const Real& v, const Real& inertia,
+                                                         const JointTorque<Real>& sum,
+                                                         const Real& needed, LaneOf<Real> dt) {
+  const Real effective = inertia + Real(dt) * sum.slope;
+  return {effective, v + Real(dt) * (sum.now - needed) / effective};
+}
+
+/// A motor that holds a velocity with at most a torque, and Coulomb's friction, which holds 0: the
+/// torque is slope·(target − v'). Where `most` is enough the slope is as firm as `kFirmness`, so a
+/// held joint creeps by load·dt/(1000·inertia); elsewhere the slope makes the torque `most`.
 template <class Real>
 [[gnu::always_inline]] inline JointTorque<Real> motor_torque(const Real& target, const Real& most,
-                                                             const Real& v, const Real& inertia,
+                                                             const Real& v,
+                                                             const FreeJoint<Real>& free,
                                                              LaneOf<Real> dt) {
   using Lane = LaneOf<Real>;
-  const Real gap = target - v;
-  const Real tiny(Lane(1e-30));
-  const Real slope =
-      eagerx::min(inertia * Real(kFirmness<Lane> / dt), most / eagerx::max(eagerx::abs(gap), tiny));
-  return {slope * gap, slope};
+  const Real tiny(Lane(1e-30)), step(dt);
+  const Real left = eagerx::abs(target - free.velocity) - step * most / free.inertia;
+  const Real firm = free.inertia * Real(kFirmness<Lane> / dt);
+  const Real slope = eagerx::min(firm, most / eagerx::max(left, tiny));
+  return {slope * (target - v), slope};
 }
 
 /// Damping of the joint itself.
@@ -81,15 +99,17 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline JointTorque<Real> stop_torque(const Real& end, LaneOf<Real> side,
                                                             const Real& q, const Real& v,
-                                                            const Real& inertia, LaneOf<Real> dt) {
+                                                            const FreeJoint<Real>& free,
+                                                            LaneOf<Real> dt) {
   using Lane = LaneOf<Real>;
   const Real zero(Lane(0));
   const Real room = (end - q) * Real(side);  // negative beyond the stop
   const Real part =
       eagerx::select(room < zero, Real(kStopCorrection<Lane> / dt), Real(Lane(1) / dt));
-  const Real most = room * part;  // velocity towards the stop
-  const auto acts = v * Real(side) > most;
-  const Real slope = inertia * Real(kFirmness<Lane> / dt);
+  // Velocity towards the stop.
+  const Real most = eagerx::max(room * part, Real(-kStopSpeed<Lane>));
+  const auto acts = free.velocity * Real(side) > most;
+  const Real slope = free.inertia * Real(kFirmness<Lane> / dt);
   const Real gap = eagerx::select(acts, most * Real(side) - v, zero);
   return {slope * gap, eagerx::select(acts, slope, zero)};
 }
@@ -97,14 +117,14 @@ template <class Real>
 /// A limit of speed: beyond it, all that is too fast is gone after a step.
 template <class Real>
 [[gnu::always_inline]] inline JointTorque<Real> speed_limit_torque(const Real& limit, const Real& v,
-                                                                   const Real& inertia,
+                                                                   const FreeJoint<Real>& free,
                                                                    LaneOf<Real> dt) {
   using Lane = LaneOf<Real>;
   const Real zero(Lane(0));
-  const auto acts = eagerx::abs(v) > limit;
-  const Real slope = inertia * Real(kFirmness<Lane> / dt);
-  const Real gap = eagerx::select(acts, eagerx::max(eagerx::min(v, limit), -limit) - v, zero);
-  return {slope * gap, eagerx::select(acts, slope, zero)};
+  const auto acts = eagerx::abs(free.velocity) > limit;
+  const Real slope = free.inertia * Real(kFirmness<Lane> / dt);
+  const Real end = eagerx::max(eagerx::min(free.velocity, limit), -limit);
+  return {eagerx::select(acts, slope * (end - v), zero), eagerx::select(acts, slope, zero)};
 }
 
 }  // namespace eagerx::models::multibody

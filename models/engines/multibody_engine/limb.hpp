@@ -397,22 +397,23 @@ class Limb {
     const JointTorque<Real> servo = servo_torque(drive, q, v, dt);
     const auto has_servo = drive.most > zero;
     record.drive[j] = {eagerx::select(has_servo, servo.now, drive.torque), servo.slope};
-    JointTorque<Real> sum =
-        record.drive[j] + motor_torque(drive.motor_velocity, drive.motor_torque, v, inertia, dt);
+    const Real needed = kSlides<j> ? dot(link.axis, link.force) : dot(link.axis, link.torque);
+    JointTorque<Real> sum = record.drive[j];
     using Damping = typename Group::template Damping<j>;
     if constexpr (!Constant<Damping, Lane>::is(Lane(0)))
       sum = sum + damping_torque(value<Real, Damping>(k), v);
+    const FreeJoint<Real> free = free_joint(v, inertia, sum, needed, dt);
+    sum = sum + motor_torque(drive.motor_velocity, drive.motor_torque, v, free, dt);
     constexpr Lane kUnlimited = std::numeric_limits<Lane>::infinity();
     using Low = typename Group::template Low<j>;
     using High = typename Group::template High<j>;
-    if constexpr (!Constant<Low, Lane>::is(-kUnlimited))
-      sum = sum + stop_torque(value<Real, Low>(k), Lane(-1), q, v, inertia, dt);
-    if constexpr (!Constant<High, Lane>::is(kUnlimited))
-      sum = sum + stop_torque(value<Real, High>(k), Lane(1), q, v, inertia, dt);
     using MaxVelocity = typename Group::template MaxVelocity<j>;
+    if constexpr (!Constant<Low, Lane>::is(-kUnlimited))
+      sum = sum + stop_torque(value<Real, Low>(k), Lane(-1), q, v, free, dt);
+    if constexpr (!Constant<High, Lane>::is(kUnlimited))
+      sum = sum + stop_torque(value<Real, High>(k), Lane(1), q, v, free, dt);
     if constexpr (!Constant<MaxVelocity, Lane>::is(kUnlimited))
-      sum = sum + speed_limit_torque(value<Real, MaxVelocity>(k), v, inertia, dt);
-    const Real needed = kSlides<j> ? dot(link.axis, link.force) : dot(link.axis, link.torque);
+      sum = sum + speed_limit_torque(value<Real, MaxVelocity>(k), v, free, dt);
     record.rhs[j] = sum.now - needed;
     mass_[j][j] = inertia + Real(dt) * sum.slope;
   }

@@ -1,9 +1,12 @@
-// A robot of twelve joints with the dimensions of a Unitree A1, rounded: hip, thigh and shank of four
-// legs, feet of spheres.
+// Robots of the tests. The walker: twelve joints with the dimensions of a Unitree A1, rounded: hip,
+// thigh and shank of four legs, feet of spheres.
 #pragma once
 
 #include <array>
 #include <models/engines/open_dynamics_engine/scene.hpp>
+#include <models/objects/pushed_box/pushed_box.hpp>
+
+#include "tests/unit/multibody/multibody_io.hpp"
 
 namespace eagerx::models::testing {
 
@@ -76,16 +79,39 @@ struct Walker {
   static constexpr std::array<RigidGeometry, 5> kGeometries = [] {
     std::array<RigidGeometry, 5> geometries{};
     for (std::size_t leg = 0; leg < 4; ++leg) {
-      geometries[leg] = {.name = kNames[leg][3],
-                         .body = kNames[leg][2],
-                         .size = {{kFoot, 0.0, 0.0}},
-                         .position = anchor(leg, 2) + Vector3{{0.0, 0.0, -kLink}} -
-                                     kBodies[3 + 3 * leg].position,
-                         .friction = 0.8};
+      geometries[leg] = {
+          .name = kNames[leg][3],
+          .body = kNames[leg][2],
+          .size = {{kFoot, 0.0, 0.0}},
+          .position = anchor(leg, 2) + Vector3{{0.0, 0.0, -kLink}} - kBodies[3 + 3 * leg].position,
+          .friction = 0.8};
     }
     geometries[4] = {.name = "ground", .kind = ShapeKind::plane};
     return geometries;
   }();
 };
+template <class Real>
+using WalkerOf = Walker<ModelIo<Real, NoConfig>>;
+
+/// A walker without dampers, servos, motors' inertia and ground, thrown into weightless space.
+template <class Real>
+struct FloatingWalker : WalkerOf<Real> {
+  static constexpr std::array<RigidJoint, 12> kJoints = [] {
+    auto joints = WalkerOf<Real>::kJoints;
+    for (RigidJoint& joint : joints)
+      joint.damping = 0.0, joint.armature = 0.0, joint.low = -1e9, joint.high = 1e9;
+    return joints;
+  }();
+  static constexpr std::array<RigidGeometry, 0> kGeometries = {};
+};
+
+struct BoxConfig {
+  static constexpr double mass = 2.0;
+  static constexpr std::array<double, 3> size = {0.2, 0.2, 0.1};
+  static constexpr double friction = 0.5;
+  static constexpr double bounce = 0.0;
+};
+template <class Real>
+using BoxOf = PushedBox<ModelIo<Real, BoxConfig>>;
 
 }  // namespace eagerx::models::testing
