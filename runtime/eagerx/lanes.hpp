@@ -28,8 +28,8 @@ inline constexpr std::size_t kPackRegisters = 4;
 #endif
 
 /// Environments in a pack of numbers of type Real.
-template <class Real>
-inline constexpr std::size_t kPackLanes = kPackRegisters* kRegisterBytes / sizeof(Real);
+template <class Real, std::size_t Registers = kPackRegisters>
+inline constexpr std::size_t kPackLanes = Registers* kRegisterBytes / sizeof(Real);
 
 /// Counts of messages or ticks, one a lane.
 template <std::size_t N>

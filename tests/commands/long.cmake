@@ -7,5 +7,6 @@ if(NOT EAGERX_SANITIZE) # a library that is opened by programs without sanitizer
                                             $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
   set_tests_properties(commands_full_files PROPERTIES SKIP_RETURN_CODE 77)
 endif()
+add_test(NAME commands_at_once_all COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/at_once ${PROJECT_BINARY_DIR} --all)
 # No output on an input or on another output, in any command.
 add_test(NAME commands_one_file COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_file ${PROJECT_BINARY_DIR})

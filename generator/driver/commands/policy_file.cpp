@@ -10,12 +10,14 @@
 
 namespace eagerx::gen {
 
-std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& diagnostics) {
+std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& diagnostics,
+                                        bool has_answers) {
   PolicyRequest request;
   request.path = request.name = file.file;
   request.normalize_path = request.normalize_name = file.normalize;
   request.context.output_name = file.output_name;
   request.context.actor = file.actor;
+  request.context.has_answers = has_answers;
   for (const auto& [name, said] :
        {std::pair{&file.activation, &request.context.activation},
         std::pair{&file.output_activation, &request.context.output_activation}}) {

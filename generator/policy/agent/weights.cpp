@@ -77,6 +77,7 @@ std::optional<Network> read_weights(const AgentSpec& policy, const std::string& 
     said.output_activation = activation_of(policy.output_activation->value);
   }
   if (policy.actor) said.actor = policy.actor->value;
+  said.has_answers = policy.golden.has_value();
   if (policy.output_name) said.output_name = policy.output_name->value;
   auto network = read_policy(request, diagnostics);
   if (!network) return network;

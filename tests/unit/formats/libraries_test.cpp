@@ -109,9 +109,9 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-/// crossq.zip with `epsilon` for its batch norms.
-std::string crossq_with_epsilon(std::string_view epsilon) {
-  std::ifstream file(kLibraries + "crossq.zip", std::ios::binary);
+/// A zip with `keywords` among those of its policy.
+std::string with_keywords(const std::string& zip, std::string_view keywords) {
+  std::ifstream file(kLibraries + zip, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   PolicyProblem problem;
   const auto archive = Archive::open(bytes, problem);
@@ -123,10 +123,14 @@ std::string crossq_with_epsilon(std::string_view epsilon) {
     if (name != "data") continue;
     constexpr std::string_view kKeywords = "\"policy_kwargs\": {";
     std::string& data = entries.back().content;
-    data.insert(data.find(kKeywords) + kKeywords.size(),
-                fmt::format("\"batch_norm_eps\": {}", epsilon));
+    data.insert(data.find(kKeywords) + kKeywords.size(), keywords);
   }
   return test::zip(entries);
+}
+
+/// crossq.zip with `epsilon` for its batch norms.
+std::string crossq_with_epsilon(std::string_view epsilon) {
+  return with_keywords("crossq.zip", fmt::format("\"batch_norm_eps\": {}", epsilon));
 }
 
 TEST(CrossQ, EpsilonOfItsBatchNorms) {
@@ -139,6 +143,51 @@ TEST(CrossQ, EpsilonOfItsBatchNorms) {
     EXPECT_LT(std::abs(scaled[i]), std::abs(known[i]));
   const std::vector<float> observation(usual.inputs(), 0.5F);
   EXPECT_EQ(evaluate(usual, observation), evaluate(read_library("crossq.zip"), observation));
+}
+
+/// ppo_own_policy.zip, whose class has relu where the library's has tanh.
+std::optional<Network> read_own_class(bool has_answers, std::optional<Activation> activation,
+                                      Diagnostics& diagnostics) {
+  PolicyRequest request;
+  request.path = kLibraries + "ppo_own_policy.zip";
+  request.name = "ppo_own_policy.zip";
+  request.context.activation = activation;
+  request.context.has_answers = has_answers;
+  return read_policy(request, diagnostics);
+}
+
+TEST(OwnPolicyClass, IsRefusedWithoutKnownAnswers) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_own_class(false, Activation::relu, diagnostics).has_value());
+  const Diagnostic& problem = diagnostics.all().front();
+  EXPECT_EQ(problem.code, "E0628");
+  EXPECT_THAT(problem.message, HasSubstr("`__main__.CustomActorCriticPolicy`"));
+  EXPECT_THAT(problem.message, HasSubstr("`_build_mlp_extractor`"));
+  EXPECT_THAT(problem.help, HasSubstr("golden: rows.csv"));
+}
+
+TEST(OwnPolicyClass, IsReadAsFarAsTorchsAnswersAreThose) {
+  const std::string name = "ppo_own_policy_golden.npz";
+  for (const auto activation : {std::optional<Activation>(), std::optional(Activation::relu)}) {
+    Diagnostics diagnostics;
+    const auto network = read_own_class(true, activation, diagnostics);
+    ASSERT_TRUE(network.has_value());
+    EXPECT_THAT(network->assumed, testing::Contains(HasSubstr("CustomActorCriticPolicy")));
+    const auto rows = read_golden(kLibraries + name, name, {}, diagnostics);
+    ASSERT_TRUE(rows.has_value());
+    const auto result = compare(*network, *rows, name, {}, diagnostics);
+    EXPECT_EQ(result && result->passed(), activation.has_value()) << "tanh is not in this file";
+  }
+}
+
+TEST(OwnExtractor, WithTheNameOfALibrarysIsRefusedToo) {
+  const std::string keywords =
+      R"("features_extractor_class": "<class '__main__.FlattenExtractor'>")";
+  EXPECT_THAT(read_bad(with_keywords("crossq.zip", keywords)).message,
+              HasSubstr("`__main__.FlattenExtractor`"));
+  const std::string usual =
+      R"("features_extractor_class": "<class 'stable_baselines3.common.torch_layers.FlattenExtractor'>")";
+  read_good(with_keywords("crossq.zip", usual));
 }
 
 TEST(Activation, OfAZipIsKnownAndOfTensorsAloneAssumed) {

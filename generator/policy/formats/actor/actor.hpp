@@ -29,11 +29,13 @@ struct PolicyFacts {
   std::optional<double> clip, epsilon;                // of the statistics
   std::optional<std::string> unsupported;             // why it cannot be read at all
   std::optional<std::string> extractor;               // class of its features extractor
-  std::optional<Dims> image;   // of the observation: [channels, rows, columns]
-  bool scales_pixels = false;  // by 1 / 255
-  std::optional<bool> squash;  // whether a tanh follows the mean
-  double norm_epsilon = 1e-3;  // of CrossQ's batch norms; sb3-contrib's default
-  double limit = 2.0;          // of the mean, where the layout has one
+  std::optional<std::string> own_class;  // of its policy, if no library has it: "my.module.Name"
+  std::vector<std::string> own_methods;  // that this class has itself
+  std::optional<Dims> image;             // of the observation: [channels, rows, columns]
+  bool scales_pixels = false;            // by 1 / 255
+  std::optional<bool> squash;            // whether a tanh follows the mean
+  double norm_epsilon = 1e-3;            // of CrossQ's batch norms; sb3-contrib's default
+  double limit = 2.0;                    // of the mean, where the layout has one
   PolicyContract contract;
 };
 

@@ -18,7 +18,8 @@ struct ReadContext {
   std::string actor{};                     // of tables: how the names of its tensors begin
   std::string output_name{};               // of ONNX and TorchScript: which output is the action
   std::optional<Activation> output_activation{};  // after the last layer, as the graph says
-  FilesBeside files{};                            // of ONNX, whose values may be in others
+  bool has_answers = false;  // known answers will be compared with those of the network
+  FilesBeside files{};       // of ONNX, whose values may be in others
 };
 
 }  // namespace eagerx::gen
