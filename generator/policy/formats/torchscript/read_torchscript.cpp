@@ -84,6 +84,7 @@ class TorchReading {
           {printable((*names)[i]), static_cast<std::uint64_t>(sizes[i])});
     }
     if (found.action->is_choice) network.action = ActionKind::argmax;
+    network.contract.groups = found.action->groups;
     std::unordered_set<const NetTensor*> used;
     auto layers = make_layers(found.state.steps, found.action->step, observed, used, problem_);
     if (!layers) return std::nullopt;
@@ -370,6 +371,37 @@ class TorchReading {
 
 }  // namespace
 
+namespace {
+
+/// A function of `code` that draws random numbers, or "".
+std::string_view random_function(std::string_view code) {
+  for (const std::string_view name :
+       {"randn_like", "randn", "rand_like", "rand", "normal", "bernoulli", "multinomial"}) {
+    for (const std::string_view ending : {"(", "_("}) {
+      if (code.find(fmt::format("torch.{}{}", name, ending)) != std::string_view::npos) return name;
+    }
+  }
+  return {};
+}
+
+/// A module that samples its action calls what belongs to that, too: then this is the reason.
+void add_sampling(const Archive& archive, PolicyProblem& problem) {
+  if (problem.code != "E0754") return;
+  for (const std::string& name : archive.names()) {
+    if (!name.ends_with(".py")) continue;
+    std::string buffer;
+    PolicyProblem ignored;
+    const auto code = archive.read(name, buffer, ignored);
+    const std::string_view random = code ? random_function(*code) : std::string_view{};
+    if (random.empty()) continue;
+    problem.message += fmt::format("; its code draws random numbers (`{}`)", random);
+    problem.help = "export the deterministic action: means in place of samples, in eval mode";
+    return;
+  }
+}
+
+}  // namespace
+
 bool is_torchscript(const Archive& archive) {
   return ranges::any_of(archive.names(),
                         [](const std::string& name) { return name.ends_with("/constants.pkl"); });
@@ -385,7 +417,9 @@ std::optional<Network> read_torchscript(const Archive& archive, const ReadContex
   }
   TorchArchive program(archive, folder);
   if (!program.open(problem)) return std::nullopt;
-  return TorchReading(program, context, problem).run();
+  auto network = TorchReading(program, context, problem).run();
+  if (!network) add_sampling(archive, problem);
+  return network;
 }
 
 }  // namespace eagerx::gen
