@@ -252,7 +252,7 @@ Message padded(const Window& window, std::uint32_t i, LaneOf<ScalarOf<Message>> 
 
 }  // namespace detail
 
-/// As PaddedWindow: always the most messages, copies of the oldest in front, NaN without any.
+/// As PaddedWindow: always the most messages, copies of the oldest in front, 0 without any.
 template <class Window>
 class PaddedLanes : Window {
  public:
@@ -267,7 +267,7 @@ class PaddedLanes : Window {
     if constexpr (Window::kAlwaysFull) {
       return window[i];
     } else {
-      constexpr auto kMissing = std::numeric_limits<LaneOf<ScalarOf<Message>>>::quiet_NaN();
+      constexpr LaneOf<ScalarOf<Message>> kMissing{};
       return detail::padded(window, i, kMissing);
     }
   }

@@ -145,41 +145,6 @@ TEST(CrossQ, EpsilonOfItsBatchNorms) {
   EXPECT_EQ(evaluate(usual, observation), evaluate(read_library("crossq.zip"), observation));
 }
 
-/// ppo_own_policy.zip, whose class has relu where the library's has tanh.
-std::optional<Network> read_own_class(bool has_answers, std::optional<Activation> activation,
-                                      Diagnostics& diagnostics) {
-  PolicyRequest request;
-  request.path = kLibraries + "ppo_own_policy.zip";
-  request.name = "ppo_own_policy.zip";
-  request.context.activation = activation;
-  request.context.has_answers = has_answers;
-  return read_policy(request, diagnostics);
-}
-
-TEST(OwnPolicyClass, IsRefusedWithoutKnownAnswers) {
-  Diagnostics diagnostics;
-  EXPECT_FALSE(read_own_class(false, Activation::relu, diagnostics).has_value());
-  const Diagnostic& problem = diagnostics.all().front();
-  EXPECT_EQ(problem.code, "E0628");
-  EXPECT_THAT(problem.message, HasSubstr("`__main__.CustomActorCriticPolicy`"));
-  EXPECT_THAT(problem.message, HasSubstr("`_build_mlp_extractor`"));
-  EXPECT_THAT(problem.help, HasSubstr("golden: rows.csv"));
-}
-
-TEST(OwnPolicyClass, IsReadAsFarAsTorchsAnswersAreThose) {
-  const std::string name = "ppo_own_policy_golden.npz";
-  for (const auto activation : {std::optional<Activation>(), std::optional(Activation::relu)}) {
-    Diagnostics diagnostics;
-    const auto network = read_own_class(true, activation, diagnostics);
-    ASSERT_TRUE(network.has_value());
-    EXPECT_THAT(network->assumed, testing::Contains(HasSubstr("CustomActorCriticPolicy")));
-    const auto rows = read_golden(kLibraries + name, name, {}, diagnostics);
-    ASSERT_TRUE(rows.has_value());
-    const auto result = compare(*network, *rows, name, {}, diagnostics);
-    EXPECT_EQ(result && result->passed(), activation.has_value()) << "tanh is not in this file";
-  }
-}
-
 TEST(OwnExtractor, WithTheNameOfALibrarysIsRefusedToo) {
   const std::string keywords =
       R"("features_extractor_class": "<class '__main__.FlattenExtractor'>")";

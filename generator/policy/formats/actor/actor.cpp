@@ -23,7 +23,7 @@ class Assembly {
 
   std::optional<Network> run() {
     if (!check_supported()) return std::nullopt;
-    auto layout = find_actor(table_, is_zip(), problem_);
+    auto layout = context_.layers.empty() ? find_actor(table_, is_zip(), problem_) : say_layout();
     if (!layout) return std::nullopt;
     layout_ = std::move(*layout);
     if (!add_memory(table_, layout_, problem_)) return std::nullopt;
@@ -41,6 +41,21 @@ class Assembly {
   }
 
  private:
+  /// The layout that the graph says, with what follows its last layer.
+  std::optional<ActorLayout> say_layout() {
+    std::optional<Activation> output;
+    auto layout = said_layout(table_, context_.layers, output, problem_);
+    if (!layout || !output) return layout;
+    if (context_.output_activation && *context_.output_activation != *output) {
+      return parts_.fail("E0626",
+                         "has layers in the graph that end in another activation than "
+                         "the graph's `output_activation`",
+                         "leave `output_activation` out");
+    }
+    context_.output_activation = output;
+    return layout;
+  }
+
   /// Parts that would silently be left out, and change the function.
   bool check_supported() {
     if (facts_.unsupported) {
@@ -59,7 +74,7 @@ class Assembly {
 
   /// A policy class of the user's own: only its answers show what it calculates.
   bool check_class() {
-    if (!facts_.own_class) return true;
+    if (!facts_.own_class || !context_.layers.empty()) return true;
     const std::string name = printable(*facts_.own_class);
     if (context_.has_answers) {
       network_.assumed.push_back(
@@ -129,9 +144,9 @@ class Assembly {
                                      to_string(*in_file), to_string(*context_.activation)),
                          "leave the graph's `activation` out");
     }
-    const bool needed =
-        std::any_of(layout_.modules.begin(), layout_.modules.end(),
-                    [](const ActorModule& module) { return module.activation_after; });
+    const bool needed = std::any_of(
+        layout_.modules.begin(), layout_.modules.end(),
+        [](const ActorModule& module) { return module.activation_after && !module.activation; });
     auto said = in_file ? in_file : context_.activation;
     // What the zip says of it is what was given to the class.
     if (!said && facts_.own_class) said = facts_.activation;
@@ -182,7 +197,7 @@ class Assembly {
 
   const TensorTable& table_;
   const PolicyFacts& facts_;
-  const ReadContext& context_;
+  ReadContext context_;
   PolicyProblem& problem_;
   ActorLayout layout_;
   Activation activation_ = Activation::identity;

@@ -75,6 +75,10 @@ def make(graph, num_envs=None, *, real_time_factor=None, **keywords):
                       real hardware it is always one. A program for Linux that is built already can take the graph's place.
     """
     building, rest = _split(keywords)
+    if num_envs is None:
+        from .gymnasium_env import Env
+
+        checks.keywords("make", rest, Env, (*_BUILDING, *_IN_REAL_TIME, "num_envs", "real_time_factor"), _INSTEAD)
     if real_time_factor is not None or _is_real(graph, building):
         if num_envs is not None:
             raise ValueError(f"num_envs is {num_envs!r}: in real time, and on real hardware, there is one environment; leave num_envs out")
@@ -89,13 +93,10 @@ def make(graph, num_envs=None, *, real_time_factor=None, **keywords):
         if name in rest:
             raise ValueError(f"{name} is for environments in real time: give real_time_factor=1, too")
     if num_envs is None:
-        from .gymnasium_env import Env
-
-        checks.keywords("make", rest, Env, _BUILDING, _INSTEAD)
         return _say_stepping(Env(load(graph, **building), **rest), **building)
     from .gymnasium_vector import VectorEnv
 
-    checks.keywords("make", rest, VectorEnv, _BUILDING, _INSTEAD)
+    checks.keywords("make", rest, VectorEnv, (*_BUILDING, "real_time_factor"), _INSTEAD)
     return _say_stepping(VectorEnv(load(graph, **building), num_envs, **rest), **building)
 
 

@@ -5,8 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
-
 #include <models/engine_nodes/action_applied/action_applied.hpp>
 #include <models/engine_nodes/float_output/float_output.hpp>
 #include <models/engine_nodes/ode_input/ode_input.hpp>
@@ -19,6 +17,7 @@
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
 #include <models/objects/pendulum/pendulum_ode.hpp>
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
+#include <optional>
 
 #include "pendulum_swing_up/messages.hpp"
 
@@ -207,7 +206,7 @@ struct PendulumUIo {
     static constexpr std::array<double, 1> default_action = {0.0};
   };
   struct Inputs {
-    eagerx::Window<std::int64_t, eagerx::Rate<30>, 1, 1, true> tick;  // int64 []
+    eagerx::Window<std::int64_t, eagerx::Rate<30>, 1, 1, true> tick;               // int64 []
     eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<30>, 1, 1, true> action;  // float32 [1]
 
     template <class F>
@@ -284,8 +283,7 @@ struct RenderIo {
       f("source", this->source);
     }
   };
-  struct Outputs {
-  };
+  struct Outputs {};
   struct States {};
 };
 
