@@ -211,7 +211,11 @@ class ResetView {
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
         const Reception& reception = plan_.nodes[n].receptions[i];
         View cursor = object();
+        const Rational delay_s = graph_.nodes[n].inputs[i].delay_s;
         cursor.set("where", graph_.nodes[n].inputs[i].written);
+        cursor["delay"] =
+            (text_or_false(delay_s > Rational(0) && !reception.changing ? delay_s.to_string() + " s"
+                                                                        : std::string()));
         if (const std::string type = cursor_type(reception); !type.empty()) {
           cursor.set("member", names_.cursor[n][i]);
           cursor.set("type", type);
@@ -222,6 +226,7 @@ class ResetView {
         cursor.set("member", names_.fresh[n][i]);
         cursor.set("type", names_.has_packs() ? "eagerx::NewLanes<kLanes>" : "eagerx::NewMessages");
         cursor.set("first", "");
+        cursor["delay"] = View(false);
         cursors.push_back(cursor);
       }
     }

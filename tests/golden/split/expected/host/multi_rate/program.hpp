@@ -140,10 +140,10 @@ class Program {
     left_u_applied_.reset({}, left_simulator_);
     slow_.reset({});
     left_u_.reset({}, left_simulator_);
-    observation_speeds_cursor_.reset(2);
+    observation_speeds_cursor_.reset(2);  // 0.05 s
     observation_recent_new_.reset();
-    observation_other_cursor_.reset(2);
-    slow_signal_cursor_.reset(3);
+    observation_other_cursor_.reset(2);  // 1/15 s
+    slow_signal_cursor_.reset(3);        // 0.12 s
     right_u_applied_action_applied_cursor_.reset(0);
     before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
