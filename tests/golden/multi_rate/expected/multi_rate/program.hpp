@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <eagerx/cursor.hpp>
-#include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
 #include <eagerx/memory_fault.hpp>

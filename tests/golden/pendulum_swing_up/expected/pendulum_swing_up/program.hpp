@@ -6,8 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <eagerx/cursor.hpp>
-#include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
 #include <eagerx/render.hpp>

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <eagerx/cursor.hpp>
-#include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/link/ahead.hpp>
 #include <eagerx/memory_fault.hpp>
