@@ -22,6 +22,7 @@ class ResetView {
     add_cursors();
     view_["routine"] = graph_.has_reset_nodes() ? routine() : View(false);
     view_.set("uses_states", uses_states_);
+    view_.set("resets_use_states", resets_use_states_);
     const bool keeps =
         (names_.has_engine() && !graph_.objects.empty()) || has_delays_ || graph_.has_reset_nodes();
     view_.set("has_start", keeps);
@@ -137,7 +138,7 @@ class ResetView {
   std::string state_argument(std::size_t n, std::size_t s) {
     const State& state = graph_.nodes[n].states[s];
     if (!state.settable) return "{}";
-    uses_states_ = true;
+    uses_states_ = resets_use_states_ = true;
     std::string value =
         optional("states." + names_.node_state[n][s], names_.node_state_processor[n][s]);
     if (!is_node_target_[n][s]) return value;
@@ -276,6 +277,7 @@ class ResetView {
   View view_ = object();
   std::vector<std::vector<bool>> is_object_target_, is_node_target_;
   bool uses_states_ = false;
+  bool resets_use_states_ = false;  // not only those of the engine
   bool has_delays_ = false;
 };
 

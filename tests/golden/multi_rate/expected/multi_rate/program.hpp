@@ -55,7 +55,6 @@ class Program {
   /// actuators declare it.
   void take_over() {
     warm_up();
-    [[maybe_unused]] const States states{};
     fast_.reset({});
     right_u_applied_.reset({}, right_simulator_);
     left_x_.reset({}, left_simulator_);
