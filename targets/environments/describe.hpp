@@ -129,7 +129,7 @@ std::string describe(const char* generator, const PackKernel<Graph>& kernel, con
   return describe({generator, Graph::kName, Graph::kEngine, Graph::kDefaultAgent,
                    static_cast<double>(Graph::Rate::num) / Graph::Rate::den,
                    in_packs ? kernel.isa : instruction_set(), in_packs ? kernel.lanes : 1,
-                   in_packs ? nullptr : why_not, describe_observations<Graph>(),
+                   in_packs ? nullptr : why_not, Graph::kGraphHash, describe_observations<Graph>(),
                    describe_actions<Graph>(), describe_states<Graph>(),
                    Layout<Graph>::get().states.describe_tunable(), describe_task<Graph>(),
                    describe_render<Graph>()});

@@ -129,6 +129,8 @@ int eagerx_tune(eagerx_environments* environments, const uint8_t* mask, const fl
 
 /* states  [environments][numbers of the states] what the episodes began with; NaN where nothing was set or drawn */
 int eagerx_get_states(eagerx_environments* environments, float* states);
+/* The same as doubles, which hold 32-bit seeds and delays exactly. */
+int eagerx_get_exact_states(eagerx_environments* environments, double* states);
 
 /* From their next reset on, episodes are those of a stage of the graph's task, for environments where `mask` is not 0
    (null: all): states that it draws otherwise, and reward and terms with its weights. What a trace says of the reward stays

@@ -1,6 +1,8 @@
 #include <cstdio>
 #include <eagerx/version.hpp>
 #include <optional>
+#include <runtime/host/base/handover.hpp>
+#include <runtime/host/base/hash.hpp>
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/number.hpp>
 #include <string>
@@ -30,6 +32,10 @@ namespace eagerx::linux_sim {
 int fail(const std::string& text, int exit_code) {
   std::fputs((text + "\n").c_str(), stderr);
   return exit_code;
+}
+
+void say_note(const std::string& text) {
+  std::fputs(("note: " + text + "\n").c_str(), stderr);
 }
 
 namespace {
@@ -176,6 +182,12 @@ int run(int argc, char** argv, GraphProgram& program) {
         "program began; it has put that right. Usually it is linked with `-ffast-math`",
         kDone);
   const GraphFacts& facts = program.facts();
+  const std::string other = host::problem_of_graph(host::hex_text(facts.graph_hash));
+  if (!other.empty())
+    return fail("error: " + other +
+                    "\nhelp: something has changed the folder while it was built: run "
+                    "the command again",
+                kBadFile);
   spaces_of_run.prepare(facts);
   recorder_of_run.graph_is(facts);
   Options defaults;

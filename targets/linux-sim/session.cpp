@@ -146,7 +146,8 @@ class Session {
       outside_.emplace(options_, told_.fields, program_, is_traced());
       unseen = outside_->open();
     }
-    if (!unseen.empty()) return fail(unseen, kBadUsage);
+    const bool is_file = unseen.starts_with("error: cannot write");
+    if (!unseen.empty()) return fail(unseen, is_file ? kBadFile : kBadUsage);
     const std::string alone = agent_ != nullptr ? agent_->wait_for_agent() : "";
     return alone.empty() ? kDone : fail(alone, kBadFile);
   }

@@ -4,5 +4,9 @@ add_test(NAME commands COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DI
 add_test(NAME commands_full_disk COMMAND ${CMAKE_CURRENT_LIST_DIR}/full_disk ${PROJECT_BINARY_DIR})
 # No ccache that cannot write.
 add_test(NAME commands_compiler_cache COMMAND ${CMAKE_CURRENT_LIST_DIR}/compiler_cache ${PROJECT_BINARY_DIR})
+# Two commands in one folder, each of which runs what it was asked for.
+add_test(NAME commands_at_once COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/at_once ${PROJECT_BINARY_DIR})
+# A library in the cache that is cut short.
+add_test(NAME commands_kept_library COMMAND ${CMAKE_CURRENT_LIST_DIR}/kept_library)
 # READMEs say of commands and options what the help says.
 add_test(NAME commands_documented COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/documented ${PROJECT_BINARY_DIR})

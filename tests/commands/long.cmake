@@ -6,6 +6,10 @@ if(NOT EAGERX_SANITIZE) # a library that is opened by programs without sanitizer
   add_test(NAME commands_full_files COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/full_files ${PROJECT_BINARY_DIR}
                                             $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
   set_tests_properties(commands_full_files PROPERTIES SKIP_RETURN_CODE 77)
+  # Links, devices, FIFOs, files of others in the place of every output.
+  add_test(NAME commands_every_kind COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/every_kind ${PROJECT_BINARY_DIR}
+                                            $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
 endif()
+add_test(NAME commands_at_once_all COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/at_once ${PROJECT_BINARY_DIR} --all)
 # No output on an input or on another output, in any command.
 add_test(NAME commands_one_file COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_file ${PROJECT_BINARY_DIR})

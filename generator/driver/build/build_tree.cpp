@@ -18,6 +18,7 @@
 #include <sstream>
 #include <thread>
 
+#include "generator/driver/build/digests.hpp"
 #include "generator/driver/build/packages.hpp"
 #include "generator/driver/build/progress.hpp"
 #include "generator/driver/build/write.hpp"
@@ -198,14 +199,17 @@ class BuildLock {
   BuildLock(const BuildLock&) = delete;
   BuildLock& operator=(const BuildLock&) = delete;
 
+  /// When the last build was; 1970 if that is not known.
+  [[nodiscard]] timespec last_build() const {
+    struct stat found {};
+    return lock_ >= 0 && fstat(lock_, &found) == 0 ? found.st_mtim : timespec{};
+  }
   /// Whether the clock has been set back since the last build.
   [[nodiscard]] bool last_build_is_to_come() const {
-    struct stat found {};
     timespec now{};
     clock_gettime(CLOCK_REALTIME, &now);
     constexpr time_t kPrecisionS = 2;  // of some file systems
-    return lock_ >= 0 && fstat(lock_, &found) == 0 &&
-           found.st_mtim.tv_sec > now.tv_sec + kPrecisionS;
+    return last_build().tv_sec > now.tv_sec + kPrecisionS;
   }
 
  private:
@@ -221,15 +225,27 @@ class Builder {
     if (!has_programs()) return false;
     const BuildLock lock(tree_.build);
     if (!configure()) return false;
+    const Digests digests(tree_.build);
     std::vector<std::string> command = {"cmake", "--build", tree_.build, "--parallel",
                                         std::to_string(std::thread::hardware_concurrency())};
     // What changed since then may seem to be older than what was built from what it was.
-    if (lock.last_build_is_to_come()) command.emplace_back("--clean-first");
+    if (lock.last_build_is_to_come() || digests.have_unseen_change(lock.last_build()))
+      command.emplace_back("--clean-first");
     if (!cmake_target.empty()) command.insert(command.end(), {"--target", cmake_target});
-    return step("building", command);
+    if (!step("building", command)) return false;
+    keep(digests);
+    return true;
   }
 
  private:
+  /// What was compiled. Only Ninja lists it; with Make, times alone decide.
+  void keep(const Digests& digests) {
+    const auto listed = run_process({"ninja", "-C", tree_.build, "-t", "deps"});
+    if (!listed || listed->exit_code != 0) return;
+    const std::string text = digests.now(listed->output);
+    if (!text.empty()) write_file((fs::path(tree_.build) / kDigests).string(), text, diagnostics_);
+  }
+
   bool has_programs() {
     const auto need = [&](std::initializer_list<const char*> any_of, const char* package) {
       for (const char* each : any_of) {

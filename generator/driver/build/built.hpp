@@ -18,10 +18,12 @@ struct Generated {
   std::vector<const Target*> targets;  // of a placed graph those of the hub
   std::vector<Package> packages;
   std::size_t written = 0, unchanged = 0, kept = 0;
+  std::optional<std::uint64_t> graph_hash;  // that its programs say
 };
 
-/// Reads, checks and writes the graph of `options`. Nothing if there is a problem, which is in
-/// `run`; then `code` is the least that the exit code may be.
+/// Reads, checks and writes the graph of `options`. From then on until this process ends, or
+/// becomes what was built, no other one of eagerx-gen writes or builds there. Nothing if there is a
+/// problem, which is in `run`; then `code` is the least that the exit code may be.
 std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options, int& code);
 
 /// What a program says of itself to those who watch it.
@@ -49,6 +51,7 @@ struct BuiltProgram {
   std::string build;                 // its build folder
   std::string image;                 // its file
   const PlacedPart* part = nullptr;  // of a placed graph: which part; without one, the hub
+  std::optional<std::uint64_t> graph_hash = {};  // that it says, if it was built from this graph
 };
 
 /// make(), and build_made_graph(). Nothing if there is a problem, which is in `run`.
@@ -69,6 +72,9 @@ std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& pr
 /// Whether a target has something to compile: in another language than C++, if it makes a project
 /// of CMake.
 bool is_compiled(const Target& target);
+
+/// What is started from now on refuses to run if it was built from another graph.
+void expect_graph(const BuiltProgram& program);
 
 /// Becomes the program, or what starts it, for as long as it takes; `words` are its own options.
 int become_built(const Run& run, const BuiltProgram& program,

@@ -62,8 +62,55 @@ std::optional<Folder> Folder::open(const std::string& path) {
   return self ? std::optional(Folder(std::move(self))) : std::nullopt;
 }
 
+bool Folder::is_kept() const {
+  struct stat mine {};
+  if (fstat(self_.number(), &mine) != 0) return false;
+  return std::ranges::any_of(KeptFolders::all(), [&](const Folder& kept) {
+    struct stat its {};
+    return fstat(kept.self_.number(), &its) == 0 && mine.st_dev == its.st_dev &&
+           mine.st_ino == its.st_ino;
+  });
+}
+
+std::vector<Folder>& KeptFolders::all() {
+  static std::vector<Folder> folders;
+  return folders;
+}
+
+bool KeptFolders::keep(const std::string& path, const std::function<void()>& waiting) {
+  using namespace std::chrono_literals;
+  constexpr auto kTells = 1s;
+  constexpr auto kPatience = 10min;
+  auto folder = Folder::open(path);
+  if (!folder) return false;
+  if (folder->is_kept()) return true;
+  bool is_told = false;
+  for (const auto begin = std::chrono::steady_clock::now();;) {
+    const bool is_ours = flock(folder->self_.number(), LOCK_EX | LOCK_NB) == 0;
+    // Some file systems have no locks; then runs at the same time are the user's to avoid.
+    if (is_ours || (errno != EWOULDBLOCK && errno != EINTR)) break;
+    const auto waited = std::chrono::steady_clock::now() - begin;
+    if (waited > kPatience) return errno = EWOULDBLOCK, false;
+    if (waited > kTells && !std::exchange(is_told, true)) waiting();
+    std::this_thread::sleep_for(10ms);
+  }
+  all().push_back(std::move(*folder));
+  return true;
+}
+
+std::string KeptFolders::hand_on() {
+  std::string numbers;
+  for (const Folder& folder : all()) {
+    const int number = folder.self_.number();
+    if (fcntl(number, F_SETFD, 0) == 0)
+      numbers += (numbers.empty() ? "" : ",") + std::to_string(number);
+  }
+  return numbers;
+}
+
 bool Folder::lock() const {
   using namespace std::chrono_literals;
+  if (is_kept()) return true;
   for (const auto end = std::chrono::steady_clock::now() + 10s;;) {
     if (flock(self_.number(), LOCK_EX | LOCK_NB) == 0) return true;
     // Some file systems have no locks; then runs at the same time are the user's to avoid.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cerrno>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,7 +42,7 @@ class Folder {
   /// The folder, which may be reached through links; made if it is not there.
   static std::optional<Folder> open(const std::string& path);
 
-  /// Waits until no other process has it, at most 10 s.
+  /// Waits until no other process has it, at most 10 s; not if this one keeps it.
   [[nodiscard]] bool lock() const;
   /// Of what the path names; `other`: a link, a device, or what may not be looked at.
   [[nodiscard]] Kind kind(const std::string& path) const;
@@ -61,11 +62,29 @@ class Folder {
   [[nodiscard]] bool takes(const std::string& path) const;
 
  private:
+  friend class KeptFolders;
   explicit Folder(Descriptor descriptor) : self_(std::move(descriptor)) {}
+  [[nodiscard]] bool is_kept() const;
   /// The folder that a path's last name is in.
   [[nodiscard]] Descriptor parent(const std::string& path, bool make) const;
 
   Descriptor self_;
+};
+
+/// Folders that no other process writes or builds in until this one ends or becomes what it has
+/// built: nobody gets the program of somebody else's options.
+class KeptFolders {
+ public:
+  /// Makes the folder, and waits for it for ten minutes, as builds take; `waiting` is called once
+  /// if that takes a second. False: errno says why, EWOULDBLOCK that somebody has it all the time.
+  static bool keep(const std::string& path, const std::function<void()>& waiting);
+  /// For a program that this one becomes and that opens what was built itself: their descriptors
+  /// stay open in it. "5,7"
+  static std::string hand_on();
+
+ private:
+  friend class Folder;
+  static std::vector<Folder>& all();
 };
 
 }  // namespace eagerx::gen

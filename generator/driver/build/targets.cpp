@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <runtime/host/base/hash.hpp>
 
 #include "generator/backend/languages/layout.hpp"
 #include "generator/driver/build/build_tree.hpp"
@@ -18,9 +19,31 @@ std::uint64_t warnings_in(const Diagnostics& diagnostics) {
       std::ranges::count(diagnostics.all(), Severity::warning, &Diagnostic::severity));
 }
 
-std::string folder_for_targets(std::string folder, const GraphOptions& options) {
+namespace {
+
+/// A part of a file's name for what a user has written: itself, or what is left of it and a hash.
+std::string name_for(const std::string& written) {
+  constexpr std::size_t kMostBytes = 60;
+  std::string name = written.substr(0, kMostBytes);
+  std::ranges::replace_if(
+      name,
+      [](char c) {
+        const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+                              (c >= 'a' && c <= 'z') || c == '.' || c == '_' || c == '-';
+        return !is_plain;
+      },
+      '_');
+  return name == written ? name : fmt::format("{}-{:016x}", name, host::fnv1a(written));
+}
+
+}  // namespace
+
+std::string folder_for_options(std::string folder, const GraphOptions& options) {
   for (const std::string& target : options.targets) {
-    if (target != "linux-sim") folder += "-" + target;
+    if (target != "linux-sim") folder += "-" + name_for(target);
+  }
+  for (const std::string* chosen : {&options.variant, &options.engine, &options.agent_policy}) {
+    if (!chosen->empty()) folder += "-" + name_for(*chosen);
   }
   return folder;
 }

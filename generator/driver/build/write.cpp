@@ -1,11 +1,14 @@
 #include "generator/driver/build/write.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <runtime/host/base/files.hpp>
 #include <set>
 #include <sstream>
 
@@ -266,32 +269,34 @@ std::optional<WriteResult> write_files(const std::string& folder, std::vector<Ge
   return Writer(folder, std::move(*open), diagnostics).run(std::move(files));
 }
 
+namespace {
+
+/// Of a file; what is none, such as a device, has none.
+bool has_text(const std::string& path, const std::string& text) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) != text.size()) return false;
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {}) == text;
+}
+
+}  // namespace
+
 bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
   if (!are_different({}, {}, diagnostics)) return false;
   if (const auto input = input_at(path)) return refuse_input(path, *input, diagnostics);
   const std::string parent = fs::path(path).parent_path().string();
-  const auto folder = open_folder(parent.empty() ? "." : parent, path, diagnostics);
-  if (!folder) return false;
-  const std::string name = fs::path(path).filename().string();
+  std::error_code error;
+  if (!parent.empty()) fs::create_directories(parent, error);
   const auto fail = [&](const std::string& why) {
     diagnostics.io_error("E0901", {}, fmt::format("cannot write `{}`: {}", path, why));
     return false;
   };
-  if (!is_below(name)) return fail("it is no name of a file");
-  // A way to say "nowhere", which is left where it is.
-  if (fs::path(path).lexically_normal() == "/dev/null") return true;
-  struct stat found = {};
-  if (stat(path.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
-    return fail(S_ISDIR(found.st_mode) ? "it is a folder" : "it is no file");
-  if (!folder->lock()) return fail("another run of eagerx-gen writes there");
-  // Of this name there is at most one, left by a run that was killed: nobody else has the lock.
-  const std::string temporary = fmt::format(".{}.eagerx-gen.new", name);
-  static_cast<void>(folder->remove(temporary));
-  if (folder->read(name) == text) return true;
-  if (folder->write_new(temporary, text) && folder->rename(temporary, name)) return true;
-  const std::string why = std::strerror(errno);
-  static_cast<void>(folder->remove(temporary));
-  return fail(why);
+  if (!is_below(fs::path(path).filename().string())) return fail("it is no name of a file");
+  if (error) return fail(error.message());
+  if (has_text(path, text)) return true;
+  const int refused = host::write_whole(path, text);
+  if (refused == EISDIR) return fail("it is a folder");
+  return refused == 0 || fail(host::problem_of_writing(refused));
 }
 
 }  // namespace eagerx::gen

@@ -28,8 +28,8 @@ bool are_different(const std::string& folder, const std::vector<GeneratedFile>& 
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics);
 
-/// Writes one file, also beside its place first. What is there and is no file, such as a device, is
-/// left alone. False: E0901, E0906.
+/// Writes one file, and the folders that it is in, as runtime/host/base/files.hpp does: links are
+/// followed, owner and mode stay, a FIFO or device is written. False: E0901, E0906.
 bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -118,7 +118,8 @@ Arguments diagnostics(MessageOptions& options) {
 Arguments on_building(GenerateOptions& options) {
   return joined({{graph(options),
                   folder(text("-o,--output", options.output,
-                              "output folder (default: generated/<graph name>, for another target "
+                              "output folder (default: generated/<graph name>, with the name of "
+                              "another target, of a variant, engine or policy behind it, such as "
                               "generated/<graph name>-<target>); it is built in its folder `build`",
                               "DIR"))},
                  selection(options),

@@ -1,8 +1,12 @@
 // eagerx-gen build: from a graph to programs that are built.
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <runtime/host/base/handover.hpp>
+#include <runtime/host/base/hash.hpp>
 #include <string_view>
 
 #include "generator/driver/build/become.hpp"
@@ -52,11 +56,30 @@ bool is_compiled(const Target& target) {
          });
 }
 
+void expect_graph(const BuiltProgram& program) {
+  if (program.graph_hash)
+    setenv(host::kExpectedGraph, host::hex_text(*program.graph_hash).c_str(), 1);
+}
+
+namespace {
+
+/// Another name for a file that is open from now on, so that it is this one whatever becomes of its
+/// name before an emulator has opened it.
+std::string opened(const std::string& image) {
+  const int file = open(image.c_str(), O_RDONLY);
+  return file < 0 ? image : fmt::format("/proc/self/fd/{}", file);
+}
+
+}  // namespace
+
 int become_built(const Run& run, const BuiltProgram& program,
                  const std::vector<std::string>& words) {
   std::vector<std::string> command = command_to_start(run, program);
-  if (command.front() != program.image)
+  if (command.front() != program.image) {
+    if (program.target->is_board()) command.back() = opened(command.back());
     command.insert(command.end() - 1, {"--time-limit", "0"});  // as long as the user wants
+  }
+  expect_graph(program);
   command.insert(command.end(), words.begin(), words.end());
   return become(command.front(), {command.begin() + 1, command.end()});
 }
@@ -78,7 +101,8 @@ std::vector<Planned> planned(const Run& run, const GenerateOptions& options,
     Tree tree = tree_of(run, options, target, source, several);
     const bool compiled = is_compiled(target);
     if (!compiled) tree.build = tree.source;
-    BuiltProgram program{&target, tree.build, image_of(run, target, tree.build)};
+    BuiltProgram program{&target, tree.build, image_of(run, target, tree.build), nullptr,
+                         generated.graph_hash};
     result.push_back({std::move(program), std::move(tree), compiled});
   };
   if (split) {
@@ -154,7 +178,7 @@ std::optional<std::vector<BuiltProgram>> build_made_graph(Run& run, GenerateOpti
                                                           int& code,
                                                           std::vector<std::string>* to_run) {
   if (options.output.empty())
-    options.output = folder_for_targets("generated/" + run.graph->name, options);
+    options.output = folder_for_options("generated/" + run.graph->name, options);
   const auto generated = generate_graph(run, options, code);
   if (!generated) return std::nullopt;
   const std::vector<Planned> items = planned(run, options, *generated);

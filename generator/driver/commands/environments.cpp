@@ -1,12 +1,15 @@
 #include "generator/driver/commands/environments.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <runtime/host/base/handover.hpp>
 #include <utility>
 
 #include "generator/driver/build/become.hpp"
 #include "generator/driver/build/built.hpp"
 #include "generator/driver/build/described.hpp"
+#include "generator/driver/build/folder.hpp"
 #include "generator/driver/pipeline/paths.hpp"
 
 namespace eagerx::gen {
@@ -60,7 +63,8 @@ Arguments handed_on(std::span<const eagerx::options::Row> rows, EnvironmentsOpti
 Arguments on_environments(GenerateOptions& options) {
   return joined({{folder(text("--build", options.output,
                               "folder for the library of environments (default: generated/<graph "
-                              "name>-environments)",
+                              "name>-environments, with the name of a variant, engine or policy "
+                              "behind it)",
                               "DIR")),
                   variant(options), engine(options)},
                  rates(options),
@@ -95,6 +99,8 @@ int become_with_environments(const Helper& helper, const GenerateOptions& option
   const auto built = is_made ? build_made_graph(run, library, code) : std::nullopt;
   code = std::max(finish(run, options), code);
   if (!built) return code;
+  expect_graph(built->back());
+  setenv(host::kOutputLocks, KeptFolders::hand_on().c_str(), 1);
   return become(program, with({built->back().image}, words));
 }
 

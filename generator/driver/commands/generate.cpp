@@ -2,15 +2,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <utility>
 
 #include "generator/driver/build/built.hpp"
 #include "generator/driver/build/depfile.hpp"
 #include "generator/driver/build/emitted.hpp"
+#include "generator/driver/build/folder.hpp"
 #include "generator/driver/build/packages.hpp"
 #include "generator/driver/build/part_package.hpp"
 #include "generator/driver/build/standalone.hpp"
+#include "generator/driver/build/targets.hpp"
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
@@ -35,6 +39,18 @@ void check_output_path(Run& run, const std::string& path) {
   }
 }
 
+bool keep_folder(Run& run, const GenerateOptions& options, const std::string& folder) {
+  const auto waiting = [&] {
+    if (!options.quiet) complain("waiting: another eagerx-gen builds in `{}`\n", folder);
+  };
+  if (KeptFolders::keep(folder, waiting)) return true;
+  run.diagnostics.io_error(
+      "E0901", {},
+      fmt::format("cannot write `{}`: {}", folder,
+                  errno == EWOULDBLOCK ? "another eagerx-gen builds there" : std::strerror(errno)));
+  return false;
+}
+
 }  // namespace
 
 std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options, int& code) {
@@ -44,9 +60,12 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
   auto targets = judged_targets(run, options);
   if (!targets) return std::nullopt;
   generated.targets = std::move(*targets);
-  const std::string folder =
-      options.output.empty() ? "generated/" + run.graph->name + (is_part ? "-" + options.part : "")
-                             : options.output;
+  GraphOptions of_output = options;
+  of_output.targets.clear();  // one folder has several of them
+  const std::string folder = options.output.empty()
+                                 ? folder_for_options("generated/" + run.graph->name, of_output) +
+                                       (is_part ? "-" + options.part : "")
+                                 : options.output;
   generated.folder = folder;
   check_output_path(run, fs::absolute(folder).lexically_normal().string());
   check_headers(*run.plan, fs::absolute(folder).lexically_normal().string(), run.diagnostics);
@@ -86,6 +105,8 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
   }
   if (!are_different(folder, *files, run.diagnostics) || !write_depfile(run, options))
     return std::nullopt;
+  generated.graph_hash = hash_in(*files);
+  if (!keep_folder(run, options, folder)) return std::nullopt;
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result) return std::nullopt;
   generated.targets = emit_options.targets;
@@ -118,8 +139,11 @@ int perform(const GenerateOptions& options) {
 
 Arguments outputs(GenerateOptions& options) {
   return {
-      folder(text("-o,--output", options.output, "output folder (default: generated/<graph name>)",
-                  "DIR")),
+      folder(text(
+          "-o,--output", options.output,
+          "output folder (default: generated/<graph name>, with the name of a variant, engine or "
+          "policy behind it)",
+          "DIR")),
       flag("--library", options.library,
            "write a library for a main loop of your own instead of a program"),
       cut_out_nodes(

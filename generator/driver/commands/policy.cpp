@@ -141,7 +141,7 @@ int test(Run& run, const PolicyTestOptions& options, const Network& network) {
 
 int perform(const PolicyTestOptions& options) {
   Run run;
-  const auto network = read_policy_file(options.policy, run.diagnostics);
+  const auto network = read_policy_file(options.policy, run.diagnostics, true);
   return network ? test(run, options, *network) : finish(run, options);
 }
 

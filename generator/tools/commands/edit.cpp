@@ -11,16 +11,15 @@
 #include <utility>
 #include <vector>
 
-#include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/frontend/read/tree.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
-#include "generator/support/files/files.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/edit/helps.hpp"
 #include "generator/tools/outline/lines.hpp"
+#include "generator/tools/serve/graph_file.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -63,15 +62,20 @@ std::string difference(const std::string& name, std::string_view before, std::st
   return text;
 }
 
-/// Writes the file, or says what would be another.
+/// Writes the file, or says what would be another. Never over what somebody else has saved since it
+/// was read.
 void apply(Run& run, const EditOptions& options, const std::string& before,
            const std::string& after) {
-  if (options.dry_run) {
-    say("{}", difference(options.graph, before, after));
-  } else {
-    forget_files();  // the graph was read, and now it is the output
-    write_file(options.graph, after, run.diagnostics);
-  }
+  if (options.dry_run) return say("{}", difference(options.graph, before, after));
+  serve::GraphFile file(options.graph);
+  const auto written = file.write(before, after);
+  if (written == serve::GraphFile::Written::done) return;
+  const bool has_changed = written == serve::GraphFile::Written::changed;
+  auto& problem = run.diagnostics.io_error(
+      "E0901", {},
+      fmt::format("cannot write `{}`: {}", options.graph,
+                  has_changed ? "another program has changed it meanwhile" : file.problem()));
+  if (has_changed) problem.help = "run the command again";
 }
 
 bool is_in(const Run& run, const Diagnostic& diagnostic, const std::string& path) {

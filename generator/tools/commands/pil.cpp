@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <runtime/host/base/handover.hpp>
+#include <runtime/host/base/hash.hpp>
 
 #include "generator/backend/emit/render.hpp"
 #include "generator/driver/build/built.hpp"
@@ -41,7 +43,10 @@ std::optional<std::string> record(const PilOptions& options, const std::string& 
     std::vector<std::string> command = {fs::absolute(programs->back().image).string(), "--quiet",
                                         "--trace", log};
     command.insert(command.end(), options.of_simulation.begin(), options.of_simulation.end());
-    const auto result = run_process(command);
+    ProcessOptions expecting;
+    if (const auto hash = programs->back().graph_hash)
+      expecting.environment.emplace_back(host::kExpectedGraph, host::hex_text(*hash));
+    const auto result = run_process(command, expecting);
     if (!result || result->exit_code != 0) {
       auto& problem = run.diagnostics.error("E0517", {}, "the simulation did not end well");
       if (result) problem.notes.push_back({result->output, {}, ""});
@@ -110,7 +115,7 @@ int perform(const PilOptions& options) {
   int code = kDone;
   std::string folder = options.output;
   if (folder.empty())
-    folder = folder_for_targets("generated/" + fs::path(options.graph).stem().string() + "-pil",
+    folder = folder_for_options("generated/" + fs::path(options.graph).stem().string() + "-pil",
                                 options);
   std::error_code ignored;
   fs::create_directories(folder, ignored);
@@ -142,7 +147,9 @@ Command table(PilOptions& options) {
             option("--seed", "where random numbers start"),
             folder(text("-o,--output", options.output,
                         "folder for simulation, library and what was recorded (default: "
-                        "generated/<graph file>-pil, for another target with its name)",
+                        "generated/<graph file>-pil, with the name of another target, of a "
+                        "variant, engine or "
+                        "policy behind it)",
                         "DIR"))},
            {variant(options), engine(options),
             texts("--target", options.targets, "where the library runs (default: linux-sim)",

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <chrono>
-#include <cstdio>
-#include <cstring>
 #include <eagerx/trace_text.hpp>
+#include <runtime/host/base/files.hpp>
+#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/trace/mcap.hpp>
 #include <utility>
 
@@ -17,29 +16,22 @@ namespace {
 class GrowingFile : public publish::PublishSink {
  public:
   explicit GrowingFile(std::string path) : path_(std::move(path)) {}
-  ~GrowingFile() override {
-    if (file_ != nullptr) std::fclose(file_);
-  }
-  GrowingFile(const GrowingFile&) = delete;
-  GrowingFile& operator=(const GrowingFile&) = delete;
 
   std::string open() override {
-    file_ = std::fopen(path_.c_str(), "wbe");
-    if (file_ == nullptr) error_ = errno;
-    return problem();
+    if (!file_.open(path_ == "-" ? "./-" : path_)) return problem();
+    if (!file_.reserve())
+      return fmt::format("error: another program writes into `{}`\nhelp: give each its own file",
+                         path_);
+    return {};
   }
-  std::string close() override {
-    if (file_ != nullptr && std::fclose(std::exchange(file_, nullptr)) != 0 && error_ == 0)
-      error_ = errno;
-    return problem();
-  }
+  std::string close() override { return file_.close() ? "" : problem(); }
   void idle() override {
     using namespace std::chrono_literals;
     const auto now = std::chrono::steady_clock::now();
     if (now - flushed_ < 1s) return;
     flushed_ = now;
     end_part();
-    if (file_ != nullptr && std::fflush(file_) != 0 && error_ == 0) error_ = errno;
+    file_.hand_on(true);
   }
   [[nodiscard]] const char* unit() const override { return "messages"; }
 
@@ -47,21 +39,19 @@ class GrowingFile : public publish::PublishSink {
   /// What is kept together is complete.
   virtual void end_part() {}
   void write(const std::string& bytes) {
-    if (bytes.empty() || file_ == nullptr) return;
-    if (error_ == 0 && std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
-      error_ = errno;
-    if (error_ != 0) ++dropped_;
+    if (bytes.empty() || !file_.is_open()) return;
+    file_.text(bytes);
+    if (file_.failed()) ++dropped_;
   }
 
  private:
   [[nodiscard]] std::string problem() const {
-    return error_ == 0 ? ""
-                       : fmt::format("error: cannot write `{}`: {}", path_, std::strerror(error_));
+    return fmt::format("error: cannot write `{}`: {}", path_,
+                       host::problem_of_writing(file_.error()));
   }
 
   const std::string path_;
-  std::FILE* file_ = nullptr;
-  int error_ = 0;
+  host::TextFile file_;
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 

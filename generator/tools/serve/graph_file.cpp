@@ -6,9 +6,9 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <runtime/host/base/files.hpp>
 #include <string_view>
 #include <utility>
 
@@ -33,15 +33,6 @@ class Opened {
   int number_;
 };
 
-bool write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = write(file, bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) return false;
-    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
 FileText read_file(const std::string& path, std::size_t most_bytes = GraphFile::kMostBytes) {
   const Opened file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file && errno == ENOENT) return {};
@@ -64,20 +55,6 @@ FileText read_file(const std::string& path, std::size_t most_bytes = GraphFile::
   if (!read.problem.empty()) read.text.clear();
   return read;
 }
-
-std::string name_beside(const std::string& path) {
-  const fs::path where(path);
-  return (where.parent_path() / ("." + where.filename().string() + ".eagerx-gen.new")).string();
-}
-
-/// A new file with this text; false: errno says why not.
-bool make_file(const std::string& path, const std::string& text, mode_t mode, bool keeps_mode) {
-  const Opened file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
-  if (!file || !write_all(file.number(), text)) return false;
-  return !keeps_mode || fchmod(file.number(), mode) == 0;
-}
-
-constexpr mode_t kNewFile = 0666;  // less the user's mask
 
 }  // namespace
 
@@ -105,64 +82,20 @@ bool GraphFile::may_have_changed() const {
   return stamp() != seen_;
 }
 
-bool GraphFile::write_beside(const std::string& beside, const std::string& text) {
-  unlink(beside.c_str());  // of a run that was killed
-  struct stat facts {};
-  const bool exists = stat(path_.c_str(), &facts) == 0;
-  return make_file(beside, text, exists ? facts.st_mode & 07777U : kNewFile, exists);
-}
-
-GraphFile::Written GraphFile::fail(const std::string& beside) {
-  problem_ = std::strerror(errno);
-  unlink(beside.c_str());
-  return Written::failed;
-}
-
 GraphFile::Written GraphFile::write(const std::optional<std::string>& expected,
                                     const std::string& text) {
-  const auto is_expected = [&](const FileText& found) {
-    return found.problem.empty() && found.exists == expected.has_value() &&
-           found.text == expected.value_or("");
-  };
-  if (!is_expected(read_file(path_))) return Written::changed;
-  const std::string beside = name_beside(path_);
-  if (!write_beside(beside, text)) return fail(beside);
-  const auto swap = [&](unsigned flags) {
-    return renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, path_.c_str(), flags) == 0;
-  };
-  if (swap(expected ? RENAME_EXCHANGE : RENAME_NOREPLACE)) {
-    if (expected && !is_expected(read_file(beside))) {
-      // Somebody was faster: theirs goes back, and ours away, unless it is not ours by now.
-      if (!swap(RENAME_EXCHANGE)) return fail("");
-      if (read_file(beside).text == text) unlink(beside.c_str());
-      return Written::changed;
-    }
-    if (expected) unlink(beside.c_str());
-    seen_ = stamp();
-    return Written::done;
+  host::Draft draft(path_);
+  int error = draft.write(text);
+  if (error == 0) error = draft.put_over(expected);
+  if (error == ECANCELED) return Written::changed;
+  if (error != 0) {
+    problem_ = host::problem_of_writing(error);
+    return Written::failed;
   }
-  if (errno == EEXIST || errno == ENOENT) {
-    unlink(beside.c_str());
-    return Written::changed;
-  }
-  // A file system that cannot exchange: looked at once more.
-  if (!is_expected(read_file(path_))) {
-    unlink(beside.c_str());
-    return Written::changed;
-  }
-  if (::rename(beside.c_str(), path_.c_str()) != 0) return fail(beside);
   seen_ = stamp();
+  // Or somebody has written between the two, and that is to be seen.
+  if (read_file(path_).text != text) seen_ = {};
   return Written::done;
-}
-
-std::string write_whole(const std::string& path, const std::string& text) {
-  const std::string beside = name_beside(path);
-  unlink(beside.c_str());
-  if (make_file(beside, text, kNewFile, false) && ::rename(beside.c_str(), path.c_str()) == 0)
-    return {};
-  std::string why = std::strerror(errno);
-  unlink(beside.c_str());
-  return why;
 }
 
 }  // namespace eagerx::gen::serve

@@ -41,14 +41,9 @@ class GraphFile {
     bool operator==(const Stamp&) const = default;
   };
   [[nodiscard]] Stamp stamp() const;
-  [[nodiscard]] bool write_beside(const std::string& beside, const std::string& text);
-  Written fail(const std::string& beside);
 
   std::string path_, problem_;
   mutable Stamp seen_;
 };
-
-/// Writes a file of our own beside its place first. Returns why not, or "".
-std::string write_whole(const std::string& path, const std::string& text);
 
 }  // namespace eagerx::gen::serve

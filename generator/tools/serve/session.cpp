@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <runtime/host/base/files.hpp>
 #include <utility>
 
 #include "generator/tools/serve/edit_request.hpp"
@@ -235,10 +236,10 @@ Reply Session::set_layout(const Json& request) {
   const Lock lock(mutex_);
   auto places = places_of(member(&request, "places"));
   if (!places) return failure(kBadRequest, "`places` is no object of `[x, y]`");
-  const std::string problem =
-      write_whole(layout_path(), dump_json(Json{{"places", *places}}) + "\n");
-  if (!problem.empty())
-    return failure(kFailed, fmt::format("cannot write `{}`: {}", layout_path(), problem));
+  const std::string text = dump_json(Json{{"places", *places}}) + "\n";
+  if (const int error = host::write_whole(layout_path(), text))
+    return failure(kFailed, fmt::format("cannot write `{}`: {}", layout_path(),
+                                        host::problem_of_writing(error)));
   layout_ = std::move(*places);
   return {};
 }

@@ -8,6 +8,7 @@
 #include <climits>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <runtime/host/base/files.hpp>
 #include <runtime/host/base/hash.hpp>
 #include <runtime/host/base/text_file.hpp>
@@ -60,6 +61,24 @@ std::string name_beside(const std::string& path, std::string_view ending) {
   return (whole.parent_path() / ("." + name + "." + hex_text(random) + ".part"))
       .string()
       .append(ending);
+}
+
+/// Nothing if there is no file, or none that can be read.
+std::optional<std::string> text_of(const std::string& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (file < 0) return std::nullopt;
+  struct stat status {};
+  const bool is_file = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+  std::string text;
+  std::string bytes(std::size_t{1} << 16U, '\0');
+  ssize_t count = is_file ? 1 : -1;
+  while (count > 0) {
+    count = ::read(file, bytes.data(), bytes.size());
+    if (count > 0) text.append(bytes, 0, static_cast<std::size_t>(count));
+    if (count < 0 && errno == EINTR) count = 1;
+  }
+  close(file);
+  return count == 0 ? std::optional(text) : std::nullopt;
 }
 
 /// Owner and mode of a file that is to be replaced. False if it cannot have them.
@@ -160,6 +179,33 @@ int Draft::put() {
   return 0;
 }
 
+int Draft::put_over(const std::optional<std::string>& expected) {
+  // Programs of this project take turns; others meet the exchange.
+  std::optional<FileLock> lock;
+  if (expected && lock.emplace(path_, false).error() == EWOULDBLOCK) return EWOULDBLOCK;
+  if (text_of(path_) != expected) return ECANCELED;
+  return draft_.empty() ? write_into() : exchange(expected);
+}
+
+int Draft::exchange(const std::optional<std::string>& expected) {
+  const std::optional<std::string> mine = text_of(draft_);
+  const auto swap = [&](unsigned flags) {
+    return renameat2(AT_FDCWD, draft_.c_str(), AT_FDCWD, place_.c_str(), flags) == 0;
+  };
+  if (!swap(expected ? RENAME_EXCHANGE : RENAME_NOREPLACE)) {
+    if (errno == EEXIST || errno == ENOENT) return ECANCELED;
+    // A file system that cannot exchange: looked at once more.
+    return text_of(path_) == expected ? put() : ECANCELED;
+  }
+  if (!expected) draft_.clear();
+  if (!expected || text_of(draft_) == expected) return 0;  // what was there goes with the draft
+  // Somebody has saved before the exchange: theirs goes back. Whoever has saved since then comes
+  // back, too: theirs is the last.
+  if (!swap(RENAME_EXCHANGE)) return errno;
+  if (text_of(draft_) != mine && !swap(RENAME_EXCHANGE)) return errno;
+  return ECANCELED;
+}
+
 int Draft::write_into() {
   if (is_made_ || (bytes_.empty() && !is_replaced_by_output(path_))) return 0;
   TextFile file;
@@ -182,21 +228,22 @@ bool is_replaced_by_output(const std::string& path) {
   return stat(path.c_str(), &found) != 0 || !(S_ISFIFO(found.st_mode) || S_ISCHR(found.st_mode));
 }
 
-FileLock::FileLock(const std::string& path) : error_(take(path)) {}
+FileLock::FileLock(const std::string& path, bool makes) : error_(take(path, makes)) {}
 
 FileLock::~FileLock() {
   if (file_ >= 0) close(file_);
 }
 
 /// The file that had the name may have been replaced while somebody else had its lock.
-int FileLock::take(const std::string& path) {
+int FileLock::take(const std::string& path, bool makes) {
   using namespace std::chrono_literals;
   constexpr mode_t kForAll = 0666;
   constexpr int kTries = 1'000;
   for (int i = 0; i < kTries; ++i) {
     if (!is_replaced_by_output(path)) return 0;
     if (file_ < 0)
-      file_ = open(path.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, kForAll);
+      file_ = open(path.c_str(),
+                   O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | (makes ? O_CREAT : 0), kForAll);
     if (file_ < 0) return errno;
     const bool is_mine = flock(file_, LOCK_EX | LOCK_NB) == 0;
     if (!is_mine && errno != EWOULDBLOCK) return 0;  // some file systems have no locks

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -33,10 +34,15 @@ class Draft {
   const std::string& name() const { return draft_.empty() ? path_ : draft_; }
   /// From now on the file is what was written.
   [[nodiscard]] int put();
+  /// The same only where the file has the text `expected` (nothing: where no file is). ECANCELED:
+  /// it has another one, which stays. The two are exchanged, and back again if another program was
+  /// faster, so that no save is lost.
+  [[nodiscard]] int put_over(const std::optional<std::string>& expected);
 
  private:
   int begin(std::string_view ending, int& file);
   int make_beside(const struct stat* replaced, std::string_view ending, int& file);
+  int exchange(const std::optional<std::string>& expected);
   int write_into();
 
   std::string path_;
@@ -66,8 +72,8 @@ std::string problem_of_writing(int error);
 /// For programs that read a file, change it and put a Draft in its place: one at a time.
 class FileLock {
  public:
-  /// Waits for at most ten seconds. Makes an empty file if there is none.
-  explicit FileLock(const std::string& path);
+  /// Waits for at most ten seconds. `makes`: an empty file if there is none.
+  explicit FileLock(const std::string& path, bool makes = true);
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
@@ -75,7 +81,7 @@ class FileLock {
   int error() const { return error_; }
 
  private:
-  int take(const std::string& path);
+  int take(const std::string& path, bool makes);
 
   int file_ = -1;
   int error_ = 0;

@@ -59,20 +59,22 @@ bool read_names(const Json& object, ClientMessage& to) {
   return true;
 }
 
-bool read_number(const Json& value, std::vector<double>& to) {
-  if (value.kind == Json::Kind::number) return to.push_back(value.number), true;
-  if (value.kind == Json::Kind::boolean) return to.push_back(value.boolean ? 1.0 : 0.0), true;
-  return false;
+bool read_number(const Json& value, ClientMessage::Parameter& to) {
+  const bool is_flag = value.kind == Json::Kind::boolean;
+  if (!is_flag && value.kind != Json::Kind::number) return false;
+  to.has_flags = to.has_flags || is_flag;
+  to.numbers.push_back(is_flag ? (value.boolean ? 1.0 : 0.0) : value.number);
+  return true;
 }
 
 void read_value(const Json* value, ClientMessage::Parameter& to) {
   if (value == nullptr || value->kind == Json::Kind::null) return;
   if (value->kind != Json::Kind::array) {
-    to.is_wrong = !read_number(*value, to.numbers);
+    to.is_wrong = !read_number(*value, to);
     return;
   }
   to.is_wrong = value->items.empty();
-  for (const Json& each : value->items) to.is_wrong = to.is_wrong || !read_number(each, to.numbers);
+  for (const Json& each : value->items) to.is_wrong = to.is_wrong || !read_number(each, to);
 }
 
 bool read_parameters(const Json& object, ClientMessage& to) {

@@ -26,6 +26,7 @@ struct ClientMessage {
   };
   struct Parameter {
     std::string name;
+    bool has_flags = false;       // `true` or `false` among them, as 1 and 0
     bool is_wrong = false;        // neither a number, a flag, an array of them, nor nothing
     std::vector<double> numbers;  // none: it is no longer set
   };

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <deque>
 #include <map>
+#include <optional>
 #include <runtime/host/web_socket/library.hpp>
 #include <runtime/host/web_socket/web_socket.hpp>
 #include <utility>
@@ -70,11 +71,9 @@ class LwsServer final : public WebSocketServer {
   void accept_all();
   void look_at_clocks();
   void end(::lws* wsi, Connection& connection);
-  std::string header(::lws* wsi, lws_token_indexes which) const;
+  std::optional<std::string> header(::lws* wsi, lws_token_indexes which) const;
   std::string key_of(::lws* wsi) const;
-  Handshake handshake_of(::lws* wsi) const {
-    return {key_of(wsi), header(wsi, WSI_TOKEN_ORIGIN), header(wsi, WSI_TOKEN_HOST)};
-  }
+  std::optional<Handshake> handshake_of(::lws* wsi) const;
 
   WebSocketOwner& owner_;
   int listening_;
@@ -193,8 +192,10 @@ int LwsServer::admit(::lws* wsi) {
   const auto found = connections_.find(wsi);
   if (found == connections_.end()) return -1;
   Connection& connection = found->second;
-  connection.handshake = handshake_of(wsi);
-  connection.is_admitted = header(wsi, WSI_TOKEN_PROTOCOL).find(protocol_) != std::string::npos &&
+  const std::optional<Handshake> handshake = handshake_of(wsi);
+  const std::string protocols = header(wsi, WSI_TOKEN_PROTOCOL).value_or("");
+  connection.handshake = handshake.value_or(Handshake());
+  connection.is_admitted = handshake && protocols.find(protocol_) != std::string::npos &&
                            owner_.admit(connection.handshake);
   if (connection.is_admitted) return 0;
   ++refused_;
@@ -246,7 +247,8 @@ int LwsServer::show(::lws* wsi, Connection& to, std::string_view path) {
   if (to.is_shown) return -1;
   static const Page refused{"refused: the address is not the one that was printed\n",
                             "text/plain; charset=utf-8"};
-  const Page* page = owner_.page(path, handshake_of(wsi));
+  const std::optional<Handshake> handshake = handshake_of(wsi);
+  const Page* page = handshake ? owner_.page(path, *handshake) : nullptr;
   if (page == nullptr) ++refused_;
   const unsigned status = page != nullptr ? kFound : kRefused;
   if (page == nullptr) page = &refused;
@@ -327,11 +329,19 @@ bool LwsServer::is_empty() const {
                      [](const auto& each) { return each.second.queue.empty(); });
 }
 
-/// Empty, too, if there is more of it than is good.
-std::string LwsServer::header(::lws* wsi, lws_token_indexes which) const {
+/// Empty without one; nothing if there is more of it than is good.
+std::optional<std::string> LwsServer::header(::lws* wsi, lws_token_indexes which) const {
   std::array<char, 1024> text{};
   const int size = lws.hdr_copy(wsi, text.data(), static_cast<int>(text.size()), which);
-  return size > 0 ? std::string(text.data(), static_cast<std::size_t>(size)) : std::string();
+  if (size < 0) return std::nullopt;
+  return std::string(text.data(), static_cast<std::size_t>(size));
+}
+
+/// Nothing if a header does not fit: a long origin is not the same as none.
+std::optional<Handshake> LwsServer::handshake_of(::lws* wsi) const {
+  const auto origin = header(wsi, WSI_TOKEN_ORIGIN), host = header(wsi, WSI_TOKEN_HOST);
+  if (!origin || !host) return std::nullopt;
+  return Handshake{key_of(wsi), *origin, *host};
 }
 
 std::string LwsServer::key_of(::lws* wsi) const {
@@ -345,7 +355,7 @@ std::string LwsServer::key_of(::lws* wsi) const {
     const std::string_view argument(text.data(), static_cast<std::size_t>(size));
     if (argument.starts_with(kName)) return std::string(argument.substr(kName.size()));
   }
-  const std::string authorization = header(wsi, WSI_TOKEN_HTTP_AUTHORIZATION);
+  const std::string authorization = header(wsi, WSI_TOKEN_HTTP_AUTHORIZATION).value_or("");
   return authorization.starts_with(kBearer) ? authorization.substr(kBearer.size()) : std::string();
 }
 

@@ -26,6 +26,7 @@ std::string describe(const Description& description) {
   json.key("rate_hz").number(description.rate_hz);
   const std::string contract = json.str() + description.observations + description.actions;
   json.key("hash").text(host::hex_text(host::fnv1a(contract)));
+  json.key("program").text(host::hex_text(description.program));
   json.key("isa").text(description.isa);
   json.key("lanes").whole(description.lanes);
   if (description.why_no_lanes != nullptr) json.key("why_no_lanes").text(description.why_no_lanes);

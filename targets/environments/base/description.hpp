@@ -31,6 +31,7 @@ struct Description {
   const char* isa;
   std::uint32_t lanes;
   const char* why_no_lanes;  // null if there are some
+  std::uint64_t program;     // Graph::kGraphHash, which also changes with engine and policy
   std::string observations, actions, states, tunable, task, render;
 };
 

@@ -87,6 +87,7 @@ Description read_description(std::string_view text) {
     Description result;
     result.graph = all.at("graph");
     result.hash = all.at("hash");
+    result.program = all.value("program", "");
     result.rate_hz = all.at("rate_hz");
     result.has_threads = all.value("threads", true);
     result.observations = spaces(all.at("observations"));

@@ -29,7 +29,8 @@ struct Stage {
 
 struct Description {
   std::string graph;
-  std::string hash;
+  std::string hash;     // of observations and actions
+  std::string program;  // of all that the library was generated from; empty: an old library
   double rate_hz = 0.0;
   bool has_threads = true;  // whether several environments may be stepped at once
   std::vector<Space> observations, actions, states;  // in the order of the columns

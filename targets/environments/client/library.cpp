@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <numeric>
+#include <runtime/host/base/handover.hpp>
 
 #include "targets/environments/client/problem.hpp"
 
@@ -91,6 +92,10 @@ Library::Library(const std::string& path) : path_(path) {
   functions_.step = find<decltype(&eagerx_step)>("eagerx_step");
   functions_.stepping = find<decltype(&eagerx_stepping)>("eagerx_stepping");
   description_ = read_description(functions_.describe());
+  host::release_output_locks();
+  if (const std::string other = host::problem_of_graph(description_.program); !other.empty())
+    throw Problem(kInputOutput, "`" + path + "`: " + other,
+                  "something has changed the folder while it was built: run the command again");
   if (!description_.stages.empty())
     functions_.set_stage = find<decltype(&eagerx_set_stage)>("eagerx_set_stage");
   if (description_.critic_numbers() > 0)

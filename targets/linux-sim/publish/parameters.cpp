@@ -112,7 +112,9 @@ std::string Parameters::set(ClientId client, const ClientMessage::Parameter& wan
     const std::string near = host::did_you_mean(wanted.name, names);
     return "there is no parameter `" + wanted.name + "`" + (near.empty() ? "" : "; " + near);
   }
-  if (wanted.is_wrong) return "`" + wanted.name + "` takes numbers";
+  const bool takes_flags = found->field->type.scalar == Scalar::boolean;
+  if (wanted.is_wrong || (wanted.has_flags && !takes_flags))
+    return "`" + wanted.name + "` takes numbers";
   if (!wanted.numbers.empty()) {
     std::string problem = problem_with(*found, wanted.numbers);
     if (!problem.empty()) return problem;

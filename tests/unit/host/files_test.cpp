@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -204,6 +205,52 @@ TEST_F(OutputFiles, AnOpenDescriptorIsWritten) {
   EXPECT_EQ(pread(file, bytes.data(), bytes.size(), 0), 4);
   EXPECT_EQ(files(), 0);
   close(file);
+}
+
+TEST_F(OutputFiles, IsPutOverTheExpectedTextOnly) {
+  const auto put_over = [&](const std::optional<std::string>& expected, const char* after) {
+    Draft draft(path("graph"));
+    EXPECT_EQ(draft.write(after), 0);
+    return draft.put_over(expected);
+  };
+  EXPECT_EQ(put_over("x", "y"), ECANCELED);
+  EXPECT_EQ(put_over(std::nullopt, "one"), 0);
+  EXPECT_EQ(put_over(std::nullopt, "two"), ECANCELED);
+  EXPECT_EQ(put_over("zero", "two"), ECANCELED);
+  EXPECT_EQ(put_over("one and more", "two"), ECANCELED);
+  EXPECT_EQ(put_over("on", "two"), ECANCELED);
+  EXPECT_EQ(text("graph"), "one");
+  EXPECT_EQ(put_over("one", "two"), 0);
+  EXPECT_EQ(text("graph"), "two");
+  ASSERT_EQ(symlink("graph", path("link").c_str()), 0);
+  {
+    Draft draft(path("link"));
+    EXPECT_EQ(draft.write("three"), 0);
+    EXPECT_EQ(draft.put_over("two"), 0);
+  }
+  EXPECT_TRUE(S_ISLNK(status("link").st_mode));
+  EXPECT_EQ(text("graph"), "three");
+  EXPECT_EQ(files(), 2);
+}
+
+// Each of them counts in one file by compare and exchange.
+TEST_F(OutputFiles, NoneOfManyIsLost) {
+  constexpr int kThreads = 4, kEach = 50;
+  make("count", "");
+  const auto count = [&] {
+    for (int i = 0; i < kEach;) {
+      const std::string before = text("count");
+      Draft draft(path("count"));
+      EXPECT_EQ(draft.write(before + "x", Durability::cached), 0);
+      const int error = draft.put_over(before);
+      EXPECT_TRUE(error == 0 || error == ECANCELED) << error;
+      i += error == 0 ? 1 : 0;
+    }
+  };
+  std::array<std::thread, kThreads> threads;
+  for (std::thread& thread : threads) thread = std::thread(count);
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(text("count").size(), std::size_t{kThreads * kEach});
 }
 
 TEST_F(OutputFiles, AnotherProgramWritesTheDraft) {

@@ -84,7 +84,9 @@ TEST(ClientMessage, ParametersAreNumbersFlagsOrNothing) {
   const auto& p = message.parameters;
   ASSERT_EQ(p.size(), 7U);
   EXPECT_EQ(p[0].numbers, std::vector{1.5});
+  EXPECT_FALSE(p[0].has_flags);
   EXPECT_EQ(p[1].numbers, (std::vector{1.0, 1.0}));
+  EXPECT_TRUE(p[1].has_flags);
   EXPECT_TRUE(p[2].numbers.empty() && !p[2].is_wrong);
   EXPECT_TRUE(p[3].numbers.empty() && !p[3].is_wrong);
   EXPECT_TRUE(p[4].is_wrong && p[5].is_wrong && p[6].is_wrong);

@@ -1,5 +1,6 @@
 // The page that edits: its session, its answers and its files, without a server.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -98,7 +99,12 @@ TEST_F(Serve, SaysWhatCannotBeReadOrWritten) {
   GraphFile nowhere((folder_ / "no/graph.yaml").string());
   EXPECT_EQ(nowhere.write(std::nullopt, "x"), GraphFile::Written::failed);
   EXPECT_EQ(nowhere.problem(), "No such file or directory");
-  EXPECT_EQ(write_whole((folder_ / "no/x").string(), "x"), "No such file or directory");
+  save("one");
+  ASSERT_EQ(chmod(graph().c_str(), 0444), 0);
+  GraphFile kept(graph());
+  EXPECT_EQ(kept.write("one", "two"), GraphFile::Written::failed);
+  EXPECT_EQ(kept.problem(), "Permission denied");
+  EXPECT_EQ(text_of_file(graph()), "one");
 }
 
 TEST_F(Serve, UndoesAndDoesAgain) {

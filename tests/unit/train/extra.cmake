@@ -1,5 +1,5 @@
 # The trainer, and libraries of environments for it that are written by hand.
-target_link_libraries(test_train PRIVATE eagerx_train)
+target_link_libraries(test_train PRIVATE eagerx_train eagerx_gen_policy)
 foreach(library pendulum choices several hidden critic stages staged_critic)
   add_library(test_train_${library} MODULE ${PROJECT_SOURCE_DIR}/tests/unit/train/pendulum_library.cpp)
   target_link_libraries(test_train_${library} PRIVATE eagerx_warnings eagerx::runtime)

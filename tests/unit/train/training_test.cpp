@@ -1,14 +1,18 @@
 #include "targets/environments/train/training.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <limits>
+#include <runtime/host/base/handover.hpp>
 #include <sstream>
 #include <utility>
 
@@ -273,6 +277,18 @@ TEST_F(TrainTraining, AFileIsThereAsAWholeOrNotAtAll) {
   EXPECT_NE(said.find("cannot write"), std::string::npos);
   EXPECT_EQ(read_file(path("file")), "before");
   EXPECT_EQ(std::distance(fs::directory_iterator(path("")), fs::directory_iterator()), 1);
+}
+
+TEST(TrainLibrary, OfAnotherGraphIsRefusedOnce) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  setenv(host::kOutputLocks, (std::to_string(ends[0]) + "," + std::to_string(ends[1])).c_str(), 1);
+  setenv(host::kExpectedGraph, "0x0000000000000001", 1);
+  EXPECT_NE(said_by([] { Library(EAGERX_TEST_PENDULUM); }).find("built from another graph"),
+            std::string::npos);
+  EXPECT_EQ(fcntl(ends[0], F_GETFD), -1) << "others may build now";
+  EXPECT_EQ(fcntl(ends[1], F_GETFD), -1);
+  EXPECT_EQ(said_by([] { Library(EAGERX_TEST_PENDULUM); }), "nothing");
 }
 
 TEST(TrainLibrary, AnythingElseIsRefused) {

@@ -1,0 +1,41 @@
+// What the files of a build were when they were compiled.
+#pragma once
+
+#include <cstdint>
+#include <ctime>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace eagerx::gen {
+
+/// CMake's build tools compare times: a file that is replaced by one with an older time, as cp -p,
+/// rsync and tar do, is not compiled again. This compares contents.
+class Digests {
+ public:
+  /// Of a build folder, as they were kept there.
+  explicit Digests(std::string build);
+
+  /// Whether one of the files has other contents and a time that no build tool notices: not behind
+  /// `last_build`.
+  [[nodiscard]] bool have_unseen_change(const timespec& last_build) const;
+  /// Those of all files that were compiled by now, as a text to keep. `listed`: what
+  /// `ninja -t deps` prints.
+  [[nodiscard]] std::string now(const std::string& listed) const;
+
+ private:
+  struct File {
+    std::int64_t inode = 0, size = 0, changed_ns = 0;
+    std::uint64_t digest = 0;
+  };
+  [[nodiscard]] std::string place_of(const std::string& path) const;
+  [[nodiscard]] bool look(const std::string& path, File& file, timespec& modified) const;
+
+  std::string build_;
+  std::map<std::string, File> files_;
+};
+
+/// The file in the build folder that has them.
+inline constexpr const char* kDigests = "eagerx-gen.digests";
+
+}  // namespace eagerx::gen
