@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "generator/backend/emit/scanner.hpp"
@@ -35,6 +36,28 @@ bool opens_function(std::string_view line, std::size_t indent) {
   return depth == 1;
 }
 
+/// Headers of which templates do not know whether they are needed, and names of what is in them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kNamesOf = {
+    {{"<array>", "std::array"},
+     {"<limits>", "std::numeric_limits"},
+     {"<optional>", "std::optional"},
+     {"<optional>", "std::nullopt"},
+     {"<eagerx/delay.hpp>", "DelayQuanta"},
+     {"<eagerx/cursor.hpp>", "DelayCursor"},
+     {"<eagerx/cursor.hpp>", "SkipCursor"},
+     {"<eagerx/cursor.hpp>", "NewMessages"},
+     {"<eagerx/cursor.hpp>", "eagerx::Received"}}};
+
+bool is_needed(std::string_view include, std::string_view text) {
+  bool known = false;
+  for (const auto& [header, name] : kNamesOf) {
+    if (include.find(header) == kNone) continue;
+    known = true;
+    if (text.find(name) != kNone) return true;
+  }
+  return !known;
+}
+
 }  // namespace
 
 std::size_t sort_includes(std::string_view text, std::size_t begin, std::string& result) {
@@ -48,8 +71,9 @@ std::size_t sort_includes(std::string_view text, std::size_t begin, std::string&
     if (line.ends_with(".h>\n") || line.ends_with(".h\"\n")) return begin;
     at = next;
     if (!is_include) continue;
-    (line.find('<') != kNone ? angled : quoted).push_back(line);
     end = next;
+    if (!is_needed(line, text)) continue;
+    (line.find('<') != kNone ? angled : quoted).push_back(line);
   }
   for (auto* lines : {&angled, &quoted}) {
     std::ranges::sort(*lines);

@@ -7,8 +7,9 @@
 
 namespace eagerx::gen {
 
-/// Appends lines of includes and blanks from `begin` on, sorted; where they end. Those of C stay as
-/// they are, and nothing is appended: some systems want an order.
+/// Appends lines of includes and blanks from `begin` on, sorted and without those that nothing in
+/// `text` needs; where they end. Those of C stay as they are, and nothing is appended: some systems
+/// want an order.
 std::size_t sort_includes(std::string_view text, std::size_t begin, std::string& result);
 
 /// Comments behind code of lines that follow each other begin in one column.

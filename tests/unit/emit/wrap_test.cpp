@@ -56,6 +56,12 @@ TEST(Wrapped, IncludesAreSortedUnlessOneIsOfC) {
   EXPECT_EQ(wrapped(text), text);
 }
 
+TEST(Wrapped, IncludesThatNothingNeedsAreLeftOut) {
+  EXPECT_EQ(
+      wrapped("#include <array>\n#include <limits>\n#include <span>\n\nstd::array<int, 2> a;\n"),
+      "#include <array>\n#include <span>\n\nstd::array<int, 2> a;\n");
+}
+
 TEST(Wrapped, ShortFunctionsOfClassesAreOneLine) {
   EXPECT_EQ(wrapped("class A {\n  int b() const {\n    return 1;\n  }\n  void c() {\n  }\n};\n"),
             "class A {\n  int b() const { return 1; }\n  void c() {}\n};\n");

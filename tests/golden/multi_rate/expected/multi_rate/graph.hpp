@@ -9,7 +9,6 @@
 #include <eagerx/float_environment.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/space.hpp>
-#include <limits>
 
 #include "multi_rate/limits.hpp"
 #include "multi_rate/program.hpp"

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
-#include <limits>
 
 #include "multi_rate/messages.hpp"
 

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <eagerx/cursor.hpp>
-#include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
 #include <eagerx/memory_fault.hpp>
@@ -56,7 +55,6 @@ class Program {
   /// actuators declare it.
   void take_over() {
     warm_up();
-    [[maybe_unused]] const States states{};
     fast_.reset({});
     right_u_applied_.reset({}, right_simulator_);
     left_x_.reset({}, left_simulator_);
@@ -126,10 +124,10 @@ class Program {
     left_u_applied_.reset({}, left_simulator_);
     slow_.reset({});
     left_u_.reset({}, left_simulator_);
-    observation_speeds_cursor_.reset(2);
+    observation_speeds_cursor_.reset(2);  // 0.05 s
     observation_recent_new_.reset();
-    observation_other_cursor_.reset(2);
-    slow_signal_cursor_.reset(3);
+    observation_other_cursor_.reset(2);  // 1/15 s
+    slow_signal_cursor_.reset(3);        // 0.12 s
     right_u_applied_action_applied_cursor_.reset(0);
     before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();

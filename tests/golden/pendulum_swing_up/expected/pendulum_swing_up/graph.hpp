@@ -9,7 +9,6 @@
 #include <eagerx/float_environment.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/space.hpp>
-#include <limits>
 
 #include "pendulum_swing_up/limits.hpp"
 #include "pendulum_swing_up/policy.hpp"

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <models/engine_nodes/action_applied/action_applied.hpp>
 #include <models/engine_nodes/float_output/float_output.hpp>
 #include <models/engine_nodes/ode_input/ode_input.hpp>
@@ -17,7 +16,6 @@
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
 #include <models/objects/pendulum/pendulum_ode.hpp>
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
-#include <optional>
 
 #include "pendulum_swing_up/messages.hpp"
 

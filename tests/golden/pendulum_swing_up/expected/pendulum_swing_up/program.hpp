@@ -6,8 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <eagerx/cursor.hpp>
-#include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
 #include <eagerx/render.hpp>
@@ -55,7 +53,6 @@ class Program {
   /// actuators declare it.
   void take_over() {
     warm_up();
-    [[maybe_unused]] const States states{};
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
     pendulum_theta_.reset({}, pendulum_simulator_);

@@ -4,11 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
 #include <models/processors/negate/negate.hpp>
-#include <optional>
 
 #include "multi_rate/messages.hpp"
 

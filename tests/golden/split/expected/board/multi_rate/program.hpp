@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <eagerx/cursor.hpp>
-#include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
 #include <eagerx/link/star.hpp>
@@ -43,9 +42,9 @@ class Program {
     guard.reset();
     slot_ = 0;
     fast_.reset({});
-    observation_speeds_cursor_.reset(2);
+    observation_speeds_cursor_.reset(2);  // 0.05 s
     observation_recent_new_.reset();
-    observation_other_cursor_.reset(2);
+    observation_other_cursor_.reset(2);  // 1/15 s
     before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }

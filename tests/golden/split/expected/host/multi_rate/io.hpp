@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <models/engine_nodes/action_applied/action_applied.hpp>
 #include <models/engine_nodes/float_output/float_output.hpp>
 #include <models/engine_nodes/ode_input/ode_input.hpp>
@@ -18,7 +17,6 @@
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
 #include <models/processors/identity/identity.hpp>
 #include <models/processors/negate/negate.hpp>
-#include <optional>
 
 #include "multi_rate/messages.hpp"
 
