@@ -74,7 +74,7 @@ void print_contract(const Network& network) {
     say("                 mean {}, var {}\n", list_of(statistics->mean),
         list_of(statistics->variance));
   } else {
-    say("  normalised     no (give statistics with --normalize)\n");
+    say("  normalised     by nothing but its own layers (give statistics with --normalize)\n");
   }
   const ActionKind kind = network.action_kind();
   const std::string bounds =

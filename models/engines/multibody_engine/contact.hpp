@@ -110,6 +110,10 @@ template <class Real>
 template <class Lane>
 inline constexpr Lane kContactSpeed = Lane(1);
 
+/// Slower points do not bounce [m/s]: those at rest fall by gravity·dt in each step.
+template <class Lane>
+inline constexpr Lane kBounceSpeed = Lane(0.1);
+
 /// After `row`, `weighted` and `free`: what the sweeps need. The target is speculative: a point
 /// above the plane may come as far as the plane, so nothing is switched on and off.
 template <class Real, std::size_t n, bool kFloating>
@@ -140,12 +144,16 @@ template <class Real, std::size_t n, bool kFloating>
   point.cross_y = product(1, 2);
 }
 
-/// All impulses so far, as they act on the eliminated equations.
+/// A point that arrives at the plane in this step leaves it with a share of its normal speed.
 template <class Real, std::size_t n>
-struct Pushed {
-  Real links[n == 0 ? 1 : n];
-  Real base[6];
-};
+[[gnu::always_inline]] inline void let_bounce(const ContactSettings<LaneOf<Real>>& settings,
+                                              const Real& bounce, PointRecord<Real, n>& point) {
+  using Lane = LaneOf<Real>;
+  const Real& v = point.motion.velocity.z;
+  const auto arrives =
+      (v < Real(-kBounceSpeed<Lane>)) & (v < point.motion.depth * Real(Lane(1) / settings.dt));
+  point.target = eagerx::select(arrives, eagerx::max(point.target, -(bounce * v)), point.target);
+}
 
 /// Adds an impulse of a point to links and base.
 template <class Real, std::size_t n, bool kFloating>

@@ -132,14 +132,12 @@ class Limb {
     });
   }
 
-  /// How a point of link j moves.
-  template <std::size_t j>
-  [[gnu::always_inline]] PointMotion<Real> point_motion(const Vec<Real>& place, const Real& radius,
-                                                        const Real& height,
+  /// How a point of link j moves that is at offset(axes of the link).
+  template <std::size_t j, class Offset>
+  [[gnu::always_inline]] PointMotion<Real> point_motion(const Offset& offset, const Real& height,
                                                         const Vec<Real>& gravity) const {
     const Moving<Real>& link = link_[j];
-    Vec<Real> d = link.axes * place;
-    d.z -= radius;
+    const Vec<Real> d = offset(link.axes);
     PointMotion<Real> motion;
     motion.at = link.at + d;
     motion.depth = -(height + motion.at.z);

@@ -33,6 +33,15 @@ struct MultibodyChecks {
                 "MultibodyEngine: an object with a free body has no joint on the world");
   static_assert(multibody::count_planes<Model>() <= 1,
                 "MultibodyEngine: an object touches one plane");
+  static constexpr bool touches_itself() {
+    if constexpr (requires { Model::kTouchesItself; }) return Model::kTouchesItself;
+    return false;
+  }
+  static_assert(!touches_itself(), "MultibodyEngine: bodies of an object do not touch each other");
+  static_assert(
+      !requires { Model::template configure<int>; },
+      "MultibodyEngine: masses and places of the model are constants, so it has no "
+      "configure()");
   static constexpr bool is_level() {
     for (const auto& geometry : Model::kGeometries) {
       if (geometry.kind == ShapeKind::plane && geometry.axis[2] != 1.0) return false;

@@ -77,23 +77,72 @@ struct PointTable {
   static constexpr std::size_t kPoints = State<Model>::kPoints;
   static constexpr std::size_t kSize = at_least_one(kPoints);
   struct Entry {
-    Lane x, y, z, radius;
+    Lane place[3], radius, bounce;
+    Lane rim, axis[3], across[3], cosine, sine;
     std::size_t geometry;
   };
   static constexpr auto kEntries = [] {
     std::array<Entry, kSize> entries{};
     for (std::size_t p = 0; p < kPoints; ++p) {
       const Point& point = kTree<Model>.points[p];
-      entries[p] = {static_cast<Lane>(point.position[0]), static_cast<Lane>(point.position[1]),
-                    static_cast<Lane>(point.position[2]), static_cast<Lane>(point.radius),
-                    point.geometry};
+      double bounce = Model::kGeometries[point.geometry].bounce;
+      if (find_plane<Model>() < Model::kGeometries.size())
+        bounce = eagerx::max(bounce, Model::kGeometries[find_plane<Model>()].bounce);
+      Entry& entry = entries[p];
+      for (std::size_t i = 0; i < 3; ++i) {
+        entry.place[i] = static_cast<Lane>(point.position[i]);
+        entry.axis[i] = static_cast<Lane>(point.axis[i]);
+        entry.across[i] = static_cast<Lane>(point.across[i]);
+      }
+      entry.radius = static_cast<Lane>(point.radius);
+      entry.bounce = static_cast<Lane>(bounce);
+      entry.rim = static_cast<Lane>(point.rim);
+      entry.cosine = static_cast<Lane>(eagerx::cos(point.phase));
+      entry.sine = static_cast<Lane>(eagerx::sin(point.phase));
+      entry.geometry = point.geometry;
     }
     return entries;
   }();
-  [[gnu::always_inline]] static Vec<Real> place(std::size_t p) {
-    return {Real(kEntries[p].x), Real(kEntries[p].y), Real(kEntries[p].z)};
+  static constexpr bool kHasRims = [] {
+    for (const Entry& entry : kEntries) {
+      if (entry.rim != Lane(0)) return true;
+    }
+    return false;
+  }();
+  [[gnu::always_inline]] static Vec<Real> vector(const Lane (&v)[3]) {
+    return {Real(v[0]), Real(v[1]), Real(v[2])};
   }
-  [[gnu::always_inline]] static Real radius(std::size_t p) { return Real(kEntries[p].radius); }
+  /// Where it may touch the plane, from the link's joint.
+  [[gnu::always_inline]] static Vec<Real> offset(std::size_t p, const Mat<Real>& axes) {
+    const Entry& entry = kEntries[p];
+    Vec<Real> at = axes * vector(entry.place);
+    at.z -= Real(entry.radius);
+    if constexpr (kHasRims) {
+      if (entry.rim != Lane(0)) at = at + on_rim(entry, axes);  // the same in all lanes
+    }
+    return at;
+  }
+  /// From the centre of a rim: the lowest point, turned by the phase. A rim that lies flat has
+  /// none, so it begins with a direction of the body.
+  [[gnu::always_inline]] static Vec<Real> on_rim(const Entry& entry, const Mat<Real>& axes) {
+    const Real one(Lane(1)), flat(Lane(1e-4));
+    const Vec<Real> axis = axes * vector(entry.axis), across = axes * vector(entry.across);
+    const Real square = one - axis.z * axis.z;
+    const auto lies = square < flat;
+    const Real scale = one / eagerx::sqrt(eagerx::max(square, flat));
+    const Vec<Real> down{axis.x * axis.z * scale, axis.y * axis.z * scale, -(square * scale)};
+    const Vec<Real> first = State<Model>::selected(lies, across, down);
+    return first * Real(entry.rim * entry.cosine) +
+           cross(axis, first) * Real(entry.rim * entry.sine);
+  }
+  static constexpr bool kBounces = [] {
+    for (const Entry& entry : kEntries) {
+      if (entry.bounce > Lane(0)) return true;
+    }
+    return false;
+  }();
+  /// Share of the normal speed that is left: the larger of both geometries'.
+  [[gnu::always_inline]] static Real bounce(std::size_t p) { return Real(kEntries[p].bounce); }
   /// Coefficient of friction: the product of both geometries', as on OpenDynamicsEngine.
   [[gnu::always_inline]] static Real friction(const State<Model>& state, std::size_t p) {
     constexpr std::size_t kPlane = find_plane<Model>();

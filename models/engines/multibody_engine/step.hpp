@@ -140,8 +140,10 @@ class Step {
         for (std::size_t p = first; p < end; ++p) {
           const std::size_t index = GroupOf<Model, g>::point(k, p);
           auto& point = record.points[p];
-          point.motion = limb.template point_motion<j>(Points::place(index), Points::radius(index),
-                                                       height_, state_.gravity);
+          const auto offset = [index](const auto& axes) __attribute__((always_inline)) {
+            return Points::offset(index, axes);
+          };
+          point.motion = limb.template point_motion<j>(offset, height_, state_.gravity);
           if constexpr (kSolved) {
             limb.template set_rows<j>(point, settings_.dt, record);
           } else {
@@ -190,8 +192,7 @@ class Step {
     for (std::size_t p = 0; p < kBasePoints; ++p) {
       const std::size_t index = kLimbPoints + p;
       auto& point = base_points_[p];
-      Vec<Real> d = base_.axes * Points::place(index);
-      d.z -= Points::radius(index);
+      const Vec<Real> d = Points::offset(index, base_.axes);
       point.motion = {.at = d,
                       .velocity = base_.velocity + cross(base_.spin, d),
                       .bias = cross(base_.spin, cross(base_.spin, d)),
@@ -247,6 +248,8 @@ class Step {
                     __attribute__((always_inline)) {
                       if constexpr (kFloating) finish_base_rows(point);
                       finish_rows<Real, n, kFloating>(settings_, point);
+                      if constexpr (Points::kBounces)
+                        let_bounce(settings_, Points::bounce(index), point);
                       Vec<Real>& impulse = state_.force[index];
                       impulse = impulse * dt;
                       push<Real, n, kFloating>(point, impulse, links, base_pushed_);

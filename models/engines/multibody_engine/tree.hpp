@@ -56,6 +56,9 @@ struct Point {
   std::size_t link = kNone;
   Vector3 position{};  // from the link's joint or the base's reference point
   double radius = 0.0;
+  // A rim of a cylinder around `position`: the point is `phase` [rad] from its lowest one.
+  double rim = 0.0, phase = 0.0;
+  Vector3 axis{{0.0, 0.0, 1.0}}, across{{1.0, 0.0, 0.0}};
   bool solved = false;  // by the solver; else compliant
 };
 
@@ -109,7 +112,8 @@ constexpr bool hangs_on_world() {
 constexpr std::size_t points_of(ShapeKind kind) {
   if (kind == ShapeKind::sphere) return 1;
   if (kind == ShapeKind::capsule) return 2;
-  return kind == ShapeKind::box || kind == ShapeKind::cylinder ? 8 : 0;
+  if (kind == ShapeKind::cylinder) return 6;
+  return kind == ShapeKind::box ? 8 : 0;
 }
 /// The plane that everything of an object touches; as many as there are geometries if none.
 template <class Model>
@@ -133,19 +137,27 @@ constexpr std::size_t count_points() {
   return count_planes<Model>() == 0 ? 0 : count;
 }
 
-/// Point `i` of a geometry, from the geometry's centre and in its axes. A cylinder has four on each
-/// rim.
-constexpr Vector3 point_of(const RigidGeometry& geometry, std::size_t i) {
+/// Point `i` of a geometry, from the geometry's centre and in its axes. A cylinder has three on
+/// each rim: the lowest, which goes around when it rolls, and two on which it stands.
+constexpr Point point_of(const RigidGeometry& geometry, std::size_t i) {
   const Vector3& s = geometry.size;
   const auto side = [&](std::size_t bit) { return (i >> bit & 1U) != 0 ? 0.5 : -0.5; };
-  if (geometry.kind == ShapeKind::capsule) return {{0.0, 0.0, side(0) * s[1]}};
-  if (geometry.kind == ShapeKind::box) return {{side(0) * s[0], side(1) * s[1], side(2) * s[2]}};
-  if (geometry.kind == ShapeKind::cylinder) {
-    const double along = 2.0 * side(0) * s[0];
-    const bool x = (i >> 1 & 1U) != 0;
-    return {{x ? along : 0.0, x ? 0.0 : along, side(2) * s[1]}};
+  constexpr double kThird = 2.0943951023931953;  // of a turn
+  Point point;
+  if (geometry.kind == ShapeKind::box) {
+    point.position = {{side(0) * s[0], side(1) * s[1], side(2) * s[2]}};
+  } else if (geometry.kind == ShapeKind::cylinder) {
+    point.position = {{0.0, 0.0, (i < 3 ? -0.5 : 0.5) * s[1]}};
+    point.rim = s[0];
+    point.phase = static_cast<double>(i % 3) * kThird;
+  } else {
+    point.radius = s[0];
+    if (geometry.kind == ShapeKind::capsule) point.position[2] = side(0) * s[1];
   }
-  return {};
+  point.axis = rotate(geometry.rotation, point.axis);
+  point.across = rotate(geometry.rotation, point.across);
+  point.position = geometry.position + rotate(geometry.rotation, point.position);
+  return point;
 }
 
 /// What tree_of() makes.
@@ -253,13 +265,10 @@ constexpr void add_points_of(Tree& tree, std::size_t link, std::size_t& next) {
       if (tree.link_of_body[body] != link) continue;
       for (std::size_t i = 0; i < points_of(geometry.kind); ++i) {
         Point& point = tree.points[next++];
+        point = point_of(geometry, i);
         point.geometry = g;
         point.link = link;
-        point.position = tree.place_of_body[body] + geometry.position +
-                         rotate(geometry.rotation, point_of(geometry, i));
-        const bool round =
-            geometry.kind == ShapeKind::sphere || geometry.kind == ShapeKind::capsule;
-        point.radius = round ? geometry.size[0] : 0.0;
+        point.position = tree.place_of_body[body] + point.position;
         point.solved = is_last(tree, link);
       }
     }

@@ -128,7 +128,8 @@ bool Identification::find(double tick_s, double longest_delay_s, std::string& pr
   return true;
 }
 
-/// Goes down from several delays, for there is more than one minimum. The best one stays.
+/// Goes down from several delays, for there is more than one minimum. The best one stays, but noise
+/// alone is no reason for a longer delay.
 bool Identification::find_delay(std::size_t actuator, double most, LeastSquares& solver,
                                 Trial& trial) const {
   constexpr int kStarts = 4;
@@ -138,7 +139,8 @@ bool Identification::find_delay(std::size_t actuator, double most, LeastSquares&
     Trial tried = first;
     tried.parameters[chosen_.size() + actuator] = most * i / (kStarts + 1);
     if (!solver.fit(tried)) return false;
-    if (solver.deviance() >= least) continue;
+    constexpr double kNoise = 9.0;  // three standard deviations
+    if (solver.deviance() >= least - kNoise) continue;
     least = solver.deviance();
     trial = tried;
   }

@@ -157,6 +157,33 @@ bool LeastSquares::differentiate(const Trial& trial, bool with_parameters) {
   return true;
 }
 
+/// What is left over changes in jumps with a delay if sensors read the input. A step that crosses
+/// one says too much of the delay, so the gentler side counts.
+void LeastSquares::take_gentler_sides(const Trial& trial, const std::vector<double>& residuals) {
+  const std::size_t n = unknown_states();
+  for (std::size_t p = 0; p < ranges_.size(); ++p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double side : {-1.0, 1.0}) {
+      Trial moved = trial;
+      moved.parameters[p] = std::clamp(trial.parameters[p] + side * kParameterStep * half(p),
+                                       ranges_[p].low, ranges_[p].high);
+      const double width = (moved.parameters[p] - trial.parameters[p]) / half(p);
+      if (std::abs(width) < kParameterStep / 2) continue;  // at the end of the range
+      std::vector<double> slopes = run_(moved);
+      double sum = 0.0;
+      for (std::size_t i = 0; i < slopes.size(); ++i) {
+        const std::uint32_t group = experiment_.samples()[i].group;
+        slopes[i] = (slopes[i] - residuals[i]) / width;
+        if (!std::isfinite(slopes[i])) slopes[i] = 0.0;
+        if (counts_[group]) sum += slopes[i] * slopes[i] / (deviation_[group] * deviation_[group]);
+      }
+      if (sum >= least) continue;
+      least = sum;
+      columns_[n + p] = std::move(slopes);
+    }
+  }
+}
+
 void LeastSquares::assemble(Equations& equations, const std::vector<double>& residuals,
                             std::uint32_t window, std::size_t parameters) const {
   const std::size_t n = unknown_states();
@@ -343,6 +370,7 @@ std::vector<double> LeastSquares::deviations(const Trial& trial) {
   for (std::size_t p = 0; p < parameters; ++p) result[p] = half(p);
   const std::vector<double> residuals = run_(trial);
   if (!differentiate(trial, true)) return result;
+  take_gentler_sides(trial, residuals);
   Equations equations{Matrix(parameters, parameters), std::vector<double>(parameters, 0.0), {}};
   assemble(equations, residuals, kAll, parameters);
   Matrix reduced = equations.parameters;

@@ -63,6 +63,7 @@ class LeastSquares {
   void move_state(Trial& trial, const Equations::Segment& segment, std::size_t index,
                   double damping) const;
   bool differentiate(const Trial& trial, bool with_parameters);
+  void take_gentler_sides(const Trial& trial, const std::vector<double>& residuals);
   void assemble(Equations& equations, const std::vector<double>& residuals, std::uint32_t window,
                 std::size_t parameters) const;
   double cost(const Trial& trial, const std::vector<double>& residuals) const;

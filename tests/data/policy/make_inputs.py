@@ -66,6 +66,16 @@ class Norms(nn.Module):
         return self.out(torch.nn.functional.elu(self.fc2(torch.relu(self.fc1(self.bn1(x))))))
 
 
+def rsl_rl():
+    """From 4 on: the actor's modules are obs_normalizer, distribution and mlp."""
+    normalizer, mlp = make.EmpiricalNormalization(3), make.mlp([3, 7, 2], nn.ELU)
+    actor = {**{f"obs_normalizer.{key}": value for key, value in normalizer.state_dict().items()},
+             "distribution.std_param": torch.ones(2), **{f"mlp.{key}": value for key, value in mlp.state_dict().items()}}
+    critic = {f"mlp.{key}": value for key, value in make.mlp([3, 5, 1], nn.ELU).state_dict().items()}
+    torch.save({"actor_state_dict": actor, "critic_state_dict": critic, "iter": 5, "infos": None}, libraries.OUT / "rsl_rl_4.pt")
+    golden(nn.Sequential(normalizer, mlp), (3,), libraries.OUT / "rsl_rl_4")
+
+
 def golden(module, sizes, path, rows=24):
     exact = copy.deepcopy(module).double()
     columns = {"obs": [], "network_out": [], "network_out_f64": []}
@@ -91,6 +101,7 @@ def main():
     make.save(torch.jit.freeze(torch.jit.trace(module, torch.zeros(1, 4))), "frozen_traced")
     make.save(torch.jit.optimize_for_inference(torch.jit.script(module)), "frozen_inference")
     golden(module, (4,), make.OUT / "frozen")
+    rsl_rl()
     for name, module in (("named_trunk", Trunk()), ("named_norms", Norms())):
         module.eval()
         torch.save(module.state_dict(), libraries.OUT / f"{name}.pth")

@@ -88,6 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         Saved{"rsl_rl_legacy.pt", "rsl_rl", kRaw, "torch.save before 1.6, rsl_rl"},
         Saved{"td3_legacy.zip", "td3", kSquashed, "TD3"},
         Saved{"rsl_rl_3.pt", "rsl_rl", kRaw, "rsl_rl"},
+        Saved{"rsl_rl_4.pt", "rsl_rl_4", kRaw, "rsl_rl"},
         Saved{"rl_games.pth", "rl_games", kRaw, "rl_games"}, Saved{"skrl.pt", "skrl", kRaw, "skrl"},
         Saved{"cleanrl_td3.pth", "cleanrl_td3", kSquashed, "CleanRL"},
         Saved{"ppo_discrete_obs.zip", "ppo_discrete_obs", kRaw, "PPO"},

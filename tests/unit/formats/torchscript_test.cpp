@@ -236,6 +236,17 @@ TEST(TorchScript, WhatIsNotUnderstoodIsRefusedByItsLine) {
                  "takes `hc`, which is no tensor but Tuple[Tensor,Tensor]");
 }
 
+/// rsl_rl's deviation that depends on the state: means and deviations are two rows.
+TEST(TorchScript, MeansAreTheFirstRow) {
+  const Network all = read_good(body_with("z = y"));
+  const Network means =
+      read_good(body_with("z = torch.select(torch.unflatten(y, -1, [2, 4]), -2, 0)"));
+  const std::vector<float> x = {0.5F, -1.0F, 2.0F, 0.25F};
+  const std::vector<float> both = evaluate(all, x);
+  ASSERT_EQ(both.size(), 8U);
+  EXPECT_THAT(evaluate(means, x), testing::ElementsAreArray(both.begin(), both.begin() + 4));
+}
+
 TEST(TorchScript, ConditionsThatAreKnownAreFollowed) {
   const Network network =
       read_good(body_with("if torch.eq(torch.dim(y), 2):\n      z = torch.tanh(y)\n"

@@ -28,6 +28,30 @@ TEST(MultibodyContact, BoxSlidesAsCoulombSays) {
   }
 }
 
+struct Bouncing : BoxOf<double> {
+  static constexpr std::array<RigidGeometry, 2> kGeometries = [] {
+    auto geometries = BoxOf<double>::kGeometries;
+    geometries[0].bounce = 0.6;
+    return geometries;
+  }();
+};
+
+TEST(MultibodyContact, ABoxBouncesToTheSquareOfItsShare) {
+  MultibodyScene<Bouncing> scene;
+  scene.simulator.want_pose(0, {{0.0, 0.0, 1.05, 1.0, 0.0, 0.0, 0.0}});
+  scene.reset();
+  scene.run(0.5);  // the impact is at 0.452 s
+  double top = 0.0;
+  for (int i = 0; i < 25; ++i) {
+    scene.tick();
+    top = std::max(top, scene.simulator.pose(0)[2]);
+  }
+  EXPECT_NEAR(top, 0.05 + 0.6 * 0.6, 0.02);
+  scene.run(4.0);
+  EXPECT_NEAR(scene.simulator.pose(0)[2], 0.05, 1e-5);
+  EXPECT_LT(std::abs(scene.simulator.twist(0)[2]), 1e-6);
+}
+
 /// Speed after a second on a slope; the gravity is tilted.
 double slide(double angle) {
   MultibodyScene<BoxOf<double>> scene;
@@ -165,6 +189,38 @@ TEST(MultibodyContact, TheTrunkLiesOnBoxCapsuleOrCylinder) {
 struct High : BoxOf<double> {
   static constexpr Vector3 kOrigin{{1.0, 2.0, 3.0}};
 };
+
+/// A wheel, lying or upright: a cylinder that is an object's only body.
+struct Wheel {
+  using Real = double;
+  static constexpr std::array<RigidBody, 1> kBodies = {{{.name = "wheel",
+                                                         .mass = 1.0,
+                                                         .inertia = {{0.01, 0.01, 0.005}},
+                                                         .position = {{0, 0, 0.1}}}}};
+  static constexpr std::array<RigidJoint, 0> kJoints = {};
+  static constexpr std::array<RigidGeometry, 2> kGeometries = {
+      {{.name = "wheel", .kind = ShapeKind::cylinder, .body = "wheel", .size = {{0.1, 0.06, 0.0}}},
+       {.name = "ground", .kind = ShapeKind::plane}}};
+};
+
+TEST(MultibodyContact, ACylinderRollsOnItsRimsAndLiesOnItsFaces) {
+  MultibodyScene<Wheel> scene;
+  scene.simulator.want_pose(0, {{0.0, 0.0, 0.1, 1.0, 1.0, 0.0, 0.0}});  // its axis along y
+  scene.simulator.want_twist(0, {{0.5, 0.0, 0.0, 0.0, 5.0, 0.0}});
+  scene.reset();
+  for (int i = 0; i < 100; ++i) {
+    scene.tick();
+    EXPECT_NEAR(scene.simulator.pose(0)[2], 0.1, 1e-3);
+  }
+  EXPECT_NEAR(scene.simulator.pose(0)[0], 1.0, 1e-3);
+  EXPECT_NEAR(scene.simulator.twist(0)[4], 5.0, 1e-3);
+  scene.simulator.want_pose(0, {{0.0, 0.0, 0.05, 1.0, 0.05, 0.1, 0.0}});  // falls on its face
+  scene.simulator.want_twist(0, {});
+  scene.reset();
+  scene.run(3.0);
+  EXPECT_NEAR(scene.simulator.pose(0)[2], 0.03, 1e-4);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_LT(std::abs(scene.simulator.twist(0)[i]), 1e-3);
+}
 
 TEST(MultibodyContact, PlanesLieWhereTheModelSays) {
   MultibodyScene<High> scene;
