@@ -229,7 +229,9 @@ std::string wrapped_code(std::string_view line, std::size_t indent) {
     const Break place =
         columns_of(begin) > kColumns ? find_break(begin, indent, continued) : Break{};
     if (place.at == kNone) {
-      const std::size_t call = begin.find('(', indent);
+      std::size_t call = kNone;
+      for (Scanner scan(begin); call == kNone && scan.next();)
+        if (!scan.in_literal() && begin[scan.at()] == '(') call = scan.at();
       const bool fits = call != kNone && call < kColumns && rest.size() < kSeen && !continued &&
                         indent + 4 + columns_of(begin.substr(call + 1)) <= kColumns;
       if (columns_of(begin) <= kColumns || !fits)

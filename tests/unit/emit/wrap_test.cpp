@@ -107,6 +107,11 @@ TEST(Wrapped, LiteralsStayWhole) {
   EXPECT_EQ(wrapped(include), include);
 }
 
+TEST(Wrapped, ABracketInALiteralIsNoCall) {
+  const std::string text = "    \"" + kLong + " in f() " + kLong + "\");";
+  EXPECT_EQ(wrapped(text), text);
+}
+
 TEST(Wrapped, CommentsBreakBetweenWordsAndMoveAbove) {
   EXPECT_EQ(wrapped("  /// " + kLong + " " + kLong + " b\n"),
             "  /// " + kLong + "\n  /// " + kLong + " b\n");
