@@ -309,7 +309,7 @@ class ProgramOf final : public GraphProgram {
 
 template <class Graph>
 int run(int argc, char** argv) {
-  host::end_when_exhausted(kBadFile);
+  host::end_when_exhausted();
   static ProgramOf<Graph> program;
   return run(argc, argv, program);
 }

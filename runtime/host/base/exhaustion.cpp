@@ -11,13 +11,13 @@
 namespace eagerx::host {
 namespace {
 
-int exit_code_then = 1;
+constexpr int kExhausted = 3;
 
 /// Allocates nothing.
 [[noreturn]] void end(std::string_view text) {
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
   make_safe_now();
-  _exit(exit_code_then);
+  _exit(kExhausted);
 }
 
 void without_memory() {
@@ -37,8 +37,7 @@ void uncaught() {
 
 }  // namespace
 
-void end_when_exhausted(int exit_code) {
-  exit_code_then = exit_code;
+void end_when_exhausted() {
   std::set_new_handler(without_memory);
   std::set_terminate(uncaught);
 }

@@ -3,7 +3,8 @@
 
 namespace eagerx::host {
 
-/// From now on it says so, makes safe and ends with `exit_code`; it would be aborted otherwise.
-void end_when_exhausted(int exit_code);
+/// From now on it says so, makes safe and ends with exit code 3, as where a file cannot be written;
+/// it would be aborted otherwise.
+void end_when_exhausted();
 
 }  // namespace eagerx::host
