@@ -94,8 +94,8 @@ void TextFile::start(Writing writing) {
     empty_.release(kBackgroundBuffers - 1);  // all but the one that is being filled
     try {
       writer_ = thread_without_signals([this] { write_in_background(); });
-    } catch (const std::system_error& problem) {
-      error_ = problem.code().value();
+    } catch (const std::system_error&) {
+      error_ = ENOMEM;  // there is no room for its stack, or no more threads
     }
   }
 }
