@@ -63,6 +63,8 @@ std::string item(const BodyJoint& joint) {
   result.limit("max_torque", joint.limits.effort);
   if (joint.limits.damping > 0.0) result.member("damping", literal(joint.limits.damping));
   if (joint.limits.friction > 0.0) result.member("friction", literal(joint.limits.friction));
+  // Exporters write 0 where they know no limit.
+  if (joint.limits.velocity > 0.0) result.limit("max_velocity", joint.limits.velocity);
   return result.text();
 }
 
@@ -116,7 +118,7 @@ std::string list(const char* type, const char* name, const Items& items, const c
 
 std::string header_text(const Robot& robot) {
   std::string text = fmt::format(
-      R"(// A robot on OpenDynamicsEngine, as {0} describes it.
+      R"(// A robot on OpenDynamicsEngine and MultibodyEngine, as {0} describes it.
 // Made by eagerx-urdf. Do not edit: change the description and convert it again.
 #pragma once
 

@@ -89,7 +89,8 @@ eagerx::gen::CommandLine command_line(Options& options) {
   const auto set_form = [&options](const std::string& form) { options.json = form == "json"; };
   return {
       .top = {.name = "eagerx-urdf",
-              .about = "Makes an object for OpenDynamicsEngine from a robot's URDF file.",
+              .about = "Makes an object for OpenDynamicsEngine and MultibodyEngine from a robot's "
+                       "URDF file.",
               .arguments = {required(reads(text("robot", options.file,
                                                 "the description of the robot", "ROBOT.urdf"))),
                             folder(text("-o,--output", options.output,

@@ -54,7 +54,7 @@ class Manifest {
           "of the whole world, in m/s^2", "Gravity");
     return head() + config() + "sensors:\n" + sensors_ +
            (actuators_.empty() ? "" : "actuators:\n" + actuators_) + "states:\n" + states_ +
-           engine() + "requires:\n" +
+           engines() + "requires:\n" +
            "  - {that: \"len(origin) == 3\", because: \"`origin` has three values\"}\n";
   }
 
@@ -214,11 +214,23 @@ description: |
     configured("geometry: " + gen::yaml_text(shape));
   }
 
-  std::string engine() const {
+  /// Of MultibodyEngine: one tree, on the world or of a free body.
+  bool is_one_tree() const {
+    const auto free = std::ranges::count_if(robot_.bodies, &Body::is_free);
+    const bool on_world = std::ranges::any_of(
+        robot_.joints, [](const BodyJoint& joint) { return joint.parent.empty(); });
+    return free + (on_world ? 1 : 0) == 1;
+  }
+
+  std::string engines() const {
+    return "engines:\n" + engine("OpenDynamicsEngine", "") +
+           (is_one_tree() ? engine("MultibodyEngine", ", packs: true") : "");
+  }
+  std::string engine(const char* name, const char* more) const {
     return fmt::format(
-        "engines:\n  OpenDynamicsEngine:\n    model: {{header: {0}.hpp, class: "
-        "\"eagerx::models::{1}\"}}\n    nodes:\n{2}    connections:\n{3}    states:\n{4}",
-        robot_.name, robot_.id, nodes_, connections_, engine_states_);
+        "  {5}:\n    model: {{header: {0}.hpp, class: \"eagerx::models::{1}\"{6}}}\n    nodes:\n{2}"
+        "    connections:\n{3}    states:\n{4}",
+        robot_.name, robot_.id, nodes_, connections_, engine_states_, name, more);
   }
 
   const Robot& robot_;

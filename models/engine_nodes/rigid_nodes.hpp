@@ -27,8 +27,8 @@ class RigidSensor {
 
  protected:
   /// element i of `to` := value.
-  template <class Message>
-  static void put(Message& to, std::size_t i, double value) {
+  template <class Message, class Number>
+  static void put(Message& to, std::size_t i, const Number& value) {
     element(to, i) = static_cast<ScalarOf<Message>>(value);
   }
 };
@@ -65,6 +65,13 @@ class BodySensor : public RigidSensor<Io, BodySensor<Io, Derived>> {
   }
 };
 
+/// A constant of a configuration, as the simulator takes numbers.
+template <class Simulator>
+constexpr typename Simulator::Number number_for(double value) {
+  using Number = typename Simulator::Number;
+  return Number(static_cast<LaneOf<Number>>(value));
+}
+
 /// Derived::command(simulator, joint, value) for each of `joints`, hinges and sliders.
 template <class Io, class Derived>
 class JointActuator : public Actuator<Io, JointActuator<Io, Derived>> {
@@ -79,7 +86,8 @@ class JointActuator : public Actuator<Io, JointActuator<Io, Derived>> {
     static_assert(Joints::kCount == size_of<Message>,
                   "actuator of joints: the action must have one value for each joint");
     for (std::size_t i = 0; i < Joints::kCount; ++i)
-      Derived::command(simulator, Joints::kJoints[i], static_cast<double>(element(action, i)));
+      Derived::command(simulator, Joints::kJoints[i],
+                       static_cast<typename Simulator::Number>(element(action, i)));
   }
 };
 

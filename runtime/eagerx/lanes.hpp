@@ -28,8 +28,8 @@ inline constexpr std::size_t kPackRegisters = 4;
 #endif
 
 /// Environments in a pack of numbers of type Real.
-template <class Real>
-inline constexpr std::size_t kPackLanes = kPackRegisters* kRegisterBytes / sizeof(Real);
+template <class Real, std::size_t Registers = kPackRegisters>
+inline constexpr std::size_t kPackLanes = Registers* kRegisterBytes / sizeof(Real);
 
 /// Counts of messages or ticks, one a lane.
 template <std::size_t N>
@@ -252,7 +252,7 @@ Message padded(const Window& window, std::uint32_t i, LaneOf<ScalarOf<Message>> 
 
 }  // namespace detail
 
-/// As PaddedWindow: always the most messages, copies of the oldest in front, NaN without any.
+/// As PaddedWindow: always the most messages, copies of the oldest in front, 0 without any.
 template <class Window>
 class PaddedLanes : Window {
  public:
@@ -267,7 +267,7 @@ class PaddedLanes : Window {
     if constexpr (Window::kAlwaysFull) {
       return window[i];
     } else {
-      constexpr auto kMissing = std::numeric_limits<LaneOf<ScalarOf<Message>>>::quiet_NaN();
+      constexpr LaneOf<ScalarOf<Message>> kMissing{};
       return detail::padded(window, i, kMissing);
     }
   }

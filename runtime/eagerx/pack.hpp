@@ -22,13 +22,13 @@ namespace eagerx {
 
 // Register by register: as a whole, GCC 12 copies it through memory and a word at a time.
 // NOLINTBEGIN(bugprone-macro-parentheses): the name of a class
-#define EAGERX_PACK_COPIES(Class)                                         \
-  [[gnu::always_inline]] constexpr Class(const Class& other) {            \
-    detail::unrolled<kCount>([&](auto i) { v[i] = other.v[i]; });         \
-  }                                                                       \
-  [[gnu::always_inline]] constexpr Class& operator=(const Class& other) { \
-    detail::unrolled<kCount>([&](auto i) { v[i] = other.v[i]; });         \
-    return *this;                                                         \
+#define EAGERX_PACK_COPIES(Class)                                                                \
+  [[gnu::always_inline]] constexpr Class(const Class& other) {                                   \
+    detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) { v[i] = other.v[i]; }); \
+  }                                                                                              \
+  [[gnu::always_inline]] constexpr Class& operator=(const Class& other) {                        \
+    detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) { v[i] = other.v[i]; }); \
+    return *this;                                                                                \
   }
 // NOLINTEND(bugprone-macro-parentheses)
 
@@ -52,7 +52,9 @@ struct Mask {
   Mask() = default;
   EAGERX_PACK_COPIES(Mask)
   [[gnu::always_inline]] Mask(bool all) {  // NOLINT(google-explicit-constructor): as bool is
-    detail::unrolled<kCount>([&](auto i) { v[i] = Vector{} - static_cast<Lane>(all); });
+    detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) {
+      v[i] = Vector{} - static_cast<Lane>(all);
+    });
   }
   /// The truth values beside packs of numbers of another width.
   template <std::size_t Other>
@@ -68,27 +70,27 @@ struct Mask {
   template <class F>
   [[gnu::always_inline]] static Mask of(F&& f) {
     Mask result;
-    detail::unrolled<kCount>([&](auto i) { result.v[i] = f(i); });
+    detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) { result.v[i] = f(i); });
     return result;
   }
 
   // As for bool, except that both sides are computed.
   [[gnu::always_inline]] friend Mask operator&(const Mask& a, const Mask& b) {
-    return of([&](auto i) { return a.v[i] & b.v[i]; });
+    return of([&](auto i) __attribute__((always_inline)) { return a.v[i] & b.v[i]; });
   }
   [[gnu::always_inline]] friend Mask operator|(const Mask& a, const Mask& b) {
-    return of([&](auto i) { return a.v[i] | b.v[i]; });
+    return of([&](auto i) __attribute__((always_inline)) { return a.v[i] | b.v[i]; });
   }
   [[gnu::always_inline]] friend Mask operator&&(const Mask& a, const Mask& b) { return a & b; }
   [[gnu::always_inline]] friend Mask operator||(const Mask& a, const Mask& b) { return a | b; }
   [[gnu::always_inline]] friend Mask operator!(const Mask& a) {
-    return of([&](auto i) { return ~a.v[i]; });
+    return of([&](auto i) __attribute__((always_inline)) { return ~a.v[i]; });
   }
   [[gnu::always_inline]] friend Mask operator==(const Mask& a, const Mask& b) {
-    return of([&](auto i) { return ~(a.v[i] ^ b.v[i]); });
+    return of([&](auto i) __attribute__((always_inline)) { return ~(a.v[i] ^ b.v[i]); });
   }
   [[gnu::always_inline]] friend Mask operator!=(const Mask& a, const Mask& b) {
-    return of([&](auto i) { return a.v[i] ^ b.v[i]; });
+    return of([&](auto i) __attribute__((always_inline)) { return a.v[i] ^ b.v[i]; });
   }
 };
 
@@ -108,7 +110,7 @@ struct Pack {
   /// `x` in every lane. x - 0 is x for every x; x + 0 would lose the sign of -0.
   // NOLINTNEXTLINE(google-explicit-constructor): numbers broadcast
   [[gnu::always_inline]] constexpr Pack(T x) {
-    detail::unrolled<kCount>([&](auto i) { v[i] = x - Vector{}; });
+    detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) { v[i] = x - Vector{}; });
   }
   /// The numbers of another pack as T, lane by lane as `static_cast` does.
   template <class S, std::size_t Other>
@@ -119,29 +121,32 @@ struct Pack {
   template <class F>
   [[gnu::always_inline]] static Pack of(F&& f) {
     Pack result;
-    detail::unrolled<kCount>([&](auto i) { result.v[i] = f(i); });
+    detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) { result.v[i] = f(i); });
     return result;
   }
   /// N numbers from memory, and to memory.
   [[gnu::always_inline]] static Pack load(const T* from) {
-    return of([&](auto i) {
+    return of([&](auto i) __attribute__((always_inline)) {
       Vector one;
       std::memcpy(&one, from + i * kWidth, sizeof one);
       return one;
     });
   }
   [[gnu::always_inline]] void store(T* to) const {
-    detail::unrolled<kCount>([&](auto i) { std::memcpy(to + i * kWidth, &v[i], sizeof v[i]); });
+    detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) {
+      std::memcpy(to + i * kWidth, &v[i], sizeof v[i]);
+    });
   }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): an operator stands in no parentheses
-#define EAGERX_PACK_OPERATOR(op)                                                 \
-  [[gnu::always_inline]] friend Pack operator op(const Pack& a, const Pack& b) { \
-    return of([&](auto i) { return a.v[i] op b.v[i]; });                         \
-  }                                                                              \
-  [[gnu::always_inline]] Pack& operator op##=(const Pack& b) {                   \
-    detail::unrolled<kCount>([&](auto i) { v[i] = v[i] op b.v[i]; });            \
-    return *this;                                                                \
+#define EAGERX_PACK_OPERATOR(op)                                                             \
+  [[gnu::always_inline]] friend Pack operator op(const Pack& a, const Pack& b) {             \
+    return of([&](auto i) __attribute__((always_inline)) { return a.v[i] op b.v[i]; });      \
+  }                                                                                          \
+  [[gnu::always_inline]] Pack& operator op##=(const Pack& b) {                               \
+    detail::unrolled<kCount>([&](auto i)                                                     \
+                                 __attribute__((always_inline)) { v[i] = v[i] op b.v[i]; }); \
+    return *this;                                                                            \
   }
   EAGERX_PACK_OPERATOR(+)
   EAGERX_PACK_OPERATOR(-)
@@ -152,16 +157,16 @@ struct Pack {
 #define EAGERX_PACK_BITS(op)                                                                     \
   [[gnu::always_inline]] friend Pack operator op(const Pack& a,                                  \
                                                  const Pack& b) requires std::is_integral_v<T> { \
-    return of([&](auto i) { return a.v[i] op b.v[i]; });                                         \
+    return of([&](auto i) __attribute__((always_inline)) { return a.v[i] op b.v[i]; });          \
   }
   EAGERX_PACK_BITS(&)
   EAGERX_PACK_BITS(|)
   EAGERX_PACK_BITS(^)
 #undef EAGERX_PACK_BITS
 
-#define EAGERX_PACK_COMPARISON(op)                                                \
-  [[gnu::always_inline]] friend Truth operator op(const Pack& a, const Pack& b) { \
-    return Truth::of([&](auto i) { return a.v[i] op b.v[i]; });                   \
+#define EAGERX_PACK_COMPARISON(op)                                                             \
+  [[gnu::always_inline]] friend Truth operator op(const Pack& a, const Pack& b) {              \
+    return Truth::of([&](auto i) __attribute__((always_inline)) { return a.v[i] op b.v[i]; }); \
   }
   EAGERX_PACK_COMPARISON(<)
   EAGERX_PACK_COMPARISON(<=)
@@ -173,18 +178,20 @@ struct Pack {
   // NOLINTEND(bugprone-macro-parentheses)
 
   [[gnu::always_inline]] friend Pack operator-(const Pack& a) {
-    return of([&](auto i) { return -a.v[i]; });
+    return of([&](auto i) __attribute__((always_inline)) { return -a.v[i]; });
   }
   [[gnu::always_inline]] friend Pack operator~(const Pack& a) requires std::is_integral_v<T> {
-    return of([&](auto i) { return ~a.v[i]; });
+    return of([&](auto i) __attribute__((always_inline)) { return ~a.v[i]; });
   }
   [[gnu::always_inline]] friend Pack operator<<(const Pack& a,
                                                 int shift) requires std::is_integral_v<T> {
-    return of([&](auto i) { return a.v[i] << static_cast<T>(shift); });
+    return of([&](auto i)
+                  __attribute__((always_inline)) { return a.v[i] << static_cast<T>(shift); });
   }
   [[gnu::always_inline]] friend Pack operator>>(const Pack& a,
                                                 int shift) requires std::is_integral_v<T> {
-    return of([&](auto i) { return a.v[i] >> static_cast<T>(shift); });
+    return of([&](auto i)
+                  __attribute__((always_inline)) { return a.v[i] >> static_cast<T>(shift); });
   }
 };
 
@@ -212,7 +219,9 @@ template <class T, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Pack<T, N, W> select(
     const Mask<sizeof(T), N, W>& mask, const Pack<T, N, W>& when_true,
     const std::type_identity_t<Pack<T, N, W>>& when_false) {
-  return Pack<T, N, W>::of([&](auto i) { return mask.v[i] ? when_true.v[i] : when_false.v[i]; });
+  return Pack<T, N, W>::of([&](auto i) __attribute__((always_inline)) {
+    return mask.v[i] ? when_true.v[i] : when_false.v[i];
+  });
 }
 /// With the truth values of numbers of another width.
 template <std::size_t Bytes, class T, std::size_t N, std::size_t W, std::size_t Other>
@@ -234,7 +243,7 @@ template <std::size_t Bytes, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline bool any(const Mask<Bytes, N, W>& mask) {
   using Truth = Mask<Bytes, N, W>;
   typename Truth::Vector all = mask.v[0];
-  detail::unrolled<Truth::kCount>([&](auto i) { all |= mask.v[i]; });
+  detail::unrolled<Truth::kCount>([&](auto i) __attribute__((always_inline)) { all |= mask.v[i]; });
   return detail::any_lane(all);
 }
 
@@ -242,8 +251,9 @@ template <std::size_t Bytes, std::size_t N, std::size_t W>
 template <std::size_t N, std::size_t W>
 requires(N <= 64) [[gnu::always_inline]] inline std::uint64_t lane_bits(const Mask<4, N, W>& mask) {
   std::uint64_t all = 0;
-  detail::unrolled<Mask<4, N, W>::kCount>(
-      [&](auto i) { all |= detail::lane_bits(mask.v[i]) << (i * W); });
+  detail::unrolled<Mask<4, N, W>::kCount>([&](auto i) __attribute__((always_inline)) {
+    all |= detail::lane_bits(mask.v[i]) << (i * W);
+  });
   return all;
 }
 
@@ -251,42 +261,54 @@ requires(N <= 64) [[gnu::always_inline]] inline std::uint64_t lane_bits(const Ma
 template <class T, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline BitsOf<Pack<T, N, W>> bits(const Pack<T, N, W>& x) {
   using Bits = BitsOf<Pack<T, N, W>>;
-  return Bits::of([&](auto i) { return std::bit_cast<typename Bits::Vector>(x.v[i]); });
+  return Bits::of([&](auto i) __attribute__((always_inline)) {
+    return std::bit_cast<typename Bits::Vector>(x.v[i]);
+  });
 }
 template <std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Pack<float, N, W> unbits(const Pack<std::uint32_t, N, W>& x) {
   using Real = Pack<float, N, W>;
-  return Real::of([&](auto i) { return std::bit_cast<typename Real::Vector>(x.v[i]); });
+  return Real::of([&](auto i) __attribute__((always_inline)) {
+    return std::bit_cast<typename Real::Vector>(x.v[i]);
+  });
 }
 template <std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Pack<double, N, W> unbits(const Pack<std::uint64_t, N, W>& x) {
   using Real = Pack<double, N, W>;
-  return Real::of([&](auto i) { return std::bit_cast<typename Real::Vector>(x.v[i]); });
+  return Real::of([&](auto i) __attribute__((always_inline)) {
+    return std::bit_cast<typename Real::Vector>(x.v[i]);
+  });
 }
 
 /// Lane by lane the product of what is in the lower 32 bits of each.
 template <std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Pack<std::uint64_t, N, W> product_of_lower_halves(
     const Pack<std::uint64_t, N, W>& a, const Pack<std::uint64_t, N, W>& b) {
-  return Pack<std::uint64_t, N, W>::of(
-      [&](auto i) { return detail::product_of_lower_halves(a.v[i], b.v[i]); });
+  return Pack<std::uint64_t, N, W>::of([&](auto i) __attribute__((always_inline)) {
+    return detail::product_of_lower_halves(a.v[i], b.v[i]);
+  });
 }
 
 template <class T, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Pack<T, N, W> sqrt(const Pack<T, N, W>& x) {
-  return Pack<T, N, W>::of([&](auto i) { return detail::roots(x.v[i]); });
+  return Pack<T, N, W>::of([&](auto i)
+                               __attribute__((always_inline)) { return detail::roots(x.v[i]); });
 }
 
 /// As of plain numbers.
 template <class T, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Pack<T, N, W> min(const Pack<T, N, W>& a,
                                                 const std::type_identity_t<Pack<T, N, W>>& b) {
-  return Pack<T, N, W>::of([&](auto i) { return detail::smaller(a.v[i], b.v[i]); });
+  return Pack<T, N, W>::of([&](auto i) __attribute__((always_inline)) {
+    return detail::smaller(a.v[i], b.v[i]);
+  });
 }
 template <class T, std::size_t N, std::size_t W>
 [[gnu::always_inline]] inline Pack<T, N, W> max(const Pack<T, N, W>& a,
                                                 const std::type_identity_t<Pack<T, N, W>>& b) {
-  return Pack<T, N, W>::of([&](auto i) { return detail::larger(a.v[i], b.v[i]); });
+  return Pack<T, N, W>::of([&](auto i) __attribute__((always_inline)) {
+    return detail::larger(a.v[i], b.v[i]);
+  });
 }
 
 /// Lane `i`: 0 <= i < N.

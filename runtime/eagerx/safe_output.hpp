@@ -28,7 +28,7 @@ class OutputKeeper {
   const Message& message() const { return message_; }
 
   void reset(const SafeOutput<Message>& safe) {
-    message_ = safe.value;
+    take(safe.value);
     state_ = State::fresh;
     safe_steps_ = 0;
   }
@@ -39,7 +39,7 @@ class OutputKeeper {
       safe_steps_ = 0;
       return;
     }
-    message_ = good;
+    take(good);
     state_ = State::good;
   }
 
@@ -54,7 +54,7 @@ class OutputKeeper {
       ++safe_steps_;
     } else {
       safe_steps_ = safe.hold_steps;  // holding is over for this time
-      if (!ramps(safe) || !approach(safe.value, safe.most_change)) message_ = safe.value;
+      if (!ramps(safe) || !approach(safe.value, safe.most_change)) take(safe.value);
     }
   }
 
@@ -63,27 +63,39 @@ class OutputKeeper {
     return safe.most_change > ScalarOf<Message>{};
   }
 
-  /// A step towards `target`; false if it is reached, or if there are no steps.
+  void take(const Message& message) {
+    message_ = message;
+    rest_ = {};
+  }
+
+  /// A step towards `target`; false if it is reached, or if there are no steps. What a small step
+  /// rounds away is kept for the next one (TwoSum, Knuth 4.2.2), or a slow ramp would stand still.
   bool approach(const Message& target, ScalarOf<Message> most_change) {
     if constexpr (!std::is_floating_point_v<ScalarOf<Message>>) return false;
     bool is_there = true;
     for (std::size_t i = 0; i < size_of<Message>; ++i) {
       auto& x = element(message_, i);
+      auto& rest = element(rest_, i);
       const auto& end = element(target, i);
-      if (end > x && end - x > most_change) {
-        x += most_change;
-        is_there = false;
-      } else if (x > end && x - end > most_change) {
-        x -= most_change;
-        is_there = false;
-      } else {
+      const bool rises = end > x && end - x > most_change;
+      const bool falls = x > end && x - end > most_change;
+      if (!rises && !falls) {
         x = end;
+        rest = {};
+        continue;
       }
+      const auto term = (rises ? most_change : -most_change) + rest;
+      const auto sum = x + term;
+      const auto added = sum - x;
+      rest = (x - (sum - added)) + (term - added);
+      x = sum;
+      is_there = false;
     }
     return !is_there;
   }
 
   Message message_{};
+  Message rest_{};  // of a ramp: what its steps have rounded away
   /// No good output since the reset; the last good one; safe, or on the way back.
   enum class State : std::uint8_t { fresh, good, away };
 

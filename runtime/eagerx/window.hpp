@@ -84,7 +84,7 @@ class Window {
 };
 
 /// An observation as EAGERx gives it to an agent: always `W` messages. Missing ones at the front
-/// are copies of the oldest; without any message they are NaN (0 for integers, which have no NaN).
+/// are copies of the oldest; without any message they are 0, so that an agent can act at once.
 template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t W, bool AlwaysFull>
 class PaddedWindow {
  public:
@@ -110,8 +110,7 @@ class PaddedWindow {
   constexpr const auto& unpadded() const { return window_; }
 
  private:
-  static constexpr Message kMissing =
-      filled<Message>(std::numeric_limits<ScalarOf<Message>>::quiet_NaN());
+  static constexpr Message kMissing = filled<Message>(ScalarOf<Message>{});
   Window<Message, SourceRate, Capacity, W, AlwaysFull> window_;
 };
 

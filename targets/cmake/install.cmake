@@ -9,9 +9,9 @@ set(share_dir ${CMAKE_INSTALL_DATADIR}/eagerx-gen)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/eagerx ${PROJECT_SOURCE_DIR}/runtime/host DESTINATION ${share_dir}/runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/runtime/flags.cmake ${PROJECT_SOURCE_DIR}/runtime/flags.txt DESTINATION ${share_dir}/runtime)
-foreach(folder models targets toolchains templates)
+foreach(folder models targets toolchains templates examples)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS
-          PATTERN __pycache__ EXCLUDE PATTERN *.egg-info EXCLUDE PATTERN python/build EXCLUDE REGEX /toolchains/site$ EXCLUDE)
+          PATTERN __pycache__ EXCLUDE PATTERN *.egg-info EXCLUDE PATTERN python/build EXCLUDE PATTERN generated EXCLUDE REGEX /toolchains/site$ EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${share_dir})
 

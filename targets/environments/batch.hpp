@@ -141,7 +141,8 @@ class Batch {
     }
   }
 
-  void get_states(float* states) const {
+  template <class Number>
+  void get_states(Number* states) const {
     require_begun();
     for (std::uint32_t k = 0; k < held_.size; ++k)
       layout_.write(resets_.states_of(k, held_.episodes[k].key()),

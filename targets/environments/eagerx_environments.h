@@ -26,7 +26,7 @@ extern "C" {
 #endif
 
 /* Of this interface. A program asks eagerx_version() before anything else and compares. */
-#define EAGERX_ENVIRONMENTS_VERSION 4
+#define EAGERX_ENVIRONMENTS_VERSION 5
 
 /* The most environments that eagerx_create() takes. */
 #define EAGERX_ENVIRONMENTS_MOST 1000000
@@ -68,7 +68,7 @@ typedef struct {
 uint32_t eagerx_version(void);
 
 /* JSON, valid as long as the library is loaded:
-   {"version": 4, "generator": "0.9", "graph": "pendulum_swing_up", "engine": "OdeEngine", "hash": "0x…", "rate_hz": 30,
+   {"version": 5, "generator": "0.9", "graph": "pendulum_swing_up", "engine": "OdeEngine", "hash": "0x…", "rate_hz": 30,
     "isa": "avx512", "lanes": 64,            of packs; else 1 and "why_no_lanes"
     "observations": [{"name": "angle", "shape": [2], "dtype": "float32", "window": 1, "low": […], "high": […],
                       "first": 0}, …],   in the order of the columns; `first`: column of the first number; a window of
@@ -129,6 +129,8 @@ int eagerx_tune(eagerx_environments* environments, const uint8_t* mask, const fl
 
 /* states  [environments][numbers of the states] what the episodes began with; NaN where nothing was set or drawn */
 int eagerx_get_states(eagerx_environments* environments, float* states);
+/* The same as doubles, which hold 32-bit seeds and delays exactly. */
+int eagerx_get_exact_states(eagerx_environments* environments, double* states);
 
 /* From their next reset on, episodes are those of a stage of the graph's task, for environments where `mask` is not 0
    (null: all): states that it draws otherwise, and reward and terms with its weights. What a trace says of the reward stays

@@ -112,14 +112,15 @@ class Layout {
   }
 
   /// NaN for what is empty.
-  void write(const States& from, float* row) const {
+  template <class Number>
+  void write(const States& from, Number* row) const {
     std::size_t field = 0;
     Graph::for_each_state([&](const char*, const char*, auto member, const auto&) {
       using Message = typename std::remove_cvref_t<decltype(from.*member)>::value_type;
-      float* const to = row + states.columns.first(field++);
+      Number* const to = row + states.columns.first(field++);
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
-        to[i] = from.*member ? static_cast<float>(element(*(from.*member), i))
-                             : std::numeric_limits<float>::quiet_NaN();
+        to[i] = from.*member ? static_cast<Number>(element(*(from.*member), i))
+                             : std::numeric_limits<Number>::quiet_NaN();
       }
     });
   }

@@ -96,7 +96,8 @@ class Library {
     });
   }
 
-  static int get_states(Environments* environments, float* states) {
+  template <class Number>
+  static int get_states(Environments* environments, Number* states) {
     return call(environments, [&](Batch<Graph>& batch) {
       check_states(states);
       batch.get_states(states);

@@ -12,7 +12,7 @@ function(eagerx_configure_target library)
   # Without a build type CMake would not optimise at all.
   target_compile_options(${library} PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
   set(visible ${CMAKE_CURRENT_BINARY_DIR}/eagerx_environments.map)
-  set(functions version describe error create destroy reset step act set_states tune get_states set_stage critic trace hash counts
+  set(functions version describe error create destroy reset step act set_states tune get_states get_exact_states set_stage critic trace hash counts
                 picture stepping)
   list(TRANSFORM functions PREPEND "eagerx_")
   file(CONFIGURE OUTPUT ${visible} CONTENT "{ global: @functions@; local: *; };\n" @ONLY)

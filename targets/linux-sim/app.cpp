@@ -34,6 +34,10 @@ int fail(const std::string& text, int exit_code) {
   return exit_code;
 }
 
+void say_note(const std::string& text) {
+  std::fputs(("note: " + text + "\n").c_str(), stderr);
+}
+
 namespace {
 
 int show_help(const char* program_name, const Options& defaults, const Fields& fields,

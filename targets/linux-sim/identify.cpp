@@ -104,8 +104,8 @@ int identify_with(const Options& options, const trace_log::Log& log, const Field
   const GraphFacts& facts = program.facts();
   const std::span<const Channel> channels(facts.channels, facts.channel_count);
   Experiment experiment;
-  if (!experiment.prepare(log, channels, options.identify_sensors, options.identify_horizon_s,
-                          problem))
+  if (!experiment.prepare(log, {channels, facts.engine, facts.rate_num, facts.rate_den},
+                          options.identify_sensors, options.identify_horizon_s, problem))
     return kBadFile;
   std::vector<identification::Parameter> parameters = parameters_of(fields.ranges);
   recorder_of_run.measure(&experiment);

@@ -55,6 +55,7 @@ void Recorder::simulator(const char* object, Seq tick,
 }
 
 bool Recorder::runs_engine() const {
+  if (experiment_ != nullptr) experiment_->engine_runs();
   return replay_ == nullptr || replay_->runs_engine();
 }
 

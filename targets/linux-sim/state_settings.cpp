@@ -6,6 +6,7 @@
 #include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
+#include <targets/linux-sim/say.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 #include <type_traits>
 
@@ -170,7 +171,14 @@ std::string StateSettings::read(const std::vector<std::string>& texts) {
              "element), or NAME=uniform:LOW,HIGH, log_uniform:LOW,HIGH, normal:MEAN,STD, "
              "choice:NUMBER,NUMBER,…; a parameter while it runs: NAME=NUMBER@STEP";
     }
-    const auto found = std::find(known.begin(), known.end(), setting->name);
+    auto found = std::find(known.begin(), known.end(), setting->name);
+    const std::string* const spelled =
+        found == known.end() ? host::spelled_otherwise(setting->name, known) : nullptr;
+    if (spelled != nullptr) {
+      say_note("`" + setting->name + "` is `" + *spelled + "` here");
+      setting->name = *spelled;
+      found = known.begin() + (spelled - known.data());
+    }
     if (found == known.end()) return unknown_state(setting->name, known);
     const auto index = static_cast<std::size_t>(found - known.begin());
     const Field& state = states_[index];

@@ -360,8 +360,8 @@ class Comparison:
         if not self.recording.exact:
             return
         for place, (a, b) in enumerate(zip(numbers, got)):
-            if isinstance(a, float) and math.isnan(a):  # integers have no NaN: a missing observation is zero
-                if not (math.isnan(b) or (missing_is_zero and isinstance(b, int) and b == 0)):
+            if isinstance(a, float) and math.isnan(a):  # EAGERx's NaN of a missing observation is zero
+                if not (b == 0 if missing_is_zero else math.isnan(b)):
                     self.fail(node, tick, field, expected, got)
                 continue
             deviation = abs(a - b)

@@ -299,6 +299,7 @@ static void check_calls(void) {
                "rows of another size");
   expect_error(eagerx_set_states(batch, NULL, NULL) != 0, "states is null", "set no states");
   expect_error(eagerx_get_states(batch, NULL) != 0, "states is null", "get no states");
+  expect_error(eagerx_get_exact_states(batch, NULL) != 0, "states is null", "get no exact states");
   expect_error(eagerx_trace(batch, 4, "") != 0, "there is no environment 4, but 0 to 3",
                "trace of environment 4");
   expect_error(eagerx_trace(batch, 0, "/no/such/file") != 0, "cannot write `/no/such/file`",
@@ -380,6 +381,12 @@ static void check_states(void) {
   expect(good && memcmp(got, drawn, bytes) == 0, "and drawn again for the episode behind it");
   expect(memcmp(b.rows.observation, b.rows.final_observation, 4 * observed * sizeof(float)) == 0,
          "a seed gives the same observations again");
+  double* exact = room(4 * states_size, sizeof(double));
+  good = eagerx_get_exact_states(batch, exact) == 0;
+  for (size_t i = 0; i < 4 * states_size; ++i)
+    good = good && ((float)exact[i] == drawn[i] || (exact[i] != exact[i] && drawn[i] != drawn[i]));
+  expect(good, "the states as doubles are the same");
+  free(exact);
   free(drawn);
   free(set);
   free(got);

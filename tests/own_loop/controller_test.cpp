@@ -55,6 +55,23 @@ TEST(ControllerTest, AMeasurementThatIsGoneForEverLeadsToTheSafeOutput) {
   EXPECT_EQ(voltage, -0.5F);
 }
 
+TEST(ControllerTest, WhatNobodyMeasuresIsNotZero) {
+  const graphs::arm::Action nothing = graphs::arm::not_measured();
+  std::size_t numbers = 0;
+  nothing.for_each([&](const char* name, const auto& message) {
+    for (std::size_t i = 0; i < eagerx::size_of<std::remove_cvref_t<decltype(message)>>; ++i) {
+      EXPECT_TRUE(std::isnan(eagerx::element(message, i))) << name;
+      ++numbers;
+    }
+  });
+  EXPECT_GT(numbers, 2U);
+  Servo program;
+  program.reset({});
+  for (int i = 0; i < 20; ++i) program.step(graphs::servo::not_measured());
+  EXPECT_FALSE(program.guard.acts());
+  EXPECT_EQ(program.step(graphs::servo::not_measured()).voltage.back()[0], -0.5F);
+}
+
 TEST(ControllerTest, HeldNodesGoOnFromWhereTheyStood) {
   Arm with_fault, without;
   with_fault.reset({});

@@ -2,7 +2,9 @@
 import collections
 import html.parser
 import posixpath
+import re
 import urllib.parse
+import xml.etree.ElementTree
 
 
 class Page(html.parser.HTMLParser):
@@ -38,11 +40,25 @@ class Page(html.parser.HTMLParser):
             self.ids.append(dict(attributes)["id"])
 
 
+def check_pictures(name, text):
+    """A drawing is XML, also in a page: a browser is content with less, and draws less."""
+    problems = []
+    for drawing in re.findall(r"<svg\b.*?</svg>", text, re.DOTALL):
+        try:
+            xml.etree.ElementTree.fromstring(drawing)
+        except xml.etree.ElementTree.ParseError as error:
+            problems.append(f"{name}: a drawing is not XML: {error}: {drawing[:60]}")
+    return problems
+
+
 def check(site):
     """Problems of the folder, and how many links were followed."""
     files = {path.relative_to(site).as_posix(): path for path in sorted(site.rglob("*")) if path.is_file()}
     pages = {name: Page(path.read_text(encoding="utf-8")) for name, path in files.items() if name.endswith(".html")}
     problems, count, reached = [], 0, {name: set() for name in pages}
+    for name, path in files.items():
+        if name.endswith((".html", ".svg")):
+            problems += check_pictures(name, path.read_text(encoding="utf-8"))
     for name, page in pages.items():
         problems += [f"{name}: {problem}" for problem in page.problems]
         problems += [f"{name}: the anchor `{one}` is there {times} times" for one, times in collections.Counter(page.ids).items() if times > 1]

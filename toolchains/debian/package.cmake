@@ -18,11 +18,11 @@ set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What builds the programs, what builds them faster, and what only some graphs and boards need.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake (>= 3.25), ninja-build, pkg-config")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake (>= 3.25), ninja-build, pkg-config, gcc-arm-none-eabi, libnewlib-arm-none-eabi, \
+libstdc++-arm-none-eabi-newlib, libstdc++-arm-none-eabi-dev, qemu-system-arm, ffmpeg, libsdl2-2.0-0")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-    "ccache, gcc-arm-none-eabi, libnewlib-arm-none-eabi, libstdc++-arm-none-eabi-newlib, \
-libstdc++-arm-none-eabi-dev, qemu-system-arm, gcc-riscv64-unknown-elf, picolibc-riscv64-unknown-elf, qemu-system-misc, \
-g++-aarch64-linux-gnu, g++-arm-linux-gnueabihf, qemu-user, libode-dev, libftdi1-dev, ffmpeg, libsdl2-2.0-0, \
+    "ccache, gcc-riscv64-unknown-elf, picolibc-riscv64-unknown-elf, qemu-system-misc, \
+g++-aarch64-linux-gnu, g++-arm-linux-gnueabihf, qemu-user, libode-dev, libftdi1-dev, \
 cyclonedds-tools, libsodium23, emscripten, nodejs")
 if(CMAKE_CROSSCOMPILING)
   set(debian_names x86_64 amd64 aarch64 arm64 armv7 armhf)

@@ -32,7 +32,8 @@ def text(x, y, words, anchor="start", kind=""):
 
 def arrow(x, y, length, dashed):
     """To the right, with its point at x + length."""
-    line = f'<path d="M{x:.1f} {y:.1f}h{length:.1f}"{" class=dashed" if dashed else ""}/>'
+    kind = ' class="dashed"' if dashed else ""
+    line = f'<path d="M{x:.1f} {y:.1f}h{length:.1f}"{kind}/>'
     return line + f'<path class="tip" d="M{x + length:.1f} {y:.1f}l-7 -3.5v7z"/>'
 
 

@@ -125,7 +125,10 @@ class Emitter {
       view.set("headers", plan_.graph->name + "/packs/");
       add(folder + "packs/" + file, template_file, std::move(view));
     };
-    add_one("messages.hpp", "cpp/packs_messages.hpp.mustache", messages_view(plan, names));
+    View messages = messages_view(plan, names);
+    if (plan.graph->has_engine())
+      messages.set("registers", plan.graph->engine().entity->pack_registers);
+    add_one("messages.hpp", "cpp/packs_messages.hpp.mustache", std::move(messages));
     add_one("io.hpp", "cpp/io.hpp.mustache",
             io_view(plan, names, {options_.builtin_root, (here / "packs").string()}));
     View program = program_view(plan, names);

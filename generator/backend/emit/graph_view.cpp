@@ -186,7 +186,7 @@ class GraphView {
       item.set("to_host", fmt::format("{}", link.hub_payload));
       item.set("depth", fmt::format("{}", link.depth));
       item.set("is_deep", link.depth > 1);
-      item.set("comma", part + 1 < placed.size() ? "," : "");
+      item.set("comma", part + 1 < placed.size() ? ", " : "");
       parts.push_back(item);
     }
     view_["parts"] = std::move(parts);

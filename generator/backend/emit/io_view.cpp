@@ -95,6 +95,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     port.set("field", output.name);
     outputs.push_back(port);
   }
+  view.set("has_outputs", outputs.is_non_empty_list());
   view["outputs"] = std::move(outputs);
   view.set("has_ports", node.role != NodeRole::engine);
   View states = list();

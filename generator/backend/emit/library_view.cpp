@@ -16,6 +16,8 @@ std::string described(const Space& space) {
     return !bounds.empty() && std::ranges::count(bounds, bounds.front()) == std::ssize(bounds);
   };
   if (!one(space.low) || !one(space.high)) return space.describe();
+  if (std::isinf(space.low.front()) && std::isinf(space.high.front()))
+    return space.describe() + ", without bounds";
   return fmt::format("{}, from {} to {}", space.describe(), space.low.front(), space.high.front());
 }
 
@@ -75,6 +77,13 @@ View port(const std::string& field, const Space& space, const std::string& meani
   return view;
 }
 
+/// Of an observation: with the limits of `safety: outputs:`, where it has some.
+const Space& space_that_leaves(const Graph& graph, std::size_t observation) {
+  const auto safe = std::ranges::find(graph.safety.outputs, observation, &SafeOutput::input);
+  return safe != graph.safety.outputs.end() ? safe->space
+                                            : graph.environment().inputs[observation].space;
+}
+
 }  // namespace
 
 View library_view(const Plan& plan, bool has_policy, bool has_memory) {
@@ -86,7 +95,7 @@ View library_view(const Plan& plan, bool has_policy, bool has_memory) {
     actions.push_back(port(outputs[i].name, outputs[i].space, meaning_of_action(graph, i),
                            graph.cut ? &graph.cut->actions[i] : nullptr));
   for (std::size_t i = 0; i < inputs.size(); ++i)
-    observations.push_back(port(inputs[i].name, inputs[i].space,
+    observations.push_back(port(inputs[i].name, space_that_leaves(graph, i),
                                 meaning_of_observation(graph, inputs[i]),
                                 graph.cut ? &graph.cut->observations[i] : nullptr));
   View view = object();

@@ -22,6 +22,7 @@ class ResetView {
     add_cursors();
     view_["routine"] = graph_.has_reset_nodes() ? routine() : View(false);
     view_.set("uses_states", uses_states_);
+    view_.set("resets_use_states", resets_use_states_);
     const bool keeps =
         (names_.has_engine() && !graph_.objects.empty()) || has_delays_ || graph_.has_reset_nodes();
     view_.set("has_start", keeps);
@@ -137,7 +138,7 @@ class ResetView {
   std::string state_argument(std::size_t n, std::size_t s) {
     const State& state = graph_.nodes[n].states[s];
     if (!state.settable) return "{}";
-    uses_states_ = true;
+    uses_states_ = resets_use_states_ = true;
     std::string value =
         optional("states." + names_.node_state[n][s], names_.node_state_processor[n][s]);
     if (!is_node_target_[n][s]) return value;
@@ -211,7 +212,11 @@ class ResetView {
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
         const Reception& reception = plan_.nodes[n].receptions[i];
         View cursor = object();
+        const Rational delay_s = graph_.nodes[n].inputs[i].delay_s;
         cursor.set("where", graph_.nodes[n].inputs[i].written);
+        cursor["delay"] =
+            (text_or_false(delay_s > Rational(0) && !reception.changing ? delay_s.to_string() + " s"
+                                                                        : std::string()));
         if (const std::string type = cursor_type(reception); !type.empty()) {
           cursor.set("member", names_.cursor[n][i]);
           cursor.set("type", type);
@@ -222,6 +227,7 @@ class ResetView {
         cursor.set("member", names_.fresh[n][i]);
         cursor.set("type", names_.has_packs() ? "eagerx::NewLanes<kLanes>" : "eagerx::NewMessages");
         cursor.set("first", "");
+        cursor["delay"] = View(false);
         cursors.push_back(cursor);
       }
     }
@@ -271,6 +277,7 @@ class ResetView {
   View view_ = object();
   std::vector<std::vector<bool>> is_object_target_, is_node_target_;
   bool uses_states_ = false;
+  bool resets_use_states_ = false;  // not only those of the engine
   bool has_delays_ = false;
 };
 

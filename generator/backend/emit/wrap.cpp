@@ -1,71 +1,15 @@
 #include "generator/backend/emit/wrap.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
+#include <optional>
+#include <vector>
+
+#include "generator/backend/emit/line_passes.hpp"
+#include "generator/backend/emit/scanner.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-constexpr std::size_t kColumns = 100;
-constexpr std::size_t kNone = std::string_view::npos;
-
-/// In letters: names in comments may have any.
-std::size_t columns_of(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
-  }));
-}
-
-/// Walks through code: where brackets are open, and what is inside of a literal.
-class Scanner {
- public:
-  explicit Scanner(std::string_view line) : line_(line) {}
-
-  /// Takes the next character; false at the end.
-  bool next() {
-    if (at_ + 1 >= line_.size() && started_) return false;
-    if (started_) ++at_;
-    started_ = true;
-    if (at_ >= line_.size()) return false;
-    const char c = line_[at_];
-    if (quote_ != '\0') {
-      if (c == '\\')
-        ++at_;
-      else if (c == quote_)
-        quote_ = '\0';
-      return true;
-    }
-    const char before = at_ > 0 ? line_[at_ - 1] : ' ';
-    const bool digit_separator = std::isalnum(static_cast<unsigned char>(before)) != 0;
-    if (c == '"' || (c == '\'' && !digit_separator)) quote_ = c;
-    if (c == '(' || c == '[' || c == '{' || opens_template(c, before)) ++depth_;
-    if (c == ')' || c == ']' || c == '}' || (c == '>' && before != '-' && before != ' ')) --depth_;
-    return true;
-  }
-  [[nodiscard]] std::size_t at() const { return at_; }
-  [[nodiscard]] int depth() const { return depth_; }
-  [[nodiscard]] bool in_literal() const { return quote_ != '\0'; }
-
- private:
-  static bool opens_template(char c, char before) {
-    return c == '<' && (std::isalnum(static_cast<unsigned char>(before)) != 0 || before == '_');
-  }
-
-  std::string_view line_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
-  char quote_ = '\0';
-  bool started_ = false;
-};
-
-/// Where the comment behind code begins, with the blanks before it.
-std::size_t find_comment(std::string_view line) {
-  for (Scanner scan(line); scan.next();) {
-    if (!scan.in_literal() && line.substr(scan.at()).starts_with("  // ")) return scan.at();
-  }
-  return kNone;
-}
 
 struct Break {
   std::size_t at = kNone;  // what follows goes to the next line
@@ -118,7 +62,18 @@ Break find_break(std::string_view line, std::size_t indent, bool continued) {
   return best;
 }
 
-std::string wrapped_comment(std::string_view line, std::size_t indent) {
+/// The mark of a comment line and the blank behind it; empty if it is none, or is indented text.
+std::string_view comment_mark(std::string_view line) {
+  const std::size_t indent = line.find_first_not_of(' ');
+  if (indent == kNone || !line.substr(indent).starts_with("//")) return {};
+  const std::size_t text = line.find_first_not_of('/', indent);
+  if (text == kNone || line[text] != ' ' || text + 1 >= line.size() || line[text + 1] == ' ')
+    return {};
+  return line.substr(0, text + 1);
+}
+
+/// Breaks a comment between words; the last of its lines.
+std::string wrapped_comment(std::string_view line, std::size_t indent, std::string& last) {
   const std::string_view text = line.substr(indent);
   const std::string mark = std::string(line.substr(0, indent)) +
                            std::string(text.substr(0, text.find_first_not_of('/'))) + " ";
@@ -130,19 +85,178 @@ std::string wrapped_comment(std::string_view line, std::size_t indent) {
     result += rest.substr(0, blank) + "\n";
     rest.replace(0, blank + 1, mark);
   }
-  return result + rest;
+  last = rest;
+  return result;
+}
+
+std::string wrapped_comment(std::string_view line, std::size_t indent) {
+  std::string last;
+  const std::string begin = wrapped_comment(line, indent, last);
+  return begin + last;
+}
+
+/// An initializer or a call: what is before its bracket, its elements, and what is behind it.
+struct Braces {
+  std::string_view head, tail;  // with the brackets
+  std::vector<std::string_view> elements;
+
+  [[nodiscard]] bool is_designated() const {
+    return !elements.empty() && elements.front().starts_with('.');
+  }
+};
+
+/// The elements of what opens with the bracket at `brace`; none if it is not closed here.
+std::optional<Braces> braces_at(std::string_view line, std::size_t brace) {
+  Braces result;
+  int depth = 0, outside = 0;
+  std::size_t begin = brace + 1;
+  for (Scanner scan(line); scan.next();) {
+    const std::size_t at = scan.at();
+    if (at < brace) outside = scan.depth();
+    if (at <= brace || scan.in_literal()) continue;
+    depth = scan.depth() - outside;
+    if (line[at] == ',' && depth == 1) {
+      result.elements.push_back(line.substr(begin, at - begin));
+      begin = at + 1;
+      if (begin < line.size() && line[begin] == ' ') ++begin;
+    } else if ((line[at] == '}' || line[at] == ')' || line[at] == '>') && depth == 0) {
+      if (at > begin) result.elements.push_back(line.substr(begin, at - begin));
+      result.head = line.substr(0, brace + 1);
+      result.tail = line.substr(at);
+      return result;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t deeper);
+
+/// Elements in lines from column `indent` on: one a line, or as many as fit. Empty if one does not
+/// fit.
+std::string in_lines(const Braces& braces, std::size_t indent, bool one_a_line) {
+  std::string result;
+  std::size_t column = indent;
+  for (std::size_t i = 0; i < braces.elements.size(); ++i) {
+    const bool last = i + 1 == braces.elements.size();
+    const std::size_t size =
+        columns_of(braces.elements[i]) + (last ? columns_of(braces.tail) : std::size_t{1});
+    if (indent + size > kColumns) {
+      const std::string text =
+          std::string(braces.elements[i]) + (last ? std::string(braces.tail) : ",");
+      const std::size_t brace = text.find('{');
+      const auto inner =
+          brace == kNone || one_a_line || i == 0 ? std::nullopt : braces_at(text, brace);
+      if (!last || !inner || inner->elements.empty()) return {};
+      return result + '\n' + wrapped_braces(*inner, indent, indent + 4);
+    }
+    if (i > 0 && (one_a_line || column + 1 + size > kColumns)) {
+      result += '\n' + std::string(indent, ' ');
+      column = indent;
+    } else if (i > 0) {
+      result += ' ';
+      ++column;
+    }
+    result += braces.elements[i];
+    result += last ? braces.tail : std::string_view(",");
+    column += size;
+  }
+  return result;
+}
+
+/// An initializer that is too long, as clang-format breaks it: aligned behind its brace, or, where
+/// that is too narrow, below.
+std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t deeper) {
+  if (braces.elements.size() == 1 && braces.elements.front().starts_with('{')) {  // `{{a, b}}`
+    std::string text(braces.head);
+    text += braces.elements.front();
+    text += braces.tail;
+    if (const auto inner = braces_at(text, braces.head.size()); inner && !inner->elements.empty())
+      return wrapped_braces(*inner, indent, deeper);
+  }
+  const std::string begin(indent, ' ');
+  const std::size_t aligned = indent + columns_of(braces.head);
+  std::string all;
+  for (const auto& element : braces.elements)
+    all += (all.empty() ? "" : ", ") + std::string(element);
+  all += braces.tail;
+  const bool fits_below = deeper + columns_of(all) <= kColumns;
+  const std::string beside = in_lines(braces, aligned, braces.is_designated());
+  const auto lines = std::ranges::count(beside, '\n') + 1;
+  if (!beside.empty() && !(fits_below && lines > 2))
+    return begin + std::string(braces.head) + beside;
+  std::string result = begin + std::string(braces.head) + "\n";
+  if (fits_below) return result + std::string(deeper, ' ') + all;
+  for (std::size_t i = 0; i < braces.elements.size(); ++i) {
+    const bool last = i + 1 == braces.elements.size();
+    const std::string line =
+        std::string(braces.elements[i]) + (last ? std::string(braces.tail) : ",");
+    const std::size_t brace = line.find('{');
+    const auto inner = brace == kNone || deeper + columns_of(line) <= kColumns
+                           ? std::nullopt
+                           : braces_at(line, brace);
+    result += inner && !inner->elements.empty() ? wrapped_braces(*inner, deeper, deeper + 4)
+                                                : std::string(deeper, ' ') + line;
+    if (!last) result += '\n';
+  }
+  return result;
+}
+
+/// The `(` or `<` that the comma before `at` is in; none if it is in another bracket.
+std::optional<std::size_t> call_around(std::string_view line, std::size_t at) {
+  std::vector<std::size_t> open;
+  int depth = 0;
+  for (Scanner scan(line); scan.next() && scan.at() < at;) {
+    if (scan.depth() > depth) open.push_back(scan.at());
+    if (scan.depth() < depth) open.pop_back();
+    depth = scan.depth();
+  }
+  if (open.empty() || (line[open.back()] != '(' && line[open.back()] != '<')) return std::nullopt;
+  return open.back();
 }
 
 /// Only the beginning of a line is looked at: some have a million numbers.
 std::string wrapped_code(std::string_view line, std::size_t indent) {
   constexpr std::size_t kSeen = 4 * kColumns;
+  if (indent < line.size() && line[indent] == '{' && line.size() < kSeen) {
+    const auto braces = braces_at(line.substr(indent), 0);
+    if (braces && !braces->elements.empty() && braces->tail.find('{') == kNone)
+      return wrapped_braces(*braces, indent, indent + 4);
+  }
   std::string result;
   std::string_view rest = line.substr(indent);
   for (bool continued = false;;) {
     const std::string begin = std::string(indent, ' ') + std::string(rest.substr(0, kSeen));
     const Break place =
         columns_of(begin) > kColumns ? find_break(begin, indent, continued) : Break{};
-    if (place.at == kNone) return result + std::string(indent, ' ') + std::string(rest);
+    if (place.at == kNone) {
+      const std::size_t call = begin.find('(', indent);
+      const bool fits = call != kNone && call < kColumns && rest.size() < kSeen && !continued &&
+                        indent + 4 + columns_of(begin.substr(call + 1)) <= kColumns;
+      if (columns_of(begin) <= kColumns || !fits)
+        return result + std::string(indent, ' ') + std::string(rest);
+      return result + begin.substr(0, call + 1) + '\n' + std::string(indent + 4, ' ') +
+             begin.substr(call + 1);
+    }
+    if (begin[place.at - 1] == '{' && rest.size() < kSeen) {
+      const auto call = call_around(begin, place.at - 1);
+      if (call && !continued && begin[*call] == '(' &&
+          indent + 4 + columns_of(rest.substr(*call + 1 - indent)) <= kColumns) {
+        return result + begin.substr(0, *call + 1) + '\n' + std::string(indent + 4, ' ') +
+               begin.substr(*call + 1);
+      }
+      const auto braces = braces_at(rest, place.at - 1 - indent);
+      if (braces && !braces->elements.empty())
+        return result + wrapped_braces(*braces, indent, place.indent);
+    }
+    const auto call = !continued && begin[place.at - 2] == ',' && rest.size() < kSeen
+                          ? call_around(begin, place.at - 1)
+                          : std::nullopt;
+    if (call) {
+      const auto arguments = braces_at(rest, *call - indent);
+      const std::string lines = arguments ? in_lines(*arguments, *call + 1, false) : std::string();
+      if (!lines.empty())
+        return result + std::string(indent, ' ') + std::string(arguments->head) + lines;
+    }
     const std::string_view head = std::string_view(begin).substr(0, place.at);
     result += head.substr(0, head.find_last_not_of(' ') + 1);
     result += '\n';
@@ -152,8 +266,57 @@ std::string wrapped_code(std::string_view line, std::size_t indent) {
   }
 }
 
+/// `= { x };` and `T<U>{ x }` without blanks inside of the braces: templates need them, for `{{{`
+/// is mustache's.
+std::string without_blanks(std::string_view line) {
+  std::vector<std::size_t> blanks;
+  std::vector<int> open;  // depths outside of such braces
+  int depth = 0;
+  for (Scanner scan(line); scan.next(); depth = scan.depth()) {
+    const std::size_t at = scan.at();
+    if (scan.in_literal() || at < 2) continue;
+    if (line[at] == '{' && line.substr(at + 1).starts_with(' ') &&
+        (line.substr(at - 2, 2) == "= " || line[at - 1] == '>')) {
+      open.push_back(depth);
+      blanks.push_back(at + 1);
+    } else if (line[at] == '}' && !open.empty() && scan.depth() == open.back()) {
+      open.pop_back();
+      if (line[at - 1] == ' ') blanks.push_back(at - 1);
+    }
+  }
+  std::string result(line);
+  for (auto blank = blanks.rbegin(); blank != blanks.rend(); ++blank) result.erase(*blank, 1);
+  return result;
+}
+
+/// `{a, b}, {c, d},`: one group a line.
+std::string wrapped_groups(std::string_view line, std::size_t indent) {
+  std::string result;
+  std::size_t begin = indent;
+  for (Scanner scan(line); scan.next();) {
+    const std::size_t at = scan.at();
+    if (scan.in_literal() || scan.depth() != 0 || !line.substr(at).starts_with(", {")) continue;
+    result += std::string(indent, ' ') + std::string(line.substr(begin, at + 1 - begin)) + '\n';
+    begin = at + 2;
+  }
+  return result + std::string(indent, ' ') + std::string(line.substr(begin));
+}
+
 std::string wrapped_line(std::string_view line) {
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  constexpr std::size_t kGroups = 8 * kColumns;
+  if (line.size() < kGroups && line.substr(indent).starts_with('{') && line.find("}, {") != kNone) {
+    const std::string groups = wrapped_groups(line, indent);
+    if (groups.find('\n') != kNone) {
+      std::string result;
+      for (std::size_t at = 0; at <= groups.size();) {
+        const std::size_t end = std::min(groups.find('\n', at), groups.size());
+        result += (at == 0 ? "" : "\n") + wrapped_line(groups.substr(at, end - at));
+        at = end + 1;
+      }
+      return result;
+    }
+  }
   if (columns_of(line) <= kColumns || line.substr(indent).starts_with('#'))
     return std::string(line);
   if (line.substr(indent).starts_with("//")) return wrapped_comment(line, indent);
@@ -161,24 +324,67 @@ std::string wrapped_line(std::string_view line) {
     const std::string above = std::string(indent, ' ') + std::string(line.substr(comment + 2));
     return wrapped_line(above) + "\n" + wrapped_line(line.substr(0, comment));
   }
+  constexpr std::string_view kReturns = " { return ", kEndOfBody = "; }";
+  const std::size_t body = line.find(kReturns);
+  if (body != kNone && line.ends_with(kEndOfBody)) {
+    const std::string in(indent, ' ');
+    const std::size_t from = body + kReturns.size() - std::string_view("return ").size();
+    return wrapped_line(line.substr(0, body + 2)) + "\n" +
+           wrapped_line(in + "  " + std::string(line.substr(from, line.size() - 2 - from))) + "\n" +
+           in + "}";
+  }
   return wrapped_code(line, indent);
+}
+
+/// Whether a blank line behind `text` is one too many, or begins a block.
+bool is_needless_blank(std::string_view text) {
+  if (text.ends_with("\n\n")) return true;
+  if (!text.ends_with(" {\n")) return false;
+  const std::string_view line = text.substr(text.rfind('\n', text.size() - 2) + 1);
+  return !line.starts_with("namespace ");
 }
 
 }  // namespace
 
 std::string wrapped(std::string_view text) {
   std::string result;
+  std::string carried;  // the rest of a comment, which the next line goes on with
   bool on = true;
   for (std::size_t begin = 0; begin < text.size();) {
+    if (on && text.substr(begin).starts_with("#include ")) {
+      const std::size_t behind = sort_includes(text, begin, result);
+      if (behind > begin) {
+        begin = behind;
+        continue;
+      }
+    }
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
+    std::string joined;
+    std::string_view line = text.substr(begin, end - begin);
+    if (!carried.empty()) {
+      joined = carried + ' ' + std::string(line.substr(comment_mark(line).size()));
+      line = joined;
+      carried.clear();
+    }
     if (line.ends_with("// clang-format off")) on = false;
     if (line.ends_with("// clang-format on")) on = true;
-    result += on ? wrapped_line(line) : std::string(line);
-    if (end < text.size()) result += '\n';
+    const std::string_view rest = text.substr(std::min(end + 1, text.size()));
+    const std::string_view next = rest.substr(0, rest.find('\n'));
+    const std::string_view mark = comment_mark(line);
+    if (on && columns_of(line) > kColumns && !mark.empty() && mark == comment_mark(next)) {
+      result += wrapped_comment(line, line.find('/'), carried);
+    } else if (on && line.empty() && is_needless_blank(result)) {
+      // Templates leave out what is before or behind it.
+    } else {
+      const bool is_code = on && line.find("{ ") != kNone && !line.ends_with('}');
+      result += is_code ? wrapped_line(without_blanks(line))
+                : on    ? wrapped_line(line)
+                        : std::string(line);
+      if (end < text.size()) result += '\n';
+    }
     begin = end + 1;
   }
-  return result;
+  return with_aligned_comments(with_short_functions(result));
 }
 
 }  // namespace eagerx::gen

@@ -96,6 +96,8 @@ Command table(ImportCommandOptions& options) {
                             "FILE")),
                 flag("--missing", options.missing,
                      "list the classes without counterpart; with -o make a folder for each"),
+                flag("--keep-processes", options.keep_processes,
+                     "make a part of each node with NEW_PROCESS (default: one program)"),
                 text("--engine", options.engine, "engine to use if the file has none", "NAME")},
                rates(options),
                {library(options)},

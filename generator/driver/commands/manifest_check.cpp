@@ -20,6 +20,17 @@ fs::path full_path(const std::string& path) {
   return fs::absolute(path, ignored).lexically_normal();
 }
 
+/// Of two files that define the same, puts the problem into the one that `is_here`, and names the
+/// other one, whose text is not there.
+template <class IsHere>
+void name_other_file(Diagnostic& problem, IsHere&& is_here, const SourceMap& sources) {
+  Span& other = problem.notes.front().span;
+  if (is_here(other)) std::swap(problem.span, other);
+  if (other.file == FileId::none || is_here(other)) return;
+  problem.notes.front() = {
+      fmt::format("also defined in `{}:{}`", sources.name(other.file), other.line), {}, ""};
+}
+
 /// What was found in the manifest's own file, with places in `into`.
 void take(const Diagnostics& found, const SourceMap& sources, const fs::path& path, FileId file,
           Diagnostics& into) {
@@ -29,9 +40,7 @@ void take(const Diagnostics& found, const SourceMap& sources, const fs::path& pa
     return span.file != FileId::none && full_path(sources.name(span.file)) == path;
   };
   for (Diagnostic each : found.all()) {
-    // Of two that say the same the other one is told of.
-    if (each.code == "E0302" && !each.notes.empty() && is_here(each.notes.front().span))
-      each.span = each.notes.front().span;
+    if (each.code == "E0302" && !each.notes.empty()) name_other_file(each, is_here, sources);
     if (ranges::contains(kOfValues, each.code)) continue;
     if (!is_here(each.span)) continue;
     each.span.file = file;

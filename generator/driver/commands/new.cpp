@@ -1,6 +1,7 @@
 // eagerx-gen new KIND NAME: a folder to begin with, made from the templates of its kind.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/kinds.hpp"
+#include "generator/driver/commands/new_example.hpp"
 #include "generator/driver/commands/new_folder.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/frontend/spec/format.hpp"
@@ -76,8 +78,33 @@ struct NewOptions : LibraryOptions {
   std::string output;  // the folder around the new one; empty: that of its kind
 };
 
+/// Not one of the kinds with templates: it is copied as it is.
+constexpr const char* kExample = "example";
+
+int copy(const NewOptions& options, Run& run) {
+  const auto folders = copy_example(options.name, options.output, run.diagnostics);
+  if (!folders.empty() && !options.quiet) {
+    for (std::size_t i = 1; i < folders.size(); ++i)
+      say("{}: an example that it uses\n", folders[i].string());
+    const fs::path& folder = folders.front();
+    std::error_code error;
+    const bool has_graph = fs::exists(folder / "graph.yaml", error);
+    say("{0}: begin with {0}/README.md\n\n  cd {0}{1}\n", folder.string(),
+        has_graph ? "\n  eagerx-gen run graph.yaml" : "");
+  }
+  return finish(run, options);
+}
+
+std::vector<std::string> all_kinds() {
+  std::vector<std::string> kinds = kinds_of_new();
+  if (!example_names().empty()) kinds.emplace_back(kExample);
+  std::ranges::sort(kinds);
+  return kinds;
+}
+
 int perform(const NewOptions& options) {
   Run run;
+  if (options.kind == kExample) return copy(options, run);
   const auto kind = read_kind(options.kind, run.sources, run.diagnostics);
   if (!kind) return finish(run, options);
   const fs::path parent = !options.output.empty() ? options.output : kind->parent;
@@ -94,12 +121,14 @@ int perform(const NewOptions& options) {
 }
 
 Command table(NewOptions& options) {
-  Argument kind = required(choice("kind", kinds_of_new(), "what to make",
+  Argument kind = required(choice("kind", all_kinds(), "what to make",
                                   [&options](const std::string& name) { options.kind = name; }));
   return {
       .name = "new",
-      .about = "make a folder to begin with: a project, or a part of your own",
+      .about = "make a folder to begin with: a project, an example, or a part of your own",
       .examples = {{"a project with a graph that moves at once", "eagerx-gen new project my_robot"},
+                   {"an example or a tutorial, to try and to change",
+                    "eagerx-gen new example tutorial_1_environment_creation"},
                    {"in it, a node of your own with a test", "eagerx-gen new node my_filter"},
                    {"a board of your own, in targets/my-board", "eagerx-gen new board my-board"}},
       .arguments = joined(

@@ -74,7 +74,7 @@ void print_contract(const Network& network) {
     say("                 mean {}, var {}\n", list_of(statistics->mean),
         list_of(statistics->variance));
   } else {
-    say("  normalised     no (give statistics with --normalize)\n");
+    say("  normalised     by nothing but its own layers (give statistics with --normalize)\n");
   }
   const ActionKind kind = network.action_kind();
   const std::string bounds =
@@ -141,7 +141,7 @@ int test(Run& run, const PolicyTestOptions& options, const Network& network) {
 
 int perform(const PolicyTestOptions& options) {
   Run run;
-  const auto network = read_policy_file(options.policy, run.diagnostics);
+  const auto network = read_policy_file(options.policy, run.diagnostics, true);
   return network ? test(run, options, *network) : finish(run, options);
 }
 

@@ -10,8 +10,10 @@
 
 namespace eagerx::gen {
 
-/// Reads the file with what is said besides it. One error if it cannot be used.
-std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& diagnostics);
+/// Reads the file with what is said besides it. One error if it cannot be used. `has_answers`: its
+/// answers will be compared with known ones.
+std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& diagnostics,
+                                        bool has_answers = false);
 
 /// Observations without answers, and where they are from.
 struct AskedRows {

@@ -14,6 +14,12 @@ const std::vector<Saying>& sayings() {
       {"--output-activation",
        "what follows the last layer (such as none or tanh), if the file does not say it", "NAME",
        &PolicyFile::output_activation},
+      {"--layers",
+       "layers of the actor in their order, if names of the file do not tell it: fc1,fc2,mu, or "
+       "fc1,relu,fc2,relu,mu,tanh",
+       "NAMES", &PolicyFile::layers},
+      {"--input-sizes", "of TorchScript with several inputs: how many numbers each has: 3,27",
+       "SIZES", &PolicyFile::input_sizes},
       {"--actor", "of a file with several actors: how the names of its tensors begin", "NAME",
        &PolicyFile::actor},
       {"--output", "which output of an ONNX file is the action", "NAME", &PolicyFile::output_name},

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 /// A weight file, and what is said besides it.
 struct PolicyFile {
   std::string file;  // as the user wrote it
-  std::string normalize, activation, output_activation, output_name, actor;
+  std::string normalize, activation, output_activation, output_name, actor, layers, input_sizes;
 };
 
 struct PolicyOptions : MessageOptions {

@@ -43,6 +43,7 @@ struct GraphOptions : LibraryOptions {
   std::string agent_policy;                         // a weight file; empty: the graph's agent
   Purpose purpose = Purpose::program;
   bool warnings_as_errors = false;
+  bool keep_processes = false;  // of a file that EAGERx saved: nodes with NEW_PROCESS become parts
 };
 
 /// And what is written of it.

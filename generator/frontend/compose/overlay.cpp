@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +19,7 @@ namespace {
 
 constexpr const char* kRemove = "remove";
 constexpr const char* kConnections = "connections";
+constexpr const char* kStates = "states";
 
 std::string text_at(const YamlValue& map, const char* key) {
   const YamlValue* value = map.find(key);
@@ -34,7 +39,25 @@ void lay_over_connections(YamlValue& base, YamlValue over) {
   }
 }
 
-void lay_over(YamlValue& base, YamlValue over, bool top) {
+/// Ways to draw a state: another one takes the place of the one below.
+constexpr std::array<std::string_view, 5> kWays{"value", "uniform", "normal", "log_uniform",
+                                                "choice"};
+
+bool is_way(const YamlValue::Entry& entry) {
+  return ranges::contains(kWays, std::string_view(entry.key));
+}
+
+void drop_other_ways(YamlValue& base, const YamlValue& over) {
+  if (!ranges::any_of(over.entries, is_way)) return;
+  std::erase_if(base.entries, [&](const auto& entry) {
+    return is_way(entry) && over.find(entry.key) == nullptr;
+  });
+}
+
+/// What the entries of a mapping are.
+enum class Level : std::uint8_t { top, states, other };
+
+void lay_over(YamlValue& base, YamlValue over, Level level) {
   const std::string type = text_at(base, "type");
   const std::string other = text_at(over, "type");
   const bool merge =
@@ -47,47 +70,56 @@ void lay_over(YamlValue& base, YamlValue over, bool top) {
     const auto below = ranges::find(base.entries, entry.key, &YamlValue::Entry::key);
     if (below == base.entries.end()) {
       base.entries.push_back(std::move(entry));
-    } else if (top && entry.key == kConnections && below->value.is_sequence() &&
+    } else if (level == Level::top && entry.key == kConnections && below->value.is_sequence() &&
                entry.value.is_sequence()) {
       lay_over_connections(below->value, std::move(entry.value));
     } else {
       below->key_span = entry.key_span;
-      lay_over(below->value, std::move(entry.value), false);
+      if (level == Level::states) drop_other_ways(below->value, entry.value);
+      const Level next = entry.key == kStates ? Level::states : Level::other;
+      lay_over(below->value, std::move(entry.value), next);
     }
   }
 }
 
+/// Keys may have dots themselves: `body.mass` is a state of what is in a composite.
+YamlValue::Entry* entry_at(YamlValue& yaml, std::string_view path, std::string_view& rest) {
+  for (auto& entry : yaml.entries) {
+    const bool leads = path.starts_with(entry.key) &&
+                       (path.size() == entry.key.size() || path[entry.key.size()] == '.');
+    if (!leads) continue;
+    rest = path.substr(std::min(path.size(), entry.key.size() + 1));
+    return &entry;
+  }
+  return nullptr;
+}
+
 /// Takes the entry, item or connection away that `path` names; false if there is none.
 bool take_away(YamlValue& yaml, std::string_view path, bool top) {
-  const std::size_t dot = path.find('.');
-  const std::string_view key = path.substr(0, dot);
-  if (dot == std::string_view::npos) {
-    const bool item = std::erase_if(yaml.items, [&](const YamlValue& each) {
-                        return each.is_scalar() && each.text == key;
-                      }) > 0;
-    return std::erase_if(yaml.entries, [&](const auto& each) { return each.key == key; }) > 0 ||
-           item;
-  }
-  const auto found = ranges::find(yaml.entries, key, &YamlValue::Entry::key);
-  if (found == yaml.entries.end()) return false;
-  const std::string_view rest = path.substr(dot + 1);
-  if (top && key == kConnections)
+  if (std::erase_if(yaml.items, [&](const YamlValue& each) {
+        return each.is_scalar() && each.text == path;
+      }) > 0)
+    return true;
+  std::string_view rest;
+  YamlValue::Entry* const found = entry_at(yaml, path, rest);
+  if (found == nullptr) return false;
+  if (rest.empty())
+    return std::erase_if(yaml.entries, [&](const auto& each) { return each.key == path; }) > 0;
+  if (top && found->key == kConnections)
     return std::erase_if(found->value.items,
                          [&](const YamlValue& each) { return text_at(each, "to") == rest; }) > 0;
   return take_away(found->value, rest, false);
 }
 
 /// What could have been meant: the keys beside the one that is not there.
-std::vector<std::string> names_beside(const YamlValue& graph, std::string_view path) {
-  const YamlValue* at = &graph;
+std::vector<std::string> names_beside(YamlValue& graph, std::string_view path) {
+  YamlValue* at = &graph;
   std::string prefix;
-  for (std::size_t dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.')) {
-    const std::string key(path.substr(0, dot));
-    const YamlValue* next = at->find(key);
-    if (next == nullptr) break;
-    at = next;
-    prefix += key + ".";
-    path.remove_prefix(dot + 1);
+  for (std::string_view rest; YamlValue::Entry* const next = entry_at(*at, path, rest);) {
+    if (rest.empty()) break;
+    at = &next->value;
+    prefix += next->key + ".";
+    path = rest;
   }
   std::vector<std::string> names;
   for (const auto& entry : at->entries) names.push_back(prefix + entry.key);
@@ -119,7 +151,7 @@ void remove_named(YamlValue& graph, const YamlValue& list, Diagnostics& diagnost
 YamlValue laid_over(YamlValue base, YamlValue over, Diagnostics& diagnostics) {
   if (const YamlValue* list = over.find(kRemove)) remove_named(base, *list, diagnostics);
   std::erase_if(over.entries, [](const auto& entry) { return entry.key == kRemove; });
-  lay_over(base, std::move(over), true);
+  lay_over(base, std::move(over), Level::top);
   return base;
 }
 

@@ -13,6 +13,7 @@ namespace eagerx::gen {
 struct ImportOptions {
   std::string engine;
   std::optional<Rational> engine_rate_hz, rate_hz;
+  bool keep_processes = false;  // nodes with NEW_PROCESS become parts
 };
 
 struct ImportedGraph {

@@ -60,8 +60,31 @@ Processes find_processes(const SavedGraph& saved, Diagnostics& diagnostics) {
   return result;
 }
 
-void translate_processes(Translation& t, const Processes& processes) {
-  if (processes.place.line == 0) return;
+namespace {
+
+/// EAGERx's users give nodes a process for speed; one program is faster, with the same messages.
+void join_processes(Translation& t, const Processes& processes) {
+  std::vector<std::string> names;
+  for (const std::string& saved : processes.alone)
+    if (t.entity(saved) != nullptr) names.push_back("`" + t.names.at(saved) + "`");
+  if (names.empty()) return;
+  t.diagnostics
+      .note(processes.place,
+            fmt::format("one program runs {}, which EAGERx runs in {}", joined(names),
+                        names.size() == 1 ? "a process of its own" : "processes of their own"))
+      .help =
+      "the messages are the same: `eagerx-gen import --keep-processes` makes parts (`placement:`)";
+}
+
+}  // namespace
+
+void translate_processes(Translation& t, const Processes& found) {
+  if (found.place.line == 0) return;
+  Processes processes = found;
+  if (!t.options.keep_processes) {
+    join_processes(t, found);
+    processes.alone.clear();
+  }
   std::vector<std::string> alone, elsewhere, kept;
   const auto place = [&](const std::vector<std::string>& nodes, Process process, const char* remark,
                          std::vector<std::string>& said) {

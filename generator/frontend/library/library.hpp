@@ -123,6 +123,7 @@ struct Entity {
   std::vector<ObjectEngine> object_engines;
   std::vector<std::string> counts;  // nodes: what for_each_count() counts
   std::vector<std::string> moves;   // engine states: what they set that changes in an episode
+  std::string pack_registers;       // engines: of a pack of numbers; empty: the runtime's choice
   Condition packs;  // where its class also calculates with packs of numbers; empty: nowhere
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs

@@ -311,6 +311,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::
                       "a reset node has at least one output and one target");
   entity.requirements = read_requirements(root, entity, diagnostics);
   entity.packs = read_packs(root, entity, diagnostics);
+  entity.pack_registers = text_at(root, "pack_registers");
   if (diagnostics.error_count() != errors_before) return std::nullopt;
   return entity;
 }

@@ -318,20 +318,23 @@ const Format* manifest_format(std::string_view kind) {
        format::record("a reset node", common("reset_node") + cpp() + config() + node_ports(true) +
                                           Fields{{"targets", ports("targets", port_fields()), true,
                                                   "states that it can bring about"}})},
-      {"engine",
-       format::record(
-           "an engine", common("engine") + cpp() + packs() + config() + states() +
-                            Fields{{"runs", texts(), false,
-                                    "other engines whose implementations of objects it can run"},
-                                   {"asynchronous", format::boolean(), false,
-                                    "whether its class has a clock, now_ns(), for `sync: false`"},
-                                   {"simulator",
-                                    format::record("a simulator",
-                                                   {{"class", format::text("a C++ class template"),
-                                                     true, "class template over a model"},
-                                                    {"header", header_format(), false,
-                                                     "header beside the manifest"}}),
-                                    true, "what holds an object's state"}})},
+      {"engine", format::record(
+                     "an engine",
+                     common("engine") + cpp() + packs() + config() + states() +
+                         Fields{{"runs", texts(), false,
+                                 "other engines whose implementations of objects it can run"},
+                                {"pack_registers", format::integer("a whole number", 1, 8), false,
+                                 "registers of a pack; large models are fastest with 1 "
+                                 "(default: 4, of small ones the fastest)"},
+                                {"asynchronous", format::boolean(), false,
+                                 "whether its class has a clock, now_ns(), for `sync: false`"},
+                                {"simulator",
+                                 format::record("a simulator",
+                                                {{"class", format::text("a C++ class template"),
+                                                  true, "class template over a model"},
+                                                 {"header", header_format(), false,
+                                                  "header beside the manifest"}}),
+                                 true, "what holds an object's state"}})},
       {"engine_node",
        format::record("an engine node", common("engine_node") + cpp() + packs() + engines() +
                                             config() + node_ports(false))},

@@ -101,10 +101,10 @@ class Reader {
   }
 
  private:
-  /// What to write in place of a number with a decimal comma, or with a unit.
+  /// What to write for a number in the way of another language, or with a unit.
   [[nodiscard]] std::string help_with_number(const YamlValue& yaml) const {
-    if (const auto point = yaml.is_scalar() ? with_decimal_point(yaml.text) : std::nullopt)
-      return fmt::format("write `{}`: a number has a decimal point", *point);
+    if (const auto foreign = yaml.is_scalar() ? foreign_number(yaml.text) : std::nullopt)
+      return foreign->help;
     const Unit* unit = find_unit(parameter_.unit);
     if (unit == nullptr || !yaml.is_scalar() || take_unit_off(yaml.text).unit.empty()) return {};
     const std::string right = with_right_unit(yaml.text, unit->quantity);

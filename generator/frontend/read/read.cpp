@@ -13,6 +13,7 @@
 #include "generator/frontend/read/text.hpp"
 #include "generator/frontend/read/tree.hpp"
 #include "generator/frontend/read/tree_builder.hpp"
+#include "generator/frontend/read/wide_space.hpp"
 #include "generator/frontend/read/yaml_error.hpp"
 #include "generator/support/diagnostics/search.hpp"
 #include "generator/support/files/beside.hpp"
@@ -96,6 +97,7 @@ YamlValue read_whole(FileId file, std::string_view text, Diagnostics& diagnostic
   const std::size_t errors_before = diagnostics.error_count();
   const Locator locator(file, text);
   if (!check_brackets(locator, limits, diagnostics)) return {};
+  if (tags == Tags::refuse && !check_wide_spaces(locator, diagnostics)) return {};
   TreeBuilder builder(locator, tags, limits, diagnostics);
   parse(locator, builder, tags, diagnostics);
   if (diagnostics.error_count() > errors_before) return {};

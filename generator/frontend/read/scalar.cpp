@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <numbers>
 #include <system_error>
 
 namespace eagerx::gen {
@@ -54,6 +55,28 @@ std::optional<T> convert(std::string_view text) {
   return value;
 }
 
+/// "pi" with a decimal and `*` before it, and `/` and a decimal behind it; either may be missing.
+std::optional<double> multiple_of_pi(std::string_view text) {
+  const std::size_t at = text.find("pi");
+  if (at == std::string_view::npos) return std::nullopt;
+  std::string_view before = trimmed(text.substr(0, at));
+  std::string_view after = trimmed(text.substr(at + 2));
+  double value = std::numbers::pi;
+  if (!before.empty() && before != "+" && before != "-") {
+    if (before.back() != '*') return std::nullopt;
+    before = trimmed(before.substr(0, before.size() - 1));
+    const auto factor = is_decimal(without_sign(before)) ? convert<double>(before) : std::nullopt;
+    if (!factor) return std::nullopt;
+    value *= *factor;
+  } else if (before == "-") {
+    value = -value;
+  }
+  if (after.empty()) return value;
+  after = after.front() == '/' ? trimmed(after.substr(1)) : std::string_view();
+  const auto divisor = is_decimal(after) ? convert<double>(after) : std::nullopt;
+  return divisor && *divisor > 0.0 ? std::optional(value / *divisor) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::int64_t> parse_int(std::string_view text) {
@@ -82,7 +105,7 @@ std::optional<double> parse_number(std::string_view text) {
   if (text == ".nan" || text == ".NaN" || text == ".NAN") {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  if (!is_decimal(unsigned_text)) return std::nullopt;
+  if (!is_decimal(unsigned_text)) return multiple_of_pi(text);
   return convert<double>(text);
 }
 

@@ -16,6 +16,7 @@ std::optional<std::int64_t> parse_whole(std::string_view text);
 
 /// Number of YAML's core schema (1.2, section 10.3.2) in decimal: "1", "-2.5", ".5", "1.", "6e-3",
 /// ".inf", "-.inf", ".nan". Nothing for leading zeros, underscores, or a magnitude outside double.
+/// Also multiples of pi: "pi", "-pi/2", "2*pi", "0.75 * pi", "3*pi/4".
 std::optional<double> parse_number(std::string_view text);
 
 /// Whether the text is such a number written in digits (not .inf or .nan), whatever its size.

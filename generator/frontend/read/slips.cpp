@@ -27,6 +27,35 @@ std::optional<std::string> with_decimal_point(std::string_view text) {
   return parse_number(number) ? std::optional(result) : std::nullopt;
 }
 
+std::optional<ForeignNumber> foreign_number(std::string_view text) {
+  const auto meant = [](std::string number, std::string_view why) {
+    std::string help = fmt::format("write `{}`: {}", number, why);
+    return ForeignNumber{std::move(number), std::move(help)};
+  };
+  if (auto point = with_decimal_point(text))
+    return meant(std::move(*point), "a number has a decimal point");
+  if (parse_number(text)) return std::nullopt;
+  if (text.starts_with("0x")) {
+    const auto value = parse_whole(text);
+    if (!value) return std::nullopt;
+    return meant(std::to_string(*value), "a number is decimal");
+  }
+  const std::string_view before_pi =
+      text.substr(0, text.size() - std::min<std::size_t>(text.size(), 2));
+  if (text.ends_with("pi") && is_decimal_text(before_pi))
+    return meant(fmt::format("{}*pi", before_pi), "a product has `*`");
+  std::string without(text);
+  if (std::erase(without, '_') > 0 && parse_number(without))
+    return meant(std::move(without), "a number has no underscores");
+  const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  const std::size_t digits = std::min(text.find_first_not_of('0', sign), text.size());
+  without = std::string(text.substr(0, sign)) + std::string(text.substr(digits));
+  if (digits > sign && parse_number(without))
+    return meant(std::move(without),
+                 "a number has no leading zeros, which YAML 1.1 takes as octal");
+  return std::nullopt;
+}
+
 std::optional<GluedKey> glued_key(std::string_view text) {
   const std::size_t at = text.find_first_of(":=");
   if (at == std::string_view::npos) return std::nullopt;

@@ -73,8 +73,8 @@ bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagno
     problem.help = "quotes make it a text: leave them out";
   if (problem.help.empty()) problem.help = other_form(yaml, format);
   if (!yaml.is_scalar() || yaml.quoted) return false;
-  if (const auto point = with_decimal_point(yaml.text)) {
-    problem.help = fmt::format("write `{}`: a number has a decimal point", *point);
+  if (const auto foreign = foreign_number(yaml.text)) {
+    problem.help = foreign->help;
   } else if (const auto glued = mapping ? glued_key(yaml.text) : std::nullopt) {
     problem.help = glued->help;
   }

@@ -69,9 +69,18 @@ void read_policy_settings(const YamlValue& yaml, AgentSpec& spec) {
   const auto text = [](const YamlValue& n) { return n.text; };
   spec.output = optional_of<std::string>(yaml, "output", text);
   spec.trained_at = optional_of<Rational>(yaml, "trained_at", rational_of);
+  spec.normalize_actions = optional_of<bool>(yaml, "normalize_actions", bool_of);
   spec.normalize = optional_of<std::string>(yaml, "normalize", text);
   spec.activation = optional_of<std::string>(yaml, "activation", text);
   spec.output_activation = optional_of<std::string>(yaml, "output_activation", text);
+  if (const YamlValue* layers = yaml.find("layers")) {
+    for (const auto& item : layers->items) spec.layers.push_back(spanned_text(item));
+  }
+  if (const YamlValue* sizes = yaml.find("input_sizes")) {
+    for (const auto& item : sizes->items) {
+      spec.input_sizes.push_back({parse_int(item.text).value_or(0), item.span});
+    }
+  }
   spec.actor = optional_of<std::string>(yaml, "actor", text);
   spec.output_name = optional_of<std::string>(yaml, "output_name", text);
   spec.golden = optional_of<std::string>(yaml, "golden", text);
@@ -97,9 +106,9 @@ AgentSpec read_agent(const YamlValue* yaml, Diagnostics& diagnostics) {
   }
   spec.kind = policy != nullptr ? AgentSpec::Kind::policy : AgentSpec::Kind::csv;
   spec.file = spanned_text(policy != nullptr ? *policy : *csv);
-  for (const char* key :
-       {"observations", "output", "trained_at", "normalize", "activation", "output_activation",
-        "actor", "output_name", "golden", "weights", "max_error", "profile"}) {
+  for (const char* key : {"observations", "output", "trained_at", "normalize_actions", "normalize",
+                          "activation", "output_activation", "layers", "input_sizes", "actor",
+                          "output_name", "golden", "weights", "max_error", "profile"}) {
     if (csv == nullptr || yaml->find(key) == nullptr) continue;
     diagnostics.error("E0206", yaml->find(key)->span,
                       fmt::format("`{}` goes with a `policy`, not with a `csv`", key));

@@ -52,9 +52,12 @@ struct AgentSpec {
   std::vector<Spanned<std::string>> observations;  // order of the policy's inputs; empty: by name
   std::optional<Spanned<std::string>> output;      // squashed | raw | argmax | binary
   std::optional<Spanned<Rational>> trained_at;     // Hz, for files that do not say it
+  std::optional<Spanned<bool>> normalize_actions;  // trained with actions from -1 to 1
   std::optional<Spanned<std::string>> normalize;   // file of statistics
   std::optional<Spanned<std::string>> activation;  // of hidden layers
   std::optional<Spanned<std::string>> output_activation;  // after the last layer
+  std::vector<Spanned<std::string>> layers;               // of a table, in order, activations too
+  std::vector<Spanned<std::int64_t>> input_sizes;         // of TorchScript
   std::optional<Spanned<std::string>> actor;              // how names of its tensors begin
   std::optional<Spanned<std::string>> output_name;        // of ONNX
   std::optional<Spanned<std::string>> golden;             // file of known answers

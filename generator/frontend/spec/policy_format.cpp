@@ -14,6 +14,9 @@ std::vector<Field> policy_settings() {
        "Default: as the file says, else squashed if the last layer is a tanh, else raw"},
       {"trained_at", format::rate(), false,
        "steps a second in training, in Hz, for files that do not say it: it must be the rate here"},
+      {"normalize_actions", format::boolean(), false,
+       "true: in training, actions were from -1 to 1 and stood for the action's bounds: "
+       "`make_vec_env(…, normalize_actions=True)`, Gymnasium's RescaleAction"},
       {"normalize", format::text("a file name"), false,
        "statistics of the observations: VecNormalize.save, npz or JSON"},
       {"activation",
@@ -26,6 +29,13 @@ std::vector<Field> policy_settings() {
        false,
        "what follows the last layer, for files that do not say it: state dicts of modules that no "
        "known library made"},
+      {"layers", format::list("a list of layers", format::text("a name"), 1), false,
+       "of a table of tensors whose names tell no order: its layers in their order (`[fc1, fc2, "
+       "mu]`), or with what follows each (`[fc1, relu, fc2, relu, mu, tanh]`)"},
+      {"input_sizes",
+       format::list("a list of sizes", format::integer("a whole number above 0", 1.0), 1), false,
+       "of TorchScript with several inputs: how many numbers each has, where the file does not say "
+       "it"},
       {"actor", format::text("a name"), false,
        "of a file with several actors: how the names of its tensors begin"},
       {"output_name", format::text("a name"), false,

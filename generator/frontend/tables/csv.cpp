@@ -57,7 +57,7 @@ CsvRow read_row(std::string_view line, FileId file, std::uint32_t number) {
 /// A row with a number is none: what else is in it is a mistake.
 bool is_header(const CsvRow& row) {
   return ranges::none_of(row, [](const CsvCell& cell) {
-    return cell.text.empty() || parse_number(cell.text).has_value();
+    return cell.text.empty() || (parse_number(cell.text).has_value() && cell.text != "pi");
   });
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxRates = 64;
 // Above this a table costs more flash than the countdown costs instructions (generator/README.md,
-// "Why it is so").
+// "Design rationale").
 constexpr std::uint64_t kMaxTableSlots = 1024;
 // Measured: constants take 1.4 to 2.3 times the compile time and text of a run-time mask, per
 // distinct mask.

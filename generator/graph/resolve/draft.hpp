@@ -256,6 +256,8 @@ void resolve_delay(const Draft& draft, const DraftInput& from, Input& into);
 void check_resets(Graph& graph, Diagnostics& diagnostics);
 /// What manifests require of parameters, ports and rates together (E0328).
 void check_limits(Draft& draft);
+/// Parameters that are too large for float, where the program computes with it (E0323).
+void check_float_range(Draft& draft);
 /// The same of a processor and those before it; false if there was a problem.
 bool check_limits(const Processor& processor, Diagnostics& diagnostics);
 /// The space that an input is declared with, by the name that connections call it; nullopt if there

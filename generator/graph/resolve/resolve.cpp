@@ -228,6 +228,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   if (!diagnostics.has_errors()) check_resets(draft.graph, diagnostics);
   check_sync(draft);
   check_limits(draft);
+  check_float_range(draft);
   if (diagnostics.has_errors()) return std::nullopt;
   if (!spec.has_engine()) drop_engine(draft.graph);
   return std::move(draft.graph);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "generator/policy/agent/world_checks.hpp"
 #include "generator/policy/formats/golden.hpp"
 #include "generator/policy/formats/read.hpp"
 #include "generator/policy/network/int8.hpp"
@@ -38,11 +39,63 @@ void round_weights(Network& network, const AgentSpec& policy, const GoldenRows* 
       fmt::format("weights of eight bits, error against float32: {}", to_string(error)));
 }
 
+/// What of `network` and the graph contradicts actions from -1 to 1. E0704, E0705.
+bool check_normalized_actions(const Network& network, const AgentSpec& policy,
+                              Diagnostics& diagnostics) {
+  const Span span = policy.normalize_actions->span;
+  if (policy.output) {
+    diagnostics
+        .error("E0704", policy.output->span,
+               "`output` and `normalize_actions` both say what becomes of the policy's outputs")
+        .help = "leave `output` out: from -1 to 1 all of them mean the same";
+    return false;
+  }
+  if (network.action && is_choice(*network.action)) {
+    diagnostics
+        .error("E0704", span,
+               fmt::format("the policy `{}` chooses whole numbers, which `normalize_actions` does "
+                           "not scale",
+                           network.file))
+        .help = "leave `normalize_actions` out";
+    return false;
+  }
+  const PolicyContract& contract = network.contract;
+  for (std::size_t i = 0; i < network.outputs(); ++i) {
+    const double low = bound_of(contract.action_low, i, network.outputs()).value_or(-1.0);
+    const double high = bound_of(contract.action_high, i, network.outputs()).value_or(1.0);
+    if (low == -1.0 && high == 1.0) continue;
+    diagnostics
+        .error("E0705", span,
+               fmt::format("the policy `{}` was trained with actions from {:g} to {:g}, not from "
+                           "-1 to 1",
+                           network.file, low, high))
+        .help = "leave `normalize_actions` out";
+    return false;
+  }
+  return true;
+}
+
+/// Actions of the training were from -1 to 1, as squashed ones are: the others are clipped first.
+void normalize_actions(Network& network) {
+  const std::uint32_t count = network.outputs();
+  if (network.action_kind() != ActionKind::squashed) {
+    using Operation = Elementwise::Operation;
+    network.layers.push_back(layer_of(Elementwise{Operation::at_least}, count, count, {-1.0F}));
+    network.layers.push_back(layer_of(Elementwise{Operation::at_most}, count, count, {1.0F}));
+  }
+  network.action = ActionKind::squashed;
+  network.contract.action_low.clear();
+  network.contract.action_high.clear();
+}
+
 /// Checks the policy against the rows that the graph names, and gives the program some to check.
 void add_known_answers(Network& network, const AgentSpec& policy, const fs::path& folder,
                        Diagnostics& diagnostics) {
   const auto& golden = policy.golden;
+  const bool normalizes = policy.normalize_actions && policy.normalize_actions->value &&
+                          check_normalized_actions(network, policy, diagnostics);
   if (!golden) {
+    if (normalizes) normalize_actions(network);
     network.self_test = self_test_rows(network, nullptr);
     return round_weights(network, policy, nullptr, diagnostics);
   }
@@ -52,6 +105,7 @@ void add_known_answers(Network& network, const AgentSpec& policy, const fs::path
     return;
   }
   if (compare(network, *rows, golden->value, golden->span, diagnostics)) {
+    if (normalizes) normalize_actions(network);
     network.self_test = self_test_rows(network, &*rows);
     round_weights(network, policy, &*rows, diagnostics);
   }
@@ -77,6 +131,9 @@ std::optional<Network> read_weights(const AgentSpec& policy, const std::string& 
     said.output_activation = activation_of(policy.output_activation->value);
   }
   if (policy.actor) said.actor = policy.actor->value;
+  for (const auto& layer : policy.layers) said.layers.push_back(layer.value);
+  for (const auto& size : policy.input_sizes) said.input_sizes.push_back(size.value);
+  said.has_answers = policy.golden.has_value();
   if (policy.output_name) said.output_name = policy.output_name->value;
   auto network = read_policy(request, diagnostics);
   if (!network) return network;

@@ -184,6 +184,23 @@ class ActionCheck {
         .notes.push_back({"the action", action.span, ""});
   }
 
+  /// Other bounds change what reaches the robot, unless the training scaled its actions itself.
+  std::string help_for_bounds(const std::string& action, double low, double high) const {
+    const std::string bounds =
+        fmt::format("`{}: {{{}: {{space: {{low: {:g}, high: {:g}}}}}}}`",
+                    use_.is_agent ? "actions" : "outputs", action, low, high);
+    if (low != -1.0 || high != 1.0) {
+      return fmt::format(
+          "if the training acted in the same unit, give it the bounds of the training: {}", bounds);
+    }
+    return fmt::format(
+        "if -1 and 1 stood for the bounds of the action (`make_vec_env(…, "
+        "normalize_actions=True)`, "
+        "Gymnasium's RescaleAction): `{}: …, normalize_actions: true}}`; if they are values of the "
+        "action itself, give it these bounds: {}",
+        use_.is_agent ? "agent: {policy" : "policy: {file", bounds);
+  }
+
   void check_bounds() {
     const PolicyContract& contract = network_.contract;
     std::size_t output = 0;
@@ -203,10 +220,7 @@ class ActionCheck {
                               use_.file, *low, *high, use_.out, action->name, *our_low, *our_high));
         problem.notes.push_back(
             {use_.is_agent ? "the graph's action" : "the node's output", action->span, ""});
-        problem.help = fmt::format(
-            "give it the bounds of the training: `{}: {{{}: {{space: {{low: {:g}, high: "
-            "{:g}}}}}}}`",
-            use_.is_agent ? "actions" : "outputs", action->name, *low, *high);
+        problem.help = help_for_bounds(action->name, *low, *high);
         return;
       }
     }

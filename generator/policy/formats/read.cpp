@@ -10,6 +10,7 @@
 #include "generator/policy/formats/common/foreign.hpp"
 #include "generator/policy/formats/files.hpp"
 #include "generator/policy/formats/onnx/read_onnx.hpp"
+#include "generator/policy/formats/partial_statistics.hpp"
 #include "generator/policy/formats/statistics.hpp"
 #include "generator/policy/formats/tensors/containers.hpp"
 #include "generator/policy/formats/torchscript/read_torchscript.hpp"
@@ -33,12 +34,13 @@ std::optional<Network> read_program(const Archive& archive, const ReadContext& c
   const char* said = !context.actor.empty()      ? "actor"
                      : context.activation        ? "activation"
                      : context.output_activation ? "output_activation"
+                     : !context.layers.empty()   ? "layers"
                                                  : nullptr;
   if (said != nullptr) {
     return refuse(problem, "E0626", "is TorchScript, which says every step of the actor",
                   fmt::format("leave the graph's `{}` out", said));
   }
-  return read_torchscript(archive, context.output_name, problem);
+  return read_torchscript(archive, context, problem);
 }
 
 std::optional<Network> read_any(std::string_view bytes, const ReadContext& context,
@@ -48,6 +50,10 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
   std::optional<Archive> archive;
   if (is_zip && !(archive = Archive::open(bytes, problem))) return std::nullopt;
   if (archive && is_torchscript(*archive)) return read_program(*archive, context, problem);
+  if (!context.input_sizes.empty()) {
+    return refuse(problem, "E0626", "is no TorchScript, whose inputs alone have no sizes",
+                  "leave the graph's `input_sizes` out");
+  }
   const bool is_table = is_zip || is_safetensors(bytes) || is_legacy_torch(bytes);
   if (is_table && !context.output_name.empty()) {
     return refuse(problem, "E0751", "is a table of tensors, which has no outputs with names",
@@ -63,6 +69,11 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
   if (!context.actor.empty()) {
     return refuse(problem, "E0625", "is no table of tensors, which may hold several actors",
                   "leave the graph's `actor` out; of ONNX say `output_name`");
+  }
+  if (!context.layers.empty()) {
+    return refuse(problem, "E0626",
+                  "is no table of tensors, which alone says nothing of their order",
+                  "leave the graph's `layers` out");
   }
   auto network = read_onnx(bytes, context.output_name, context.files, problem);
   if (network && (context.activation || context.output_activation)) {
@@ -92,19 +103,27 @@ bool same_order(const std::vector<NamedPart>& a, const std::vector<NamedPart>& b
 }
 
 /// Whether `statistics` are those of `network`: E0627, E0631.
-bool check_normalization(const Normalization& statistics, const Network& network,
-                         const std::string& policy, PolicyProblem& problem) {
+bool check_normalization(Normalization& statistics, Network& network, const std::string& policy,
+                         PolicyProblem& problem) {
+  const bool is_partial = are_partial(statistics, network);
+  if (is_partial && !complete_statistics(statistics, network, policy, problem)) return false;
   if (statistics.mean.size() != network.inputs()) {
     return refuse(problem, "E0627",
                   fmt::format("normalise {} numbers, but the policy `{}` takes {}",
                               statistics.mean.size(), policy, network.inputs()),
-                  "name the statistics that were saved with this policy");
+                  statistics.parts.empty() || !network.contract.observations.empty()
+                      ? "name the statistics that were saved with this policy"
+                      : "name the statistics that were saved with this policy; if they are of some "
+                        "parts only (`norm_obs_keys`), give Stable-Baselines3's zip as the policy: "
+                        "it says where these parts are");
   }
   if (!same_order(statistics.parts, network.contract.observations)) {
     return refuse(problem, "E0627",
                   fmt::format("are of {}, but the policy `{}` takes {}", listed(statistics.parts),
                               policy, listed(network.contract.observations)),
-                  "save them with all parts of the observation, in the order of its space");
+                  "name the statistics that were saved with this policy: parts that they lack "
+                  "(`norm_obs_keys`) stay as they are, but all of theirs must be the policy's, in "
+                  "its order");
   }
   const auto& own = network.normalization;
   if (own && (own->mean != statistics.mean || own->variance != statistics.variance)) {
@@ -112,7 +131,7 @@ bool check_normalization(const Normalization& statistics, const Network& network
                   fmt::format("differ from those that the policy `{}` holds itself", policy),
                   "leave `normalize` out, or name the file that belongs to the policy");
   }
-  return network.contract.choices.empty() ||
+  return is_partial || network.contract.choices.empty() ||
          refuse(problem, "E0627",
                 fmt::format("normalise what the policy `{}` takes as choices, which stay whole "
                             "numbers",

@@ -1,4 +1,4 @@
-// A page for every code: cause, example, mend. They are the files of codes/, built into the
+// A page for every code: cause, example, fix. They are the files of codes/, built into the
 // program.
 #pragma once
 

@@ -20,8 +20,9 @@ class BodyForceActuator : public Actuator<Io, BodyForceActuator<Io>> {
     static_assert(kBody < Simulator::Model::kBodies.size(),
                   "BodyForceActuator: `body` is not a body of the object's model");
     static_assert(size_of<Message> == 3, "BodyForceActuator: a force has three values");
-    Vector3 force{};
-    for (std::size_t i = 0; i < 3; ++i) force[i] = static_cast<double>(element(action, i));
+    Array<typename Simulator::Number, 3> force;
+    for (std::size_t i = 0; i < 3; ++i)
+      force[i] = static_cast<typename Simulator::Number>(element(action, i));
     simulator.set_force(kBody, force);
   }
 };

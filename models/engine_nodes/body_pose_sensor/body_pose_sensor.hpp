@@ -10,10 +10,8 @@ namespace eagerx::models {
 template <class Io>
 class BodyPoseSensor : public BodySensor<Io, BodyPoseSensor<Io>> {
  public:
-  static Pose numbers(const typename Io::Simulator& simulator, std::size_t body) {
-    const RigidState now = simulator.state(body);
-    return {{now.position[0], now.position[1], now.position[2], now.rotation[0], now.rotation[1],
-             now.rotation[2], now.rotation[3]}};
+  static auto numbers(const typename Io::Simulator& simulator, std::size_t body) {
+    return simulator.pose(body);
   }
 };
 

@@ -10,9 +10,8 @@ namespace eagerx::models {
 template <class Io>
 class BodyTwistSensor : public BodySensor<Io, BodyTwistSensor<Io>> {
  public:
-  static Twist numbers(const typename Io::Simulator& simulator, std::size_t body) {
-    const RigidState now = simulator.state(body);
-    return joined(now.velocity, now.angular_velocity);
+  static auto numbers(const typename Io::Simulator& simulator, std::size_t body) {
+    return simulator.twist(body);
   }
 };
 

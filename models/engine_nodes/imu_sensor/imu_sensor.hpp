@@ -11,10 +11,8 @@ namespace eagerx::models {
 template <class Io>
 class ImuSensor : public BodySensor<Io, ImuSensor<Io>> {
  public:
-  static Twist numbers(const typename Io::Simulator& simulator, std::size_t body) {
-    const RigidState now = simulator.state(body);
-    return joined(simulator.specific_force(body),
-                  rotate(inverse(now.rotation), now.angular_velocity));
+  static auto numbers(const typename Io::Simulator& simulator, std::size_t body) {
+    return simulator.imu(body);
   }
 };
 

@@ -10,8 +10,10 @@ namespace eagerx::models {
 template <class Io>
 class JointMotorActuator : public JointActuator<Io, JointMotorActuator<Io>> {
  public:
-  static void command(typename Io::Simulator& simulator, std::size_t joint, double value) {
-    simulator.set_joint_motor(joint, value, Io::Config::max_torque);
+  static void command(typename Io::Simulator& simulator, std::size_t joint,
+                      const typename Io::Simulator::Number& value) {
+    simulator.set_joint_motor(joint, value,
+                              number_for<typename Io::Simulator>(Io::Config::max_torque));
   }
 };
 

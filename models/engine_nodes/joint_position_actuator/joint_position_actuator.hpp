@@ -10,11 +10,13 @@ namespace eagerx::models {
 template <class Io>
 class JointPositionActuator : public JointActuator<Io, JointPositionActuator<Io>> {
  public:
-  static void command(typename Io::Simulator& simulator, std::size_t joint, double value) {
+  static void command(typename Io::Simulator& simulator, std::size_t joint,
+                      const typename Io::Simulator::Number& value) {
+    using Simulator = typename Io::Simulator;
     simulator.set_joint_servo(joint, {.position = value,
-                                      .stiffness = Io::Config::stiffness,
-                                      .damping = Io::Config::damping,
-                                      .max_torque = Io::Config::max_torque});
+                                      .stiffness = number_for<Simulator>(Io::Config::stiffness),
+                                      .damping = number_for<Simulator>(Io::Config::damping),
+                                      .max_torque = number_for<Simulator>(Io::Config::max_torque)});
   }
 };
 

@@ -10,8 +10,7 @@ namespace eagerx::models {
 template <class Io>
 class JointPositionSensor : public JointSensor<Io, JointPositionSensor<Io>> {
  public:
-  static double number(const typename Io::Simulator& simulator, std::size_t joint,
-                       std::size_t axis) {
+  static auto number(const typename Io::Simulator& simulator, std::size_t joint, std::size_t axis) {
     return simulator.joint_position(joint, axis);
   }
 };

@@ -10,8 +10,7 @@ namespace eagerx::models {
 template <class Io>
 class JointVelocitySensor : public JointSensor<Io, JointVelocitySensor<Io>> {
  public:
-  static double number(const typename Io::Simulator& simulator, std::size_t joint,
-                       std::size_t axis) {
+  static auto number(const typename Io::Simulator& simulator, std::size_t joint, std::size_t axis) {
     return simulator.joint_velocity(joint, axis);
   }
 };

@@ -16,8 +16,10 @@ class ModelInput : public Actuator<Io, ModelInput<Io>> {
         size_of<Message> == Io::Simulator::inputs(),
         "ModelInput: the action must have as many elements as the object's model has inputs");
     for (std::size_t i = 0; i < size_of<Message>; ++i) {
-      const auto value = static_cast<double>(element(action, i));
-      simulator.input[i] = eagerx::isfinite(value) ? value : 0.0;
+      using Number = typename Io::Simulator::Number;
+      const auto value = static_cast<Number>(element(action, i));
+      simulator.input[i] =
+          eagerx::select(eagerx::isfinite(value), value, Number(LaneOf<Number>(0)));
     }
   }
 };

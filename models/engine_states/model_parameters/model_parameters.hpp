@@ -16,7 +16,7 @@ struct ModelParameters {
                   "ModelParameters: an element of `indices` is not a parameter of the model");
     for (std::size_t i = 0; i < kCount; ++i) {
       simulator.parameters[static_cast<std::size_t>(Io::Config::indices[i])] =
-          static_cast<double>(element(value, i));
+          static_cast<typename Io::Simulator::Number>(element(value, i));
     }
     simulator.reconfigure();
   }

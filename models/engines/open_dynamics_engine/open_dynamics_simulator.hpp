@@ -22,6 +22,7 @@ class OpenDynamicsSimulator {
  public:
   using Model = ModelType;
   using Real = typename Model::Real;
+  using Number = double;  // that engine nodes give and take
   static constexpr std::size_t kBodies = Model::kBodies.size();
   static constexpr std::size_t kJoints = Model::kJoints.size();
   static constexpr std::size_t kGeometries = Model::kGeometries.size();
@@ -178,6 +179,20 @@ class OpenDynamicsSimulator {
             {{q[0], q[1], q[2], q[3]}},
             {{v[0], v[1], v[2]}},
             {{w[0], w[1], w[2]}}};
+  }
+  /// Position and quaternion of a body; velocity and angular velocity.
+  Pose pose(std::size_t body) const {
+    const auto [p, q, v, w] = state(body);
+    return {{p[0], p[1], p[2], q[0], q[1], q[2], q[3]}};
+  }
+  Twist twist(std::size_t body) const {
+    const RigidState now = state(body);
+    return joined(now.velocity, now.angular_velocity);
+  }
+  /// specific_force() and angular velocity, in the body's axes.
+  Twist imu(std::size_t body) const {
+    const RigidState now = state(body);
+    return joined(specific_force(body), rotate(inverse(now.rotation), now.angular_velocity));
   }
   double mass(std::size_t body) const {
     dMass all;

@@ -29,17 +29,19 @@ constexpr std::size_t degrees_of_freedom(JointKind kind) {
 }
 
 /// Position control of a joint; none while max_torque is zero.
-struct JointServo {
-  double position = 0.0;    // [rad, m]
-  double stiffness = 0.0;   // [N·m/rad, N/m]
-  double damping = 0.0;     // [N·m·s/rad, N·s/m]
-  double max_torque = 0.0;  // [N·m, N]
+template <class Number>
+struct JointServoOf {
+  Number position;    // [rad, m]
+  Number stiffness;   // [N·m/rad, N/m]
+  Number damping;     // [N·m·s/rad, N·s/m]
+  Number max_torque;  // [N·m, N]
 
-  constexpr double torque(double at, double velocity) const {
-    const double wanted = stiffness * (position - at) - damping * velocity;
+  constexpr Number torque(const Number& at, const Number& velocity) const {
+    const Number wanted = stiffness * (position - at) - damping * velocity;
     return eagerx::max(-max_torque, eagerx::min(wanted, max_torque));
   }
 };
+using JointServo = JointServoOf<double>;
 
 /// Counts the turns of a hinge, of which a quaternion knows only whether they are even. It takes
 /// the rotation's w and its part along the axis: cosine and sine of half the angle, so that a full

@@ -5,7 +5,10 @@
 #include <cstddef>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <models/nodes/block.hpp>
 #include <models/nodes/butterworth_filter/butterworth_design.hpp>
+#include <models/nodes/butterworth_filter/state_section.hpp>
+#include <type_traits>
 
 namespace eagerx::models {
 
@@ -14,13 +17,39 @@ template <class Io>
 class ButterworthSections {
  public:
   using Real = typename Io::Real;
+  using Config = typename Io::Config;
   struct Section {
     Real b0, b1, b2, a1, a2;
   };
 
+  /// Whether a corner is so low that the coefficients of a section all but cancel: a1 is then near
+  /// −2 and a2 near 1, and what counts is their difference.
+  static constexpr bool kIsLow = Config::cutoff_hz[0] < Io::Rate::hz / 50.0;
+
   /// [number of sections]
   static constexpr auto design() {
-    using Config = typename Io::Config;
+    constexpr Sections kExact = exact();
+    std::array<Section, kExact.count> sections{};
+    for (std::size_t i = 0; i < kExact.count; ++i) {
+      const SecondOrderSection& s = kExact.sections[i];
+      sections[i] = {static_cast<Real>(s.b0), static_cast<Real>(s.b1), static_cast<Real>(s.b2),
+                     static_cast<Real>(s.a1), static_cast<Real>(s.a2)};
+    }
+    return sections;
+  }
+
+  /// The same sections as integrators, each with its share of the gain. [number of sections]
+  static constexpr auto design_states() {
+    constexpr Sections kExact = exact();
+    std::array<StateSection<Real>, kExact.count> sections{};
+    const double gain = root_of(kExact.sections[0].b0, static_cast<int>(kExact.count));
+    for (std::size_t i = 0; i < kExact.count; ++i)
+      sections[i] = state_section<Real>(kExact.sections[i], gain);
+    return sections;
+  }
+
+ private:
+  static constexpr Sections exact() {
     constexpr auto kOrder = static_cast<int>(Config::order);
     constexpr bool kBand = is_band(Config::type);
     constexpr std::size_t kCorners = kBand ? 2 : 1;
@@ -36,23 +65,17 @@ class ButterworthSections {
                   "half the rate of the node");
     static_assert(!kBand || kLow < kHigh,
                   "ButterworthFilter: the first frequency in `cutoff_hz` must be below the second");
-
-    constexpr Sections kExact = design_butterworth(kOrder, Config::type, kLow, kHigh, Io::Rate::hz);
-    std::array<Section, kExact.count> sections{};
-    for (std::size_t i = 0; i < kExact.count; ++i) {
-      const SecondOrderSection& s = kExact.sections[i];
-      sections[i] = {static_cast<Real>(s.b0), static_cast<Real>(s.b1), static_cast<Real>(s.b2),
-                     static_cast<Real>(s.a1), static_cast<Real>(s.a2)};
-    }
-    return sections;
+    return design_butterworth(kOrder, Config::type, kLow, kHigh, Io::Rate::hz);
   }
 };
 
 /// Filters every element of `signal` (shape [] or [n]) at the rate of the node, one sample a tick,
 /// in second-order sections (direct form II transposed):
 ///   y = b0·x + z1,  z1 ← b1·x − a1·y + z2,  z2 ← b2·x − a2·y
+/// and where a corner is below a fiftieth of the rate as integrators (state_section.hpp).
 /// Starts from rest: the past of the signal is zero at a reset. As long as no signal has come
-/// (skipped connections), the sample is zero. NaN and infinity stay until the next reset.
+/// (skipped connections), the sample is zero. A sample that is not finite passes, and leaves the
+/// memory as it is.
 template <class Io>
 class ButterworthFilter {
  public:
@@ -62,31 +85,50 @@ class ButterworthFilter {
     const Message signal = in.signal.back_or(Message{});
     for (std::size_t i = 0; i < kElements; ++i) {
       const auto sample = static_cast<Real>(element(signal, i));
-      element(out.filtered, i) = static_cast<ScalarOf<Message>>(filter(sample, memory_[i]));
+      Real filtered = sample;
+      change_where<Real>(eagerx::isfinite(sample), memory_[i],
+                         [&] { filtered = filter(sample, memory_[i]); });
+      // What overflowed is forgotten.
+      change_where<Real>(eagerx::isfinite(sample) && !eagerx::isfinite(filtered), memory_[i],
+                         [&] { memory_[i] = {}; });
+      element(out.filtered, i) =
+          static_cast<ScalarOf<Message>>(select(eagerx::isfinite(sample), filtered, sample));
     }
   }
 
  private:
   using Real = typename Io::Real;
   using Message = typename decltype(Io::Inputs::signal)::value_type;
+  using Sections = ButterworthSections<Io>;
   static constexpr std::size_t kElements = size_of<Message>;
-  static constexpr auto kSections = ButterworthSections<Io>::design();
+  static constexpr auto kSections = [] {
+    if constexpr (Sections::kIsLow) {
+      return Sections::design_states();
+    } else {
+      return Sections::design();
+    }
+  }();
 
-  struct Memory {
+  struct DirectMemory {
     Real z1, z2;
   };
+  using Memory = std::conditional_t<Sections::kIsLow, StateMemory<Real>, DirectMemory>;
   using Memories = std::array<Memory, kSections.size()>;
 
   static constexpr Real filter(Real sample, Memories& memories) {
-    for (std::size_t i = 0; i < kSections.size(); ++i) {
-      const auto& s = kSections[i];
-      Memory& z = memories[i];
-      const Real y = s.b0 * sample + z.z1;
-      z.z1 = s.b1 * sample - s.a1 * y + z.z2;
-      z.z2 = s.b2 * sample - s.a2 * y;
-      sample = y;
-    }
+    for (std::size_t i = 0; i < kSections.size(); ++i)
+      sample = pass(sample, kSections[i], memories[i]);
     return sample;
+  }
+  template <class Section>
+  static constexpr Real pass(Real x, const Section& s, DirectMemory& z) {
+    const Real y = s.b0 * x + z.z1;
+    z.z1 = s.b1 * x - s.a1 * y + z.z2;
+    z.z2 = s.b2 * x - s.a2 * y;
+    return y;
+  }
+  static constexpr Real pass(Real x, const StateSection<Real>& s, StateMemory<Real>& z) {
+    return s.pass(x, z);
   }
 
   std::array<Memories, kElements> memory_{};

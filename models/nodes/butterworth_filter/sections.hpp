@@ -16,6 +16,10 @@ struct SecondOrderSection {
   double b2 = 0.0;
   double a1 = 0.0;
   double a2 = 0.0;
+  /// 1 + a1 + a2, and of the numerator without its gain, as products of distances of the roots from
+  /// 1: the sums have lost their digits where the roots are near.
+  double a_at_one = 0.0;
+  double b_at_one = 0.0;
 };
 
 /// Sections in the order in which a sample passes them.
@@ -37,12 +41,13 @@ namespace butterworth {
 struct Quadratic {
   double linear;
   double constant;
+  double at_one;
 };
 constexpr Quadratic of_pair(Complex root) {
-  return {-2.0 * root.re, squared_magnitude(root)};
+  return {-2.0 * root.re, squared_magnitude(root), squared_magnitude(Complex{1.0} - root)};
 }
 constexpr Quadratic of_reals(double first, double second) {
-  return {-(first + second), first * second};
+  return {-(first + second), first * second, (1.0 - first) * (1.0 - second)};
 }
 
 /// Index of the smallest of `distance(0)`, …, `distance(count − 1)`; the first of equal ones.
@@ -97,7 +102,9 @@ constexpr SecondOrderSection take_section(Roots& zeros, Roots& poles) {
           .b1 = numerator.linear,
           .b2 = numerator.constant,
           .a1 = denominator.linear,
-          .a2 = denominator.constant};
+          .a2 = denominator.constant,
+          .a_at_one = denominator.at_one,
+          .b_at_one = numerator.at_one};
 }
 
 }  // namespace butterworth

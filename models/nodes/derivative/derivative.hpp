@@ -10,7 +10,8 @@ namespace eagerx::models {
 
 /// s/(τ·s + 1) by backward differences: y[n] = (τ·y[n − 1] + x[n] − x[n − 1])/(τ + T), element by
 /// element. The first signal of an episode has the derivative 0. A signal that is not finite or has
-/// not come leaves everything as it is.
+/// not come leaves everything as it is. x[n] − x[n − 1] is moved by whole turns into
+/// [−turn/2, turn/2] if `turn` is above 0.
 template <class Io>
 class Derivative {
  public:
@@ -25,7 +26,7 @@ class Derivative {
     for (std::size_t i = 0; i < kSize; ++i) {
       const Real x = newest<Real>(in.signal, i, nan);
       const auto right = eagerx::isfinite(x);
-      const Real change = select(has_last_[i] > Real(0), x - last_[i], Real(0));
+      const Real change = select(has_last_[i] > Real(0), within_turn(x - last_[i], kTurn), Real(0));
       y_[i] = select(right, Real(kKeep) * y_[i] + Real(kPerChange) * change, y_[i]);
       last_[i] = select(right, x, last_[i]);
       has_last_[i] = select(right, Real(1), has_last_[i]);
@@ -41,6 +42,7 @@ class Derivative {
   static constexpr double kSum = kTimeConstant + Io::Rate::period_s;
   static constexpr auto kKeep = constant<Real>(kTimeConstant / kSum);
   static constexpr auto kPerChange = constant<Real>(1.0 / kSum);
+  static constexpr auto kTurn = constant<Real>(Io::Config::turn);
 
   std::array<Real, kSize> y_{};
   std::array<Real, kSize> last_{};

@@ -52,9 +52,9 @@ class ExtendedKalmanFilter {
   static constexpr std::size_t kMeasured = elements_of<decltype(Inputs::measured)>;
   static constexpr auto kC = constants<Real>(Config::c);
   static constexpr auto kTurn = constants<Real>(Config::turn);
-  static constexpr auto kQ = constants<Real>(Config::q);
+  static constexpr auto kQ = factors_of<kOrder>(Config::q);
   static constexpr auto kR = constants<Real>(Config::r);
-  static constexpr auto kP = constants<Real>(Config::p);
+  static constexpr auto kP = factors_of<kOrder>(Config::p);
   static constexpr auto kInitial = constants<Real>(Config::initial);
   static constexpr auto kStep = constant<Real>(Io::Rate::period_s / Config::substeps);
   static_assert(kOrder == Model::kStates,

@@ -17,7 +17,7 @@ class FirstOrderLag {
  public:
   void reset(const typename Io::States& states) {
     for (std::size_t i = 0; i < kSize; ++i) {
-      y_[i] = each<Real>(kInitial, i);
+      y_[i].set(each<Real>(kInitial, i));
       gain_[i].reset(gain_of(each<Real>(kTimeConstant, i)));
       tune(states, i);
     }
@@ -31,9 +31,12 @@ class FirstOrderLag {
     for (std::size_t i = 0; i < kSize; ++i) {
       const Real x = newest<Real>(in.signal, i, nan);
       const Real gain = gain_[i].value;
-      const Real after = select(gain == Real(1), x, y_[i] + gain * (x - y_[i]));
-      y_[i] = select(eagerx::isfinite(x), after, y_[i]);
-      put(out.y, i, y_[i]);
+      const auto moved = y_[i].plus(gain * (x - y_[i].value));
+      const auto right = eagerx::isfinite(x);
+      const auto passes = gain == Real(1);
+      y_[i] = {select(right, select(passes, x, moved.value), y_[i].value),
+               select(right, select(passes, Real(0), moved.rest), y_[i].rest)};
+      put(out.y, i, y_[i].value);
     }
   }
 
@@ -60,7 +63,7 @@ class FirstOrderLag {
     return select(time_constant > Real(0), (t + t) / (Real(1) + t), Real(1));
   }
 
-  std::array<Real, kSize> y_{};
+  std::array<CompensatedSum<Real>, kSize> y_{};
   std::array<ResetNumber<Real>, kSize> gain_{};
 };
 

@@ -29,7 +29,7 @@ class Integrator {
           value = static_cast<Real>(element(*states.value, kInitial.size() == 1 ? 0 : i));
         }
       }
-      value_[i] = limited(i, value);
+      value_[i].set(eagerx::clamp(value, each<Real>(kLow, i), each<Real>(kHigh, i)));
       last_[i] = Real(0);
     }
   }
@@ -38,14 +38,14 @@ class Integrator {
     for (std::size_t i = 0; i < kSize; ++i) {
       const Real signal = newest<Real>(in.signal, i);
       const Real x = select(eagerx::isfinite(signal), signal, Real(0));
-      const Real before = value_[i];
+      const Real before = value_[i].value;
       if constexpr (kMethod == IntegrationMethod::trapezoidal) {
-        value_[i] = limited(i, before + Real(kHalf) * (x + last_[i]));
+        value_[i] = limited(i, value_[i].plus(Real(kHalf) * (x + last_[i])));
         last_[i] = x;
       } else {
-        value_[i] = limited(i, before + Real(kPeriod) * x);
+        value_[i] = limited(i, value_[i].plus(Real(kPeriod) * x));
       }
-      put(out.y, i, kMethod == IntegrationMethod::forward ? before : value_[i]);
+      put(out.y, i, kMethod == IntegrationMethod::forward ? before : value_[i].value);
     }
   }
 
@@ -64,11 +64,11 @@ class Integrator {
   static_assert(in_order(Io::Config::low, Io::Config::high),
                 "Integrator: `low` is not above `high`");
 
-  static Real limited(std::size_t i, const Real& x) {
-    return eagerx::clamp(x, each<Real>(kLow, i), each<Real>(kHigh, i));
+  static CompensatedSum<Real> limited(std::size_t i, const CompensatedSum<Real>& sum) {
+    return sum.within(each<Real>(kLow, i), each<Real>(kHigh, i));
   }
 
-  std::array<Real, kSize> value_{};
+  std::array<CompensatedSum<Real>, kSize> value_{};
   std::array<Real, kSize> last_{};  // trapezoidal: the signal a tick ago
 };
 

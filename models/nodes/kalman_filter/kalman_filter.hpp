@@ -38,13 +38,11 @@ class KalmanFilter {
   using Real = typename Io::Real;
   using Model = LinearModel<Io>;
   static constexpr std::size_t kOrder = Model::kOrder;
-  static constexpr auto kQ = constants<Real>(Io::Config::q);
-  static_assert(kQ.size() == kOrder || kQ.size() == kOrder * kOrder,
-                "KalmanFilter: `p` and `q` have a value for each state, or order x order values");
+  static constexpr auto kQ = factors_of<kOrder>(Io::Config::q);
   static constexpr auto kR = constants<Real>(Io::Config::r);
   static_assert(kR.size() == 1 || kR.size() == Model::kMeasured,
                 "KalmanFilter: `r` has one value, or one for each element of `measured`");
-  static constexpr auto kP = constants<Real>(Io::Config::p);
+  static constexpr auto kP = factors_of<kOrder>(Io::Config::p);
 
   static auto constant_matrix() {
     std::array<Real, kOrder * kOrder> a;

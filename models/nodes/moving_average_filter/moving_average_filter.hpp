@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <models/nodes/block.hpp>
 #include <type_traits>
 
 namespace eagerx::models {
 
 /// a ← ((n − 1)·a + x)/n for every element x of the last `signal`, a = 0 at a reset; `filtered` is
-/// a. As long as no signal has come (skipped connections), x = 0.
+/// a. As long as no signal has come (skipped connections), x = 0. An x that is not finite passes,
+/// and leaves a as it is. Computed as a + (x − a)/n, compensated, so that no n makes a stand still.
 /// Source: eagerx_tutorials, tutorial 4.
 template <class Io>
 class MovingAverageFilter {
@@ -24,8 +26,13 @@ class MovingAverageFilter {
     constexpr auto kCount = static_cast<Real>(Io::Config::n);
     const Message signal = in.signal.back_or(Message{});
     for (std::size_t i = 0; i < kElements; ++i) {
-      mean_[i] = ((kCount - Real(1)) * mean_[i] + static_cast<Real>(element(signal, i))) / kCount;
-      element(out.filtered, i) = static_cast<ScalarOf<Result>>(mean_[i]);
+      const auto x = static_cast<Real>(element(signal, i));
+      const auto after = mean_[i].plus((x - mean_[i].value) / kCount);
+      const auto right = eagerx::isfinite(x) && eagerx::isfinite(after.value);
+      mean_[i] = {select(right, after.value, mean_[i].value),
+                  select(right, after.rest, mean_[i].rest)};
+      element(out.filtered, i) =
+          static_cast<ScalarOf<Result>>(select(eagerx::isfinite(x), mean_[i].value, x));
     }
   }
 
@@ -35,7 +42,7 @@ class MovingAverageFilter {
   static constexpr std::size_t kElements = size_of<Message>;
   static_assert(Io::Config::n >= 1, "MovingAverageFilter: `n` must be at least 1");
 
-  std::array<Real, kElements> mean_{};
+  std::array<CompensatedSum<Real>, kElements> mean_{};
 };
 
 }  // namespace eagerx::models

@@ -7,7 +7,8 @@
 
 namespace eagerx::models {
 
-/// Every tick: u := clamp(kp·e + ki·Σe/rate − kd·d + feed_forward, low, high); see the manifest.
+/// Every tick: u := clamp(kp·e + Σ(ki·e)/rate − kd·d + feed_forward, low, high); see the manifest.
+/// What was summed with one ki stays when ki is tuned, so that u does not jump.
 /// The derivative is that of `measured`, so that nothing jumps with the setpoint.
 template <class Io>
 class PidController {
@@ -65,22 +66,24 @@ class PidController {
   template <bool HasForward, class Truth>
   Real output(const Truth& right, const Real& error, const Real& derivative, const Real& forward) {
     constexpr auto kPeriod = constant<Real>(Io::Rate::period_s);
-    const Real sum = sum_ + error * Real(kPeriod);
-    const Real ki = ki_.or_constant(constant<Real>(Config::ki));
-    Real wanted = (kp_.or_constant(constant<Real>(Config::kp)) * error + ki * sum) -
+    const Real sum_term = ki_.or_constant(constant<Real>(Config::ki)) * error;
+    const auto sum = sum_.plus(sum_term * Real(kPeriod));
+    Real wanted = (kp_.or_constant(constant<Real>(Config::kp)) * error + sum.value) -
                   kd_.or_constant(constant<Real>(Config::kd)) * derivative;
     // Not even zero is added without it: −0 would become 0.
     if constexpr (HasForward) wanted += forward;
-    const Real sum_term = ki * error;
     const auto winds_up =
         (wanted > Real(kHigh) && sum_term > Real(0)) || (wanted < Real(kLow) && sum_term < Real(0));
-    sum_ = select(right && !winds_up, sum, sum_);
-    return eagerx::clamp(select(right, wanted, Real(0)), Real(kLow), Real(kHigh));
+    // Finite inputs can still make inf − inf, which is no output and not to be kept.
+    const auto good = right && !eagerx::isnan(wanted);
+    const auto sums = good && !winds_up && eagerx::isfinite(sum.value);
+    sum_ = {select(sums, sum.value, sum_.value), select(sums, sum.rest, sum_.rest)};
+    return eagerx::clamp(select(good, wanted, Real(0)), Real(kLow), Real(kHigh));
   }
 
-  Real sum_{};       // of the errors, in their unit times seconds
-  Real last_{};      // measured, a tick ago
-  Real has_last_{};  // 1 after the first measured
+  CompensatedSum<Real> sum_{};  // of ki·e/rate, in the unit of u
+  Real last_{};                 // measured, a tick ago
+  Real has_last_{};             // 1 after the first measured
 
   using States = typename Io::States;
   [[no_unique_address]] Tunable < Real, requires(States s) { s.kp; }

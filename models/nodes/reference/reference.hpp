@@ -34,16 +34,22 @@ class Reference {
 
   template <class AnyTick = Tick>
   void callback(const AnyTick& tick, const typename Io::Inputs& /*in*/, typename Io::Outputs& out) {
-    const auto now = seconds_at<typename Io::Rate, Real>(tick);
     const Real offset = offset_.or_constant(kOffset);
-    const Real shaped = offset + amplitude_.or_constant(kAmplitude) * shape(now - Real(kStart));
-    put(out.y, 0, select(now < Real(kStart), offset, shaped));
+    Real y(Lane(0));
+    for (int k = 0; k < lanes<Real>; ++k) {
+      const ExactTime<Lane> t = since_start(tick.in_lane(k));
+      const Lane middle = lane(offset, k);
+      const Lane scaled = lane(amplitude_.or_constant(kAmplitude), k) * shape(t, k);
+      set_lane(y, k, t.whole_s < 0 ? middle : middle + scaled);
+    }
+    put(out.y, 0, y);
   }
 
  private:
   using Real = typename Io::Real;
   using Lane = LaneOf<Real>;
   using Config = typename Io::Config;
+  using States = typename Io::States;
   static constexpr auto kStart = constant<Real>(Config::start);
   static constexpr auto kOffset = constant<Real>(Config::offset);
   static constexpr auto kAmplitude = constant<Real>(Config::amplitude);
@@ -57,25 +63,56 @@ class Reference {
   static_assert(Config::shape != ReferenceShape::table || increases(Config::times),
                 "Reference: there are at least two `times`, each after the one before");
 
-  Real shape(const Real& t) const {
-    [[maybe_unused]] const Real frequency = frequency_.or_constant(kFrequency);
+  /// Before `start` whole_s is below 0.
+  static ExactTime<Lane> since_start(Seq n) {
+    constexpr auto kWholeStart = static_cast<std::int64_t>(Config::start);
+    constexpr auto kRestStart = static_cast<Lane>(Config::start - static_cast<double>(kWholeStart));
+    ExactTime<Lane> t = exact_time<typename Io::Rate, Lane>(n);
+    t.whole_s -= kWholeStart;
+    t.rest_s -= kRestStart;
+    if (t.rest_s < Lane(0)) return {t.whole_s - 1, t.rest_s + Lane(1)};
+    return t;
+  }
+
+  Lane shape(const ExactTime<Lane>& t, [[maybe_unused]] int k) const {
+    [[maybe_unused]] const Lane seconds = static_cast<Lane>(t.whole_s) + t.rest_s;
     if constexpr (Config::shape == ReferenceShape::step) {
-      return Real(Lane(1));
+      return Lane(1);
     } else if constexpr (Config::shape == ReferenceShape::ramp) {
-      return eagerx::min(t / Real(kDuration), Real(Lane(1)));
+      return eagerx::min(seconds / kDuration, Lane(1));
     } else if constexpr (Config::shape == ReferenceShape::sine) {
-      return wave(frequency * t);
+      return wave(turns_of(frequency(k), t));
     } else if constexpr (Config::shape == ReferenceShape::table) {
-      Real y(Lane(0));
-      for (int k = 0; k < lanes<Real>; ++k) set_lane(y, k, between_points(lane(t, k)));
-      return y;
+      return between_points(seconds);
     } else {
-      const Real sweep = eagerx::min(t, Real(kDuration));
-      const Real rise =
-          (Real(kEndFrequency) - frequency) * (sweep / Real(Lane(2) * kDuration)) * sweep;
-      return wave(frequency * sweep + rise + Real(kEndFrequency) * (t - sweep));
+      return wave(chirp(t, seconds, k));
     }
   }
+
+  /// Of lane `k`; exact where no reset sets it.
+  [[nodiscard]] ExactFrequency<Lane> frequency([[maybe_unused]] int k) const {
+    if constexpr (requires(States s) { s.frequency; }) {
+      return exact_frequency<Lane>(lane(frequency_.or_constant(kFrequency), k));
+    } else {
+      constexpr auto kExact = exact_frequency<Lane>(Config::frequency);
+      return kExact;
+    }
+  }
+
+  /// f·t + (f1 − f)·t²/(2·duration), and after `duration` what it is there and f1·(t − duration).
+  [[nodiscard]] Lane chirp(const ExactTime<Lane>& t, Lane seconds, int k) const {
+    const ExactFrequency<Lane> exact = frequency(k);
+    const Lane f = exact.hz;
+    const auto risen = [&](Lane sweep) {
+      return (kEndFrequency - f) * (sweep / (Lane(2) * kDuration)) * sweep;
+    };
+    if (seconds < kDuration) return turns_of(exact, t) + risen(seconds);
+    // f·D + (f1 − f)·D/2 − f1·D = (f − f1)·D/2
+    const Lane behind = (f - kEndFrequency) * (kDuration / Lane(2));
+    constexpr auto kEnd = exact_frequency<Lane>(Config::end_frequency);
+    return turns_of(kEnd, t) + (behind - eagerx::floor(behind));
+  }
+
   static constexpr std::size_t kPoints = Config::times.size();
   static constexpr auto kTimes = constants<Real>(Config::times);
   static constexpr auto kValues = constants<Real>(Config::values);
@@ -94,12 +131,11 @@ class Reference {
     return kValues[before] + share * (kValues[after] - kValues[before]);
   }
   /// `turns` without whole ones first: the sine of a large number is the less exact.
-  static Real wave(const Real& turns) {
-    const Real phase = turns + Real(constant<Real>(Config::phase));
-    return eagerx::sin(Real(Lane(2) * std::numbers::pi_v<Lane>) * (phase - eagerx::floor(phase)));
+  static Lane wave(Lane turns) {
+    const Lane phase = turns + constant<Real>(Config::phase);
+    return eagerx::sin(Lane(2) * std::numbers::pi_v<Lane> * (phase - eagerx::floor(phase)));
   }
 
-  using States = typename Io::States;
   [[no_unique_address]] Tunable < Real, requires(States s) { s.amplitude; }
   , 0 > amplitude_;
   [[no_unique_address]] Tunable < Real, requires(States s) { s.offset; }

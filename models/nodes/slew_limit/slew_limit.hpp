@@ -19,7 +19,7 @@ template <class Io>
 class SlewLimit {
  public:
   void reset(const typename Io::States& states) {
-    for (std::size_t i = 0; i < kSize; ++i) value_[i] = value_for<Real>(Io::Config::initial, i);
+    for (std::size_t i = 0; i < kSize; ++i) value_[i].set(value_for<Real>(Io::Config::initial, i));
     tune(states);
   }
   void tune([[maybe_unused]] const typename Io::States& states) {
@@ -36,7 +36,7 @@ class SlewLimit {
       const Real wanted = newest<Real>(in.signal, i, Real(FloatFormat<LaneOf<Real>>::nan));
       const TruthOf<Real> lags = follow(i, wanted);
       limited = limited || (lags && !in.signal.empty());
-      element(out.limited, i) = static_cast<ScalarOf<Result>>(value_[i]);
+      element(out.limited, i) = static_cast<ScalarOf<Result>>(value_[i].value);
     }
     limited_ += one_if<Real>(limited);
   }
@@ -60,15 +60,20 @@ class SlewLimit {
   TruthOf<Real> follow(std::size_t i, Real wanted) {
     const Real step =
         each<Real>(per_second_.or_constants(kPerSecond), i) * static_cast<Real>(Io::Rate::period_s);
-    const Real up = value_[i] + step;
-    const Real down = value_[i] - step;
-    const TruthOf<Real> within = !(wanted > up || wanted < down || eagerx::isnan(wanted));
-    const Real beyond = select(wanted > up, up, select(wanted < down, down, value_[i]));
-    value_[i] = select(within, wanted, beyond);
+    const auto up = value_[i].plus(step);
+    const auto down = value_[i].plus(-step);
+    const TruthOf<Real> rises = wanted > up.value;
+    const TruthOf<Real> falls = wanted < down.value;
+    const TruthOf<Real> within = !(rises || falls || eagerx::isnan(wanted));
+    const auto choose = [&](const Real& u, const Real& d, const Real& there, const Real& w) {
+      return select(within, w, select(rises, u, select(falls, d, there)));
+    };
+    value_[i] = {choose(up.value, down.value, value_[i].value, wanted),
+                 choose(up.rest, down.rest, value_[i].rest, Real(0))};
     return !within;
   }
 
-  std::array<Real, kSize> value_{};
+  std::array<CompensatedSum<Real>, kSize> value_{};
   CountOf<Real> limited_{};
 
   using States = typename Io::States;

@@ -89,6 +89,19 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return best != nullptr ? *best : std::string();
 }
 
+const std::string* spelled_otherwise(std::string_view name, const std::vector<std::string>& known) {
+  const auto same = [](char a, char b) {
+    return a == b || ((a == '.' || a == '/') && (b == '.' || b == '/'));
+  };
+  const std::string* found = nullptr;
+  for (const std::string& each : known) {
+    if (!std::equal(each.begin(), each.end(), name.begin(), name.end(), same)) continue;
+    if (found != nullptr) return nullptr;
+    found = &each;
+  }
+  return found;
+}
+
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
   const std::string near = nearest_name(name, known);
   return near.empty() ? near : "did you mean `" + near + "`?";

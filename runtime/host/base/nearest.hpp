@@ -12,6 +12,10 @@ namespace eagerx::host {
 /// none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
+/// The name that is spelled with other separators: `robot.body.mass` and `robot/body/mass` are
+/// `robot/body.mass`. Null if there is none, or more than one.
+const std::string* spelled_otherwise(std::string_view name, const std::vector<std::string>& known);
+
 /// "did you mean `…`?" with it, or empty.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 /// The same, or "there is A, B, C"; empty if nothing is known.

@@ -44,8 +44,11 @@ std::string wrong_name(const trace_log::Log& log, std::span<const Channel> chann
 
 }  // namespace
 
-bool Experiment::prepare(const trace_log::Log& log, std::span<const Channel> channels,
+bool Experiment::prepare(const trace_log::Log& log, const RepeatingProgram& program,
                          const std::string& sensors, double horizon_s, std::string& problem) {
+  const std::span<const Channel> channels = program.channels;
+  steps_hz_ = static_cast<double>(program.steps_num) / static_cast<double>(program.steps_den);
+  log_is_simulated_ = log.engine == program.engine;
   log_ = &log;
   facts_ = channels;
   counts_.assign(channels.size(), false);
@@ -57,6 +60,7 @@ bool Experiment::prepare(const trace_log::Log& log, std::span<const Channel> cha
   std::size_t counting = 0;
   for (std::uint32_t i = 0; i < channels.size(); ++i) {
     if (channels[i].publisher == Publisher::engine) engine_ = &channels[i];
+    has_actions_ = has_actions_ || channels[i].publisher == Publisher::environment;
     in_log_[i] = log.channel(channels[i].name);
     if (!in_log_[i]) continue;
     here[*in_log_[i]] = i;
@@ -83,13 +87,21 @@ bool Experiment::prepare(const trace_log::Log& log, std::span<const Channel> cha
   return true;
 }
 
+/// An action is sent in every step. Without actions nothing waits for a step to begin, so the last
+/// step is the one that the latest message belongs to.
 std::uint64_t Experiment::steps(std::uint32_t episode) const {
-  std::uint64_t steps = 0;
+  std::uint64_t actions = 0, until_latest = 0;
   for (std::size_t i = 0; i < facts_.size(); ++i) {
-    if (facts_[i].publisher == Publisher::environment)
-      steps = std::max<std::uint64_t>(steps, rows_[i][episode].size());
+    const std::uint64_t count = rows_[i][episode].size();
+    if (facts_[i].publisher == Publisher::environment) actions = std::max(actions, count);
+    if (count < 2) continue;
+    const double time_s = static_cast<double>((count - 1) * facts_[i].rate_den) /
+                          static_cast<double>(facts_[i].rate_num);
+    constexpr double kRounding = 1e-9;
+    const double step = std::ceil(time_s * steps_hz_ * (1.0 - kRounding));
+    until_latest = std::max(until_latest, static_cast<std::uint64_t>(step));
   }
-  return steps;
+  return has_actions_ ? actions : until_latest;
 }
 
 void Experiment::begin(const Trial* trial) {
@@ -116,7 +128,12 @@ void Experiment::simulator(std::string_view name, Seq tick, const SimulatorView&
     for (std::size_t k = 0; k < simulator.state.size; ++k) simulator.state.set(k, state[k]);
     if (simulator.step_bytes > 0) std::memset(simulator.step, 0, simulator.step_bytes);
   }
-  apply_input(i);
+}
+
+/// Sensors read what acted until now, unless the actuator has sent something in the meantime. So
+/// the input changes at the actuator's place in the order of the nodes, or here.
+void Experiment::engine_runs() {
+  for (std::size_t i = 0; i < objects_.size(); ++i) apply_input(i);
 }
 
 void Experiment::note_state(std::size_t i, const Numbers& state) {
@@ -155,37 +172,53 @@ void Experiment::note_input(std::size_t object) {
   for (std::size_t i = 0; i < first.size(); ++i) first[i] = inputs_[object].get(i);
 }
 
-/// What the log's actuator was told in its tick `sent`.
-double Experiment::input_before(std::size_t object, std::size_t element, std::int64_t sent) const {
+/// What the log's actuator was told in its tick `tick`.
+double Experiment::input_of_tick(std::size_t object, std::size_t element, std::int64_t tick) const {
   const std::uint32_t channel = actuators_[actuator_of_[object]];
   const auto& rows = rows_[channel][episode_];
-  if (sent < 0 || rows.empty()) return first_inputs_[object][element];
+  if (tick < 0 || rows.empty()) return first_inputs_[object][element];
   const std::uint64_t* const values =
-      find(channel, std::min<Seq>(static_cast<Seq>(sent), rows.size() - 1));
+      find(channel, std::min<Seq>(static_cast<Seq>(tick), rows.size() - 1));
   return trace_log::number_of(log_->channels[*in_log_[channel]].dtype, values[element]);
 }
 
-/// The mean over the engine's step that begins now, of what the log's actuator was told a delay
-/// ago.
+/// The mean over the engine's step that begins at `begin`, in ticks of the engine, of what the
+/// log's actuator was told. In a simulation a message acts from the beginning of the engine's step
+/// on that it is sent in (SEMANTICS §6), else from when it is sent.
+double Experiment::mean_input(std::size_t object, std::size_t element, double begin) const {
+  const Channel& fact = facts_[actuators_[actuator_of_[object]]];
+  const double in_a_step = static_cast<double>(fact.rate_num * engine_->rate_den) /
+                           static_cast<double>(fact.rate_den * engine_->rate_num);
+  constexpr double kRounding = 1e-9;
+  // The last message that acts at a time, and when the next one does.
+  const auto newest = [&](double time) {
+    const double until = log_is_simulated_ ? std::floor(time) + 1.0 : time;
+    const double sent = until * in_a_step;
+    return static_cast<std::int64_t>(log_is_simulated_ ? std::ceil(sent - kRounding) - 1.0
+                                                       : std::floor(sent + kRounding));
+  };
+  const auto acts_from = [&](std::int64_t message) {
+    const double sent = static_cast<double>(message) / in_a_step;
+    return log_is_simulated_ ? std::floor(sent + kRounding) : sent;
+  };
+  const double end = begin + kRounding + 1.0;
+  double sum = 0.0;
+  for (double from = begin + kRounding; from < end;) {
+    const std::int64_t message = newest(from);
+    const double to = std::min(std::max(acts_from(message + 1), from + kRounding), end);
+    sum += (to - from) * input_of_tick(object, element, message);
+    from = to;
+  }
+  return sum;
+}
+
+/// The input of the engine's step that begins now, with the trial's delay.
 void Experiment::apply_input(std::size_t object) {
   const std::size_t actuator = actuator_of_[object];
   if (trial_ == nullptr || actuator >= actuators_.size()) return;
-  const Channel& fact = facts_[actuators_[actuator]];
-  // Times in ticks of the actuator.
-  const double step = static_cast<double>(fact.rate_num) * static_cast<double>(engine_->rate_den) /
-                      (static_cast<double>(fact.rate_den) * static_cast<double>(engine_->rate_num));
-  constexpr double kRounding = 1e-9;
-  const double begin = (static_cast<double>(tick_) - trial_->delays[actuator]) * step + kRounding;
-  const double end = begin + step;
-  for (std::size_t i = 0; i < inputs_[object].size; ++i) {
-    double sum = 0.0;
-    for (double from = begin; from < end;) {
-      const double to = std::min(std::floor(from) + 1.0, end);
-      sum += (to - from) * input_before(object, i, static_cast<std::int64_t>(std::floor(from)));
-      from = to;
-    }
-    inputs_[object].set(i, sum / step);
-  }
+  const double begin = static_cast<double>(tick_) - trial_->delays[actuator];
+  for (std::size_t i = 0; i < inputs_[object].size; ++i)
+    inputs_[object].set(i, mean_input(object, i, begin));
 }
 
 const std::uint64_t* Experiment::find(std::uint32_t channel, Seq seq) const {

@@ -16,6 +16,13 @@
 
 namespace eagerx::identification {
 
+/// The program that repeats the log.
+struct RepeatingProgram {
+  std::span<const Channel> channels;
+  std::string_view engine;                     // its type
+  std::uint64_t steps_num = 0, steps_den = 1;  // rate of the environment [Hz]
+};
+
 /// What a run is tried with.
 struct Trial {
   std::vector<double> parameters;
@@ -45,7 +52,7 @@ class Experiment {
 
   /// `sensors` names the channels that count, empty: all that engine nodes send. False: `problem`
   /// says why.
-  bool prepare(const trace_log::Log& log, std::span<const Channel> channels,
+  bool prepare(const trace_log::Log& log, const RepeatingProgram& program,
                const std::string& sensors, double horizon_s, std::string& problem);
 
   /// Steps of an episode.
@@ -57,6 +64,8 @@ class Experiment {
 
   /// Called for every object at every tick of the engine, before anything reads it.
   void simulator(std::string_view name, Seq tick, const SimulatorView& simulator);
+  /// Before the engine integrates from its last tick on.
+  void engine_runs();
 
   /// A published message of `size` elements: of an engine node it is compared, any other is taken
   /// from the log.
@@ -100,7 +109,8 @@ class Experiment {
   void next_tick(Seq tick);
   void note_input(std::size_t object);
   void apply_input(std::size_t object);
-  double input_before(std::size_t object, std::size_t element, std::int64_t sent) const;
+  double input_of_tick(std::size_t object, std::size_t element, std::int64_t tick) const;
+  double mean_input(std::size_t object, std::size_t element, double begin) const;
   const std::uint64_t* find(std::uint32_t channel, Seq seq) const;
   void measured(std::uint32_t channel, const std::uint64_t* recorded);
   void note_actuator(std::uint32_t channel);
@@ -112,6 +122,9 @@ class Experiment {
   std::vector<std::optional<std::uint32_t>> in_log_;         // of each channel
   std::vector<std::vector<std::vector<std::size_t>>> rows_;  // [channel][episode][seq]
   const Channel* engine_ = nullptr;                          // its tick
+  double steps_hz_ = 0.0;
+  bool has_actions_ = false;
+  bool log_is_simulated_ = false;  // by the same engine
   Seq ticks_in_segment_ = 1;
 
   std::vector<Object> objects_;

@@ -7,6 +7,7 @@ namespace eagerx::identification {
 namespace {
 
 constexpr double kDeviations = 3.0;  // to each side of a value, in the YAML
+constexpr double kFollows = 0.1;     // of a sensor's largest value: more left over is no fit
 
 std::string number(double value) {
   char text[32];
@@ -21,12 +22,15 @@ std::string list(const std::vector<double>& values, bool is_scalar) {
   return is_scalar ? text : "[" + text + "]";
 }
 
-/// "pendulum.model_parameters" → "pendulum", "model_parameters"
-std::string before_dot(const std::string& name) {
-  return name.substr(0, name.find('.'));
+/// What a graph calls the owner of a state and the state: "robot/body.mass" is the state
+/// `body.mass` of `robot`.
+std::string owner_of(const std::string& name) {
+  return name.substr(0, name.find_first_of("./"));
 }
-std::string behind_dot(const std::string& name) {
-  return name.substr(std::min(name.find('.'), name.size() - 1) + 1);
+std::string state_of(const std::string& name) {
+  std::string state = name.substr(std::min(name.find_first_of("./"), name.size() - 1) + 1);
+  std::replace(state.begin(), state.end(), '/', '.');
+  return state;
 }
 
 /// "pendulum/u/action_applied" → "pendulum.u"
@@ -124,7 +128,8 @@ bool Identification::find(double tick_s, double longest_delay_s, std::string& pr
   return true;
 }
 
-/// Goes down from several delays, for there is more than one minimum. The best one stays.
+/// Goes down from several delays, for there is more than one minimum. The best one stays, but noise
+/// alone is no reason for a longer delay.
 bool Identification::find_delay(std::size_t actuator, double most, LeastSquares& solver,
                                 Trial& trial) const {
   constexpr int kStarts = 4;
@@ -134,7 +139,8 @@ bool Identification::find_delay(std::size_t actuator, double most, LeastSquares&
     Trial tried = first;
     tried.parameters[chosen_.size() + actuator] = most * i / (kStarts + 1);
     if (!solver.fit(tried)) return false;
-    if (solver.deviance() >= least) continue;
+    constexpr double kNoise = 9.0;  // three standard deviations
+    if (solver.deviance() >= least - kNoise) continue;
     least = solver.deviance();
     trial = tried;
   }
@@ -146,12 +152,16 @@ std::string Identification::report(const trace_log::Log& log,
   std::string text = "log " + log.path + ": graph " + log.graph + " on " + log.engine + ", " +
                      host::counted(log.episodes(), "episode") + ", " +
                      host::counted(experiment_.segments(), "segment") + "\n";
+  const std::vector<double> scale = experiment_.group_scale();
   if (!log.complete) text += "the log ends early, in line " + std::to_string(log.lines) + "\n";
   for (std::size_t g = 0; g < leftover_.size(); ++g) {
     const Experiment::Group& group = experiment_.groups()[g];
     if (!counts_[g]) continue;
     text += std::string("sensor ") + channels[group.channel].name + "[" +
-            std::to_string(group.element) + "]: " + number(leftover_[g]) + " left over\n";
+            std::to_string(group.element) + "]: " + number(leftover_[g]) + " left over";
+    if (leftover_[g] > kFollows * scale[g])
+      text += ", so the simulation does not follow it: do not rely on the values below";
+    text += "\n";
   }
   for (const Parameter& parameter : parameters_) {
     if (!(parameter.high > parameter.low)) continue;
@@ -191,18 +201,26 @@ std::string Identification::yaml(const trace_log::Log& log,
                                      : element.high);
     }
     if (owner.empty()) text += "objects:\n";
-    if (owner != before_dot(first.state))
-      text += "  " + before_dot(first.state) + ":\n    states:\n";
-    owner = before_dot(first.state);
-    text += "      " + behind_dot(first.state) + ": {space: {low: " + list(low, first.is_scalar) +
+    if (owner != owner_of(first.state)) text += "  " + owner_of(first.state) + ":\n    states:\n";
+    owner = owner_of(first.state);
+    text += "      " + state_of(first.state) + ": {space: {low: " + list(low, first.is_scalar) +
             ", high: " + list(high, first.is_scalar) + "}, uniform: space}\n";
   });
-  for (std::size_t i = 0; i < delays_.size(); ++i) {
-    const double margin = kDeviations * delays_[i].deviation_s;
-    text += std::string(i == 0 ? "connections:\n" : "") +
-            "  - {to: " + port(channels[delays_[i].channel].name) +
-            ", delay: {uniform: {low: " + number(std::max(delays_[i].value_s - margin, 0.0)) +
-            ", high: " + number(delays_[i].value_s + margin) + "}}}\n";
+  bool begun = false;
+  for (const Delay& delay : delays_) {
+    const std::string to = port(channels[delay.channel].name);
+    const double margin = kDeviations * delay.deviation_s;
+    const std::string range =
+        "delay: {uniform: {low: " + number(std::max(delay.value_s - margin, 0.0)) +
+        ", high: " + number(delay.value_s + margin) + "}}";
+    // A graph has no connections to what is inside of its objects.
+    if (std::count(to.begin(), to.end(), '.') > 1) {
+      text += "# On the connection to `" + to.substr(to.find('.') + 1) + "` in the manifest of `" +
+              to.substr(0, to.find('.')) + "`: " + range + "\n";
+      continue;
+    }
+    text += std::string(begun ? "" : "connections:\n") + "  - {to: " + to + ", " + range + "}\n";
+    begun = true;
   }
   return text;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <runtime/host/identify/least_squares.hpp>
 #include <runtime/host/identify/matrix.hpp>
 
@@ -12,19 +13,18 @@ constexpr double kStateStep = 1e-4;      // of a difference, of a state's typica
 constexpr double kParameterStep = 1e-2;  // of half the range
 constexpr double kTiny = 1e-9;           // keeps what nothing is known of where it is
 
-}  // namespace
+constexpr double kFirstDamping = 1e-6, kLess = 0.1, kMore = 10.0;
+constexpr double kDone = 1e-7;  // relative decrease of the cost
 
-/// Normal equations in units of scale_ and of half the ranges.
-struct LeastSquares::Equations {
-  struct Segment {
-    Matrix states, mixed;          // [n, n], [parameters, n]
-    std::vector<double> gradient;  // [n]
-    std::vector<double> parameter_gradient;
-  };
-  Matrix parameters;  // [p, p]
-  std::vector<double> gradient;
-  std::vector<Segment> segments;
-};
+bool damp_and_factor(Matrix& states, std::size_t n, double damping) {
+  double largest = 0.0;
+  for (std::size_t a = 0; a < n; ++a) largest = std::max(largest, states(a, a));
+  for (std::size_t a = 0; a < n; ++a)
+    states(a, a) += damping * states(a, a) + kTiny * (largest + 1.0);
+  return factor(states, n);
+}
+
+}  // namespace
 
 LeastSquares::LeastSquares(const Experiment& experiment, std::vector<Range> ranges, Run run)
     : experiment_(experiment),
@@ -44,13 +44,18 @@ LeastSquares::LeastSquares(const Experiment& experiment, std::vector<Range> rang
 }
 
 bool LeastSquares::fit(Trial& trial) {
-  constexpr std::uint32_t kFew = 4;
+  constexpr std::uint32_t kMore = 4;
   constexpr int kSteps = 5;
   last_ = run_(trial);
   find_repetitions(last_);
   deviation_ = scale_of_groups_;
-  return descend(trial, 1, false, kSteps) && descend(trial, kFew, false, kSteps) &&
-         descend(trial, kAll, false, kSteps) && repeat(trial, 2, kSteps);
+  // Unstable objects are far away at the end of a segment if its first state is only guessed.
+  std::uint32_t longest = 0;
+  for (const Sample& sample : experiment_.samples()) longest = std::max(longest, sample.position);
+  for (std::uint32_t window = 1; window <= longest; window *= kMore) {
+    if (!descend_states(trial, window, kSteps)) return false;
+  }
+  return descend_states(trial, kAll, kSteps) && repeat(trial, 2, kSteps);
 }
 
 bool LeastSquares::refine(Trial& trial) {
@@ -63,7 +68,7 @@ bool LeastSquares::refine(Trial& trial) {
 bool LeastSquares::repeat(Trial& trial, int rounds, int steps) {
   for (int i = 0; i < rounds; ++i) {
     weigh(run_(trial));
-    if (!descend(trial, kAll, true, steps)) return false;
+    if (!descend(trial, steps)) return false;
   }
   last_ = run_(trial);
   weigh(last_);
@@ -110,15 +115,9 @@ double LeastSquares::deviance() const {
   return sum;
 }
 
-double LeastSquares::cost(const Trial& trial, const std::vector<double>& residuals,
-                          std::uint32_t window) const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    const Sample& sample = experiment_.samples()[i];
-    if (sample.position >= window || !counts_[sample.group]) continue;
-    const double ratio = residuals[i] / deviation_[sample.group];
-    sum += ratio * ratio;
-  }
+double LeastSquares::cost(const Trial& trial, const std::vector<double>& residuals) const {
+  const std::vector<double> of_segments = costs(residuals, kAll);
+  double sum = std::accumulate(of_segments.begin(), of_segments.end(), 0.0);
   for (std::size_t p = 0; p < ranges_.size(); ++p) {  // the range as what was known before
     const double ratio = (trial.parameters[p] - ranges_[p].low) / half(p) - 1.0;
     sum += ratio * ratio;
@@ -156,6 +155,33 @@ bool LeastSquares::differentiate(const Trial& trial, bool with_parameters) {
     }
   }
   return true;
+}
+
+/// What is left over changes in jumps with a delay if sensors read the input. A step that crosses
+/// one says too much of the delay, so the gentler side counts.
+void LeastSquares::take_gentler_sides(const Trial& trial, const std::vector<double>& residuals) {
+  const std::size_t n = unknown_states();
+  for (std::size_t p = 0; p < ranges_.size(); ++p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double side : {-1.0, 1.0}) {
+      Trial moved = trial;
+      moved.parameters[p] = std::clamp(trial.parameters[p] + side * kParameterStep * half(p),
+                                       ranges_[p].low, ranges_[p].high);
+      const double width = (moved.parameters[p] - trial.parameters[p]) / half(p);
+      if (std::abs(width) < kParameterStep / 2) continue;  // at the end of the range
+      std::vector<double> slopes = run_(moved);
+      double sum = 0.0;
+      for (std::size_t i = 0; i < slopes.size(); ++i) {
+        const std::uint32_t group = experiment_.samples()[i].group;
+        slopes[i] = (slopes[i] - residuals[i]) / width;
+        if (!std::isfinite(slopes[i])) slopes[i] = 0.0;
+        if (counts_[group]) sum += slopes[i] * slopes[i] / (deviation_[group] * deviation_[group]);
+      }
+      if (sum >= least) continue;
+      least = sum;
+      columns_[n + p] = std::move(slopes);
+    }
+  }
 }
 
 void LeastSquares::assemble(Equations& equations, const std::vector<double>& residuals,
@@ -203,11 +229,7 @@ Trial LeastSquares::moved(const Trial& trial, const Equations& equations, double
   }
   for (const auto& segment : equations.segments) {
     Matrix& states = factors.emplace_back(segment.states);
-    double largest = 0.0;
-    for (std::size_t a = 0; a < n; ++a) largest = std::max(largest, states(a, a));
-    for (std::size_t a = 0; a < n; ++a)
-      states(a, a) += damping * states(a, a) + kTiny * (largest + 1.0);
-    solved = solved && factor(states, n);
+    solved = solved && damp_and_factor(states, n, damping);
     if (!solved) return trial;
     std::vector<double> gradient = segment.gradient;
     solve(states, n, gradient);
@@ -243,19 +265,85 @@ Trial LeastSquares::moved(const Trial& trial, const Equations& equations, double
   return next;
 }
 
-bool LeastSquares::descend(Trial& trial, std::uint32_t window, bool with_parameters,
-                           int iterations) {
-  constexpr double kFirstDamping = 1e-6, kLess = 0.1, kMore = 10.0, kMostDamping = 1e8;
-  constexpr double kDone = 1e-7;  // relative decrease
-  const std::size_t parameters = with_parameters ? ranges_.size() : 0;
+/// What each segment adds to the cost.
+std::vector<double> LeastSquares::costs(const std::vector<double>& residuals,
+                                        std::uint32_t window) const {
+  std::vector<double> sums(experiment_.segments(), 0.0);
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    const Sample& sample = experiment_.samples()[i];
+    if (sample.position >= window || !counts_[sample.group]) continue;
+    const double ratio = residuals[i] / deviation_[sample.group];
+    sums[sample.segment] += ratio * ratio;
+  }
+  for (double& sum : sums) {
+    if (!std::isfinite(sum)) sum = std::numeric_limits<double>::infinity();
+  }
+  return sums;
+}
+
+/// With parameters that stay, segments have nothing to do with each other: each one has its own
+/// damping, and takes the steps that are good for it.
+bool LeastSquares::descend_states(Trial& trial, std::uint32_t window, int iterations) {
+  constexpr int kTries = 6;
+  const std::size_t n = unknown_states();
+  const std::size_t segments = experiment_.segments();
+  std::vector<double> damping(segments, kFirstDamping);
+  std::vector<double> residuals = run_(trial);
+  std::vector<double> before = costs(residuals, window);
+  if (!std::isfinite(std::accumulate(before.begin(), before.end(), 0.0))) return false;
+  for (int i = 0; i < iterations; ++i) {
+    if (!differentiate(trial, false)) return false;
+    Equations equations{Matrix(0, 0), {}, {}};
+    assemble(equations, residuals, window, 0);
+    std::vector<bool> better(segments, false);
+    const double all = std::accumulate(before.begin(), before.end(), 0.0);
+    for (int k = 0; k < kTries; ++k) {
+      Trial next = trial;
+      for (std::size_t s = 0; s < segments; ++s) {
+        if (!better[s]) move_state(next, equations.segments[s], s, damping[s]);
+      }
+      const std::vector<double> after = costs(run_(next), window);
+      bool done = true;
+      for (std::size_t s = 0; s < segments; ++s) {
+        if (better[s]) continue;
+        better[s] = after[s] < before[s];
+        damping[s] *= better[s] ? kLess : kMore;
+        done = done && better[s];
+        if (!better[s]) continue;
+        before[s] = after[s];
+        std::copy_n(next.states.begin() + static_cast<std::ptrdiff_t>(s * n), n,
+                    trial.states.begin() + static_cast<std::ptrdiff_t>(s * n));
+      }
+      if (done) break;
+    }
+    residuals = run_(trial);
+    if (all - std::accumulate(before.begin(), before.end(), 0.0) <= kDone * all) break;
+  }
+  return true;
+}
+
+/// Its first state by Gauss' and Newton's step.
+void LeastSquares::move_state(Trial& trial, const Equations::Segment& segment, std::size_t index,
+                              double damping) const {
+  const std::size_t n = unknown_states();
+  Matrix states = segment.states;
+  if (!damp_and_factor(states, n, damping)) return;
+  std::vector<double> step = segment.gradient;
+  solve(states, n, step);
+  for (std::size_t a = 0; a < n; ++a) trial.states[index * n + a] -= step[a] * scale_[a];
+}
+
+bool LeastSquares::descend(Trial& trial, int iterations) {
+  constexpr double kMostDamping = 1e8;
+  const std::size_t parameters = ranges_.size();
   double damping = kFirstDamping;
   std::vector<double> residuals = run_(trial);
-  double before = cost(trial, residuals, window);
+  double before = cost(trial, residuals);
   if (!std::isfinite(before)) return false;
   for (int i = 0; i < iterations; ++i) {
-    if (!differentiate(trial, with_parameters)) return false;
+    if (!differentiate(trial, true)) return false;
     Equations equations{Matrix(parameters, parameters), std::vector<double>(parameters, 0.0), {}};
-    assemble(equations, residuals, window, parameters);
+    assemble(equations, residuals, kAll, parameters);
     bool better = false;
     double after = before;
     for (; !better && damping < kMostDamping; damping *= better ? kLess : kMore) {
@@ -263,7 +351,7 @@ bool LeastSquares::descend(Trial& trial, std::uint32_t window, bool with_paramet
       const Trial next = moved(trial, equations, damping, solved);
       if (!solved) continue;
       const std::vector<double>& tried = run_(next);
-      after = cost(next, tried, window);
+      after = cost(next, tried);
       better = after < before;
       if (!better) continue;
       trial = next;
@@ -282,11 +370,16 @@ std::vector<double> LeastSquares::deviations(const Trial& trial) {
   for (std::size_t p = 0; p < parameters; ++p) result[p] = half(p);
   const std::vector<double> residuals = run_(trial);
   if (!differentiate(trial, true)) return result;
+  take_gentler_sides(trial, residuals);
   Equations equations{Matrix(parameters, parameters), std::vector<double>(parameters, 0.0), {}};
   assemble(equations, residuals, kAll, parameters);
   Matrix reduced = equations.parameters;
   Matrix scatter(parameters, parameters);
-  for (std::size_t p = 0; p < parameters; ++p) reduced(p, p) += 1.0;
+  std::vector<double> left(parameters);  // the step that would come next
+  for (std::size_t p = 0; p < parameters; ++p) {
+    reduced(p, p) += 1.0;
+    left[p] = (trial.parameters[p] - ranges_[p].low) / half(p) - 1.0;
+  }
   for (auto& segment : equations.segments) {
     for (std::size_t a = 0; a < n; ++a)
       segment.states(a, a) += kTiny * (segment.states(a, a) + 1.0);
@@ -302,10 +395,16 @@ std::vector<double> LeastSquares::deviations(const Trial& trial) {
       }
     }
     for (std::size_t p = 0; p < parameters; ++p) {
+      left[p] += score[p];
       for (std::size_t q = 0; q < parameters; ++q) scatter(p, q) += score[p] * score[q];
     }
   }
   if (!factor(reduced, parameters)) return result;
+  // The parameters were chosen to make the scatter small.
+  const auto segments = static_cast<double>(equations.segments.size());
+  const auto fitted = static_cast<double>(parameters);
+  const double small_sample = segments / std::max(segments - fitted, 1.0);
+  solve(reduced, parameters, left);
   for (std::size_t p = 0; p < parameters; ++p) {
     std::vector<double> row(parameters, 0.0);
     row[p] = 1.0;
@@ -314,7 +413,7 @@ std::vector<double> LeastSquares::deviations(const Trial& trial) {
     for (std::size_t a = 0; a < parameters; ++a) {
       for (std::size_t b = 0; b < parameters; ++b) robust += row[a] * scatter(a, b) * row[b];
     }
-    result[p] = half(p) * std::sqrt(std::max(row[p], robust));
+    result[p] = half(p) * std::sqrt(std::max(row[p], small_sample * robust) + left[p] * left[p]);
   }
   return result;
 }

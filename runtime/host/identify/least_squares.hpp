@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <runtime/host/identify/experiment.hpp>
+#include <runtime/host/identify/matrix.hpp>
 #include <vector>
 
 namespace eagerx::identification {
@@ -34,8 +35,9 @@ class LeastSquares {
   /// Minus twice the logarithm of the likelihood of the last fit, but for a constant.
   double deviance() const;
   /// Standard deviations of the parameters after the last fit: the larger one of what the noise
-  /// says, and of what the scatter of the segments says, which also sees errors of the model. A
-  /// parameter that the log does not determine keeps that of its range.
+  /// says, and of what the scatter of the segments says, which also sees errors of the model; and
+  /// the step that the descent did not take, where the rounding of float stopped it. A parameter
+  /// that the log does not determine keeps that of its range.
   std::vector<double> deviations(const Trial& trial);
   /// Root mean square of what is left over, of each group.
   std::vector<double> leftover() const;
@@ -43,14 +45,29 @@ class LeastSquares {
   bool counts(std::size_t group) const { return counts_[group]; }
 
  private:
-  struct Equations;
+  /// Normal equations in units of scale_ and of half the ranges.
+  struct Equations {
+    struct Segment {
+      Matrix states, mixed;          // [n, n], [parameters, n]
+      std::vector<double> gradient;  // [n]
+      std::vector<double> parameter_gradient;
+    };
+    Matrix parameters;  // [p, p]
+    std::vector<double> gradient;
+    std::vector<Segment> segments;
+  };
 
   bool repeat(Trial& trial, int rounds, int steps);
-  bool descend(Trial& trial, std::uint32_t window, bool with_parameters, int iterations);
+  bool descend(Trial& trial, int iterations);
+  bool descend_states(Trial& trial, std::uint32_t window, int iterations);
+  void move_state(Trial& trial, const Equations::Segment& segment, std::size_t index,
+                  double damping) const;
   bool differentiate(const Trial& trial, bool with_parameters);
+  void take_gentler_sides(const Trial& trial, const std::vector<double>& residuals);
   void assemble(Equations& equations, const std::vector<double>& residuals, std::uint32_t window,
                 std::size_t parameters) const;
-  double cost(const Trial& trial, const std::vector<double>& residuals, std::uint32_t window) const;
+  double cost(const Trial& trial, const std::vector<double>& residuals) const;
+  std::vector<double> costs(const std::vector<double>& residuals, std::uint32_t window) const;
   Trial moved(const Trial& trial, const Equations& equations, double damping, bool& solved) const;
   void weigh(const std::vector<double>& residuals);
   void find_repetitions(const std::vector<double>& residuals);

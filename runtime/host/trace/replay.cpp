@@ -58,12 +58,14 @@ bool Replay::prepare(std::string_view given, bool engine_is_real, std::string& p
     const bool is_action = facts_[i].publisher == Publisher::environment;
     if (!steps_ && is_action && !channels_[i].rows.empty()) steps_ = i;
   }
-  if (!steps_) {
+  const bool has_actions = std::ranges::any_of(
+      facts_, [](const Channel& channel) { return channel.publisher == Publisher::environment; });
+  if (has_actions && !steps_) {
     problem = log_.path +
               ": error: the log has no actions (`environment/…` of this program), so "
               "nothing says how many steps there were";
   }
-  return steps_.has_value();
+  return problem.empty();
 }
 
 bool Replay::fits(std::string& problem) const {
@@ -114,8 +116,15 @@ const Row* Replay::next_row(std::uint32_t channel) const {
 }
 
 bool Replay::has_step(std::uint32_t episode) const {
-  const Row* const row = next_row(*steps_);
-  return row != nullptr && row->episode == episode;
+  const auto goes_on = [&](std::uint32_t channel) {
+    const Row* const row = next_row(channel);
+    return row != nullptr && row->episode == episode;
+  };
+  if (steps_) return goes_on(*steps_);
+  for (std::uint32_t i = 0; i < facts_.size(); ++i) {
+    if (goes_on(i)) return true;
+  }
+  return false;
 }
 
 const std::uint64_t* Replay::peek(std::uint32_t channel, std::uint32_t episode) const {

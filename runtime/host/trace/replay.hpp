@@ -102,7 +102,9 @@ class Replay {
   const Log& log_;
   std::span<const Channel> facts_;
   std::vector<ChannelState> channels_;
-  std::optional<std::uint32_t> steps_;  // the channel of an action, which every step has once
+  // The channel of an action, which every step has once. Without one, steps go on as long as there
+  // are messages.
+  std::optional<std::uint32_t> steps_;
   bool runs_engine_ = true;
   bool ended_early_ = false;
   std::uint64_t equal_ = 0, given_ = 0;

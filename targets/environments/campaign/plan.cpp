@@ -33,6 +33,22 @@ using client::Space;
   throw Problem(kProblems, fmt::format("`{}` cannot be varied", name), help);
 }
 
+/// The name as the graph spells it; the element, if there is one, stays.
+std::string known_name(const std::string& name, const Description& description) {
+  std::vector<std::string> names;
+  for (const Space& state : description.states) names.push_back(state.name);
+  // Names of arrays have brackets themselves.
+  for (const std::size_t end : {name.size(), name.rfind('[')}) {
+    const std::string whole = name.substr(0, end);
+    if (std::ranges::find(names, whole) != names.end()) return name;
+    const std::string* const spelled = host::spelled_otherwise(whole, names);
+    if (spelled == nullptr) continue;
+    fmt::print(stderr, "note: `{}` is `{}` here\n", whole, *spelled);
+    return *spelled + name.substr(whole.size());
+  }
+  return name;
+}
+
 /// The columns of a name, which may be an element.
 struct Place {
   const Space& space;
@@ -186,7 +202,8 @@ Plan make_plan(const Description& description, std::uint64_t seed, std::uint32_t
                                                   : kDefaultSteps;
   plan.columns = client::column_names(description.states);
   std::set<std::size_t> taken;
-  for (const Variation& variation : variations) {
+  for (Variation& variation : variations) {
+    variation.name = known_name(variation.name, description);
     const Place place = place_of(variation.name, description);
     check_range(variation, place);
     check_element(variation, place);

@@ -53,11 +53,38 @@ std::vector<double> column_of(const Results& results, std::size_t column) {
   return values;
 }
 
+/// The state that each column belongs to.
+std::vector<const client::Space*> spaces_of(const client::Description& description) {
+  std::vector<const client::Space*> spaces;
+  for (const client::Space& state : description.states)
+    spaces.insert(spaces.end(), state.size, &state);
+  return spaces;
+}
+
+/// Whether a larger value means nothing: a whole number that is called so, or has a type's range.
+bool is_seed(const client::Space& state) {
+  constexpr double kWide = 2147483646.0;  // of an int32 that is not negative
+  if (!state.is_whole()) return false;
+  if (state.name.ends_with(".seed") || state.name.ends_with("_seed")) return true;
+  const double width = state.low.empty() ? 0.0 : state.high.front() - state.low.front();
+  return std::isfinite(width) && width >= kWide;
+}
+
+/// As the state's type writes it.
+std::string text_of(const client::Space& state, double value) {
+  if (state.is_whole()) return fmt::format("{:.0f}", value);
+  if (state.dtype == "float32") return fmt::format("{}", static_cast<float>(value));
+  return fmt::format("{}", value);
+}
+
 /// Of all numbers of the states that differ between runs, varied or drawn by the graph.
-std::vector<Sensitivity> sensitivities_of(const Plan& plan, const Results& results,
+std::vector<Sensitivity> sensitivities_of(const client::Description& description, const Plan& plan,
+                                          const Results& results,
                                           const std::vector<double>& returns) {
+  const std::vector<const client::Space*> spaces = spaces_of(description);
   std::vector<Sensitivity> all;
   for (std::size_t column = 0; column < plan.width(); ++column) {
+    if (column < spaces.size() && is_seed(*spaces[column])) continue;
     const std::vector<double> values = column_of(results, column);
     const auto is_nan = [](double x) { return std::isnan(x); };
     const auto differs = [&](double x) { return x != values.front(); };
@@ -87,7 +114,7 @@ Statistics statistics_of(const Report& report) {
   const std::vector<double> returns = comparable(results.returns);
   all.returns = percentiles(sorted(returns));
   all.lengths = percentiles(sorted(std::move(lengths)));
-  all.sensitivities = sensitivities_of(report.plan, results, returns);
+  all.sensitivities = sensitivities_of(report.description, report.plan, results, returns);
   all.worst = worst_runs(results, report.worst);
   return all;
 }
@@ -163,8 +190,11 @@ std::string Report::command(std::uint32_t run) const {
     });
     if (!is_varied) continue;
     // Also the elements that the graph has drawn: they are what they were.
-    const float* values = &results.states[run * results.width + first];
-    text += fmt::format(" --set {}={}", state.name, fmt::join(values, values + state.size, ","));
+    text += " --set " + state.name;
+    for (std::size_t i = first; i < column; ++i) {
+      text += i == first ? "=" : ",";
+      text += text_of(state, results.states[run * results.width + i]);
+    }
   }
   // In quotes, because brackets are patterns of a shell.
   for (const target::PlacedFault& one : plan.faults_of(run))
@@ -256,14 +286,16 @@ std::string Report::csv() const {
   for (const target::PlacedFault& one : plan.faults) text += ",fault:" + text_of(one.fault);
   text += "\n";
   auto out = std::back_inserter(text);
+  const std::vector<const client::Space*> spaces = spaces_of(description);
   for (std::size_t run = 0; run < results.size(); ++run) {
     const auto flag = [&](Flags one) { return (results.flags[run] & one) != 0 ? 1 : 0; };
     fmt::format_to(out, "{},{},{},{},{},{}", run, results.returns[run], results.steps[run],
                    flag(kSuccess), flag(kTerminated), flag(kTruncated));
     for (std::size_t i = 0; i < results.width; ++i) {
-      const float x = results.states[run * results.width + i];
+      const double x = results.states[run * results.width + i];
       text += ",";
-      if (!std::isnan(x)) fmt::format_to(out, "{}", x);  // empty: nobody has set it
+      if (std::isnan(x)) continue;  // empty: nothing has set it
+      text += i < spaces.size() ? text_of(*spaces[i], x) : fmt::format("{}", x);
     }
     text += "\n";
   }

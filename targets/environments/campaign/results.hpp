@@ -24,8 +24,8 @@ struct Results {
   std::vector<double> returns;       // sum of the rewards, NaN if one was
   std::vector<std::uint32_t> steps;  // of the episode
   std::vector<std::uint8_t> flags;
-  std::vector<float>
-      states;  // [runs][width] what the episodes began with, then where their faults begin
+  // [runs][width] what the episodes began with, then where their faults begin
+  std::vector<double> states;
   std::size_t width;
   Counts counts;  // of all runs
 };

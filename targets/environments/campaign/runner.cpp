@@ -46,27 +46,27 @@ class Runner::Chunk {
 
   void begin(std::uint32_t first) {
     const Plan& plan = runner_.plan_;
-    std::vector<float> states;  // [count][columns]
     if (!plan.drawn.empty()) {
+      std::vector<float> wanted;  // [count][columns]
       for (std::uint32_t e = 0; e < count_; ++e)
-        std::ranges::copy(plan.states_of(first + e), std::back_inserter(states));
-      check(runner_.functions_.set_states(environments_.handle(), nullptr, states.data()));
+        std::ranges::copy(plan.states_of(first + e), std::back_inserter(wanted));
+      check(runner_.functions_.set_states(environments_.handle(), nullptr, wanted.data()));
     }
     environments_.reset(plan.seed, rows_.observation.data());
-    states.resize(count_ * plan.columns.size());
+    std::vector<double> states(count_ * plan.columns.size());  // [count][columns]
     if (!states.empty())
       check(runner_.functions_.get_states(environments_.handle(), states.data()));
     for (std::uint32_t e = 0; e < count_; ++e) begin_run(first, e, states);
   }
 
-  void begin_run(std::uint32_t first, std::uint32_t e, const std::vector<float>& states) {
+  void begin_run(std::uint32_t first, std::uint32_t e, const std::vector<double>& states) {
     const Plan& plan = runner_.plan_;
-    float* number = &results_.states[e * results_.width];
+    double* number = &results_.states[e * results_.width];
     number = std::copy_n(&states[e * plan.columns.size()], plan.columns.size(), number);
     if (plan.faults.empty()) return;
     faults_.push_back(plan.faults_of(first + e));
     for (const target::PlacedFault& fault : faults_.back())
-      *number++ = static_cast<float>(*fault.fault.begins);
+      *number++ = static_cast<double>(*fault.fault.begins);
   }
 
   /// What the agents see: observations with their faults.
@@ -128,7 +128,7 @@ Runner::Runner(const client::Library& library, const Plan& plan)
       plan_(plan),
       functions_{library.find<decltype(&eagerx_act)>("eagerx_act"),
                  library.find<decltype(&eagerx_set_states)>("eagerx_set_states"),
-                 library.find<decltype(&eagerx_get_states)>("eagerx_get_states"),
+                 library.find<decltype(&eagerx_get_exact_states)>("eagerx_get_exact_states"),
                  library.find<decltype(&eagerx_counts)>("eagerx_counts")} {}
 
 std::string Runner::stepping() const {

@@ -24,7 +24,7 @@ class Runner {
   struct Functions {
     decltype(&eagerx_act) act;
     decltype(&eagerx_set_states) set_states;
-    decltype(&eagerx_get_states) get_states;
+    decltype(&eagerx_get_exact_states) get_states;
     decltype(&eagerx_counts) counts;
   };
   class Chunk;

@@ -98,8 +98,8 @@ inline constexpr Setting kTrainSettings[] = {
     {.name = "most_horizon",
      .kind = SettingKind::whole,
      .otherwise = "128",
-     .about = "later: a fortieth of all steps so far, as a multiple of `horizon`, and at most so "
-              "many",
+     .about = "later: a fortieth of all steps so far, as a multiple of `horizon`, and at most "
+              "this number",
      .low = 1,
      .high = 4096,
      .algorithm = "ppo"},
@@ -176,15 +176,15 @@ inline constexpr Setting kTrainSettings[] = {
     {.name = "stop_divergence",
      .kind = SettingKind::number,
      .otherwise = "2",
-     .about = "an iteration ends once it has moved the policy so many times `divergence`; 0: never",
+     .about = "an iteration ends once its divergence is this multiple of `divergence`; 0: never",
      .low = 0,
      .high = 100,
      .algorithm = "ppo"},
     {.name = "decay_steps",
      .kind = SettingKind::number,
      .otherwise = "0",
-     .about = "after so many steps learning rate and `divergence` are half, after twice as many a "
-              "third; 0: never",
+     .about = "after this number of steps learning rate and `divergence` are half, after twice as "
+              "many a third; 0: never",
      .low = 0,
      .high = 1e12},
     // What is tried.

@@ -43,8 +43,11 @@ Showing::Showing(const Options& options, const Description& description, std::ui
 
 void Showing::open_events(const std::vector<CurvePoint>& curve) {
   if (folder_.empty()) return;
-  events_.emplace(folder_, description_.graph);
-  for (const CurvePoint& point : curve) events_->append(point);
+  events_.emplace(folder_, description_.graph, curve);
+  if (events_->folder() == folder_) return;
+  progress_.finish();
+  fmt::print(stderr, "note: `{}` has the curve of another training; that of this one is in `{}`\n",
+             folder_, events_->folder());
 }
 
 void Showing::warn(const std::string& problem, const char* goes_on) {

@@ -10,6 +10,7 @@
 #include <eagerx/link/crc32c.hpp>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "targets/environments/train/client.hpp"
 
@@ -75,15 +76,21 @@ std::string first_event(double wall_time_s) {
   return tfrecord(bytes);
 }
 
+namespace {
+
+std::string scalar_value(const std::pair<std::string, double>& scalar) {
+  std::string value;
+  append_bytes(value, 1, scalar.first);
+  append_key(value, 2, kFloat);
+  append_little(value, std::bit_cast<std::uint32_t>(static_cast<float>(scalar.second)));
+  return value;
+}
+
+}  // namespace
+
 std::string scalar_event(double wall_time_s, std::int64_t step, const Scalars& scalars) {
   std::string summary;
-  for (const auto& [tag, number] : scalars) {
-    std::string value;
-    append_bytes(value, 1, tag);
-    append_key(value, 2, kFloat);
-    append_little(value, std::bit_cast<std::uint32_t>(static_cast<float>(number)));
-    append_bytes(summary, 1, value);
-  }
+  for (const auto& scalar : scalars) append_bytes(summary, 1, scalar_value(scalar));
   std::string bytes = event(wall_time_s, step);
   append_bytes(bytes, 5, summary);
   return tfrecord(bytes);
@@ -114,12 +121,69 @@ void check_folder(const std::string& folder) {
                                   there.string() + "`");
 }
 
-EventFile::EventFile(const std::string& folder, const std::string& graph)
-    : path_(folder + "/events.out.tfevents.0." + graph) {
+namespace {
+
+constexpr const char* kEvents = "events.out.tfevents.";
+
+/// Whether an event file has points of `curve` only: the same training wrote it, before it was
+/// resumed. Times may differ.
+bool is_of(const std::filesystem::path& file, const std::vector<CurvePoint>& curve) {
+  constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+  constexpr std::size_t kHead = sizeof(std::uint64_t) + sizeof(std::uint32_t);
+  constexpr std::size_t kTime = 1 + sizeof(double);
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw Problem(kInputOutput, "cannot make `" + folder + "`: " + error.message());
+  if (std::filesystem::file_size(file, error) > kMostBytes || error) return false;
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const auto record = [&](std::size_t at) -> std::string_view {
+    std::uint64_t length = 0;
+    if (bytes.size() < at + kHead) return {};
+    std::memcpy(&length, bytes.data() + at, sizeof length);
+    if (length < kTime || length > bytes.size() - at - kHead) return {};
+    return std::string_view(bytes).substr(at + kHead, static_cast<std::size_t>(length));
+  };
+  std::size_t at = 0;
+  for (std::size_t i = 0; at < bytes.size(); ++i) {
+    const std::string_view found = record(at);
+    if (found.empty() || i > curve.size()) return false;
+    at += kHead + found.size() + sizeof(std::uint32_t);
+    if (i == 0) continue;  // says what kind of file it is
+    const CurvePoint& point = curve[i - 1];
+    const std::string steps = event(0.0, static_cast<std::int64_t>(point.steps)).substr(kTime);
+    if (!found.substr(kTime).starts_with(steps)) return false;
+    for (const auto& scalar : scalars_of(point)) {
+      if (found.find(scalar_value(scalar)) == std::string_view::npos) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether a curve in `folder` is that of another training.
+bool has_other_curve(const std::filesystem::path& folder, const std::string& own,
+                     const std::vector<CurvePoint>& curve) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(kEvents)) continue;
+    if (name != own || !is_of(entry.path(), curve)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+EventFile::EventFile(const std::string& folder, const std::string& graph,
+                     const std::vector<CurvePoint>& curve)
+    : folder_(folder) {
+  const std::string name = std::string(kEvents) + "0." + graph;
+  for (int run = 2; has_other_curve(folder_, name, curve); ++run)
+    folder_ = folder + "/run" + std::to_string(run);
+  path_ = folder_ + "/" + name;
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) throw Problem(kInputOutput, "cannot make `" + folder_ + "`: " + error.message());
   write_file(path_, first_event(now_s()));
+  for (const CurvePoint& point : curve) append(point);
 }
 
 void EventFile::append(const CurvePoint& point, const Scalars& more) {

@@ -28,12 +28,17 @@ Scalars scalars_of(const CurvePoint& point);
 /// Throws Problem if such a folder cannot be made. Changes nothing.
 void check_folder(const std::string& folder);
 
-/// A file in a folder. The same run writes it anew, with the points that a resumed training has.
+/// A file in a folder. A resumed training writes its own anew, with the points that it has. Beside
+/// the curve of another one it is in a folder of its own, `run2`: TensorBoard takes all files of a
+/// folder for one curve.
 class EventFile {
  public:
   /// Makes the folder and the file. Throws Problem if that is not possible.
-  EventFile(const std::string& folder, const std::string& graph);
+  EventFile(const std::string& folder, const std::string& graph,
+            const std::vector<CurvePoint>& curve = {});
 
+  /// Where it is.
+  const std::string& folder() const { return folder_; }
   void append(const CurvePoint& point, const Scalars& more = {});
   /// Why something could not be written; empty: all was.
   const std::string& problem() const { return problem_; }
@@ -41,7 +46,7 @@ class EventFile {
  private:
   void write(const std::string& record);
 
-  std::string path_, problem_;
+  std::string folder_, path_, problem_;
 };
 
 }  // namespace eagerx::train

@@ -14,16 +14,60 @@ TEST(Wrapped, ShortLinesStay) {
 
 TEST(Wrapped, BreaksWhereTheFewestBracketsAreOpen) {
   EXPECT_EQ(wrapped("  f(g(" + kLong + ", 1), h(" + kLong + ", 2));\n"),
-            "  f(g(" + kLong + ", 1),\n      h(" + kLong + ", 2));\n");
+            "  f(g(" + kLong + ", 1),\n    h(" + kLong + ", 2));\n");
   EXPECT_EQ(wrapped(kLong + " = Array<float, 3>{" + kLong + "};"),
             kLong + " =\n    Array<float, 3>{" + kLong + "};");
   EXPECT_EQ(wrapped("Array<float, 3> " + kLong + "{.low = {{1}}, .high = {{" + kLong + "}}};"),
             "Array<float, 3> " + kLong + "{\n    .low = {{1}}, .high = {{" + kLong + "}}};");
 }
 
-TEST(Wrapped, AnInitializerBreaksBehindItsBrace) {
+TEST(Wrapped, AnInitializerIsAlignedOrBelow) {
   EXPECT_EQ(wrapped("  const T a[2] = {" + kLong + ", " + kLong + "};"),
-            "  const T a[2] = {\n      " + kLong + ",\n      " + kLong + "};");
+            "  const T a[2] = {" + kLong + ",\n                  " + kLong + "};");
+  const std::string half = kLong.substr(30), name = kLong.substr(20);
+  EXPECT_EQ(wrapped("  A in{.b = {" + half + ", 1}, .c = {" + half + ", 2}, .d = 3};"),
+            "  A in{.b = {" + half + ", 1}, .c = {" + half + ", 2}, .d = 3};");
+  EXPECT_EQ(wrapped("  const Inputs in{.first = {" + half + ", 1}, .second = {" + half + ", 2}};"),
+            "  const Inputs in{.first = {" + half + ", 1},\n                  .second = {" + half +
+                ", 2}};");
+  EXPECT_EQ(wrapped("  T<U> " + name + "{.low = {{1, 2}}, .high = {{" + kLong + ", 3}}};"),
+            "  T<U> " + name + "{\n      .low = {{1, 2}}, .high = {{" + kLong + ", 3}}};");
+}
+
+TEST(Wrapped, GroupsAreOneALine) {
+  EXPECT_EQ(wrapped("    {1, 2}, {3, 4},  // a\n    {5, 66},  // b\n"),
+            "    {1, 2},\n    {3, 4},   // a\n    {5, 66},  // b\n");
+}
+
+TEST(Wrapped, ACommentGoesOnInTheNextLine) {
+  EXPECT_EQ(wrapped("  // " + kLong + " " + kLong + " b\n  // c d\n  int e;\n"),
+            "  // " + kLong + "\n  // " + kLong + " b c d\n  int e;\n");
+}
+
+TEST(Wrapped, CommentsBehindCodeAreInOneColumn) {
+  EXPECT_EQ(wrapped("int a;  // b\nlong c;  // d\n\nint e;  // f\n"),
+            "int a;   // b\nlong c;  // d\n\nint e;  // f\n");
+}
+
+TEST(Wrapped, IncludesAreSortedUnlessOneIsOfC) {
+  EXPECT_EQ(wrapped("#include <b>\n\n#include \"x\"\n#include <a/c.hpp>\n\nint d;\n"),
+            "#include <a/c.hpp>\n#include <b>\n\n#include \"x\"\n\nint d;\n");
+  const std::string text = "#include <b.h>\n#include <a>\n";
+  EXPECT_EQ(wrapped(text), text);
+}
+
+TEST(Wrapped, IncludesThatNothingNeedsAreLeftOut) {
+  EXPECT_EQ(
+      wrapped("#include <array>\n#include <limits>\n#include <span>\n\nstd::array<int, 2> a;\n"),
+      "#include <array>\n#include <span>\n\nstd::array<int, 2> a;\n");
+}
+
+TEST(Wrapped, ShortFunctionsOfClassesAreOneLine) {
+  EXPECT_EQ(wrapped("class A {\n  int b() const {\n    return 1;\n  }\n  void c() {\n  }\n};\n"),
+            "class A {\n  int b() const { return 1; }\n  void c() {}\n};\n");
+  for (const std::string text : {"int b() {\n  return 1;\n}\n", "  if (a) {\n    return;\n  }\n",
+                                 "  template <class F>\n  void f(F&& f) {\n    f();\n  }\n"})
+    EXPECT_EQ(wrapped(text), text);
 }
 
 TEST(Wrapped, AllLinesOfAStatementHaveTheSameIndent) {
@@ -58,7 +102,7 @@ TEST(Wrapped, LiteralsStayWhole) {
   const std::string text = "f(\"" + kLong + ", // " + kLong + ", (\", ',');";
   EXPECT_EQ(wrapped(text), text);
   EXPECT_EQ(wrapped("f(\"" + kLong + "\\\", (\", '\\'', " + kLong + ");"),
-            "f(\"" + kLong + "\\\", (\", '\\'',\n    " + kLong + ");");
+            "f(\"" + kLong + "\\\", (\", '\\'',\n  " + kLong + ");");
   const std::string include = "#include <" + kLong + ", " + kLong + ">";
   EXPECT_EQ(wrapped(include), include);
 }

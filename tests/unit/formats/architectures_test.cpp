@@ -135,6 +135,28 @@ TEST(Architectures, AStateThatDoesNotComeBackIsRefused) {
   expect_refusal(model, "E0641", "takes a state as input `c`");
 }
 
+/// ML-Agents' Hallway: `obs_0`, `obs_1` and a memory.
+TEST(Architectures, ASecondObservationBesideAMemoryIsNamed) {
+  onnx::ModelProto model = model_of("gru.onnx");
+  onnx::GraphProto& graph = *model.mutable_graph();
+  onnx::ValueInfoProto& input = *graph.add_input();
+  input.set_name("obs_1");
+  onnx::TypeProto::Tensor& type = *input.mutable_type()->mutable_tensor_type();
+  type.set_elem_type(onnx::TensorProto::FLOAT);
+  for (const std::int64_t dim : {1, 1}) type.mutable_shape()->add_dim()->set_dim_value(dim);
+  const std::string action = graph.output(0).name();
+  for (onnx::NodeProto& node : *graph.mutable_node()) {
+    for (std::string& output : *node.mutable_output()) {
+      if (output == action) output = "before";
+    }
+  }
+  onnx::NodeProto& sum = *graph.add_node();
+  sum.set_op_type("Add");
+  for (const char* name : {"before", "obs_1"}) sum.add_input(name);
+  sum.add_output(action);
+  expect_refusal(model, "E0608", "has a memory and several observations: `obs_1`");
+}
+
 TEST(Architectures, AStateThatIsAlwaysZeroIsRefused) {
   onnx::ModelProto model = model_of("gru.onnx");
   node_of(model, "GRU").set_input(5, "");

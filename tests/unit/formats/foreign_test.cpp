@@ -56,8 +56,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "a web page, not the file that it shows", "download the file itself"},
         Foreign{"openvino", "<?xml version=\"1.0\"?>\n<net name=\"actor\" version=\"11\">",
                 "a network of OpenVINO", "name the ONNX file that it was made from"},
-        Foreign{"keras_h5", "\x89HDF\r\n\x1a\n", "an HDF5 file, as Keras saves its weights",
-                kKeras},
+        Foreign{"keras_h5", "\x89HDF\r\n\x1a\n",
+                "an HDF5 file, as Keras, RLtools and others save their weights",
+                "convert it to ONNX: of Keras with `python -m tf2onnx.convert --keras FILE`; of "
+                "others copy its layers into a `torch.nn.Sequential`, and save that"},
         Foreign{"keras_zip", test::zip({{"config.json", "{}"}, {"model.weights.h5", "x"}}),
                 "a Keras model", kKeras},
         Foreign{"tflite", "\x1c\0\0\0TFL3\x14\0\x20\0"s, "a TensorFlow Lite model",

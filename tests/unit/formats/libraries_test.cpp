@@ -88,6 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         Saved{"rsl_rl_legacy.pt", "rsl_rl", kRaw, "torch.save before 1.6, rsl_rl"},
         Saved{"td3_legacy.zip", "td3", kSquashed, "TD3"},
         Saved{"rsl_rl_3.pt", "rsl_rl", kRaw, "rsl_rl"},
+        Saved{"rsl_rl_4.pt", "rsl_rl_4", kRaw, "rsl_rl"},
         Saved{"rl_games.pth", "rl_games", kRaw, "rl_games"}, Saved{"skrl.pt", "skrl", kRaw, "skrl"},
         Saved{"cleanrl_td3.pth", "cleanrl_td3", kSquashed, "CleanRL"},
         Saved{"ppo_discrete_obs.zip", "ppo_discrete_obs", kRaw, "PPO"},
@@ -109,9 +110,9 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-/// crossq.zip with `epsilon` for its batch norms.
-std::string crossq_with_epsilon(std::string_view epsilon) {
-  std::ifstream file(kLibraries + "crossq.zip", std::ios::binary);
+/// A zip with `keywords` among those of its policy.
+std::string with_keywords(const std::string& zip, std::string_view keywords) {
+  std::ifstream file(kLibraries + zip, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   PolicyProblem problem;
   const auto archive = Archive::open(bytes, problem);
@@ -123,10 +124,14 @@ std::string crossq_with_epsilon(std::string_view epsilon) {
     if (name != "data") continue;
     constexpr std::string_view kKeywords = "\"policy_kwargs\": {";
     std::string& data = entries.back().content;
-    data.insert(data.find(kKeywords) + kKeywords.size(),
-                fmt::format("\"batch_norm_eps\": {}", epsilon));
+    data.insert(data.find(kKeywords) + kKeywords.size(), keywords);
   }
   return test::zip(entries);
+}
+
+/// crossq.zip with `epsilon` for its batch norms.
+std::string crossq_with_epsilon(std::string_view epsilon) {
+  return with_keywords("crossq.zip", fmt::format("\"batch_norm_eps\": {}", epsilon));
 }
 
 TEST(CrossQ, EpsilonOfItsBatchNorms) {
@@ -139,6 +144,16 @@ TEST(CrossQ, EpsilonOfItsBatchNorms) {
     EXPECT_LT(std::abs(scaled[i]), std::abs(known[i]));
   const std::vector<float> observation(usual.inputs(), 0.5F);
   EXPECT_EQ(evaluate(usual, observation), evaluate(read_library("crossq.zip"), observation));
+}
+
+TEST(OwnExtractor, WithTheNameOfALibrarysIsRefusedToo) {
+  const std::string keywords =
+      R"("features_extractor_class": "<class '__main__.FlattenExtractor'>")";
+  EXPECT_THAT(read_bad(with_keywords("crossq.zip", keywords)).message,
+              HasSubstr("`__main__.FlattenExtractor`"));
+  const std::string usual =
+      R"("features_extractor_class": "<class 'stable_baselines3.common.torch_layers.FlattenExtractor'>")";
+  read_good(with_keywords("crossq.zip", usual));
 }
 
 TEST(Activation, OfAZipIsKnownAndOfTensorsAloneAssumed) {

@@ -75,6 +75,22 @@ TEST(OnnxChoice, WhatIsNotPickedMayBeAnything) {
   EXPECT_THAT(evaluate(read_good(builder.bytes()), {3, -2}), ElementsAre(1, 1));
 }
 
+/// Multi-branch agents of ML-Agents: each branch has an ArgMax of its own.
+TEST(OnnxChoice, SeveralChoicesSideBySide) {
+  OnnxBuilder builder = scores();
+  builder.add_integers("sizes", {1, 3});
+  along(builder.add_node("Split", {"scores", "sizes"}, "first"), 1).add_output("second");
+  along(builder.add_node("ArgMax", {"second"}, "index_b"), 1);
+  along(builder.add_node("ArgMax", {"first"}, "index_a"), 1);
+  along(builder.add_node("Concat", {"index_b", "index_a"}, "action"), 1);
+  const Network network = read_good(builder.bytes());
+  EXPECT_EQ(network.action_kind(), ActionKind::argmax);
+  EXPECT_THAT(network.contract.groups, ElementsAre(3U, 1U));
+  EXPECT_THAT(evaluate(network, {1, 1}), ElementsAre(2, 4, 4, 1)) << "the scores of b, then of a";
+  builder.graph().mutable_node(4)->set_input(1, "scores");
+  EXPECT_EQ(read_bad(builder.bytes()).code, "E0613");
+}
+
 TEST(OnnxChoice, NothingIsCalculatedFromAChoice) {
   OnnxBuilder builder = scores();
   along(builder.add_node("ArgMax", {"scores"}, "index"), 1);

@@ -180,6 +180,14 @@ TEST(OnnxErrors, UnsupportedOperatorIsNamedWithTheSupportedOnes) {
                                          "LessOrEqual, LogSoftmax, MatMul, Max, MaxPool"));
 }
 
+TEST(OnnxErrors, QuantizedModelsAreToBeExportedBefore) {
+  OnnxBuilder builder = test::two_layers();
+  builder.add_tensor("scale", {}, {0.5F});
+  builder.add_node("DequantizeLinear", {"g1", "scale"}, "real");
+  builder.graph().mutable_node(1)->set_input(0, "real");
+  EXPECT_THAT(read_bad(builder.bytes()).help, HasSubstr("`weights: int8`"));
+}
+
 TEST(OnnxErrors, OperatorOfAnotherDomain) {
   OnnxBuilder builder = test::two_layers();
   builder.graph().mutable_node(1)->set_domain("com.microsoft");

@@ -230,8 +230,21 @@ TEST(TorchScript, WhatIsNotUnderstoodIsRefusedByItsLine) {
   expect_refused(body_with("z = torch.index_put_(y, " + places + ", y)"), "E0754",
                  "`index_put` in a way");
   expect_refused(body_with("z = torch.matmul(y, self.a)"), "E0618", "line 6");
+  expect_refused(body_with("z = torch.add(y, torch.mul(torch.randn_like(y), torch.log(y)))"),
+                 "E0754", "its code draws random numbers (`randn_like`)");
   expect_refused(with_body("    return x\n", "x: Tensor,\n    hc: Tuple[Tensor, Tensor]"), "E0754",
                  "takes `hc`, which is no tensor but Tuple[Tensor,Tensor]");
+}
+
+/// rsl_rl's deviation that depends on the state: means and deviations are two rows.
+TEST(TorchScript, MeansAreTheFirstRow) {
+  const Network all = read_good(body_with("z = y"));
+  const Network means =
+      read_good(body_with("z = torch.select(torch.unflatten(y, -1, [2, 4]), -2, 0)"));
+  const std::vector<float> x = {0.5F, -1.0F, 2.0F, 0.25F};
+  const std::vector<float> both = evaluate(all, x);
+  ASSERT_EQ(both.size(), 8U);
+  EXPECT_THAT(evaluate(means, x), testing::ElementsAreArray(both.begin(), both.begin() + 4));
 }
 
 TEST(TorchScript, ConditionsThatAreKnownAreFollowed) {

@@ -1,1 +1,1 @@
-target_link_libraries(test_host PRIVATE eagerx_base eagerx_expression eagerx_foxglove eagerx_key eagerx_trace eagerx_telemetry)
+target_link_libraries(test_host PRIVATE eagerx_base eagerx_expression eagerx_foxglove eagerx_identify eagerx_key eagerx_trace eagerx_telemetry)

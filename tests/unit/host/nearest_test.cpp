@@ -40,6 +40,17 @@ TEST(Nearest, OddInput) {
   EXPECT_EQ(nearest_name("\xff\xfe\xfd", {"x"}), "");
 }
 
+TEST(Nearest, SpelledWithOtherSeparators) {
+  const std::vector<std::string> names = {"cart.mass", "robot/body.mass", "robot/a.b", "robot.a/b"};
+  ASSERT_NE(spelled_otherwise("robot/body/mass", names), nullptr);
+  EXPECT_EQ(*spelled_otherwise("robot/body/mass", names), "robot/body.mass");
+  EXPECT_EQ(*spelled_otherwise("robot.body.mass", names), "robot/body.mass");
+  EXPECT_EQ(*spelled_otherwise("cart/mass", names), "cart.mass");
+  EXPECT_EQ(spelled_otherwise("robot/a/b", names), nullptr);  // two of them
+  EXPECT_EQ(spelled_otherwise("mass", names), nullptr);
+  EXPECT_EQ(spelled_otherwise("", names), nullptr);
+}
+
 TEST(Nearest, AsASentenceForPeople) {
   const std::vector<std::string> names = {"theta", "voltage"};
   EXPECT_EQ(did_you_mean("thta", names), "did you mean `theta`?");

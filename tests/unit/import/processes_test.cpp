@@ -43,12 +43,12 @@ std::string saved_with(const std::string& engine, const std::string& sensor,
 }
 
 struct ProcessesOf {
-  explicit ProcessesOf(const std::string& text) {
+  explicit ProcessesOf(const std::string& text, bool keep_processes = true) {
     SourceMap sources;
     const YamlValue tree = read_yaml_text("state.yaml", text, sources, diagnostics, Tags::accept);
     library =
         load_library({{"tests/data/import/models", {}}, {"targets", {}}}, sources, diagnostics);
-    graph = import_graph(tree, "state.yaml", library, {}, diagnostics);
+    graph = import_graph(tree, "state.yaml", library, {{}, {}, {}, keep_processes}, diagnostics);
     if (graph) {
       written = write_graph(*graph);
       resolved = resolve(graph->spec, library, {}, diagnostics);
@@ -103,6 +103,21 @@ TEST(Processes, ANewProcessIsAPartAndAnExternalOneHasAHost) {
   EXPECT_EQ(import.notes(), Notes{"what had a process of its own in EAGERx is a program of its own "
                                   "(`placement:`): `first` on this machine; `second` on a machine "
                                   "for you to name"});
+}
+
+TEST(Processes, OneProgramUnlessPartsAreAskedFor) {
+  const ProcessesOf import(
+      saved_with("process: 1, ", "process: 2, ", "process: 0, ", "process: 0, "), false);
+  ASSERT_TRUE(import.resolved) << import.report;
+  EXPECT_FALSE(import.resolved->placement);
+  EXPECT_EQ(import.notes(), Notes{"one program runs `first`, `second`, which EAGERx runs in "
+                                  "processes of their own"});
+  EXPECT_NE(import.report.find("--keep-processes"), std::string::npos) << import.report;
+  const ProcessesOf external(
+      saved_with("process: 1, ", "process: 2, ", "process: 0, ", "process: 3, "), false);
+  ASSERT_TRUE(external.resolved) << external.report;
+  ASSERT_EQ(external.resolved->placement->parts.size(), 1U);
+  EXPECT_EQ(external.resolved->placement->parts.front().name, "second");
 }
 
 TEST(Processes, TheEngineAndItsNodesStayTogether) {

@@ -237,9 +237,11 @@ struct BeginningIo : SignalIo<double, LimitedConfig, 2> {
 };
 struct LagConfig {
   static constexpr double time_constant = 0.05;
+  static constexpr double turn = 0.0;
 };
 struct NoFilterConfig {
   static constexpr double time_constant = 0.0;
+  static constexpr double turn = 0.0;
 };
 template <class Real>
 using DerivativeIo = SignalIo<Real, LagConfig>;

@@ -55,6 +55,19 @@ TEST(Scalar, Numbers) {
   }
 }
 
+TEST(Scalar, MultiplesOfPi) {
+  EXPECT_EQ(parse_number("pi"), M_PI);
+  EXPECT_EQ(parse_number("-pi"), -M_PI);
+  EXPECT_EQ(parse_number("+pi/2"), M_PI / 2);
+  EXPECT_EQ(parse_number("2*pi"), 2 * M_PI);
+  EXPECT_EQ(parse_number("-0.75 * pi"), -0.75 * M_PI);
+  EXPECT_EQ(parse_number("3*pi / 4"), 3 * M_PI / 4);
+  for (const char* text : {"2pi", "pi*2", "pi/0", "pi/-2", "pi pi", "pie", "1+pi", "*pi", "pi/",
+                           "0x2*pi", ".inf*pi", "--pi", "PI", "2**pi", "1e999*pi"}) {
+    EXPECT_EQ(parse_number(text), std::nullopt) << text;
+  }
+}
+
 TEST(Scalar, Bools) {
   EXPECT_EQ(parse_bool("true"), true);
   EXPECT_EQ(parse_bool("false"), false);

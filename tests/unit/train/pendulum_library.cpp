@@ -147,7 +147,7 @@ uint32_t eagerx_version(void) {
   return EAGERX_ENVIRONMENTS_VERSION;
 }
 const char* eagerx_describe(void) {
-  return R"({"version": 4, "generator": "0.1.0", "graph": "test_pendulum", "engine": "none",
+  return R"({"version": 5, "generator": "0.1.0", "graph": "test_pendulum", "engine": "none",
     "hash": "0x0123456789abcdef", "rate_hz": 30, "isa": "any", "lanes": 1, "threads": true,
     "observations": [
       {"name": "angle", "shape": [2], "dtype": "float32", "window": 1, "low": [-1, -1],

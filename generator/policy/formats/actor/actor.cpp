@@ -23,7 +23,7 @@ class Assembly {
 
   std::optional<Network> run() {
     if (!check_supported()) return std::nullopt;
-    auto layout = find_actor(table_, is_zip(), problem_);
+    auto layout = context_.layers.empty() ? find_actor(table_, is_zip(), problem_) : say_layout();
     if (!layout) return std::nullopt;
     layout_ = std::move(*layout);
     if (!add_memory(table_, layout_, problem_)) return std::nullopt;
@@ -41,6 +41,21 @@ class Assembly {
   }
 
  private:
+  /// The layout that the graph says, with what follows its last layer.
+  std::optional<ActorLayout> say_layout() {
+    std::optional<Activation> output;
+    auto layout = said_layout(table_, context_.layers, output, problem_);
+    if (!layout || !output) return layout;
+    if (context_.output_activation && *context_.output_activation != *output) {
+      return parts_.fail("E0626",
+                         "has layers in the graph that end in another activation than "
+                         "the graph's `output_activation`",
+                         "leave `output_activation` out");
+    }
+    context_.output_activation = output;
+    return layout;
+  }
+
   /// Parts that would silently be left out, and change the function.
   bool check_supported() {
     if (facts_.unsupported) {
@@ -54,7 +69,33 @@ class Assembly {
           fmt::format("has a features extractor of its own (`{}`)", printable(*facts_.extractor)),
           "export the actor to ONNX");
     }
-    return true;
+    return check_class();
+  }
+
+  /// A policy class of the user's own: only its answers show what it calculates.
+  bool check_class() {
+    if (!facts_.own_class || !context_.layers.empty()) return true;
+    const std::string name = printable(*facts_.own_class);
+    if (context_.has_answers) {
+      network_.assumed.push_back(
+          fmt::format("its own policy class `{}` calculates what the library's does, as far as the "
+                      "known answers show",
+                      name));
+      return true;
+    }
+    constexpr std::size_t kMostShown = 4;
+    std::vector<std::string> methods;
+    for (const std::string& method : facts_.own_methods) {
+      if (methods.size() < kMostShown) methods.push_back(fmt::format("`{}`", printable(method)));
+    }
+    return parts_.fail(
+        "E0628",
+        fmt::format("has a policy class of its own (`{}`{}{}{})", name,
+                    methods.empty() ? "" : ", which overrides ", join(methods, ", "),
+                    methods.size() < facts_.own_methods.size() ? ", …" : ""),
+        "export the actor to ONNX; if it calculates what the library's policy does, give known "
+        "answers, and its activation: `agent: {policy: …, golden: rows.csv, activation: relu}`; "
+        "for `policy test` with `--activation relu`");
   }
 
   /// Pixels become numbers from 0 to 1, and features if there is a network for them.
@@ -93,17 +134,22 @@ class Assembly {
 
   bool choose_activation() {
     // A zip of SB3 that names none has its class's.
-    const auto in_file = facts_.activation || !is_zip() ? facts_.activation : layout_.activation;
+    const bool is_usual = is_zip() && !facts_.own_class;
+    const auto in_file = facts_.own_class                 ? std::nullopt
+                         : facts_.activation || !is_usual ? facts_.activation
+                                                          : layout_.activation;
     if (context_.activation && in_file && *context_.activation != *in_file) {
       return parts_.fail("E0626",
                          fmt::format("says that its activation is {}, but the graph says {}",
                                      to_string(*in_file), to_string(*context_.activation)),
                          "leave the graph's `activation` out");
     }
-    const bool needed =
-        std::any_of(layout_.modules.begin(), layout_.modules.end(),
-                    [](const ActorModule& module) { return module.activation_after; });
-    const auto said = in_file ? in_file : context_.activation;
+    const bool needed = std::any_of(
+        layout_.modules.begin(), layout_.modules.end(),
+        [](const ActorModule& module) { return module.activation_after && !module.activation; });
+    auto said = in_file ? in_file : context_.activation;
+    // What the zip says of it is what was given to the class.
+    if (!said && facts_.own_class) said = facts_.activation;
     if (!said && !layout_.activation && needed) {
       const bool both = layout_.output_rule == OutputRule::unknown && !context_.output_activation;
       return parts_.fail(
@@ -151,7 +197,7 @@ class Assembly {
 
   const TensorTable& table_;
   const PolicyFacts& facts_;
-  const ReadContext& context_;
+  ReadContext context_;
   PolicyProblem& problem_;
   ActorLayout layout_;
   Activation activation_ = Activation::identity;

@@ -29,11 +29,13 @@ struct PolicyFacts {
   std::optional<double> clip, epsilon;                // of the statistics
   std::optional<std::string> unsupported;             // why it cannot be read at all
   std::optional<std::string> extractor;               // class of its features extractor
-  std::optional<Dims> image;   // of the observation: [channels, rows, columns]
-  bool scales_pixels = false;  // by 1 / 255
-  std::optional<bool> squash;  // whether a tanh follows the mean
-  double norm_epsilon = 1e-3;  // of CrossQ's batch norms; sb3-contrib's default
-  double limit = 2.0;          // of the mean, where the layout has one
+  std::optional<std::string> own_class;  // of its policy, if no library has it: "my.module.Name"
+  std::vector<std::string> own_methods;  // that this class has itself
+  std::optional<Dims> image;             // of the observation: [channels, rows, columns]
+  bool scales_pixels = false;            // by 1 / 255
+  std::optional<bool> squash;            // whether a tanh follows the mean
+  double norm_epsilon = 1e-3;            // of CrossQ's batch norms; sb3-contrib's default
+  double limit = 2.0;                    // of the mean, where the layout has one
   PolicyContract contract;
 };
 
@@ -76,8 +78,9 @@ enum class OutputRule : std::uint8_t {
 struct ActorModule {
   std::string base;  // "actor.latent_pi.0"
   bool activation_after = false;
-  std::optional<int> recurrent{};  // layer of a GRU or LSTM: base.weight_ih_l0
-  bool is_limited = false;         // by PolicyFacts::limit
+  std::optional<int> recurrent{};          // layer of a GRU or LSTM: base.weight_ih_l0
+  bool is_limited = false;                 // by PolicyFacts::limit
+  std::optional<Activation> activation{};  // its own, if the graph says one
 };
 
 /// `bodies` are followed by an activation each, then comes `head`: a layer or a sequence.
@@ -111,12 +114,26 @@ struct KnownLayout {
 struct ActorLayout : KnownLayout {
   std::vector<ActorModule> modules{};
   std::string extractor{};  // what names in front of the modules start with
+  bool is_said = false;     // by the graph: what it leaves out is not used
 };
 
 /// The one actor among the names. A file that is no Stable-Baselines3 `zip` is only said to be of a
 /// library if it has marks that nothing else has. E0624, E0625.
 std::optional<ActorLayout> find_actor(const TensorTable& table, bool is_zip,
                                       PolicyProblem& problem);
+
+/// The layers that the graph says, in its order. `output` becomes what it says of the last one.
+/// E0624, E0626.
+std::optional<ActorLayout> said_layout(const TensorTable& table,
+                                       const std::vector<std::string>& layers,
+                                       std::optional<Activation>& output, PolicyProblem& problem);
+
+/// Layers of an actor whose names tell no order, if their sizes do: each takes what the one before
+/// gives. Empty: there is no such order, or it is in the names.
+std::vector<std::string> order_by_sizes(const TensorTable& table);
+
+/// Whether a tensor that nothing has read is for training only.
+bool is_for_training(std::string_view name);
 
 /// Puts the layers of a GRU or LSTM into `layout`: those of `layout.memory`, else the only one
 /// there is, where its sizes fit. E0624, E0625.

@@ -51,8 +51,9 @@ class Layers : ActorParts {
 
   bool activate(const ActorModule& module) {
     if (module.activation_after) {
-      network.layers.back().activation = activation_;
-      network.layers.back().slope = default_slope(activation_);
+      const Activation activation = module.activation.value_or(activation_);
+      network.layers.back().activation = activation;
+      network.layers.back().slope = default_slope(activation);
     }
     return true;
   }

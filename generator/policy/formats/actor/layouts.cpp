@@ -7,6 +7,7 @@
 #include "generator/policy/formats/actor/known_layouts.hpp"
 #include "generator/policy/formats/actor/parts.hpp"
 #include "generator/policy/formats/common/foreign.hpp"
+#include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -111,6 +112,20 @@ class Layouts {
         problem_, "E0625", fmt::format("has two actors: {} and {}", a, b),
         "say which one by how its tensors' names begin: `agent: {policy: …, actor: NAME}`; "
         "for `policy` with `--actor NAME`");
+  }
+  /// Names of several beginnings say neither what comes after what, nor what is between them.
+  Refused say_order(const std::vector<std::string>& order) {
+    std::vector<std::string> names;
+    for (const std::string& name : order) names.push_back(printable(name));
+    return refuse(
+        problem_, "E0629",
+        fmt::format("does not say in which order its layers come, nor which activations follow "
+                    "them: `{}`",
+                    join(names, "`, `")),
+        fmt::format("say both in the graph: `agent: {{policy: …, layers: [{0}], activation: relu, "
+                    "output_activation: none}}`; for `policy` with `--layers {1} --activation relu "
+                    "--output-activation none`",
+                    join(names, ", "), join(names, ",")));
   }
   Refused missing(const std::string& what) {
     return refuse(problem_, "E0624",
@@ -251,6 +266,7 @@ class Layouts {
                     fmt::format("holds a critic (`{}…`) and no actor", printable(critic)),
                     "save the tensors of the actor");
     }
+    if (const auto order = order_by_sizes(table_); !order.empty()) return say_order(order);
     if (sequences_.size() > 1) {
       const auto second = std::next(sequences_.begin());
       return ambiguous(fmt::format("`{}…`", printable(sequences_.begin()->first)),

@@ -7,10 +7,8 @@
 #include "generator/policy/formats/actor/parts.hpp"
 
 namespace eagerx::gen {
-namespace {
 
-/// Whether a tensor that nothing has read is for training only.
-bool may_be_left(const ActorParts& parts, const ActorLayout& layout, std::string_view name) {
+bool is_for_training(std::string_view name) {
   const auto has = [&](std::string_view part) { return name.find(part) != std::string_view::npos; };
   constexpr std::array kParts = {"critic",
                                  "value",
@@ -33,7 +31,13 @@ bool may_be_left(const ActorParts& parts, const ActorLayout& layout, std::string
   if (has("std") && !has("obs") && !has("norm") && !has("mean")) return true;
   constexpr std::array kNotes = {"low",      "high",  "rate",  "squash",
                                  "clip_obs", "gamma", "count", "epsilon"};
-  if (std::find(kNotes.begin(), kNotes.end(), name) != kNotes.end()) return true;
+  return std::find(kNotes.begin(), kNotes.end(), name) != kNotes.end();
+}
+
+namespace {
+
+bool may_be_left(const ActorParts& parts, const ActorLayout& layout, std::string_view name) {
+  if (layout.is_said || is_for_training(name)) return true;
   // PPO's extractor is there under several names; skrl's critic may see more than its actor.
   const bool again = !layout.extractor.empty() && !parts.network.input_shape.empty() &&
                      name.starts_with("features_extractor.");
@@ -49,7 +53,8 @@ bool check_rest(const ActorParts& parts, const ActorLayout& layout) {
     return parts.fail("E0628",
                       fmt::format("has parts that are not supported: `{}`", printable(name)),
                       "layers are Linear, LayerNorm, BatchNorm, GRU, LSTM and NatureCNN; give "
-                      "statistics as `normalize`, or export the actor to ONNX");
+                      "statistics as `normalize`, say the layers of the actor in their order "
+                      "(`layers: […]`), or export the actor to ONNX");
   }
   for (const auto& [name, tensor] : parts.table.tensors) {
     if (parts.used.count(name) > 0) continue;

@@ -40,6 +40,7 @@ class DataReader {
 
   std::optional<PolicyFacts> read() {
     read_algorithm();
+    read_own_class();
     if (!read_keywords() || !read_observations() || !read_actions()) return std::nullopt;
     return std::move(facts_);
   }
@@ -73,6 +74,30 @@ class DataReader {
     }
     if (facts_.contract.algorithm == "ARS" && policy != nullptr) read_class(*policy);
   }
+  /// A class that the libraries do not have may calculate anything from the same tensors.
+  void read_own_class() {
+    const Json* policy = member(data_, "policy_class");
+    const std::string module = text_of(member(policy, "__module__"));
+    if (module.empty() || is_of_library(module)) return;
+    facts_.own_class = module;
+    const auto* members = policy->as<Json::Object>();
+    if (members == nullptr) return;
+    std::string name;
+    for (const auto& [key, value] : *members) {
+      // "<function NAME.METHOD at 0x7f…>"
+      constexpr std::string_view kFunction = "<function ";
+      const std::string text = text_of(&value);
+      if (!text.starts_with(kFunction)) continue;
+      const std::string path = text.substr(kFunction.size(), text.find(" at ") - kFunction.size());
+      const std::size_t dot = path.rfind('.');
+      if (name.empty() && dot != std::string::npos) name = "." + path.substr(0, dot);
+      facts_.own_methods.push_back(key);
+    }
+    *facts_.own_class += name;
+  }
+  static bool is_of_library(std::string_view name) {
+    return name.starts_with("stable_baselines3.") || name.starts_with("sb3_contrib.");
+  }
   /// ARS's two policies differ by a tanh. The name of the class is in a pickle of nothing else.
   void read_class(const Json& policy) {
     const auto pickled = from_base64(text_of(member(&policy, ":serialized:")));
@@ -95,7 +120,9 @@ class DataReader {
     if (std::string name = text_of(member(keywords, "features_extractor_class")); !name.empty()) {
       // "<class 'stable_baselines3.common.torch_layers.NatureCNN'>"
       while (!name.empty() && (name.back() == '>' || name.back() == '\'')) name.pop_back();
-      facts_.extractor = name.substr(name.rfind('.') + 1);
+      name.erase(0, name.find('\'') + 1);
+      const bool is_own = !is_of_library(name);
+      facts_.extractor = is_own ? name : name.substr(name.rfind('.') + 1);
     }
     if (const std::string name = text_of(member(keywords, "activation_fn")); !name.empty()) {
       facts_.activation = activation_of(name);

@@ -12,6 +12,10 @@ namespace eagerx::gen {
 namespace {
 
 constexpr const char* kKerasWay = "convert it to ONNX: `python -m tf2onnx.convert --keras FILE`";
+constexpr const char* kHdfWay =
+    "convert it to ONNX: of Keras with `python -m tf2onnx.convert --keras FILE`; of others copy "
+    "its "
+    "layers into a `torch.nn.Sequential`, and save that";
 constexpr const char* kTensorFlowWay =
     "convert it to ONNX with `python -m tf2onnx.convert`, or save it as ONNX when training";
 constexpr const char* kBaselines2Way =
@@ -31,7 +35,7 @@ constexpr std::array kBeginnings = {
          "run `git lfs pull`"},
     Mark{"\x93NUMPY"sv, "one NumPy array, not an archive of them (npz)",
          "save all arrays of the actor with `numpy.savez`"},
-    Mark{"\x89HDF"sv, "an HDF5 file, as Keras saves its weights", kKerasWay},
+    Mark{"\x89HDF"sv, "an HDF5 file, as Keras, RLtools and others save their weights", kHdfWay},
     Mark{"TFL3"sv, "a TensorFlow Lite model",
          "name the file that it was converted from, as ONNX: `python -m tf2onnx.convert "
          "--tflite FILE`",

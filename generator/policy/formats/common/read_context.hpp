@@ -1,9 +1,11 @@
 // What a reader may need besides the bytes of a file.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/policy/network/layer.hpp"
 
@@ -18,7 +20,12 @@ struct ReadContext {
   std::string actor{};                     // of tables: how the names of its tensors begin
   std::string output_name{};               // of ONNX and TorchScript: which output is the action
   std::optional<Activation> output_activation{};  // after the last layer, as the graph says
-  FilesBeside files{};                            // of ONNX, whose values may be in others
+  std::vector<std::int64_t> input_sizes{};  // of TorchScript: numbers of each argument of forward
+  /// Of tables: modules in the order of evaluation, "fc1"; activations between them, if any is
+  /// named, else `activation` follows all but the last.
+  std::vector<std::string> layers{};
+  bool has_answers = false;  // known answers will be compared with those of the network
+  FilesBeside files{};       // of ONNX, whose values may be in others
 };
 
 }  // namespace eagerx::gen

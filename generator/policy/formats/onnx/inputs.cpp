@@ -12,11 +12,12 @@ namespace {
 
 constexpr std::int64_t kMaxStateLayers = 64;
 
-/// Types that a float32 observation stands for: it holds all numbers of the short integers, and a
-/// double's to its own precision.
+/// Types that a float32 observation stands for: it holds all numbers of the short integers and
+/// of a half, and a double's to its own precision.
 bool is_number(int type) {
   return type == onnx::TensorProto::FLOAT || type == onnx::TensorProto::DOUBLE ||
-         type == onnx::TensorProto::UINT8 || type == onnx::TensorProto::INT8;
+         type == onnx::TensorProto::UINT8 || type == onnx::TensorProto::INT8 ||
+         type == onnx::TensorProto::FLOAT16;
 }
 
 }  // namespace
@@ -67,6 +68,13 @@ bool is_sequence(const onnx::ValueInfoProto& input) {
 std::optional<NetValue> state_value(const onnx::ValueInfoProto& input, PolicyProblem& problem) {
   const onnx::TensorShapeProto& shape = input.type().tensor_type().shape();
   const auto size = [&](int i) { return shape.dim(i).dim_value(); };
+  if (shape.dim_size() < 3) {
+    return refuse(problem, "E0608",
+                  fmt::format("has a memory and several observations: `{}` is one more, as its "
+                              "shape is not that of a state",
+                              printable(input.name())),
+                  "export the actor with one input for the whole observation, then its states");
+  }
   const bool fits = shape.dim_size() == 3 && size(0) >= 1 && size(0) <= kMaxStateLayers &&
                     size(1) <= 1 && size(2) >= 1 && size(2) <= kMaxValues;
   if (!fits) {

@@ -103,6 +103,7 @@ class Reading {
     const auto result = action_of(*value(output(chosen_.output)), kExportActor, problem_);
     if (!result) return std::nullopt;
     if (result->is_choice) network_.action = ActionKind::argmax;
+    network_.contract.groups = result->groups;
     if (is_recurrent_) take_other_outputs();
     if (!check_states(result->step)) return std::nullopt;
     std::unordered_set<const NetTensor*> used;
@@ -110,6 +111,11 @@ class Reading {
     auto layers = make_layers(state_.steps, result->step, inputs, used, problem_);
     if (!layers) return std::nullopt;
     network_.layers = std::move(*layers);
+    if (state_.has_halves ||
+        observation.front()->type().tensor_type().elem_type() == onnx::TensorProto::FLOAT16) {
+      network_.assumed.push_back(
+          "float32 where the file calculates in float16: answers differ by what that rounds");
+    }
     network_.ignored = ignored_parts(used);
     if (ranges::any_of(network_.layers,
                        [](const Layer& layer) { return layer.depends_on_shape(); })) {

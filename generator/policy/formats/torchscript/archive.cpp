@@ -117,14 +117,15 @@ const TorchFunction* TorchArchive::function(const std::string& module, const std
 
 std::vector<std::int64_t> TorchArchive::sizes() const {
   std::set<std::int64_t> found;
-  const Pickle& modules = pickle(0);
-  for (const PickleValue& value : modules.values) {
-    if (!modules.made_by(value, kRebuild)) continue;
-    const std::vector<std::uint32_t>& arguments = modules.at(value.arguments).items;
-    if (arguments.size() < 3) continue;
-    const auto shape = modules.integers(&modules.at(arguments[2]));
-    for (const std::int64_t dim : shape.value_or(std::vector<std::int64_t>{})) {
-      if (dim >= 1 && dim <= kMaxValues) found.insert(dim);
+  for (const Pickle& pickle : pickles_) {  // torch.jit.freeze() makes constants of all tensors
+    for (const PickleValue& value : pickle.values) {
+      if (!pickle.made_by(value, kRebuild)) continue;
+      const std::vector<std::uint32_t>& arguments = pickle.at(value.arguments).items;
+      if (arguments.size() < 3) continue;
+      const auto shape = pickle.integers(&pickle.at(arguments[2]));
+      for (const std::int64_t dim : shape.value_or(std::vector<std::int64_t>{})) {
+        if (dim >= 1 && dim <= kMaxValues) found.insert(dim);
+      }
     }
   }
   return {found.begin(), found.end()};

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <deque>
 #include <set>
 #include <unordered_set>
 #include <utility>
@@ -57,14 +58,20 @@ std::string shown(const TorchResult& result) {
 
 class TorchReading {
  public:
-  TorchReading(TorchArchive& archive, std::string output, PolicyProblem& problem)
-      : archive_(archive), output_(std::move(output)), problem_(problem) {}
+  TorchReading(TorchArchive& archive, const ReadContext& context, PolicyProblem& problem)
+      : archive_(archive),
+        output_(context.output_name),
+        said_(context.input_sizes),
+        problem_(problem) {}
 
   std::optional<Network> run() {
     const auto names = inputs_of_forward();
     if (!names) return std::nullopt;
-    std::vector<std::int64_t> sizes;
-    if (!find_sizes(names->size(), sizes)) return std::nullopt;
+    std::vector<std::int64_t> sizes = said_;
+    if (said_.empty() ? !find_sizes(names->size(), sizes) || !is_only(*names, sizes)
+                      : !check_said(*names)) {
+      return std::nullopt;
+    }
     TorchTry found;
     follow(sizes, found);
     if (!check_states(found)) return std::nullopt;
@@ -77,18 +84,23 @@ class TorchReading {
           {printable((*names)[i]), static_cast<std::uint64_t>(sizes[i])});
     }
     if (found.action->is_choice) network.action = ActionKind::argmax;
+    network.contract.groups = found.action->groups;
     std::unordered_set<const NetTensor*> used;
     auto layers = make_layers(found.state.steps, found.action->step, observed, used, problem_);
     if (!layers) return std::nullopt;
     network.layers = std::move(*layers);
     network.format = "TorchScript";
     network.ignored = std::move(found.others);
-    TorchTry longer;
-    ++sizes.back();
-    follow(sizes, longer);
-    if (longer.action) {
+    for (std::size_t i = 0; said_.empty() && i < sizes.size(); ++i) {
+      std::vector<std::int64_t> longer = sizes;
+      ++longer[i];
+      if (!goes(longer)) continue;
       network.assumed.push_back(
-          fmt::format("an observation of {} numbers: the file takes longer ones too", observed));
+          sizes.size() == 1
+              ? fmt::format("an observation of {} numbers: the file takes longer ones too",
+                            observed)
+              : fmt::format("{} numbers for `{}`: the file takes more, too", sizes[i],
+                            printable((*names)[i])));
     }
     return network;
   }
@@ -120,7 +132,7 @@ class TorchReading {
       }
     }
     if (!names.empty()) names.erase(names.begin());  // self
-    constexpr std::size_t kMostInputs = 3;
+    constexpr std::size_t kMostInputs = 8;
     if (!names.empty() && names.size() <= kMostInputs) return names;
     return refuse(problem_, "E0754", fmt::format("has a `forward` with {} arguments", names.size()),
                   "export a module that takes the observation");
@@ -184,15 +196,83 @@ class TorchReading {
                 kSayResult);
   }
 
-  /// The first sizes that go through. Else the problem of the try that came farthest.
+  /// Whether `forward` goes through with these sizes.
+  bool goes(const std::vector<std::int64_t>& sizes) {
+    TorchTry made;
+    follow(sizes, made);
+    return made.action.has_value();
+  }
+
+  /// Whether sizes that the graph says go through; else why not.
+  bool check_said(const std::vector<std::string>& names) {
+    if (said_.size() != names.size()) {
+      return refuse(problem_, "E0755",
+                    fmt::format("has a `forward` that takes {}, not {}: {}",
+                                counted(names.size(), "input"), said_.size(), quoted(names)),
+                    "write one size for each in `input_sizes`");
+    }
+    TorchTry made;
+    follow(said_, made);
+    if (made.action) return true;
+    problem_ = made.problem;
+    problem_.help = fmt::format("if `input_sizes` are not those of {}, write these; else {}",
+                                quoted(names), problem_.help);
+    return false;
+  }
+  static std::string quoted(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) {
+      text += fmt::format("{}`{}`", text.empty() ? "" : ", ", printable(name));
+    }
+    return text;
+  }
+
+  /// Whether no number can belong to another input instead: in cat([command, state]) only the sum
+  /// of the sizes is in the file.
+  bool is_only(const std::vector<std::string>& names, const std::vector<std::int64_t>& sizes) {
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      for (std::size_t k = 0; k < sizes.size(); ++k) {
+        std::vector<std::int64_t> other = sizes;
+        ++other[i];
+        if (i == k || --other[k] < 1 || !goes(other)) continue;
+        return say_sizes(names, fmt::format("`{}` and `{}` could have {} and {}, as well as {} "
+                                            "and {}",
+                                            printable(names[i]), printable(names[k]), sizes[i],
+                                            sizes[k], other[i], other[k]));
+      }
+    }
+    return true;
+  }
+  Refused say_sizes(const std::vector<std::string>& names, const std::string& why) {
+    return refuse(
+        problem_, "E0755", fmt::format("does not say how many numbers its inputs have: {}", why),
+        fmt::format("say how many {} have, in this order: `agent: {{policy: …, "
+                    "input_sizes: [{}]}}`; for `policy` with `--input-sizes`",
+                    quoted(names), join(std::vector<std::string>(names.size(), "…"), ", ")));
+  }
+
+  /// The first sizes that go through. Else the problem of the try that came farthest. What a layer
+  /// lacks in a try is given to each of the inputs in turn.
   bool find_sizes(std::size_t count, std::vector<std::int64_t>& sizes) {
     const std::vector<std::int64_t> candidates = candidates_for(count);
     std::vector<std::size_t> at(count, 0);
     std::pair<std::size_t, std::int64_t> farthest;  // steps, statements
     bool any = false;
-    for (std::size_t tries = 0; tries < kMostTries && !candidates.empty(); ++tries) {
+    std::deque<std::vector<std::int64_t>> better;
+    std::set<std::vector<std::int64_t>> tried;
+    bool all = candidates.empty();
+    for (std::size_t tries = 0; tries < kMostTries && !(all && better.empty()); ++tries) {
       sizes.clear();
-      for (const std::size_t i : at) sizes.push_back(candidates[i]);
+      if (!better.empty()) {
+        sizes = better.front();
+        better.pop_front();
+      } else {
+        for (const std::size_t i : at) sizes.push_back(candidates[i]);
+        std::size_t k = count;
+        while (k-- > 0 && ++at[k] == candidates.size()) at[k] = 0;
+        all = k >= count;
+      }
+      if (!tried.insert(sizes).second) continue;
       TorchTry made;
       follow(sizes, made);
       if (made.action) return true;
@@ -203,9 +283,11 @@ class TorchReading {
       }
       any = true;
       if (statements_ < 0 || values_ < 0) break;
-      std::size_t k = count;
-      while (k-- > 0 && ++at[k] == candidates.size()) at[k] = 0;
-      if (k >= count) break;
+      for (std::size_t i = 0; count > 1 && made.state.lacks != 0 && i < count; ++i) {
+        std::vector<std::int64_t> changed = sizes;
+        changed[i] += made.state.lacks;
+        if (changed[i] >= 1 && changed[i] <= kMaxValues) better.push_back(std::move(changed));
+      }
     }
     if (!any) {
       problem_ = {"E0755", "has no tensors, so that the size of its observation is not known",
@@ -281,10 +363,42 @@ class TorchReading {
 
   TorchArchive& archive_;
   std::string output_;
+  std::vector<std::int64_t> said_;  // sizes of the inputs, as the graph says
   PolicyProblem& problem_;
   std::int64_t statements_ = kMostStatements;
   std::int64_t values_ = NetCall::State().budget;
 };
+
+}  // namespace
+
+namespace {
+
+/// A function of `code` that draws random numbers, or "".
+std::string_view random_function(std::string_view code) {
+  for (const std::string_view name :
+       {"randn_like", "randn", "rand_like", "rand", "normal", "bernoulli", "multinomial"}) {
+    for (const std::string_view ending : {"(", "_("}) {
+      if (code.find(fmt::format("torch.{}{}", name, ending)) != std::string_view::npos) return name;
+    }
+  }
+  return {};
+}
+
+/// A module that samples its action calls what belongs to that, too: then this is the reason.
+void add_sampling(const Archive& archive, PolicyProblem& problem) {
+  if (problem.code != "E0754") return;
+  for (const std::string& name : archive.names()) {
+    if (!name.ends_with(".py")) continue;
+    std::string buffer;
+    PolicyProblem ignored;
+    const auto code = archive.read(name, buffer, ignored);
+    const std::string_view random = code ? random_function(*code) : std::string_view{};
+    if (random.empty()) continue;
+    problem.message += fmt::format("; its code draws random numbers (`{}`)", random);
+    problem.help = "export the deterministic action: means in place of samples, in eval mode";
+    return;
+  }
+}
 
 }  // namespace
 
@@ -293,7 +407,7 @@ bool is_torchscript(const Archive& archive) {
                         [](const std::string& name) { return name.ends_with("/constants.pkl"); });
 }
 
-std::optional<Network> read_torchscript(const Archive& archive, const std::string& output,
+std::optional<Network> read_torchscript(const Archive& archive, const ReadContext& context,
                                         PolicyProblem& problem) {
   std::string folder;
   for (const std::string& name : archive.names()) {
@@ -303,7 +417,9 @@ std::optional<Network> read_torchscript(const Archive& archive, const std::strin
   }
   TorchArchive program(archive, folder);
   if (!program.open(problem)) return std::nullopt;
-  return TorchReading(program, output, problem).run();
+  auto network = TorchReading(program, context, problem).run();
+  if (!network) add_sampling(archive, problem);
+  return network;
 }
 
 }  // namespace eagerx::gen

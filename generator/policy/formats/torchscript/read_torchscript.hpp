@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "generator/policy/formats/common/read_context.hpp"
 #include "generator/policy/formats/tensors/archive.hpp"
 #include "generator/policy/network/network.hpp"
 #include "generator/policy/network/problem.hpp"
@@ -13,10 +14,10 @@ namespace eagerx::gen {
 /// Whether an archive holds a program.
 bool is_torchscript(const Archive& archive);
 
-/// The network of its `forward`; of several results the one that is called `output` by its place:
-/// "0", "1.0" in a tuple of tuples. E0751: it is not known which one, or there is none such. E0753
-/// to E0756, and those of ONNX's operators.
-std::optional<Network> read_torchscript(const Archive& archive, const std::string& output,
+/// The network of its `forward`; of several results the one that is called `output_name` by its
+/// place: "0", "1.0" in a tuple of tuples. E0751: it is not known which one, or there is none such.
+/// E0753 to E0756 (E0755: its inputs could have other sizes), and those of ONNX's operators.
+std::optional<Network> read_torchscript(const Archive& archive, const ReadContext& context,
                                         PolicyProblem& problem);
 
 }  // namespace eagerx::gen

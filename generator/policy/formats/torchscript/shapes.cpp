@@ -61,6 +61,17 @@ Result flatten(const Torch& call) {
   }
   return call.node("Reshape", {*x}, {{"shape", {}, {}, shape}});
 }
+/// One axis as several.
+Result unflatten(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto axis = x ? torch_axis(*x, call.whole(1, "dim", std::nullopt)) : std::nullopt;
+  const auto sizes = call.list(2, "sizes");
+  if (!axis || !sizes) return std::nullopt;
+  Integers shape = *x->shape;
+  const auto place = shape.begin() + static_cast<std::ptrdiff_t>(*axis);
+  shape.insert(shape.erase(place), sizes->begin(), sizes->end());
+  return call.node("Reshape", {*x}, {{"shape", {}, {}, shape}});
+}
 Result squeeze(const Torch& call) {
   auto x = call.tensor(0);
   if (!x) return std::nullopt;
@@ -222,6 +233,7 @@ std::vector<TorchRow> torch_shape_rows() {
           {"reshape", reshape, true},
           {"view", reshape, true},
           {"flatten", flatten, true},
+          {"unflatten", unflatten, true},
           {"unsqueeze", torch_of("Unsqueeze", {{0}}, {{TorchGiven::As::list, "axes", {1, "dim"}}}),
            true},
           {"squeeze", squeeze, true},

@@ -20,16 +20,57 @@ NetValue function(const NetCall& call) {
   return call.layer_after(x.step, Function{What}, *x.shape);
 }
 
-/// Over the last axis.
-NetValue norm(const NetCall& call) {
-  const NetValue& x = call.input(0);
-  if (x.kind != Kind::data || !is_over_last_axis(call))
-    return call.misused("that is not over the last axis");
+/// Of `x` over the last axis of the call's input.
+NetValue reduced(const NetCall& call, const NetValue& x, Reduction::Kind kind) {
   Dims shape = *x.shape;
   shape.back() = 1;
   if (call.integer("keepdims", 1) == 0) shape.pop_back();
-  const Reduction work{Reduction::Kind::norm, static_cast<std::uint32_t>(x.shape->back())};
+  const Reduction work{kind, static_cast<std::uint32_t>(x.shape->back())};
   return call.layer_after(x.step, work, std::move(shape));
+}
+
+bool is_reducible(const NetCall& call) {
+  return call.input(0).kind == Kind::data && is_over_last_axis(call);
+}
+NetValue norm(const NetCall& call) {
+  if (!is_reducible(call)) return call.misused("that is not over the last axis");
+  return reduced(call, call.input(0), Reduction::Kind::norm);
+}
+/// Not over the last axis its value is refused, but its shape is known.
+NetValue sum_over_axis(const NetCall& call) {
+  if (!is_reducible(call)) return shape_of_reduction(call);
+  return reduced(call, call.input(0), Reduction::Kind::sum);
+}
+NetValue sum_of_magnitudes(const NetCall& call) {
+  if (!is_reducible(call)) return call.misused("that is not over the last axis");
+  const NetValue& x = call.input(0);
+  const NetValue each = call.layer_after(x.step, Function{Function::Kind::abs}, *x.shape);
+  return each.kind == Kind::data ? reduced(call, each, Reduction::Kind::sum) : each;
+}
+NetValue sum_of_squares(const NetCall& call) {
+  if (!is_reducible(call)) return call.misused("that is not over the last axis");
+  const NetValue& x = call.input(0);
+  const NetValue each = call.data_of({x, x}, Combination::Operation::product, *x.shape);
+  return each.kind == Kind::data ? reduced(call, each, Reduction::Kind::sum) : each;
+}
+
+/// A whole exponent as a product, 0.5 as a root. Squares and cubes are parts of a formula first.
+NetValue power(const NetCall& call) {
+  const NetValue& x = call.input(0);
+  const auto exponent = scalar_of(call.input(1));
+  if (x.kind != Kind::data || !exponent)
+    return call.misused("without a constant exponent", x.shape);
+  if (*exponent == 0.5F) return call.layer_after(x.step, Function{Function::Kind::sqrt}, *x.shape);
+  if (*exponent == 1.0F) return x;
+  constexpr float kMost = 8.0F;
+  if (*exponent != std::floor(*exponent) || *exponent < 2.0F || *exponent > kMost) {
+    return call.misused("with an exponent other than 0.5, or 1 to 8", x.shape);
+  }
+  NetValue result = x;
+  for (float done = 1.0F; done < *exponent && result.kind == Kind::data; done += 1.0F) {
+    result = call.data_of({result, x}, Combination::Operation::product, *x.shape);
+  }
+  return result;
 }
 
 }  // namespace
@@ -50,14 +91,16 @@ std::optional<NetValue> combined(const NetCall& call, const NetValue& a, const N
 std::optional<NetValue> materialized(const NetCall& call, const NetValue& value) {
   if (auto exact = exact_of(value)) return exact;
   const NetPart& part = value.part;
-  const bool simple =
-      part.role == Role::mean || part.role == Role::square || part.role == Role::centred;
+  const bool simple = part.role == Role::mean || part.role == Role::square ||
+                      part.role == Role::cube || part.role == Role::centred;
   if (value.kind != Kind::other || !simple || !value.shape) return std::nullopt;
   const std::int64_t count = call.count_after(part.of);
   const NetValue x = data_value(part.of, part.role == Role::mean ? Dims{count} : *value.shape);
   NetValue result;
-  if (part.role == Role::square) {
+  if (part.role == Role::square || part.role == Role::cube) {
     result = call.data_of({x, x}, Combination::Operation::product, *value.shape);
+    if (part.role == Role::cube && result.kind == Kind::data)
+      result = call.data_of({result, x}, Combination::Operation::product, *value.shape);
   } else {
     const Reduction work{Reduction::Kind::mean, static_cast<std::uint32_t>(count)};
     result = call.layer_after(part.of, work, part.role == Role::mean ? *value.shape : Dims{1});
@@ -81,7 +124,11 @@ std::vector<NetOperator> branch_operators() {
            function<F::sqrt>,
            time_of_each,
            {.folding = roots, .formula = NetFormula::root, .keeps_shape = true}},
+          {"ReduceL1", sum_of_magnitudes, time_of_reduce},
           {"ReduceL2", norm, time_of_reduce},
+          {"ReduceSum", sum_over_axis, time_of_reduce},
+          {"ReduceSumSquare", sum_of_squares, time_of_reduce},
+          {"Pow", power, time_of_each, {.formula = NetFormula::power, .keeps_shape = true}},
           // Refused, but random parts of an action are made of them.
           {"Ceil", nullptr, nullptr, {.keeps_shape = true}},
           {"Floor", nullptr, nullptr, {.keeps_shape = true}},

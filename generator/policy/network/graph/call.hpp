@@ -58,6 +58,8 @@ class NetCall {
     std::int64_t budget = std::int64_t{64} << 20U;  // values that may still be looked at
     std::vector<NetStep> steps;
     std::deque<NetTensor> made;     // tensors that are not in the file
+    std::int64_t lacks = 0;         // of the first product that does not fit: values too few
+    bool has_halves = false;        // values that the file rounds to float16
     bool has_gates_of_onnx = true;  // z, r, h and i, o, f, c; else torch's
 
     /// Whether `values` more values may be looked at or moved: a file may name the same large

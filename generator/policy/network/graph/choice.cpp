@@ -94,6 +94,40 @@ std::optional<TimeMask> time_of_arg_max(const NetCall& call, const NetValue& /*r
 
 }  // namespace
 
+NetValue shape_of_reduction(const NetCall& call) {
+  return reduction(call);
+}
+
+NetValue joined_choices(const NetCall& call) {
+  constexpr const char* kHow = "of choices and other values";
+  std::vector<NetValue> scores;
+  std::vector<std::uint32_t> groups;
+  std::int64_t total = 0;
+  for (std::size_t i = 0; i < call.input_count(); ++i) {
+    const NetValue& choice = call.input(i);
+    if (choice.kind != Kind::other || choice.part.role != Role::choice || !choice.shape) {
+      return call.misused(kHow);
+    }
+    const std::int64_t count = call.count_after(choice.part.of);
+    const auto own = choice.part.groups.empty()
+                         ? std::vector<std::uint32_t>{static_cast<std::uint32_t>(count)}
+                         : choice.part.groups;
+    groups.insert(groups.end(), own.begin(), own.end());
+    if (element_count(*choice.shape) != static_cast<std::int64_t>(own.size())) {
+      return call.misused(kHow);
+    }
+    scores.push_back(data_value(choice.part.of, {1, count}));
+    total += count;
+  }
+  const NetValue all = call.data_of(scores, Combination::Operation::join, {1, total});
+  if (all.kind != Kind::data) return all;
+  NetValue value =
+      in_order_of(call, all.step, Dims{1, static_cast<std::int64_t>(groups.size())}, Role::choice,
+                  "whose results are not the action: something is calculated from them");
+  value.part.groups = std::move(groups);
+  return value;
+}
+
 std::optional<NetValue> same_order(const NetCall& call, bool adds) {
   const auto one = [](const NetValue& value) {
     return value.shape && element_count(*value.shape) == 1;
@@ -130,8 +164,7 @@ std::vector<NetOperator> choice_operators() {
           {"Softmax", softmax, time_of_softmax, {.keeps_shape = true}},
           {"LogSoftmax", softmax, time_of_softmax},
           {"ReduceLogSumExp", reduction, time_of_reduce},
-          {"ReduceMax", reduction, time_of_reduce},
-          {"ReduceSum", reduction, time_of_reduce}};
+          {"ReduceMax", reduction, time_of_reduce}};
 }
 
 }  // namespace eagerx::gen

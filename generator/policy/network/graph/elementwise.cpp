@@ -310,7 +310,6 @@ std::vector<NetOperator> elementwise_operators() {
       {"Clip", clip, time_of_each},
       {"Max", limit<Operation::at_least>, time_of_each, {.folding = largest, .keeps_shape = true}},
       {"Min", limit<Operation::at_most>, time_of_each, {.folding = smallest, .keeps_shape = true}},
-      {"Pow", formula_only, time_of_each, {.formula = NetFormula::power, .keeps_shape = true}},
       {"Sum", sum, time_of_each, {.keeps_shape = true}},
       {"Selu", selu, time_of_each, {.keeps_shape = true}},
       {"Erf", formula_only, time_of_each, {.formula = NetFormula::erf, .keeps_shape = true}},

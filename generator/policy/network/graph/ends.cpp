@@ -21,11 +21,12 @@ NetValue observation_part(NetCall::State& state, const std::string& name, Dims s
 std::optional<NetAction> action_of(const NetValue& value, const char* help,
                                    PolicyProblem& problem) {
   const NetValue result = exact_of(value).value_or(value);
-  if (result.kind == NetValue::Kind::data) return NetAction{result.step, false};
+  if (result.kind == NetValue::Kind::data) return NetAction{result.step, false, {}};
   if (result.kind != NetValue::Kind::other) {
     return refuse(problem, "E0620", "has an action that is constant", help);
   }
-  if (result.part.role == NetPart::Role::choice) return NetAction{result.part.of, true};
+  if (result.part.role == NetPart::Role::choice)
+    return NetAction{result.part.of, true, result.part.groups};
   problem = result.problem;
   return std::nullopt;
 }

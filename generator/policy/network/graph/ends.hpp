@@ -12,8 +12,9 @@ namespace eagerx::gen {
 NetValue observation_part(NetCall::State& state, const std::string& name, Dims shape);
 
 struct NetAction {
-  std::int32_t step = -1;  // that gives it; -1: the observation itself
-  bool is_choice = false;  // it is the index of the largest number
+  std::int32_t step = -1;               // that gives it; -1: the observation itself
+  bool is_choice = false;               // it is the index of the largest number
+  std::vector<std::uint32_t> groups{};  // of several choices: how many numbers each is among
 };
 /// What `value` is as an action; E0620 with `help` if it is constant, or why it is none.
 std::optional<NetAction> action_of(const NetValue& value, const char* help, PolicyProblem& problem);

@@ -37,6 +37,10 @@ std::string advice(std::string_view name) {
   if (name.starts_with("Random") || name == "Multinomial" || name == "Bernoulli") {
     return "export the deterministic action: call the policy with `deterministic=True`";
   }
+  if (name.find("Quantize") != std::string_view::npos || name.starts_with("QLinear")) {
+    return "export the actor before it is quantized; with `weights: int8` the generator rounds its "
+           "weights to eight bits itself";
+  }
   std::vector<std::string_view> names;
   for (const auto& [known, row] : operators()) {
     if (row.run != nullptr) names.push_back(known);

@@ -29,6 +29,7 @@ NetValue product(const NetCall& call, const NetValue& data, NetLayer dense, Dims
   const Dims& dims = dense.weights->dims;
   const std::int64_t length = element_count(*data.shape).value_or(0);
   if (dims[1] != length || dims[0] < 1 || length < 1) {
+    if (call.state().lacks == 0) call.state().lacks = dims[1] - length;
     return call.other(
         {"E0618",
          fmt::format("multiplies {} values by tensor `{}`, which takes {}, in {}", length,

@@ -130,6 +130,12 @@ std::optional<NetValue> combined(const NetCall& call, const NetValue& a, const N
 std::optional<NetValue> materialized(const NetCall& call, const NetValue& value);
 /// What is only known by its order, calculated: where more than a choice depends on it.
 std::optional<NetValue> exact_of(const NetValue& value);
+
+/// A reduction whose value is not known, but its shape is.
+NetValue shape_of_reduction(const NetCall& call);
+
+/// Several choices side by side: MultiDiscrete.
+NetValue joined_choices(const NetCall& call);
 /// A tensor of the file.
 NetValue constant_value(const NetTensor& tensor);
 /// Constants that are not in the file.

@@ -237,6 +237,7 @@ NetValue concat(const NetCall& call) {
   if (call.input_count() == 1 && call.input(0).kind != Kind::absent) return call.input(0);
   if (!call.input(0).remembered.empty()) return joined_state(call);
   if (call.input(0).kind == Kind::data) return joined_data(call);
+  if (call.input(0).part.role == NetPart::Role::choice) return joined_choices(call);
   Integers all;
   for (std::size_t i = 0; i < call.input_count(); ++i) {
     const std::optional<Integers> part = integers_of(call.input(i));

@@ -97,7 +97,10 @@ NetValue cast_to(const NetCall& call, std::int64_t to) {
   }
   const bool is_real = x.kind == Kind::constant && to != onnx_number(x.constant.tensor->type) &&
                        to != onnx_number(ElementType::float64);  // else its numbers are rounded
-  if ((x.kind == Kind::data || is_real) && to != onnx_number(ElementType::float32)) {
+  // Data in halves is calculated in float32, which is closer to the file's weights.
+  const bool is_half = x.kind == Kind::data && to == onnx_number(ElementType::float16);
+  call.state().has_halves = call.state().has_halves || is_half;
+  if ((x.kind == Kind::data || is_real) && !is_half && to != onnx_number(ElementType::float32)) {
     return call.misused(fmt::format("to {}", shown_type(to)), x.shape);
   }
   return x;

@@ -110,6 +110,7 @@ struct NetPart {
   std::int32_t of = -1;
   bool by_tanh = false;
   float epsilon = 0.0F;
+  std::vector<std::uint32_t> groups{};  // choice: how many x each is among, of several
   std::int32_t exact = -1;  // ordered: the step that calculates it all the same, if there is one
 };
 

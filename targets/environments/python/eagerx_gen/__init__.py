@@ -11,7 +11,7 @@ Gymnasium and Stable-Baselines3 are imported when they are needed. `Environments
 import os
 import sys
 
-from . import build
+from . import build, checks
 from .build import checked, is_program, load, moves_hardware
 from .errors import Error, RewardNotFinite
 from .library import VERSION, Environments, Library
@@ -25,6 +25,10 @@ _IN_REAL_TIME = ("publish", "publish_only", "publish_rate", "trace", "variables"
 def _split(keywords):
     return ({name: value for name, value in keywords.items() if name in _BUILDING},
             {name: value for name, value in keywords.items() if name not in _BUILDING})
+
+
+_INSTEAD = {"n_envs": "make(graph, num_envs=…) makes a Gymnasium VectorEnv, make_vec_env(graph, n_envs=…) Stable-Baselines3's VecEnv",
+            "env_kwargs": "give its arguments themselves"}
 
 
 _said = set()
@@ -71,6 +75,10 @@ def make(graph, num_envs=None, *, real_time_factor=None, **keywords):
                       real hardware it is always one. A program for Linux that is built already can take the graph's place.
     """
     building, rest = _split(keywords)
+    if num_envs is None:
+        from .gymnasium_env import Env
+
+        checks.keywords("make", rest, Env, (*_BUILDING, *_IN_REAL_TIME, "num_envs", "real_time_factor"), _INSTEAD)
     if real_time_factor is not None or _is_real(graph, building):
         if num_envs is not None:
             raise ValueError(f"num_envs is {num_envs!r}: in real time, and on real hardware, there is one environment; leave num_envs out")
@@ -78,17 +86,17 @@ def make(graph, num_envs=None, *, real_time_factor=None, **keywords):
             raise ValueError("real_time_factor: a library has no clock; give the graph's file")
         from .real_time_env import RealTimeEnv
 
+        checks.keywords("make", rest, RealTimeEnv, (*_BUILDING, *_IN_REAL_TIME, "longest", "number", "real_time_factor"), _INSTEAD)
         rest["real_time_factor"] = 1.0 if real_time_factor is None else real_time_factor
         return _say_stepping(_with_program(lambda path: RealTimeEnv(path, **rest), graph, building), **building)
     for name in _IN_REAL_TIME:
         if name in rest:
             raise ValueError(f"{name} is for environments in real time: give real_time_factor=1, too")
     if num_envs is None:
-        from .gymnasium_env import Env
-
         return _say_stepping(Env(load(graph, **building), **rest), **building)
     from .gymnasium_vector import VectorEnv
 
+    checks.keywords("make", rest, VectorEnv, (*_BUILDING, "real_time_factor"), _INSTEAD)
     return _say_stepping(VectorEnv(load(graph, **building), num_envs, **rest), **building)
 
 
@@ -99,4 +107,5 @@ def make_vec_env(graph, n_envs=1, **keywords):
     from .stable_baselines3_vec_env import VecEnv
 
     building, rest = _split(keywords)
+    checks.keywords("make_vec_env", rest, VecEnv, _BUILDING, {"num_envs": "n_envs is how many environments there are"})
     return _say_stepping(VecEnv(load(graph, **building), n_envs, **rest), **building)

@@ -1,6 +1,8 @@
 """What is wrong with what somebody gave, as a ValueError that says it."""
 from __future__ import annotations
 
+import difflib
+import inspect
 import operator
 import os
 import reprlib
@@ -77,13 +79,31 @@ def stage(name, known):
     return name
 
 
-def options(given):
-    """Of a reset: a dict."""
+def options(given, known):
+    """Of a reset: a dict with keys of `known`."""
     if given is None:
         return {}
     if not hasattr(given, "keys"):
         raise ValueError(f"options is {reprlib.repr(given)}, not a dict")
+    for key in given.keys():
+        if not (isinstance(key, str) and key in known):
+            raise ValueError(f"options: there is no {reprlib.repr(key)}; {_meant(key, known)}it has {', '.join(map(repr, known))}")
     return given
+
+
+def _meant(name, known):
+    near = difflib.get_close_matches(str(name), known, 1) if isinstance(name, str) else ()
+    return f"did you mean {near[0]!r}? " if near else ""
+
+
+def keywords(what, given, kind, others=(), instead=None):
+    """A TypeError for a keyword that neither `kind` nor `others` take; `instead`: what to write for some."""
+    known = [name for name, parameter in inspect.signature(kind).parameters.items() if parameter.kind is parameter.KEYWORD_ONLY]
+    for name in given:
+        if name in known or name in others:
+            continue
+        hint = (instead or {}).get(name) or f"{_meant(name, [*known, *others])}it has {', '.join([*known, *others])}"
+        raise TypeError(f"{what}() has no argument {name!r}: {hint}")
 
 
 class Single:

@@ -60,7 +60,7 @@ class Env(checks.Single, gymnasium.Env):
     def reset(self, *, seed=None, options=None):
         self.environments.check_open()
         seed = None if seed is None else checks.whole("seed", seed, 0, 2**64 - 1)
-        options = checks.options(options)
+        options = checks.options(options, ("states", "stage"))
         stage = checks.stage(options.get("stage"), self.library.stages)
         if "states" in options:
             self.environments.set_states(options["states"])

@@ -78,7 +78,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
 
     def reset(self, *, seed=None, options=None):
         self.environments.check_open()
-        given, options = self._given(seed), checks.options(options)
+        given, options = self._given(seed), checks.options(options, ("states", "stage", "reset_mask"))
         mask, stage = self._mask(options), checks.stage(options.get("stage"), self.library.stages)
         if "states" in options:
             self.environments.set_states(options["states"], mask)

@@ -16,7 +16,7 @@ from .description import Described, picture_size, states_row, tuning_row
 from .errors import Error, RewardNotFinite
 from .turn import turn
 
-VERSION = 4
+VERSION = 5
 """Of the C interface."""
 
 MOST = 1_000_000

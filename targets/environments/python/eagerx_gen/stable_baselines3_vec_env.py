@@ -1,11 +1,13 @@
 """Stable-Baselines3's interface of many environments."""
 from __future__ import annotations
 
+import reprlib
 import time
 
 import numpy as np
 
 from . import checks, conversion
+from .description import states_row
 from .errors import RewardNotFinite, need
 from .library import MOST, Environments
 
@@ -18,6 +20,9 @@ class VecEnv(checks.Single, _base.VecEnv):
     library, longest, threads, normalize_actions, render_mode, render_size, stage: as for Env and VectorEnv. flatten: Stable-Baselines3
     knows Dict observations, with "MultiInputPolicy", but no Dict actions, so that these are always one row. `environments.set_stage(name)`
     sets another stage while a model learns: from the next episode of each on.
+
+    set_options({"states": {"pendulum.mass": 0.03}, "stage": "near"}), or a list of n_envs such dicts, counts at the next reset(),
+    as reset(options=…) of Env. Episodes that begin by themselves draw their states again; a stage stays.
     """
 
     def __init__(self, library, n_envs=1, *, flatten=True, longest=0, threads=0, normalize_actions=False, numbers=None,
@@ -46,10 +51,31 @@ class VecEnv(checks.Single, _base.VecEnv):
 
     def set_options(self, options=None):
         self.environments.check_open()
+        given = [{} if options is None else options] * self.num_envs if options is None or hasattr(options, "keys") else options
+        if not isinstance(given, (list, tuple)) or len(given) != self.num_envs:
+            raise ValueError(f"options is {reprlib.repr(options)}, not a dict or a list of {self.num_envs} of them")
+        for own in given:
+            checks.stage(checks.options(own, ("states", "stage")).get("stage"), self.library.stages)
+            states_row(self.library, own.get("states", {}), 1)
         super().set_options(options)
+
+    def _set_options(self):
+        """What set_options() said, for the episodes that begin now."""
+        given = [dict(own or {}) for own in self._options]
+        states = [own.get("states", {}) for own in given]
+        if any(states):
+            fields = [field for field in self.library.states if any(field.name in own for own in states)]
+            rows = {field.name: np.full((self.num_envs, *field.shape), np.nan, np.float32) for field in fields}
+            for i, own in enumerate(states):
+                for name, value in own.items():
+                    rows[name][i] = value
+            self.environments.set_states(rows, np.array([bool(own) for own in states]))
+        for stage in {own["stage"] for own in given if "stage" in own}:
+            self.environments.set_stage(stage, np.array(["stage" in own and own["stage"] == stage for own in given]))
 
     def reset(self):
         self.environments.check_open()
+        self._set_options()
         given = list(self._seeds)
         if not self._begun:
             drawn = np.random.default_rng().integers(2**63, size=self.num_envs)

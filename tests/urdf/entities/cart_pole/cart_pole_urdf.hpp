@@ -1,4 +1,4 @@
-// A robot on OpenDynamicsEngine, as cart_pole.urdf describes it.
+// A robot on OpenDynamicsEngine and MultibodyEngine, as cart_pole.urdf describes it.
 // Made by eagerx-urdf. Do not edit: change the description and convert it again.
 #pragma once
 
@@ -32,7 +32,8 @@ struct CartPoleUrdf {
        .axis = {{1.0, 0.0, 0.0}},
        .low = -100.0,
        .high = 100.0,
-       .max_torque = 10.0},
+       .max_torque = 10.0,
+       .max_velocity = 20.0},
       {.name = "hinge",
        .parent = "cart",
        .child = "pole",

@@ -1,4 +1,4 @@
-// A robot on OpenDynamicsEngine, as rover.urdf describes it.
+// A robot on OpenDynamicsEngine and MultibodyEngine, as rover.urdf describes it.
 // Made by eagerx-urdf. Do not edit: change the description and convert it again.
 #pragma once
 
@@ -36,7 +36,8 @@ struct Rover {
        .axis = {{0.0, 1.0, 2.220446049250313e-16}},
        .max_torque = 2.0,
        .damping = 0.001,
-       .friction = 0.01},
+       .friction = 0.01,
+       .max_velocity = 20.0},
       {.name = "right",
        .parent = "chassis",
        .child = "right_wheel",
@@ -44,7 +45,8 @@ struct Rover {
        .axis = {{0.0, 1.0, 2.220446049250313e-16}},
        .max_torque = 2.0,
        .damping = 0.001,
-       .friction = 0.01}}};
+       .friction = 0.01,
+       .max_velocity = 20.0}}};
   static constexpr std::array<RigidGeometry, 5> kGeometries = {{
       {.name = "chassis",
        .kind = ShapeKind::box,

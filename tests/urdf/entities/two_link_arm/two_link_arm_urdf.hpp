@@ -1,4 +1,4 @@
-// A robot on OpenDynamicsEngine, as two_link_arm.urdf describes it.
+// A robot on OpenDynamicsEngine and MultibodyEngine, as two_link_arm.urdf describes it.
 // Made by eagerx-urdf. Do not edit: change the description and convert it again.
 #pragma once
 
@@ -29,13 +29,15 @@ struct TwoLinkArmUrdf {
        .child = "upper_arm",
        .anchor = {{0.0, 0.0, 0.0}},
        .axis = {{0.0, 1.0, 0.0}},
-       .max_torque = 20.0},
+       .max_torque = 20.0,
+       .max_velocity = 30.0},
       {.name = "elbow",
        .parent = "upper_arm",
        .child = "lower_arm",
        .anchor = {{0.0, 0.0, 0.5}},
        .axis = {{0.0, 1.0, 0.0}},
-       .max_torque = 20.0}}};
+       .max_torque = 20.0,
+       .max_velocity = 30.0}}};
   static constexpr std::array<RigidGeometry, 0> kGeometries = {};
 };
 

@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
-
 #include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
 
@@ -18,28 +16,28 @@ struct Limits {
   using Observation = graphs::multi_rate::Observation;
 
   /// actions.voltage
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
-      .low = {{-2.0F}}, .high = {{2.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{.low = {{-2.0F}},
+                                                                         .high = {{2.0F}}};
   /// actions.push
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{
-      .low = {{-1.0F}}, .high = {{1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{.low = {{-1.0F}},
+                                                                      .high = {{1.0F}}};
   /// observations.angle
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
-      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{.low = {{-1.0F, -1.0F}},
+                                                                            .high = {{1.0F, 1.0F}}};
   /// observations.speeds
   static constexpr eagerx::Space<float> kObservationSpeeds{.low = -999.0F, .high = 999.0F};
   /// observations.recent
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{
-      .low = {{-1.0F}}, .high = {{1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{.low = {{-1.0F}},
+                                                                             .high = {{1.0F}}};
   /// observations.applied
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{
-      .low = {{-2.0F}}, .high = {{2.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{.low = {{-2.0F}},
+                                                                              .high = {{2.0F}}};
   /// observations.other
   static constexpr eagerx::Space<float> kObservationOther{.low = -999.0F, .high = 999.0F};
 
   static constexpr std::array<const char*, 2> kActionNames{"voltage", "push"};
-  static constexpr std::array<const char*, 5> kObservationNames{
-      "angle", "speeds", "recent", "applied", "other"};
+  static constexpr std::array<const char*, 5> kObservationNames{"angle", "speeds", "recent",
+                                                                "applied", "other"};
   /// Whether an observation may have no message yet, because the graph says so.
   static constexpr std::array<bool, 5> kMayWait{false, false, true, true, false};
 

@@ -7,9 +7,7 @@
 #pragma once
 
 #include <cstdint>
-
 #include <eagerx/cursor.hpp>
-#include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
 #include <eagerx/memory_fault.hpp>
@@ -57,7 +55,6 @@ class Program {
   /// actuators declare it.
   void take_over() {
     warm_up();
-    [[maybe_unused]] const States states{};
     fast_.reset({});
     right_u_applied_.reset({}, right_simulator_);
     left_x_.reset({}, left_simulator_);
@@ -127,10 +124,10 @@ class Program {
     left_u_applied_.reset({}, left_simulator_);
     slow_.reset({});
     left_u_.reset({}, left_simulator_);
-    observation_speeds_cursor_.reset(2);
+    observation_speeds_cursor_.reset(2);  // 0.05 s
     observation_recent_new_.reset();
-    observation_other_cursor_.reset(2);
-    slow_signal_cursor_.reset(3);
+    observation_other_cursor_.reset(2);  // 1/15 s
+    slow_signal_cursor_.reset(3);        // 0.12 s
     right_u_applied_action_applied_cursor_.reset(0);
     before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
@@ -215,10 +212,11 @@ class Program {
     return at_rest();
   }
   Observation at_rest() {
-    return Observation{
-        .angle = {observation_angle_, 0, 0}, .speeds = {left_theta_dot_observation_, 0, 0},
-        .recent = {fast_filtered_, 0, 0}, .applied = {left_u_applied_action_applied_, 0, 0},
-        .other = {right_theta_observation_, 0, 0}};
+    return Observation{.angle = {observation_angle_, 0, 0},
+                       .speeds = {left_theta_dot_observation_, 0, 0},
+                       .recent = {fast_filtered_, 0, 0},
+                       .applied = {left_u_applied_action_applied_, 0, 0},
+                       .other = {right_theta_observation_, 0, 0}};
   }
 
   // Up to the environment: everything that does not need the action of the same instant.
@@ -289,8 +287,8 @@ class Program {
       {
         const RightUAppliedIo::Inputs in{
             .tick = {engine_tick_, n60Hz_},
-            .action_applied = {
-            right_u_action_applied_, right_u_applied_action_applied_cursor_.take()}};
+            .action_applied = {right_u_action_applied_,
+                               right_u_applied_action_applied_cursor_.take()}};
         RightUAppliedIo::Outputs out{.action_applied = right_u_applied_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n, in);
@@ -325,8 +323,8 @@ class Program {
       }
       // right/u: OdeInput
       {
-        const RightUIo::Inputs in{
-            .tick = {engine_tick_, n60Hz_}, .action = {right_u_action_, n30Hz_}};
+        const RightUIo::Inputs in{.tick = {engine_tick_, n60Hz_},
+                                  .action = {right_u_action_, n30Hz_}};
         RightUIo::Outputs out{.action_applied = right_u_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("right/u", RightUIo::Rate{}, n, in);
@@ -379,8 +377,8 @@ class Program {
       const eagerx::Seq n = n10Hz_ - 1;
       // left/u_applied: ActionApplied
       {
-        const LeftUAppliedIo::Inputs in{
-            .tick = {engine_tick_, n60Hz_}, .action_applied = {left_u_action_applied_, n30Hz_ - 1}};
+        const LeftUAppliedIo::Inputs in{.tick = {engine_tick_, n60Hz_},
+                                        .action_applied = {left_u_action_applied_, n30Hz_ - 1}};
         auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n)];
         LeftUAppliedIo::Outputs out{.action_applied = new_action_applied};
         if constexpr (eagerx::traces_inputs<Trace>) {
@@ -413,8 +411,8 @@ class Program {
       const eagerx::Seq n = n30Hz_ - 1;
       // left/u: OdeInput
       {
-        const LeftUIo::Inputs in{
-            .tick = {engine_tick_, n60Hz_}, .action = {slow_filtered_, n20Hz_}};
+        const LeftUIo::Inputs in{.tick = {engine_tick_, n60Hz_},
+                                 .action = {slow_filtered_, n20Hz_}};
         LeftUIo::Outputs out{.action_applied = left_u_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("left/u", LeftUIo::Rate{}, n, in);
@@ -453,8 +451,7 @@ class Program {
 
   // The place in the schedule is none: something wrote over it. The engine makes itself safe, and
   // whoever defines eagerx_memory_fault() decides; a board ends as after any other fault. Else it
-  // is
-  // as before the first reset, until there is one.
+  // is as before the first reset, until there is one.
   [[gnu::noinline, gnu::cold]] Observation memory_fault() {
     ++memory_faults_;
     make_safe();
@@ -474,15 +471,15 @@ class Program {
 
   // Messages received, where that is not simply what was sent.
   eagerx::DelayCursor<3, 1> observation_speeds_cursor_{};  // observations.speeds
-  eagerx::NewMessages observation_recent_new_{};  // observations.recent
-  eagerx::DelayCursor<3, 2> observation_other_cursor_{};  // observations.other
-  eagerx::DelayCursor<1, 2> slow_signal_cursor_{};  // slow.signal
+  eagerx::NewMessages observation_recent_new_{};           // observations.recent
+  eagerx::DelayCursor<3, 2> observation_other_cursor_{};   // observations.other
+  eagerx::DelayCursor<1, 2> slow_signal_cursor_{};         // slow.signal
   // right/u_applied.action_applied
   eagerx::SkipCursor<2, 3, 1> right_u_applied_action_applied_cursor_{};
 
   // Messages: as many of each as its readers need.
   eagerx::Array<float, 1> action_voltage_[4]{};  // slow.signal needs 3
-  eagerx::Array<float, 1> action_push_[4]{};  // fast.signal needs 3
+  eagerx::Array<float, 1> action_push_[4]{};     // fast.signal needs 3
   std::int64_t engine_tick_[1]{};
   eagerx::Array<float, 1> slow_filtered_[2]{};  // left.u needs 2
   eagerx::Array<float, 1> fast_filtered_[4]{};  // observations.recent needs 4
@@ -498,7 +495,7 @@ class Program {
   eagerx::Array<float, 2> observation_angle_[2]{};  // observations.angle needs 2
   eagerx::Array<float, 1> right_u_action_[1]{};
 
-  bool warm_ = false;  // whether the engine was started
+  bool warm_ = false;     // whether the engine was started
   bool started_ = false;  // whether there was a reset at all
 
   // Simulators, engine and nodes.

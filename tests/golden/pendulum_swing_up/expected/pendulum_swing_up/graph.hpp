@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
-
 #include <eagerx/agent.hpp>
 #include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
@@ -13,8 +11,8 @@
 #include <eagerx/space.hpp>
 
 #include "pendulum_swing_up/limits.hpp"
-#include "pendulum_swing_up/program.hpp"
 #include "pendulum_swing_up/policy.hpp"
+#include "pendulum_swing_up/program.hpp"
 
 namespace graphs::pendulum_swing_up {
 
@@ -42,17 +40,17 @@ struct Graph : Limits {
   static constexpr eagerx::Channel kChannels[] = {
       {"engine/tick", "int64", 1, 30, 1, eagerx::Publisher::engine, "engine.tick"},
       {"environment/voltage", "float32", 1, 30, 1, eagerx::Publisher::environment,
-          "actions.voltage", 0, 1},
+       "actions.voltage", 0, 1},
       {"pendulum/theta/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
-          "pendulum.theta", 1, 1},
+       "pendulum.theta", 1, 1},
       {"pendulum/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
-          "pendulum.theta_dot", 2, 1},
+       "pendulum.theta_dot", 2, 1},
       {"pendulum/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
-          "pendulum/u.action_applied", 3, 1},
+       "pendulum/u.action_applied", 3, 1},
       {"pendulum/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
-          "pendulum/u_applied.action_applied", 4, 1},
+       "pendulum/u_applied.action_applied", 4, 1},
       {"pendulum/x/observation", "float32", 2, 30, 1, eagerx::Publisher::engine_node,
-          "pendulum/x.observation"},
+       "pendulum/x.observation"},
       {"smooth/filtered", "float32", 1, 30, 1, eagerx::Publisher::node, "smooth.filtered", 5, 1},
   };
   /// Shapes of the published messages that are not one number.
@@ -65,12 +63,12 @@ struct Graph : Limits {
   };
   /// Bounds of the published messages, where they have some.
   static constexpr eagerx::Bounds kBounds[] = {
-      {-2.0, 2.0},  // environment/voltage
+      {-2.0, 2.0},      // environment/voltage
       {-999.0, 999.0},  // pendulum/theta/observation
       {-999.0, 999.0},  // pendulum/theta_dot/observation
-      {-2.0, 2.0},  // pendulum/u/action_applied
-      {-2.0, 2.0},  // pendulum/u_applied/action_applied
-      {-2.0, 2.0},  // smooth/filtered
+      {-2.0, 2.0},      // pendulum/u/action_applied
+      {-2.0, 2.0},      // pendulum/u_applied/action_applied
+      {-2.0, 2.0},      // smooth/filtered
   };
 
   /// What pendulum.model_state is drawn from
@@ -106,13 +104,13 @@ struct Graph : Limits {
   template <class F>
   static void for_each_state(F&& f) {
     f("pendulum.model_state", "pendulum/model_state", &States::pendulum_model_state,
-        eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
+      eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
     f("pendulum.mass", "pendulum/mass", &States::pendulum_mass,
-        eagerx::Space<float>{.low = 0.01F, .high = 0.07F});
+      eagerx::Space<float>{.low = 0.01F, .high = 0.07F});
     f("pendulum.length", "pendulum/length", &States::pendulum_length,
-        eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
+      eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
     f("pendulum.max_speed", "pendulum/max_speed", &States::pendulum_max_speed,
-        eagerx::Space<float>{.low = 22.0F, .high = 22.0F});
+      eagerx::Space<float>{.low = 22.0F, .high = 22.0F});
   }
 
   /// The action that does nothing.

@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
-
 #include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
 
@@ -18,11 +16,11 @@ struct Limits {
   using Observation = graphs::pendulum_swing_up::Observation;
 
   /// actions.voltage
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
-      .low = {{-2.0F}}, .high = {{2.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{.low = {{-2.0F}},
+                                                                         .high = {{2.0F}}};
   /// observations.angle
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
-      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{.low = {{-1.0F, -1.0F}},
+                                                                            .high = {{1.0F, 1.0F}}};
   /// observations.theta_dot
   static constexpr eagerx::Space<float> kObservationThetaDot{.low = -999.0F, .high = 999.0F};
 

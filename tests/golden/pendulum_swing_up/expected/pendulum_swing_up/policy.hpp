@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-
 #include <eagerx/policy.hpp>
 
 namespace graphs::pendulum_swing_up::policy {

@@ -6,12 +6,9 @@
 #pragma once
 
 #include <cstdint>
-
-#include <eagerx/cursor.hpp>
-#include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
-#include <eagerx/render.hpp>
 #include <eagerx/guard.hpp>
+#include <eagerx/render.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
 
@@ -56,7 +53,6 @@ class Program {
   /// actuators declare it.
   void take_over() {
     warm_up();
-    [[maybe_unused]] const States states{};
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
     pendulum_theta_.reset({}, pendulum_simulator_);
@@ -66,9 +62,7 @@ class Program {
     stop();
   }
   /// Whether the engine acts on the world itself.
-  [[nodiscard]] bool is_real() const {
-    return eagerx::is_real(engine_, pendulum_simulator_);
-  }
+  [[nodiscard]] bool is_real() const { return eagerx::is_real(engine_, pendulum_simulator_); }
   /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid
   /// during its call.
   template <class F>
@@ -148,8 +142,8 @@ class Program {
     return at_rest();
   }
   Observation at_rest() {
-    return Observation{
-        .angle = {observation_angle_, 0, 0}, .theta_dot = {pendulum_theta_dot_observation_, 0, 0}};
+    return Observation{.angle = {observation_angle_, 0, 0},
+                       .theta_dot = {pendulum_theta_dot_observation_, 0, 0}};
   }
 
   // Up to the environment: everything that does not need the action of the same instant.
@@ -209,14 +203,14 @@ class Program {
       }
       // pendulum/scene: PendulumDrawing
       if constexpr (eagerx::can_draw<Trace>) {
-      if (trace.draws()) {
-        const PendulumSceneIo::Inputs in{.angle = {pendulum_theta_observation_, n30Hz_}};
-        PendulumSceneIo::Outputs out{.scene = drawing_.pendulum_scene_scene_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("pendulum/scene", PendulumSceneIo::Rate{}, n, in);
+        if (trace.draws()) {
+          const PendulumSceneIo::Inputs in{.angle = {pendulum_theta_observation_, n30Hz_}};
+          PendulumSceneIo::Outputs out{.scene = drawing_.pendulum_scene_scene_[0]};
+          if constexpr (eagerx::traces_inputs<Trace>) {
+            trace.inputs("pendulum/scene", PendulumSceneIo::Rate{}, n, in);
+          }
+          drawing_.pendulum_scene_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         }
-        drawing_.pendulum_scene_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
-      }
       }
       // pendulum/theta_dot: FloatOutput
       {
@@ -230,14 +224,14 @@ class Program {
       }
       // render: Render
       if constexpr (eagerx::can_draw<Trace>) {
-      if (trace.draws()) {
-        const RenderIo::Inputs in{.source = {drawing_.pendulum_scene_scene_, n30Hz_}};
-        RenderIo::Outputs out{};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("render", RenderIo::Rate{}, n, in);
+        if (trace.draws()) {
+          const RenderIo::Inputs in{.source = {drawing_.pendulum_scene_scene_, n30Hz_}};
+          RenderIo::Outputs out{};
+          if constexpr (eagerx::traces_inputs<Trace>) {
+            trace.inputs("render", RenderIo::Rate{}, n, in);
+          }
+          drawing_.render_.callback(eagerx::Tick{n}, in, out, trace);
         }
-        drawing_.render_.callback(eagerx::Tick{n}, in, out, trace);
-      }
       }
     }
   }
@@ -259,8 +253,8 @@ class Program {
       }
       // pendulum/u: OdeInput
       {
-        const PendulumUIo::Inputs in{
-            .tick = {engine_tick_, n30Hz_}, .action = {smooth_filtered_, n30Hz_}};
+        const PendulumUIo::Inputs in{.tick = {engine_tick_, n30Hz_},
+                                     .action = {smooth_filtered_, n30Hz_}};
         PendulumUIo::Outputs out{.action_applied = pendulum_u_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("pendulum/u", PendulumUIo::Rate{}, n, in);
@@ -273,9 +267,8 @@ class Program {
 
   // What the environment sees.
   Observation observe() {
-    const Observation observation{
-        .angle = {observation_angle_, n30Hz_},
-        .theta_dot = {pendulum_theta_dot_observation_, n30Hz_}};
+    const Observation observation{.angle = {observation_angle_, n30Hz_},
+                                  .theta_dot = {pendulum_theta_dot_observation_, n30Hz_}};
     guard.see(observation);
     if constexpr (eagerx::traces_inputs<Trace>) {
       trace.inputs("environment", eagerx::Rate<30>{}, n30Hz_ - 1, observation);
@@ -298,7 +291,7 @@ class Program {
   eagerx::Array<float, 1> pendulum_u_applied_action_applied_[1]{};
   eagerx::Array<float, 2> observation_angle_[1]{};
 
-  bool warm_ = false;  // whether the engine was started
+  bool warm_ = false;     // whether the engine was started
   bool started_ = false;  // whether there was a reset at all
 
   // Simulators, engine and nodes.

@@ -4,4 +4,6 @@
 
 #include "multi_rate/graph.hpp"
 
-int main() { return eagerx::board::serve<graphs::multi_rate::Graph>(); }
+int main() {
+  return eagerx::board::serve<graphs::multi_rate::Graph>();
+}

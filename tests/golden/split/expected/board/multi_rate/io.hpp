@@ -4,9 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
-#include <optional>
-
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
 #include <models/processors/negate/negate.hpp>

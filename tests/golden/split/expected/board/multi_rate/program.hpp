@@ -7,9 +7,7 @@
 #pragma once
 
 #include <cstdint>
-
 #include <eagerx/cursor.hpp>
-#include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
 #include <eagerx/link/star.hpp>
@@ -44,9 +42,9 @@ class Program {
     guard.reset();
     slot_ = 0;
     fast_.reset({});
-    observation_speeds_cursor_.reset(2);
+    observation_speeds_cursor_.reset(2);  // 0.05 s
     observation_recent_new_.reset();
-    observation_other_cursor_.reset(2);
+    observation_other_cursor_.reset(2);  // 1/15 s
     before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }
@@ -118,10 +116,11 @@ class Program {
     return at_rest();
   }
   Observation at_rest() {
-    return Observation{
-        .angle = {observation_angle_, 0, 0}, .speeds = {left_theta_dot_observation_, 0, 0},
-        .recent = {fast_filtered_, 0, 0}, .applied = {left_u_applied_action_applied_, 0, 0},
-        .other = {right_theta_observation_, 0, 0}};
+    return Observation{.angle = {observation_angle_, 0, 0},
+                       .speeds = {left_theta_dot_observation_, 0, 0},
+                       .recent = {fast_filtered_, 0, 0},
+                       .applied = {left_u_applied_action_applied_, 0, 0},
+                       .other = {right_theta_observation_, 0, 0}};
   }
 
   // Up to the environment: everything that does not need the action of the same instant.
@@ -245,8 +244,7 @@ class Program {
 
   // The place in the schedule is none: something wrote over it. The engine makes itself safe, and
   // whoever defines eagerx_memory_fault() decides; a board ends as after any other fault. Else it
-  // is
-  // as before the first reset, until there is one.
+  // is as before the first reset, until there is one.
   [[gnu::noinline, gnu::cold]] Observation memory_fault() {
     ++memory_faults_;
     eagerx::tell_memory_fault();
@@ -266,18 +264,18 @@ class Program {
 
   // Messages received, where that is not simply what was sent.
   eagerx::DelayCursor<3, 1> observation_speeds_cursor_{};  // observations.speeds
-  eagerx::NewMessages observation_recent_new_{};  // observations.recent
-  eagerx::DelayCursor<3, 2> observation_other_cursor_{};  // observations.other
+  eagerx::NewMessages observation_recent_new_{};           // observations.recent
+  eagerx::DelayCursor<3, 2> observation_other_cursor_{};   // observations.other
 
   // Messages: as many of each as its readers need.
   eagerx::Array<float, 1> action_voltage_[4]{};  // slow.signal needs 3
-  eagerx::Array<float, 1> action_push_[4]{};  // fast.signal needs 3
-  eagerx::Array<float, 1> fast_filtered_[4]{};  // observations.recent needs 4
+  eagerx::Array<float, 1> action_push_[4]{};     // fast.signal needs 3
+  eagerx::Array<float, 1> fast_filtered_[4]{};   // observations.recent needs 4
   float left_theta_observation_[1]{};
-  float left_theta_dot_observation_[8]{};  // observations.speeds needs 6
+  float left_theta_dot_observation_[8]{};                       // observations.speeds needs 6
   eagerx::Array<float, 1> left_u_applied_action_applied_[2]{};  // observations.applied needs 2
-  float right_theta_observation_[2]{};  // observations.other needs 2
-  eagerx::Array<float, 2> observation_angle_[2]{};  // observations.angle needs 2
+  float right_theta_observation_[2]{};                          // observations.other needs 2
+  eagerx::Array<float, 2> observation_angle_[2]{};              // observations.angle needs 2
 
   // Simulators, engine and nodes.
   eagerx::models::ButterworthFilter<FastIo> fast_{};

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
-
 #include <eagerx/agent.hpp>
 #include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
@@ -26,12 +24,10 @@ struct Graph : Limits {
     /// By most bytes of a frame's payload, there and back, and exchanges on their way if these are
     /// several.
     template <class Port>
-    using Star = eagerx::link::Star<
-        eagerx::link::HostLink<Port, 36, 16>  // board
-        >;
+    using Star = eagerx::link::Star<eagerx::link::HostLink<Port, 36, 16>>;
     static constexpr eagerx::link::PartFacts kParts[] = {
         {"board", "mps2-an386", "",
-            eagerx::link::hash_of_part(graphs::multi_rate::kGraphHash, "board")},
+         eagerx::link::hash_of_part(graphs::multi_rate::kGraphHash, "board")},
     };
   };
   using States = graphs::multi_rate::States;
@@ -50,38 +46,38 @@ struct Graph : Limits {
   static constexpr eagerx::Channel kChannels[] = {
       {"engine/tick", "int64", 1, 60, 1, eagerx::Publisher::engine, "engine.tick"},
       {"environment/push", "float32", 1, 10, 1, eagerx::Publisher::environment, "actions.push", 0,
-          1},
+       1},
       {"environment/voltage", "float32", 1, 10, 1, eagerx::Publisher::environment,
-          "actions.voltage", 1, 1},
+       "actions.voltage", 1, 1},
       {"fast/filtered", "float32", 1, 30, 1, eagerx::Publisher::node, "fast.filtered", 2, 1},
       {"left/theta/observation", "float32", 1, 20, 1, eagerx::Publisher::engine_node, "left.theta",
-          3, 1},
+       3, 1},
       {"left/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
-          "left.theta_dot", 4, 1},
+       "left.theta_dot", 4, 1},
       {"left/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
-          "left/u.action_applied", 5, 1},
+       "left/u.action_applied", 5, 1},
       {"left/u_applied/action_applied", "float32", 1, 10, 1, eagerx::Publisher::engine_node,
-          "left.u_applied", 6, 1},
+       "left.u_applied", 6, 1},
       {"left/x/observation", "float32", 2, 20, 1, eagerx::Publisher::engine_node,
-          "left/x.observation"},
+       "left/x.observation"},
       {"right/theta/observation", "float32", 1, 15, 1, eagerx::Publisher::engine_node,
-          "right.theta", 7, 1},
+       "right.theta", 7, 1},
       {"right/u/action_applied", "float32", 1, 20, 1, eagerx::Publisher::engine_node,
-          "right/u.action_applied", 8, 1},
+       "right/u.action_applied", 8, 1},
       {"right/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
-          "right/u_applied.action_applied", 9, 1},
+       "right/u_applied.action_applied", 9, 1},
       {"right/x/observation", "float32", 2, 15, 1, eagerx::Publisher::engine_node,
-          "right/x.observation"},
+       "right/x.observation"},
       {"slow/filtered", "float32", 1, 20, 1, eagerx::Publisher::node, "slow.filtered", 10, 1},
   };
   /// Shapes of the published messages that are not one number.
   static constexpr eagerx::ChannelShape kShapes[] = {
-      {1, "1"},  // environment/push
-      {2, "1"},  // environment/voltage
-      {3, "1"},  // fast/filtered
-      {6, "1"},  // left/u/action_applied
-      {7, "1"},  // left/u_applied/action_applied
-      {8, "2"},  // left/x/observation
+      {1, "1"},   // environment/push
+      {2, "1"},   // environment/voltage
+      {3, "1"},   // fast/filtered
+      {6, "1"},   // left/u/action_applied
+      {7, "1"},   // left/u_applied/action_applied
+      {8, "2"},   // left/x/observation
       {10, "1"},  // right/u/action_applied
       {11, "1"},  // right/u_applied/action_applied
       {12, "2"},  // right/x/observation
@@ -89,17 +85,17 @@ struct Graph : Limits {
   };
   /// Bounds of the published messages, where they have some.
   static constexpr eagerx::Bounds kBounds[] = {
-      {-1.0, 1.0},  // environment/push
-      {-2.0, 2.0},  // environment/voltage
-      {-1.0, 1.0},  // fast/filtered
+      {-1.0, 1.0},      // environment/push
+      {-2.0, 2.0},      // environment/voltage
+      {-1.0, 1.0},      // fast/filtered
       {-999.0, 999.0},  // left/theta/observation
       {-999.0, 999.0},  // left/theta_dot/observation
-      {-2.0, 2.0},  // left/u/action_applied
-      {-2.0, 2.0},  // left/u_applied/action_applied
+      {-2.0, 2.0},      // left/u/action_applied
+      {-2.0, 2.0},      // left/u_applied/action_applied
       {-999.0, 999.0},  // right/theta/observation
-      {-2.0, 2.0},  // right/u/action_applied
-      {-2.0, 2.0},  // right/u_applied/action_applied
-      {-2.0, 2.0},  // slow/filtered
+      {-2.0, 2.0},      // right/u/action_applied
+      {-2.0, 2.0},      // right/u_applied/action_applied
+      {-2.0, 2.0},      // slow/filtered
   };
 
   /// What left.model_state is drawn from
@@ -156,17 +152,17 @@ struct Graph : Limits {
   template <class F>
   static void for_each_state(F&& f) {
     f("left.model_state", "left/model_state", &States::left_model_state,
-        eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
+      eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
     f("left.mass", "left/mass", &States::left_mass,
-        eagerx::Space<float>{.low = 0.01F, .high = 0.07F});
+      eagerx::Space<float>{.low = 0.01F, .high = 0.07F});
     f("left.length", "left/length", &States::left_length,
-        eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
+      eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
     f("right.model_state", "right/model_state", &States::right_model_state,
-        eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
+      eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
     f("right.max_speed", "right/max_speed", &States::right_max_speed,
-        eagerx::Space<float>{.low = 22.0F, .high = 22.0F});
+      eagerx::Space<float>{.low = 22.0F, .high = 22.0F});
     f("right.length", "right/length", &States::right_length,
-        eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
+      eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
   }
 
   /// The action that does nothing.

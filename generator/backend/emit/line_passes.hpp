@@ -1,0 +1,22 @@
+// What clang-format does with several lines of generated C++.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace eagerx::gen {
+
+/// Appends lines of includes and blanks from `begin` on, sorted and without those that nothing in
+/// `text` needs; where they end. Those of C stay as they are, and nothing is appended: some systems
+/// want an order.
+std::size_t sort_includes(std::string_view text, std::size_t begin, std::string& result);
+
+/// Comments behind code of lines that follow each other begin in one column.
+std::string with_aligned_comments(std::string_view text);
+
+/// Functions of a class with one short statement, or none, are one line. (Of templates only those
+/// with none: clang-format 14 leaves the others.)
+std::string with_short_functions(std::string_view text);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,424 @@
+// The links of a limb: how they move, their equations, and the equations without them.
+//
+// Composite rigid bodies and Newton-Euler's equations (Featherstone, Rigid Body Dynamics
+// Algorithms, 2008, chapters 5 and 6), in the world's axes. Everything of a link is about its own
+// joint, so that numbers stay small where float is used. The mass matrix is factored as LᵀDL from
+// the tips on, which keeps the zeros of a tree (section 6.5); a limb is eliminated into the base's
+// six equations.
+#pragma once
+
+#include <cstddef>
+#include <eagerx/math.hpp>
+#include <limits>
+#include <models/engines/multibody_engine/constants.hpp>
+#include <models/engines/multibody_engine/contact.hpp>
+#include <models/engines/multibody_engine/joint_torques.hpp>
+#include <models/engines/multibody_engine/spatial.hpp>
+
+namespace eagerx::models::multibody {
+
+/// A link or the base. Vectors are in the axes of the world.
+template <class Real>
+struct Moving {
+  Mat<Real> axes;
+  Vec<Real> arm;   // of its joint from the parent's
+  Vec<Real> at;    // of its joint from the base's reference point
+  Vec<Real> axis;  // of its joint
+  Vec<Real> velocity, spin;
+  // With all accelerations of joints and base 0, upwards in free fall: the acceleration without
+  // gravity.
+  Vec<Real> acceleration, spin_acceleration;
+  Real mass;         // of all links that hang on it, as what follows
+  Vec<Real> moment;  // mass times place of the centre
+  Sym<Real> inertia;
+  Vec<Real> force, torque;  // that this motion takes
+};
+
+/// Mass, moment and inertia of a body more, `scale` times as heavy as its model.
+template <class Part, class Real>
+[[gnu::always_inline]] inline void add_body(std::size_t k, const Real& scale, Moving<Real>& to) {
+  using Known1 = typename Part::template Inertia<1>;
+  using Known2 = typename Part::template Inertia<2>;
+  using Known3 = typename Part::template Inertia<3>;
+  to.mass += value<Real, typename Part::template Inertia<0>>(k) * scale;
+  to.moment = to.moment + turned_by<Known1, Known2, Known3>(k, to.axes) * scale;
+  to.inertia = to.inertia + inertia_turned_by<Part::template Inertia>(k, to.axes) * scale;
+}
+template <class Real>
+[[gnu::always_inline]] inline void forget_mass(Moving<Real>& link) {
+  const Real zero(LaneOf<Real>(0));
+  link.mass = zero;
+  link.moment = all(zero);
+  link.inertia = {zero, zero, zero, zero, zero, zero};
+}
+/// Newton's and Euler's equations.
+template <class Real>
+[[gnu::always_inline]] inline void set_forces(Moving<Real>& link) {
+  const Vec<Real>&w = link.spin, &al = link.spin_acceleration, &h = link.moment;
+  link.force = link.acceleration * link.mass + cross(al, h) + cross(w, cross(w, h));
+  link.torque = link.inertia * al + cross(w, link.inertia * w) + cross(h, link.acceleration);
+}
+
+/// The parallel axes' theorem: what hangs on `link` hangs on `to`, too.
+template <class Real>
+[[gnu::always_inline]] inline void hand_on(const Moving<Real>& link, Moving<Real>& to) {
+  const Vec<Real>& r = link.arm;
+  const Vec<Real> s = link.moment + link.moment + r * link.mass;
+  const Real half(LaneOf<Real>(0.5));
+  const Real xx = s.x * r.x, yy = s.y * r.y, zz = s.z * r.z;
+  to.inertia.xx += link.inertia.xx + (yy + zz);
+  to.inertia.yy += link.inertia.yy + (xx + zz);
+  to.inertia.zz += link.inertia.zz + (xx + yy);
+  to.inertia.xy += link.inertia.xy - half * (s.x * r.y + s.y * r.x);
+  to.inertia.xz += link.inertia.xz - half * (s.x * r.z + s.z * r.x);
+  to.inertia.yz += link.inertia.yz - half * (s.y * r.z + s.z * r.y);
+  to.moment = to.moment + link.moment + r * link.mass;
+  to.mass += link.mass;
+  to.torque = to.torque + link.torque + cross(r, link.force);
+  to.force = to.force + link.force;
+}
+
+/// What is kept of a limb until the base is known.
+template <class Real, std::size_t n, std::size_t P>
+struct LimbRecord {
+  Real inverse[n];     // of D
+  Real lower[n][n];    // L within the limb
+  Real to_base[n][6];  // L towards the base
+  Real rhs[n];
+  JointTorque<Real> drive[n];  // of actuators, for sensors
+  Real pushed[n];              // impulses of contacts
+  PointRecord<Real, n> points[P == 0 ? 1 : P];
+};
+
+/// Limb k of group g while its equations are made.
+template <class Model, std::size_t g, bool kFloating>
+class Limb {
+ public:
+  using Real = typename Model::Real;
+  using Lane = LaneOf<Real>;
+  using Group = GroupOf<Model, g>;
+  static constexpr std::size_t n = Group::kSize;
+  using Record = LimbRecord<Real, n, Group::kPoints>;
+
+  /// Where links are and how they move, from the base to the tips.
+  template <class State>
+  [[gnu::always_inline]] void move(std::size_t k, const Moving<Real>& base, const State& state) {
+    unrolled<n>([&](auto j) __attribute__((always_inline)) { move_link<j>(k, base, state); });
+  }
+
+  /// Mass matrix and right-hand side, from the tips to the base.
+  template <class State>
+  [[gnu::always_inline]] void gather(std::size_t k, const State& state, Lane dt, Moving<Real>& base,
+                                     Record& record) {
+    unrolled<n>([&](auto back) __attribute__((always_inline)) {
+      constexpr std::size_t j = n - 1 - back;
+      set_masses<j>();
+      add_torques<j>(k, state, dt, record);
+      if constexpr (constexpr std::size_t up = Group::parent(j); up != kNone) {
+        hand_on(link_[j], link_[up]);
+      } else if constexpr (kFloating) {
+        hand_on(link_[j], base);
+      }
+    });
+  }
+
+  /// f(link, first point, end): for each link with points.
+  template <class F>
+  [[gnu::always_inline]] static void each_link_with_points(const F& f) {
+    unrolled<n>([&](auto j) __attribute__((always_inline)) {
+      constexpr std::size_t first = Group::points_before(j);
+      constexpr std::size_t end = Group::points_before(j + 1);
+      if constexpr (first < end) f(j, first, end);
+    });
+  }
+
+  /// How a point of link j moves that is at offset(axes of the link).
+  template <std::size_t j, class Offset>
+  [[gnu::always_inline]] PointMotion<Real> point_motion(const Offset& offset, const Real& height,
+                                                        const Vec<Real>& gravity) const {
+    const Moving<Real>& link = link_[j];
+    const Vec<Real> d = offset(link.axes);
+    PointMotion<Real> motion;
+    motion.at = link.at + d;
+    motion.depth = -(height + motion.at.z);
+    motion.velocity = link.velocity + cross(link.spin, d);
+    motion.bias = link.acceleration + gravity + cross(link.spin_acceleration, d) +
+                  cross(link.spin, cross(link.spin, d));
+    return motion;
+  }
+  /// The velocity of a point of link j for each rad/s of link i, which carries it.
+  template <std::size_t i>
+  [[gnu::always_inline]] Vec<Real> jacobian(const Vec<Real>& at) const {
+    if constexpr (Group::link(0, i).slides) return link_[i].axis;
+    return cross(link_[i].axis, at - link_[i].at);
+  }
+
+  /// A compliant point of link j, whose force and impedance are known.
+  template <std::size_t j>
+  [[gnu::always_inline]] void add_compliant(PointRecord<Real, n>& point, BaseEquation<Real>& base,
+                                            Record& record) {
+    const Vec<Real>& c = point.impedance;
+    const Vec<Real> force = point.force - scaled(c, point.motion.bias);
+    each_carrier<j>([&](auto i) __attribute__((always_inline)) {
+      point.jacobian[i] = jacobian<i>(point.motion.at);
+    });
+    each_carrier<j>([&](auto i) __attribute__((always_inline)) {
+      const Vec<Real> push = scaled(c, point.jacobian[i]);
+      each_carrier<i>([&](auto up) __attribute__((always_inline)) {
+        mass_[i][up] += dot(push, point.jacobian[up]);
+      });
+      if constexpr (kFloating) {
+        const Vec<Real> turn = cross(point.motion.at, push);
+        coupling_[i][0] += push.x, coupling_[i][1] += push.y, coupling_[i][2] += push.z;
+        coupling_[i][3] += turn.x, coupling_[i][4] += turn.y, coupling_[i][5] += turn.z;
+      }
+      record.rhs[i] += dot(force, point.jacobian[i]);
+    });
+    if constexpr (kFloating) {
+      base.add_impedance(point.motion.at, c);
+      base.add_force(point.motion.at, force);
+    }
+  }
+
+  /// L and D of the limb; the base's equation without the limb.
+  [[gnu::always_inline]] void eliminate(BaseEquation<Real>& base, Record& record) {
+    unrolled<n>([&](auto back) __attribute__((always_inline)) {
+      constexpr std::size_t j = n - 1 - back;
+      const Real inverse = Real(Lane(1)) / mass_[j][j];
+      record.inverse[j] = inverse;
+      if constexpr (kFloating) {
+        unrolled<6>([&](auto b) __attribute__((always_inline)) {
+          record.to_base[j][b] = coupling_[j][b] * inverse;
+        });
+      }
+      each_above<j>([&](auto i) __attribute__((always_inline)) {
+        const Real l = mass_[j][i] * inverse;
+        record.lower[j][i] = l;
+        each_carrier<i>([&](auto up)
+                            __attribute__((always_inline)) { mass_[i][up] -= l * mass_[j][up]; });
+        if constexpr (kFloating) {
+          unrolled<6>([&](auto b) __attribute__((always_inline)) {
+            coupling_[i][b] -= l * coupling_[j][b];
+          });
+        }
+        record.rhs[i] -= l * record.rhs[j];
+      });
+      if constexpr (kFloating) {
+        unrolled<6>([&](auto b) __attribute__((always_inline)) {
+          unrolled<b + 1>([&](auto c) __attribute__((always_inline)) {
+            base.a[b][c] -= record.to_base[j][b] * coupling_[j][c];
+          });
+          base.rhs[b] -= record.to_base[j][b] * record.rhs[j];
+        });
+      }
+    });
+  }
+
+  /// The rows of a solved point of link j, but for what the base's factors do: L⁻ᵀJᵀ.
+  template <std::size_t j>
+  [[gnu::always_inline]] void set_rows(PointRecord<Real, n>& point, Lane dt,
+                                       const Record& record) const {
+    const Real zero(Lane(0)), step(dt);
+    unrolled<3>([&](auto d) __attribute__((always_inline)) {
+      unrolled<n>([&](auto i) __attribute__((always_inline)) { point.row[d][i] = zero; });
+    });
+    each_carrier<j>([&](auto i) __attribute__((always_inline)) {
+      const Vec<Real> along = jacobian<i>(point.motion.at);
+      point.row[0][i] = along.x, point.row[1][i] = along.y, point.row[2][i] = along.z;
+    });
+    set_base_rows(point.motion.at, point.row_base);
+    point.free = point.motion.velocity + point.motion.bias * step;
+    Real* const free[3] = {&point.free.x, &point.free.y, &point.free.z};
+    unrolled<3>([&](auto d) __attribute__((always_inline)) {
+      Real(&row)[n] = point.row[d];
+      unrolled<n>([&](auto i) __attribute__((always_inline)) { point.weighted[d][i] = zero; });
+      unrolled<n>([&](auto back) __attribute__((always_inline)) {
+        constexpr std::size_t i = n - 1 - back;
+        if constexpr (Group::carries(i, j)) {
+          each_above<i>([&](auto up) __attribute__((always_inline)) {
+            row[up] -= record.lower[i][up] * row[i];
+          });
+          if constexpr (kFloating) {
+            unrolled<6>([&](auto b) __attribute__((always_inline)) {
+              point.row_base[d][b] -= record.to_base[i][b] * row[i];
+            });
+          }
+          point.weighted[d][i] = row[i] * record.inverse[i];
+          *free[d] += step * (point.weighted[d][i] * record.rhs[i]);
+        }
+      });
+    });
+  }
+
+  /// f(i) for j and all that carry it, from the base on; each_above() without j.
+  template <std::size_t j, class F>
+  [[gnu::always_inline]] static void each_carrier(const F& f) {
+    unrolled<j + 1>([&](auto i) __attribute__((always_inline)) {
+      if constexpr (Group::carries(i, j)) f(i);
+    });
+  }
+  template <std::size_t j, class F>
+  [[gnu::always_inline]] static void each_above(const F& f) {
+    unrolled<j>([&](auto i) __attribute__((always_inline)) {
+      if constexpr (Group::carries(i, j)) f(i);
+    });
+  }
+
+ private:
+  template <std::size_t j>
+  static constexpr bool kSlides = Group::link(0, j).slides;
+  template <std::size_t j>
+  static constexpr std::size_t kAxis = Group::link(0, j).axis;
+
+  template <std::size_t j, class State>
+  [[gnu::always_inline]] void move_link(std::size_t k, const Moving<Real>& base,
+                                        const State& state) {
+    constexpr std::size_t kUp = Group::parent(j);
+    const Moving<Real>& up = *(kUp == kNone ? &base : &link_[kUp == kNone ? 0 : kUp]);
+    const std::size_t index = Group::index(k, j);
+    const Real &q = state.q[index], &v = state.v[index];
+    Moving<Real>& link = link_[j];
+    link.arm =
+        turned_by<typename Group::template Position<j, 0>, typename Group::template Position<j, 1>,
+                  typename Group::template Position<j, 2>>(k, up.axes);
+    set_axes<j>(k, up, q, link);
+    const Vec<Real> along = link.axis * v;
+    if constexpr (kSlides<j>) link.arm = link.arm + link.axis * q;
+    const Vec<Real>&w = up.spin, &r = link.arm;
+    link.at = kUp == kNone ? r : up.at + r;
+    link.velocity = up.velocity + cross(w, r);
+    link.acceleration = up.acceleration + cross(w, cross(w, r));
+    if constexpr (kUp != kNone)
+      link.acceleration = link.acceleration + cross(up.spin_acceleration, r);
+    if constexpr (kSlides<j>) {
+      link.velocity = link.velocity + along;
+      link.acceleration = link.acceleration + cross(w, along) * Real(Lane(2));
+      link.spin = w;
+      link.spin_acceleration = up.spin_acceleration;
+    } else {
+      link.spin = w + along;
+      link.spin_acceleration =
+          kUp == kNone ? cross(w, along) : up.spin_acceleration + cross(w, along);
+    }
+    forget_mass(link);
+    unrolled<bodies_on<Model>(Group::index(0, j))>([&](auto part) __attribute__((always_inline)) {
+      using Part = typename Group::template Part<j, part>;
+      add_body<Part>(k, state.mass_scale[Part::body(k)], link);
+    });
+    set_forces(link);
+    add_outer_forces<j>(k, state, link);
+  }
+
+  /// Forces on bodies from outside, which nearly never are.
+  template <std::size_t j, class State>
+  [[gnu::always_inline]] void add_outer_forces(std::size_t k, const State& state,
+                                               Moving<Real>& link) {
+    if (!state.is_pushed()) return;
+    unrolled<bodies_on<Model>(Group::index(0, j))>([&](auto part) __attribute__((always_inline)) {
+      state.push_body(Group::template Part<j, part>::body(k), link);
+    });
+  }
+
+  template <std::size_t j>
+  [[gnu::always_inline]] static void set_axes(std::size_t k, const Moving<Real>& up, const Real& q,
+                                              Moving<Real>& link) {
+    using X = typename Group::template Direction<j, 0>;
+    using Y = typename Group::template Direction<j, 1>;
+    using Z = typename Group::template Direction<j, 2>;
+    constexpr std::size_t kAxis = Limb::kAxis<j>;
+    const Mat<Real>& from = up.axes;
+    if constexpr (kAxis == kTurned) {
+      link.axis = turned_by<X, Y, Z>(k, from);
+    } else {
+      link.axis = from.column[kAxis];
+    }
+    if constexpr (kSlides<j>) {
+      link.axes = from;
+    } else if constexpr (kAxis == kTurned) {  // Rodrigues' formula
+      const auto turn = eagerx::sincos(q);
+      const Real rest = Real(Lane(1)) - turn.cos;
+      const Real along[3] = {value<Real, X>(k), value<Real, Y>(k), value<Real, Z>(k)};
+      unrolled<3>([&](auto i) __attribute__((always_inline)) {
+        link.axes.column[i] = from.column[i] * turn.cos +
+                              cross(link.axis, from.column[i]) * turn.sin +
+                              link.axis * (rest * along[i]);
+      });
+    } else {
+      const auto turn = eagerx::sincos(q);
+      constexpr std::size_t b = (kAxis + 1) % 3, c = (kAxis + 2) % 3;
+      link.axes.column[kAxis] = from.column[kAxis];
+      link.axes.column[b] = from.column[b] * turn.cos + from.column[c] * turn.sin;
+      link.axes.column[c] = from.column[c] * turn.cos - from.column[b] * turn.sin;
+    }
+  }
+
+  /// Row j of the mass matrix: momentum of what hangs on joint j at unit speed, along each joint
+  /// that carries it and along the base.
+  template <std::size_t j>
+  [[gnu::always_inline]] void set_masses() {
+    const Moving<Real>& link = link_[j];
+    Vec<Real> linear, angular;
+    if constexpr (kSlides<j>) {
+      linear = link.axis * link.mass;
+      angular = cross(link.moment, link.axis);
+      mass_[j][j] = dot(link.axis, linear);
+    } else {
+      linear = cross(link.axis, link.moment);
+      angular = link.inertia * link.axis;
+      mass_[j][j] = dot(link.axis, angular);
+    }
+    angular = angular + cross(link.arm, linear);
+    unrolled<j>([&](auto back) __attribute__((always_inline)) {
+      constexpr std::size_t i = j - 1 - back;
+      if constexpr (Group::carries(i, j)) {
+        mass_[j][i] = kSlides<i> ? dot(link_[i].axis, linear) : dot(link_[i].axis, angular);
+        if constexpr (kFloating || Group::parent(i) != kNone)
+          angular = angular + cross(link_[i].arm, linear);
+      }
+    });
+    if constexpr (kFloating) {
+      coupling_[j][0] = linear.x, coupling_[j][1] = linear.y, coupling_[j][2] = linear.z;
+      coupling_[j][3] = angular.x, coupling_[j][4] = angular.y, coupling_[j][5] = angular.z;
+    }
+  }
+
+  /// Torques on joint j, and what the motion takes.
+  template <std::size_t j, class State>
+  [[gnu::always_inline]] void add_torques(std::size_t k, const State& state, Lane dt,
+                                          Record& record) {
+    const std::size_t index = Group::index(k, j);
+    const Real &q = state.q[index], &v = state.v[index];
+    const JointDrive<Real>& drive = state.drive[index];
+    const Moving<Real>& link = link_[j];
+    const Real inertia = mass_[j][j] + value<Real, typename Group::template Armature<j>>(k);
+    const Real zero(Lane(0));
+    const JointTorque<Real> servo = servo_torque(drive, q, v, dt);
+    const auto has_servo = drive.most > zero;
+    record.drive[j] = {eagerx::select(has_servo, servo.now, drive.torque), servo.slope};
+    const Real needed = kSlides<j> ? dot(link.axis, link.force) : dot(link.axis, link.torque);
+    JointTorque<Real> sum = record.drive[j];
+    using Damping = typename Group::template Damping<j>;
+    if constexpr (!Constant<Damping, Lane>::is(Lane(0)))
+      sum = sum + damping_torque(value<Real, Damping>(k), v);
+    const FreeJoint<Real> free = free_joint(v, inertia, sum, needed, dt);
+    sum = sum + motor_torque(drive.motor_velocity, drive.motor_torque, v, free, dt);
+    constexpr Lane kUnlimited = std::numeric_limits<Lane>::infinity();
+    using Low = typename Group::template Low<j>;
+    using High = typename Group::template High<j>;
+    using MaxVelocity = typename Group::template MaxVelocity<j>;
+    if constexpr (!Constant<Low, Lane>::is(-kUnlimited))
+      sum = sum + stop_torque(value<Real, Low>(k), Lane(-1), q, v, free, dt);
+    if constexpr (!Constant<High, Lane>::is(kUnlimited))
+      sum = sum + stop_torque(value<Real, High>(k), Lane(1), q, v, free, dt);
+    if constexpr (!Constant<MaxVelocity, Lane>::is(kUnlimited))
+      sum = sum + speed_limit_torque(value<Real, MaxVelocity>(k), v, free, dt);
+    record.rhs[j] = sum.now - needed;
+    mass_[j][j] = inertia + Real(dt) * sum.slope;
+  }
+
+  Moving<Real> link_[n];
+  Real mass_[n][n];      // lower triangle
+  Real coupling_[n][6];  // with the base
+};
+
+}  // namespace eagerx::models::multibody

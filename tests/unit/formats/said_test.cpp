@@ -1,0 +1,128 @@
+// What a file does not say and the graph does: sizes of inputs, the order of layers
+// (tests/data/policy/make_inputs.py), against torch.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "generator/policy/formats/golden.hpp"
+#include "generator/policy/formats/read.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kData = EAGERX_SOURCE_DIR "/tests/data/policy/";
+
+std::optional<Network> read_said(const std::string& file, const ReadContext& context,
+                                 Diagnostics& diagnostics) {
+  PolicyRequest request;
+  request.path = kData + file;
+  request.name = file;
+  request.context = context;
+  return read_policy(request, diagnostics);
+}
+
+void expect_torchs_answers(const std::string& file, const std::string& golden,
+                           const ReadContext& context = {}) {
+  Diagnostics diagnostics;
+  const auto network = read_said(file, context, diagnostics);
+  const auto rows = read_golden(kData + golden, golden, {}, diagnostics);
+  const auto result =
+      network && rows ? compare(*network, *rows, golden, {}, diagnostics) : std::nullopt;
+  for (const auto& problem : diagnostics.all()) ADD_FAILURE() << file << ": " << problem.message;
+  EXPECT_TRUE(result && result->passed()) << file;
+}
+
+void expect_said_refused(const std::string& file, const ReadContext& context, const char* code,
+                         const char* message, const char* help) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_said(file, context, diagnostics).has_value()) << file;
+  ASSERT_FALSE(diagnostics.all().empty());
+  EXPECT_EQ(diagnostics.all().front().code, code);
+  EXPECT_THAT(diagnostics.all().front().message, HasSubstr(message));
+  EXPECT_THAT(diagnostics.all().front().help, HasSubstr(help));
+}
+
+ReadContext with_sizes(std::vector<std::int64_t> sizes) {
+  ReadContext context;
+  context.input_sizes = std::move(sizes);
+  return context;
+}
+ReadContext with_layers(std::vector<std::string> layers) {
+  ReadContext context;
+  context.layers = std::move(layers);
+  return context;
+}
+
+TEST(SaidSizes, AreSolvedForWhereTheLayersTellThem) {
+  expect_torchs_answers("torchscript/encoded_scripted.pt", "torchscript/encoded_golden.npz");
+  Diagnostics diagnostics;
+  const auto network = read_said("torchscript/encoded_scripted.pt", {}, diagnostics);
+  ASSERT_TRUE(network.has_value());
+  EXPECT_EQ(network->contract.observations.at(0).size, 27U);
+  EXPECT_EQ(network->contract.observations.at(1).size, 12U);
+  EXPECT_TRUE(network->assumed.empty());
+}
+
+TEST(SaidSizes, AreAskedForWhereSeveralFit) {
+  const char* file = "torchscript/joined_scripted.pt";
+  expect_said_refused(file, {}, "E0755", "`command` and `obs` could have", "input_sizes: […, …]");
+  expect_torchs_answers(file, "torchscript/joined_golden.npz", with_sizes({3, 7}));
+  Diagnostics diagnostics;
+  const auto network = read_said(file, with_sizes({3, 7}), diagnostics);
+  ASSERT_TRUE(network.has_value());
+  EXPECT_EQ(network->contract.observations.at(1).size, 7U);
+}
+
+TEST(SaidSizes, ThatDoNotFitAreRefused) {
+  const char* file = "torchscript/joined_scripted.pt";
+  expect_said_refused(file, with_sizes({3, 8}), "E0618", "multiplies 11 values", "`input_sizes`");
+  expect_said_refused(file, with_sizes({10}), "E0755", "takes 2 inputs, not 1: `command`, `obs`",
+                      "one size for each");
+  expect_said_refused("libraries/named_trunk.pth", with_sizes({4}), "E0626", "is no TorchScript",
+                      "leave the graph's `input_sizes` out");
+}
+
+TEST(Frozen, TensorsAreConstantsOfTheCode) {
+  for (const char* way : {"scripted", "traced", "inference"}) {
+    expect_torchs_answers(std::string("torchscript/frozen_") + way + ".pt",
+                          "torchscript/frozen_golden.npz");
+  }
+}
+
+TEST(SaidLayers, AreAskedForInTheOrderOfTheirSizes) {
+  expect_said_refused("libraries/named_trunk.pth", {}, "E0629", "`net.0`, `net.2`, `mean_head`",
+                      "layers: [net.0, net.2, mean_head], activation: relu");
+  expect_said_refused("libraries/named_norms.pth", {}, "E0629", "`bn1`, `fc1`, `fc2`, `out`",
+                      "--layers bn1,fc1,fc2,out");
+}
+
+TEST(SaidLayers, AreFollowedByOneActivationOrTheirOwn) {
+  ReadContext trunk = with_layers({"net.0", "net.2", "mean_head"});
+  trunk.activation = Activation::elu;
+  trunk.output_activation = Activation::tanh;
+  const char* golden = "libraries/named_trunk_golden.npz";
+  expect_torchs_answers("libraries/named_trunk.pth", golden, trunk);
+  expect_torchs_answers("libraries/named_trunk.pth", golden,
+                        with_layers({"net.0", "elu", "net.2", "elu", "mean_head", "tanh"}));
+  expect_torchs_answers("libraries/named_norms.pth", "libraries/named_norms_golden.npz",
+                        with_layers({"bn1", "fc1", "relu", "fc2", "elu", "out"}));
+}
+
+TEST(SaidLayers, ThatAreNotThereAreRefused) {
+  const char* file = "libraries/named_trunk.pth";
+  expect_said_refused(file, with_layers({"net.0", "net.1"}), "E0624",
+                      "no layer `net.1`: its layers are `mean_head`, `net.0`, `net.2`", "");
+  expect_said_refused(file, with_layers({"relu", "net.0"}), "E0624", "no layer `relu`", "");
+  expect_said_refused(file, with_layers({"net.2", "mean_head"}), "E0629", "which activation", "");
+  ReadContext twice = with_layers({"net.0", "elu", "net.2", "elu", "mean_head"});
+  twice.output_activation = Activation::tanh;
+  expect_said_refused(file, twice, "E0626", "another activation", "leave `output_activation` out");
+  expect_said_refused("ppo_64.onnx", with_layers({"net.0"}), "E0626", "is no table of tensors",
+                      "leave the graph's `layers` out");
+  expect_said_refused("torchscript/joined_scripted.pt", with_layers({"actor"}), "E0626",
+                      "is TorchScript", "leave the graph's `layers` out");
+}
+
+}  // namespace
+}  // namespace eagerx::gen

@@ -1,0 +1,163 @@
+// Identification of a mass on a rail, with an accelerometer, which reads the input.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "runtime/host/identify/identification.hpp"
+
+namespace eagerx::identification {
+namespace {
+
+constexpr double kMass = 1.3, kFriction = 0.4;
+constexpr std::uint64_t kEngineHz = 100;
+constexpr Seq kTicks = 400;
+constexpr std::array<Channel, 4> kChannels{{
+    {"cart/acceleration/y", "float64", 1, kEngineHz, 1, Publisher::engine_node},
+    {"cart/force/action_applied", "float64", 1, 50, 1, Publisher::engine_node},
+    {"cart/speed/y", "float64", 1, kEngineHz, 1, Publisher::engine_node},
+    {"engine/tick", "int64", 1, kEngineHz, 1, Publisher::engine},
+}};
+
+/// What a generated program does in a slot: engine, accelerometer, actuator, other sensors.
+class Cart {
+ public:
+  double mass = 0.0, friction = 0.0;
+
+  void run(const std::function<double(Seq)>& force, Experiment* experiment,
+           const std::function<void(std::uint32_t, Seq, double&)>& message) {
+    input_ = {0.0};
+    state_ = {0.0};
+    for (Seq tick = 0; tick < kTicks; ++tick) {
+      if (tick > 0) {
+        if (experiment != nullptr) experiment->engine_runs();
+        advance();
+      }
+      if (experiment != nullptr) {
+        const SimulatorView view{{nullptr, state_.data(), 1}, {nullptr, input_.data(), 1}};
+        experiment->simulator("cart", tick, view);
+      }
+      double acceleration = derivative(state_[0]);
+      message(0, tick, acceleration);
+      if (tick % 2 == 0) {
+        double applied = force(tick);
+        input_[0] = applied;
+        message(1, tick / 2, applied);
+      }
+      double speed = state_[0];
+      message(2, tick, speed);
+    }
+  }
+
+ private:
+  double derivative(double speed) const { return (input_[0] - friction * speed) / mass; }
+  void advance() {
+    constexpr double kStep_s = 1.0 / static_cast<double>(kEngineHz);
+    const double k1 = derivative(state_[0]);
+    const double k2 = derivative(state_[0] + kStep_s / 2 * k1);
+    const double k3 = derivative(state_[0] + kStep_s / 2 * k2);
+    const double k4 = derivative(state_[0] + kStep_s * k3);
+    state_[0] += kStep_s / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  std::array<double, 1> state_{}, input_{};
+};
+
+double steps_of_force(Seq tick) {
+  return static_cast<double>((tick / 2 * 7) % 11) - 4.0;
+}
+
+/// Of a cart whose force comes `late` ticks of the engine after what the log says.
+trace_log::Log log_of_cart(Seq late) {
+  trace_log::Log log;
+  log.engine = "OdeEngine";
+  log.complete = true;
+  for (const Channel& channel : kChannels)
+    log.channels.push_back({channel.name,
+                            channel.publisher == Publisher::engine ? trace_log::Dtype::int64
+                                                                   : trace_log::Dtype::float64,
+                            1, channel.rate_num, 1});
+  Cart cart;
+  cart.mass = kMass;
+  cart.friction = kFriction;
+  const auto force = [&](Seq tick) { return tick < late ? 0.0 : steps_of_force(tick - late); };
+  cart.run(force, nullptr, [&](std::uint32_t channel, Seq seq, double& value) {
+    trace_log::Row row;
+    row.first = log.values.size();
+    row.seq = seq;
+    row.channel = channel;
+    log.rows.push_back(row);
+    const double said = channel == 1 ? steps_of_force(2 * seq) : value;
+    log.values.push_back(std::bit_cast<std::uint64_t>(said));
+  });
+  return log;
+}
+
+struct Found {
+  double mass = 0.0, friction = 0.0, delay_s = 0.0;
+  bool is_inside = false;  // all three within three deviations
+};
+
+Found identify(const trace_log::Log& log, const std::string& sensors, double delay_s) {
+  Experiment experiment;
+  std::string problem;
+  EXPECT_TRUE(experiment.prepare(log, {kChannels, "OdeEngine", 50, 1}, sensors, 0.5, problem));
+  std::vector<Parameter> parameters{{"cart.mass", 0, 1, true, 0.8, 2.0},
+                                    {"cart.friction", 0, 1, true, 0.1, 1.0}};
+  Cart cart;
+  const auto run = [&](const Trial* trial) -> const std::vector<double>& {
+    cart.mass = trial != nullptr ? trial->parameters[0] : 1.4;
+    cart.friction = trial != nullptr ? trial->parameters[1] : 0.55;
+    experiment.begin(trial);
+    experiment.episode(0);
+    cart.run(steps_of_force, &experiment, [&](std::uint32_t channel, Seq seq, double& value) {
+      experiment.message(channel, seq, &value, 1);
+    });
+    return experiment.residuals();
+  };
+  run(nullptr);
+  experiment.find_actuators();
+  run(nullptr);
+  Identification identification(
+      experiment, parameters, [&](const Trial& trial) -> const auto& { return run(&trial); });
+  EXPECT_TRUE(identification.find(1.0 / kEngineHz, 0.05, problem)) << problem;
+  const Delay delay = identification.delays().at(0);
+  const auto is_near = [](double value, double truth, double deviation) {
+    return std::abs(value - truth) <= 3 * deviation + 1e-9;
+  };
+  return {parameters[0].value, parameters[1].value, delay.value_s,
+          is_near(parameters[0].value, kMass, parameters[0].deviation) &&
+              is_near(parameters[1].value, kFriction, parameters[1].deviation) &&
+              is_near(delay.value_s, delay_s, delay.deviation_s)};
+}
+
+TEST(Identify, ASensorThatReadsTheInput) {
+  for (const char* sensors : {"cart/acceleration/y", "cart/speed/y", ""}) {
+    const Found found = identify(log_of_cart(0), sensors, 0.0);
+    EXPECT_NEAR(found.mass, kMass, 1e-5) << sensors;
+    EXPECT_NEAR(found.friction, kFriction, 1e-4) << sensors;
+    EXPECT_NEAR(found.delay_s, 0.0, 1e-6) << sensors;
+  }
+}
+
+TEST(Identify, ASensorThatReadsALateInput) {
+  const Found found = identify(log_of_cart(2), "", 0.02);
+  EXPECT_NEAR(found.mass, kMass, 1e-4);
+  EXPECT_NEAR(found.friction, kFriction, 1e-3);
+  EXPECT_NEAR(found.delay_s, 0.02, 1e-5);
+}
+
+/// Without actions the messages say how many steps there were.
+TEST(Identify, StepsOfAGraphWithoutActions) {
+  Experiment experiment;
+  std::string problem;
+  const trace_log::Log log = log_of_cart(0);
+  ASSERT_TRUE(experiment.prepare(log, {kChannels, "OdeEngine", 50, 1}, "", 0.5, problem));
+  EXPECT_EQ(experiment.steps(0), 200U);
+}
+
+}  // namespace
+}  // namespace eagerx::identification

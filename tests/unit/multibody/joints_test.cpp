@@ -1,0 +1,206 @@
+// Joints: stops, servos, motors, friction, damping, limits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <models/objects/two_link_arm/two_link_arm.hpp>
+
+#include "tests/unit/multibody/multibody_io.hpp"
+
+namespace eagerx::models::testing {
+namespace {
+
+/// A rod of 1 kg on one joint, whose other parts the tests choose.
+template <class RealType, class Joint>
+struct Rod {
+  using Real = RealType;
+  static constexpr std::array<RigidBody, 1> kBodies = {
+      {{.name = "rod", .inertia = {{0.1, 0.1, 0.01}}, .position = {{0.0, 0.0, Joint::kCentre}}}}};
+  static constexpr std::array<RigidJoint, 1> kJoints = {Joint::joint()};
+  static constexpr std::array<RigidGeometry, 0> kGeometries = {};
+};
+constexpr double kPi = 3.141592653589793;
+template <class Joint, class Real = double, class Config = MultibodyConfig<20>>
+using RodScene = MultibodyScene<Rod<Real, Joint>, Config>;
+
+template <int kTenthsOfPi>
+struct Stopped {
+  static constexpr double kCentre = 0.5;
+  static constexpr double kStop = 0.1 * kTenthsOfPi * kPi;
+  static constexpr RigidJoint joint() {
+    return {.name = "j", .child = "rod", .low = -kStop, .high = kStop};
+  }
+};
+
+template <int kTenthsOfPi, class Real, int Substeps>
+void check_stop() {
+  RodScene<Stopped<kTenthsOfPi>, Real, WeightlessMultibody<Substeps>> scene;
+  const double stop = Stopped<kTenthsOfPi>::kStop;
+  for (const double side : {1.0, -1.0}) {
+    scene.simulator.want_joint(0, {{side * (stop - 0.5), 0.0}, {0.0, 0.0}});
+    scene.simulator.set_joint_torque(0, Real(side * 20.0));
+    scene.reset();
+    double furthest = 0.0;
+    for (int i = 0; i < 100; ++i) {
+      scene.tick();
+      furthest = std::max(furthest, side * static_cast<double>(scene.simulator.joint_position(0)));
+    }
+    EXPECT_NEAR(furthest, stop, 2e-3);
+    EXPECT_NEAR(side * static_cast<double>(scene.simulator.joint_position(0)), stop, 2e-3);
+    EXPECT_LT(std::abs(static_cast<double>(scene.simulator.joint_velocity(0))), 1e-3);
+    scene.simulator.set_joint_torque(0, Real(-side));  // and it does not stick
+    scene.run(0.5);
+    EXPECT_LT(side * static_cast<double>(scene.simulator.joint_position(0)), stop - 0.2);
+  }
+}
+
+TEST(MultibodyJoints, StopsHoldBelowAtAndBeyondHalfATurn) {
+  check_stop<5, double, 20>();
+  check_stop<10, double, 20>();  // at π: Open Dynamics Engine lets it through
+  check_stop<10, float, 4>();
+  check_stop<35, double, 10>();  // 1.75 turns
+  check_stop<35, float, 20>();
+}
+
+TEST(MultibodyJoints, WhatAResetPutBeyondAStopComesBackSlowly) {
+  RodScene<Stopped<5>, float, WeightlessMultibody<20>> scene;
+  scene.simulator.want_joint(0, {{2.5, 0.0}, {0.0, 0.0}});
+  scene.reset();
+  for (int i = 0; i < 50; ++i) {
+    scene.tick();
+    EXPECT_LE(std::abs(scene.simulator.joint_velocity(0)), 5.01F);
+  }
+  EXPECT_LE(scene.simulator.joint_position(0), 0.5 * kPi + 1e-3);
+}
+
+struct Damped {
+  static constexpr double kCentre = 0.0;
+  static constexpr RigidJoint joint() { return {.name = "j", .child = "rod", .damping = 1000.0}; }
+};
+
+TEST(MultibodyJoints, DampingFarAboveInertiaPerStepIsStable) {
+  RodScene<Damped> scene;  // inertia/step is 100 N·m·s/rad
+  scene.simulator.want_joint(0, {{0.0, 0.0}, {5.0, 0.0}});
+  scene.reset();
+  scene.simulator.set_joint_torque(0, 50.0);
+  scene.run(1.0);
+  EXPECT_NEAR(scene.simulator.joint_velocity(0), 0.05, 1e-6);  // torque/damping
+}
+
+struct Rubbing {
+  static constexpr double kCentre = 0.0;
+  static constexpr RigidJoint joint() { return {.name = "j", .child = "rod", .friction = 2.0}; }
+};
+
+TEST(MultibodyJoints, FrictionHoldsAndBrakes) {
+  RodScene<Rubbing> scene;
+  scene.simulator.set_joint_torque(0, 1.9);
+  scene.run(1.0);
+  EXPECT_LT(std::abs(scene.simulator.joint_position(0)),
+            1e-4);  // creeps by load·step/(1000·inertia)
+  scene.simulator.set_joint_torque(0, 3.0);
+  scene.run(1.0);
+  EXPECT_NEAR(scene.simulator.joint_velocity(0), 10.0, 0.02);  // (3 − 2)/0.1
+  scene.simulator.set_joint_torque(0, 0.0);
+  const double position = scene.simulator.joint_position(0);
+  const double speed = scene.simulator.joint_velocity(0);
+  scene.run(1.0);
+  EXPECT_NEAR(scene.simulator.joint_position(0) - position, speed * speed / 40.0, 0.02);
+  EXPECT_LT(std::abs(scene.simulator.joint_velocity(0)), 1e-6);
+}
+
+struct Strong {
+  static constexpr double kCentre = 0.5;
+  static constexpr RigidJoint joint() {
+    return {.name = "j", .child = "rod", .axis = {{0.0, -1.0, 0.0}}, .max_torque = 8.0};
+  }
+};
+
+TEST(MultibodyJoints, ServoHoldsWithItsStiffnessAndItsLargestTorque) {
+  RodScene<Strong, double, WeightlessMultibody<4>> scene;  // 5 ms
+  scene.simulator.set_joint_servo(0, {1.0, 1e4, 2000.0, 100.0});
+  scene.tick();
+  EXPECT_NEAR(scene.simulator.joint_torque(0), 8.0, 1e-9);  // max_torque of the joint
+  EXPECT_NEAR(scene.simulator.joint_velocity(0), 8.0 / 0.35 * 0.02, 1e-9);
+  scene.run(2.0);
+  EXPECT_NEAR(scene.simulator.joint_position(0), 1.0, 1e-4);
+  RodScene<Strong> loaded;
+  loaded.simulator.set_joint_servo(0, {1.5707963267948966, 100.0, 10.0, 100.0});
+  loaded.run(3.0);
+  const double q = loaded.simulator.joint_position(0);
+  EXPECT_NEAR(100.0 * (1.5707963267948966 - q), -9.81 * 0.5 * std::sin(q), 1e-6);
+  EXPECT_NEAR(loaded.simulator.joint_torque(0), 100.0 * (1.5707963267948966 - q), 1e-6);
+}
+
+TEST(MultibodyJoints, MotorHoldsAVelocityWithItsLargestTorque) {
+  RodScene<Strong, float> scene;
+  scene.simulator.set_joint_motor(0, 3.0F, 7.0F);
+  scene.run(2.0);
+  double least = 9.0, most = 0.0;
+  for (int i = 0; i < 100; ++i) {  // turns around under its weight of 4.9 N·m
+    scene.tick();
+    least = std::min(least, static_cast<double>(scene.simulator.joint_velocity(0)));
+    most = std::max(most, static_cast<double>(scene.simulator.joint_velocity(0)));
+  }
+  EXPECT_NEAR(least, 3.0, 1e-3);
+  EXPECT_NEAR(most, 3.0, 1e-3);
+  scene.simulator.want_joint(0, {{0.0, 0.0}, {0.0, 0.0}});
+  scene.reset();
+  scene.simulator.set_joint_motor(0, 3.0F, 1.0F);
+  scene.tick();
+  EXPECT_NEAR(scene.simulator.joint_velocity(0), 1.0 / 0.35 * 0.02, 1e-3);
+}
+
+struct Limited {
+  static constexpr double kCentre = 0.0;
+  static constexpr RigidJoint joint() {
+    return {.name = "j", .child = "rod", .armature = 0.1, .max_velocity = 2.0};
+  }
+};
+
+TEST(MultibodyJoints, ArmatureAndTheLimitOfSpeed) {
+  RodScene<Limited> scene;
+  scene.simulator.set_joint_torque(0, 1.0);
+  scene.run(0.2);
+  EXPECT_NEAR(scene.simulator.joint_velocity(0), 1.0, 1e-9);  // 1/(0.1 + 0.1)·0.2
+  scene.run(2.0);
+  EXPECT_NEAR(scene.simulator.joint_velocity(0), 2.0, 0.01);
+}
+
+struct Sliding {
+  static constexpr double kCentre = 0.0;
+  static constexpr RigidJoint joint() {
+    return {.name = "j",
+            .kind = JointKind::slider,
+            .child = "rod",
+            .axis = {{0.0, 0.0, 1.0}},
+            .low = -0.5};
+  }
+};
+
+TEST(MultibodyJoints, SliderFallsOnItsStop) {
+  RodScene<Sliding> scene;
+  scene.run(0.2);
+  EXPECT_NEAR(scene.simulator.joint_position(0), -0.5 * 9.81 * 0.2 * 0.2, 2e-3);
+  scene.run(2.0);
+  EXPECT_NEAR(scene.simulator.joint_position(0), -0.5, 1e-4);
+  EXPECT_LT(std::abs(scene.simulator.joint_velocity(0)), 1e-9);
+}
+
+TEST(MultibodyJoints, WhatIsNotFiniteCountsAsZero) {
+  RodScene<Damped> scene;
+  const double nan = std::nan("");
+  scene.simulator.set_joint_torque(0, nan);
+  scene.simulator.set_force(0, {{nan, nan, nan}});
+  scene.simulator.want_joint(0, {{nan, 0.0}, {nan, 0.0}});
+  scene.reset();
+  scene.run(0.1);
+  EXPECT_EQ(scene.simulator.joint_position(0), 0.0);
+  EXPECT_EQ(scene.simulator.faults(), 0U);
+  scene.simulator.want_joint(0, {{1e300, 0.0}, {1e308, 0.0}});
+  scene.run(0.1);
+  EXPECT_GT(scene.simulator.faults(), 0U);
+}
+
+}  // namespace
+}  // namespace eagerx::models::testing
