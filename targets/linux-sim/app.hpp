@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <eagerx/math/rounding_check.hpp>
 #include <optional>
+#include <runtime/host/base/exhaustion.hpp>
 #include <runtime/host/base/keeper.hpp>
 #include <string_view>
 #include <targets/common/csv.hpp>
@@ -308,6 +309,7 @@ class ProgramOf final : public GraphProgram {
 
 template <class Graph>
 int run(int argc, char** argv) {
+  host::end_when_exhausted();
   static ProgramOf<Graph> program;
   return run(argc, argv, program);
 }

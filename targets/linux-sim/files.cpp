@@ -1,8 +1,6 @@
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
 #include <runtime/host/base/files.hpp>
 #include <targets/linux-sim/files.hpp>
@@ -39,15 +37,6 @@ void add_descriptor(std::vector<Place>& places, int descriptor, const char* name
 }
 
 }  // namespace
-
-void open_standard_files() {
-  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
-    if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The lowest that is free is this one. Errors have nowhere to go; a summary has to arrive.
-    const int mode = descriptor == STDOUT_FILENO ? O_RDONLY : O_RDWR;
-    static_cast<void>(::open("/dev/null", mode));
-  }
-}
 
 std::string problem_with_files(const Options& options) {
   const bool reads_actions = options.agent == target::Agent::csv;

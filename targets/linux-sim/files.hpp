@@ -2,14 +2,13 @@
 #pragma once
 
 #include <cstdio>
+#include <runtime/host/base/files.hpp>
 #include <string>
 #include <targets/linux-sim/options.hpp>
 
 namespace eagerx::linux_sim {
 
-/// Opens descriptors 0 to 2 on /dev/null where they are closed, so that no other file becomes one
-/// of them. A closed standard output stays one that cannot be written.
-void open_standard_files();
+using host::open_standard_files;
 
 /// Looks for outputs that are an input, another output or where the summary goes, by any name, link
 /// or descriptor, and for those that are no files (/dev/null may be one). Returns what is wrong;

@@ -17,6 +17,7 @@
 #include "generator/backend/compile/messages.hpp"
 #include "generator/backend/program_map/program_map.hpp"
 #include "generator/support/diagnostics/search.hpp"
+#include "generator/support/files/paths.hpp"
 #include "generator/support/process/process.hpp"
 
 namespace eagerx::gen {
@@ -302,12 +303,12 @@ class CompileCheck {
   /// The class whose header lies in the same folder or above, the nearest one; nullptr if the file
   /// is no entity's.
   const UsedClass* class_of(const std::string& file) const {
-    const std::string path = fs::absolute(file).lexically_normal().string();
+    const std::string path = absolute_path(file).lexically_normal().string();
     const UsedClass* found = nullptr;
     std::size_t longest = 0;
     for (const UsedClass& each : classes_) {
       const std::string folder =
-          (fs::absolute(each.header).lexically_normal().parent_path() / "").string();
+          (absolute_path(each.header).lexically_normal().parent_path() / "").string();
       if (each.header.empty() || !path.starts_with(folder) || folder.size() <= longest) continue;
       longest = folder.size();
       found = &each;
@@ -334,8 +335,8 @@ class CompileCheck {
   std::string shown(const std::string& file) const {
     const UsedClass& owner = *class_of(file);
     const fs::path manifest = sources_.name(owner.span.file);
-    const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(
-        fs::absolute(manifest).lexically_normal().parent_path());
+    const fs::path relative = absolute_path(file).lexically_normal().lexically_relative(
+        absolute_path(manifest).lexically_normal().parent_path());
     return (manifest.parent_path() / relative).lexically_normal().string();
   }
 

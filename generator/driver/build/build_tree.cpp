@@ -23,6 +23,7 @@
 #include "generator/driver/build/progress.hpp"
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/pipeline/paths.hpp"
+#include "generator/support/files/paths.hpp"
 #include "generator/support/process/process.hpp"
 #include "generator/support/quote/quote.hpp"
 
@@ -58,7 +59,7 @@ Tree tree_of(const Run& run, const GenerateOptions& options, const Target& targe
   if (several) tree.settings.emplace_back("EAGERX_TARGET", target.id.value);
   if (!target.toolchain.empty()) tree.toolchain = toolchain_of(run, options, target, folder);
   if (is_own(run, target) && !is_standalone(options)) {
-    const fs::path own = fs::absolute(folder_of(run, target)).lexically_normal();
+    const fs::path own = absolute_path(folder_of(run, target)).lexically_normal();
     tree.settings.emplace_back("EAGERX_TARGETS_PATH", own.parent_path().string());
   }
   return tree;
@@ -99,7 +100,7 @@ std::string library_cache() {
   folder = folder / "eagerx-gen" / "libraries";
   std::error_code error;
   fs::create_directories(folder, error);
-  return access(folder.c_str(), W_OK) == 0 ? fs::absolute(folder).lexically_normal().string()
+  return access(folder.c_str(), W_OK) == 0 ? absolute_path(folder).lexically_normal().string()
                                            : std::string();
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "generator/driver/build/write.hpp"
+#include "generator/support/files/paths.hpp"
 #include "generator/support/quote/quote.hpp"
 
 namespace eagerx::gen {
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 /// Everything that the output was made from, in the form that make and ninja read.
 std::string depfile_text(const Run& run, const GenerateOptions& options) {
   const auto escaped = [](const std::string& path) {
-    return make_path(fs::absolute(path).lexically_normal().string());
+    return make_path(absolute_path(path).lexically_normal().string());
   };
   const std::string target = options.depfile.ends_with(".d")
                                  ? options.depfile.substr(0, options.depfile.size() - 2)

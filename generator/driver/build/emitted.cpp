@@ -5,6 +5,7 @@
 #include "generator/backend/languages/package.hpp"
 #include "generator/driver/build/built.hpp"
 #include "generator/driver/build/targets.hpp"
+#include "generator/support/files/paths.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -93,7 +94,7 @@ std::optional<ProgramFacts> facts_of_program(Run& run, const GraphOptions& optio
     targets = find_targets(run, options);
   }
   const auto files =
-      emit_program(run, emit_options_for(run, std::move(targets), fs::current_path().string()));
+      emit_program(run, emit_options_for(run, std::move(targets), absolute_path(".").string()));
   const auto hash = files ? hash_in(*files) : std::nullopt;
   if (!hash) return std::nullopt;
   ProgramFacts facts{*hash, {}};

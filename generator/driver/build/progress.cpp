@@ -39,9 +39,9 @@ void Progress::finish(bool good) {
 
 void Progress::show(const std::string& text) {
   if (terminal_) {
-    fmt::print(stderr, "\r\x1b[K{}", text);
+    std::fputs(("\r\x1b[K" + text).c_str(), stderr);
   } else if (!text.empty()) {
-    fmt::print(stderr, "{}\n", text);
+    std::fputs((text + "\n").c_str(), stderr);
   }
   std::fflush(stderr);
   shown_ = true;

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "generator/support/diagnostics/search.hpp"
+#include "generator/support/files/paths.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -64,7 +65,7 @@ class Carrier {
     std::set<std::string> roots = {run.root};
     for (const auto& [id, entity] : run.library.entities) roots.insert(entity.include_root);
     for (const auto& root : roots) {
-      if (!root.empty()) roots_.push_back(fs::absolute(root).lexically_normal());
+      if (!root.empty()) roots_.push_back(absolute_path(root).lexically_normal());
     }
   }
 
@@ -211,7 +212,7 @@ class Carrier {
   /// How `file` includes a header below src/. What all trees have alike is found in the include
   /// path, so that it is there once.
   std::string way_to(const std::string& header, const std::string& file) const {
-    const fs::path root = fs::absolute(run_.root).lexically_normal();
+    const fs::path root = absolute_path(run_.root).lexically_normal();
     const auto origin = from_.find(kHeaderFolder + header);
     const bool is_own =
         origin != from_.end() && *origin->second.lexically_relative(root).begin() == "..";
@@ -285,19 +286,19 @@ class Carrier {
   }
 
   bool is_in_output(const fs::path& path) const {
-    const fs::path relative = path.lexically_relative(fs::absolute(output_).lexically_normal());
+    const fs::path relative = path.lexically_relative(absolute_path(output_).lexically_normal());
     return !relative.empty() && *relative.begin() != "..";
   }
 
   /// Whether it has its place in what stands for the installed package.
   bool is_in_package(const fs::path& path) const {
-    const fs::path root = fs::absolute(run_.root).lexically_normal();
+    const fs::path root = absolute_path(run_.root).lexically_normal();
     return added_.contains(kShareFolder + path.lexically_relative(root).generic_string());
   }
 
   std::optional<std::string> relative_to_root(const fs::path& path) const {
     std::vector<fs::path> roots = {
-        fs::absolute(fs::path(run_.root) / "runtime").lexically_normal()};
+        absolute_path(fs::path(run_.root) / "runtime").lexically_normal()};
     roots.insert(roots.end(), roots_.begin(), roots_.end());
     for (const auto& root : roots) {
       const std::string relative = path.lexically_relative(root).generic_string();

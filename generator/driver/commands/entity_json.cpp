@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "generator/frontend/read/scalar.hpp"
+#include "generator/support/files/paths.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -108,8 +109,8 @@ Json json_of(const ObjectEngine& made) {
 /// folder.
 std::string place_of(const std::string& file, const std::string& root) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::absolute(root.empty() ? "." : root).lexically_normal();
-  return fs::absolute(file).lexically_normal().lexically_relative(folder).generic_string();
+  const fs::path folder = absolute_path(root.empty() ? "." : root).lexically_normal();
+  return absolute_path(file).lexically_normal().lexically_relative(folder).generic_string();
 }
 
 /// Where the class also calculates with packs of numbers: true, false, or "some parameters".

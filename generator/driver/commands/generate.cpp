@@ -21,6 +21,7 @@
 #include "generator/driver/commands/judge.hpp"
 #include "generator/driver/commands/next_steps.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "generator/support/files/paths.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -67,12 +68,12 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
                                        (is_part ? "-" + options.part : "")
                                  : options.output;
   generated.folder = folder;
-  check_output_path(run, fs::absolute(folder).lexically_normal().string());
-  check_headers(*run.plan, fs::absolute(folder).lexically_normal().string(), run.diagnostics);
+  check_output_path(run, absolute_path(folder).lexically_normal().string());
+  check_headers(*run.plan, absolute_path(folder).lexically_normal().string(), run.diagnostics);
   if (run.diagnostics.has_errors()) return std::nullopt;
   EmitOptions emit_options = emit_options_for(
       run, options.makes_library() ? std::vector<const Target*>() : generated.targets,
-      fs::absolute(folder).lexically_normal().string());
+      absolute_path(folder).lexically_normal().string());
   const bool standalone = is_standalone(options);
   const bool bare = is_bare(options);
   if (standalone) emit_options.header_folder = kHeaderFolder;

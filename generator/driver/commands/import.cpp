@@ -11,6 +11,7 @@
 #include "generator/driver/commands/missing.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "generator/support/files/paths.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -26,10 +27,10 @@ struct ImportCommandOptions : GraphOptions {
 std::vector<Spanned<std::string>> library_of(const ImportCommandOptions& options) {
   std::vector<Spanned<std::string>> result;
   for (const auto& path : options.paths) {
-    fs::path folder = fs::absolute(path).lexically_normal();
+    fs::path folder = absolute_path(path).lexically_normal();
     if (!options.output.empty())
       folder =
-          folder.lexically_relative(fs::absolute(options.output).lexically_normal().parent_path());
+          folder.lexically_relative(absolute_path(options.output).lexically_normal().parent_path());
     result.push_back({folder.string(), {}});
   }
   return result;

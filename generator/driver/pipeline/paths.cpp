@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "generator/support/files/paths.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -19,7 +21,7 @@ bool is_root(const fs::path& folder) {
 
 std::string data_root() {
   if (const char* home = std::getenv("EAGERX_HOME"); home != nullptr && *home != '\0') {
-    return is_root(home) ? fs::absolute(home).lexically_normal().string() : std::string();
+    return is_root(home) ? absolute_path(home).lexically_normal().string() : std::string();
   }
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);

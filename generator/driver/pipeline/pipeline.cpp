@@ -13,6 +13,7 @@
 #include "generator/support/diagnostics/pages.hpp"
 #include "generator/support/diagnostics/search.hpp"
 #include "generator/support/files/files.hpp"
+#include "generator/support/files/paths.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -42,7 +43,7 @@ void load_library_for(Run& run, const LibraryOptions& options,
   }
   folders.insert(folders.end(), installed.begin(), installed.end());
   run.library = load_library(folders, run.sources, run.diagnostics);
-  const fs::path root = fs::absolute(fs::path(run.root) / "models").lexically_normal();
+  const fs::path root = absolute_path(fs::path(run.root) / "models").lexically_normal();
   for (auto& [id, entity] : run.library.entities)
     entity.own = entity.include_root != root.parent_path().string();
 }
@@ -215,11 +216,11 @@ void take_policy(Run& run, const GraphOptions& options) {
   if (options.agent_policy.empty()) return;
   const Span span =
       run.spec->agent.span.file == FileId::none ? run.spec->name.span : run.spec->agent.span;
-  const fs::path folder = fs::absolute(run.spec->path).parent_path();
+  const fs::path folder = absolute_path(run.spec->path).parent_path();
   AgentSpec agent;
   agent.kind = AgentSpec::Kind::policy;
   agent.span = span;
-  agent.file = {fs::absolute(options.agent_policy).lexically_relative(folder).string(), span};
+  agent.file = {absolute_path(options.agent_policy).lexically_relative(folder).string(), span};
   run.spec->agent = std::move(agent);
 }
 

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "generator/support/files/paths.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -9,7 +11,7 @@ namespace fs = std::filesystem;
 
 /// An empty path is the working directory.
 fs::path absolute_folder(const fs::path& folder) {
-  return fs::absolute(folder / "x").lexically_normal().parent_path();
+  return absolute_path(folder / "x").lexically_normal().parent_path();
 }
 
 class Renamer {

@@ -12,6 +12,7 @@
 #include "generator/frontend/library/mentions.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/search.hpp"
+#include "generator/support/files/paths.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -99,7 +100,7 @@ void add(std::map<std::string, Item>& items, Item item, const SourceMap& sources
 void make_relative(CppClass& cpp, const fs::path& root) {
   if (cpp.include.empty()) return;
   cpp.include =
-      fs::absolute(cpp.include).lexically_normal().lexically_relative(root).generic_string();
+      absolute_path(cpp.include).lexically_normal().lexically_relative(root).generic_string();
 }
 
 void set_include_root(ObjectEngine& implementation, const fs::path& root) {

@@ -231,15 +231,19 @@ class Connector {
       return side == Side::from ? "actions" : "observations";
     }
     std::vector<std::string> known = {side == Side::from ? "actions" : "observations"};
-    for (const auto& object : draft_.objects) known.push_back(object.name);
-    for (const auto& node : draft_.nodes) {
-      if (node.node.role == NodeRole::node) known.push_back(node.node.name);
+    // Only for those: a list for each of many would take a time that grows with their square.
+    for (std::size_t i = 0; unknown_.helps() && i < draft_.objects.size(); ++i)
+      known.push_back(draft_.objects[i].name);
+    for (std::size_t i = 0; unknown_.helps() && i < draft_.nodes.size(); ++i) {
+      const GraphNode& node = draft_.nodes[i].node;
+      if (node.role == NodeRole::node) known.push_back(node.name);
     }
     return unknown_.add(port, text.span, std::move(known));
   }
 
   /// A connection to `owner` is wrong, so its open ports on that side are not a second mistake.
   void excuse(const std::string& owner, Side side) {
+    if (owner.empty()) return;
     const auto owning = find_node(draft_, owner, side);
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
       const DraftNode& node = draft_.nodes[n];

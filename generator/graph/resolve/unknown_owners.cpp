@@ -10,8 +10,6 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::size_t kMostHelped = 100;  // nobody reads more, and each is compared with all names
-
 std::size_t elements_of(std::string_view array, const std::vector<std::string>& known) {
   const std::string begin = fmt::format("{}[", array);
   std::size_t count = 0;
@@ -34,7 +32,7 @@ std::string UnknownOwners::add(const PortName& port, Span span, std::vector<std:
     same->places.push_back({port.name, span});
     return same->near;
   }
-  if (unknown_.size() >= kMostHelped) known.clear();
+  if (!helps()) known.clear();
   const std::size_t elements = elements_of(port.owner, known);
   std::string near = elements > 0 ? std::string() : nearest(port.owner, known);
   unknown_.push_back({port.owner, {{port.name, span}}, std::move(known), elements, near});

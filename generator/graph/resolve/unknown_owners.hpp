@@ -16,6 +16,8 @@ class UnknownOwners {
  public:
   explicit UnknownOwners(Draft& draft) : draft_(draft) {}
 
+  /// Whether the next name that is unknown is compared with those that there are.
+  [[nodiscard]] bool helps() const { return unknown_.size() < kMostHelped; }
   /// Port `port` at `span` has an owner that is none of `known`. Returns the one that is meant, or
   /// nothing.
   std::string add(const PortName& port, Span span, std::vector<std::string> known);
@@ -24,6 +26,8 @@ class UnknownOwners {
   void report();
 
  private:
+  static constexpr std::size_t kMostHelped = 100;  // nobody reads more
+
   struct Place {
     std::string port;
     Span span;

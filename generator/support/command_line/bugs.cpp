@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 
 #include "generator/support/command_line/command_line.hpp"
 
@@ -35,6 +36,9 @@ int reporting_bugs(const char* program, const std::function<int()>& action) {
   static_cast<void>(std::signal(SIGABRT, on_abort));
   try {
     return action();
+  } catch (const std::bad_alloc&) {
+    write_error("error: there is not enough memory\n");
+    return kInputOutput;
   } catch (const std::exception& error) {
     static_cast<void>(
         std::fprintf(stderr, "error: this is a bug in %s: %s\n%s", program, error.what(), kHelp));

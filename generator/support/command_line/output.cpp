@@ -65,9 +65,11 @@ void report_output(const std::string& why, Diagnostics& diagnostics) {
 }
 
 void open_standard_descriptors() {
-  // open() gives the lowest number that is free. What is printed to a closed output fails.
+  // open() gives the lowest number that is free. What is printed to a closed output fails; errors
+  // have nowhere to go.
   for (int number = STDIN_FILENO; number <= STDERR_FILENO; ++number) {
-    if (fcntl(number, F_GETFD) == -1 && errno == EBADF && open("/dev/null", O_RDONLY) != number)
+    const int mode = number == STDERR_FILENO ? O_RDWR : O_RDONLY;
+    if (fcntl(number, F_GETFD) == -1 && errno == EBADF && open("/dev/null", mode) != number)
       std::_Exit(kInputOutput);
   }
 }

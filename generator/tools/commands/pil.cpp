@@ -12,6 +12,7 @@
 #include "generator/driver/build/targets.hpp"
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
+#include "generator/support/files/paths.hpp"
 #include "generator/support/process/process.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/pil/recording.hpp"
@@ -40,7 +41,7 @@ std::optional<std::string> record(const PilOptions& options, const std::string& 
     run.diagnostics.error("E0517", run.graph->span,
                           "the simulation has reset nodes, and a library has no reset routine");
   } else if (programs) {
-    std::vector<std::string> command = {fs::absolute(programs->back().image).string(), "--quiet",
+    std::vector<std::string> command = {absolute_path(programs->back().image).string(), "--quiet",
                                         "--trace", log};
     command.insert(command.end(), options.of_simulation.begin(), options.of_simulation.end());
     ProcessOptions expecting;

@@ -13,6 +13,7 @@
 #include "generator/driver/commands/one_run.hpp"
 #include "generator/frontend/read/text.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "generator/support/files/paths.hpp"
 #include "generator/support/process/process.hpp"
 #include "generator/support/quote/quote.hpp"
 #include "generator/tools/page/page.hpp"
@@ -154,7 +155,7 @@ std::optional<Json> ReportedTraining::run_episodes(const Run& run, const Generat
   for (const auto& [what, episode] : {std::pair("best", shown.best), {"worst", shown.worst}}) {
     logs.push_back(folder.path() + "/" + what + ".log");
     titles.push_back(title_of(what, episode));
-    why_not_ = run_again(fs::absolute(built->back().image).string(), episode, has_scene,
+    why_not_ = run_again(absolute_path(built->back().image).string(), episode, has_scene,
                          folder.path(), logs.back());
     if (!why_not_.empty()) return none;
   }

@@ -15,6 +15,7 @@
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/frontend/library/schema.hpp"
 #include "generator/support/files/files.hpp"
+#include "generator/support/files/paths.hpp"
 #include "generator/tools/commands/half_written.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/lsp/schema_view.hpp"
@@ -113,7 +114,7 @@ class ServeWorkshop final : public serve::Workshop {
     std::vector<std::string> words = {fs::read_symlink("/proc/self/exe", error).string()};
     for (const std::string& folder : options_.paths) {
       words.emplace_back("--path");
-      words.push_back(fs::absolute(folder).string());
+      words.push_back(absolute_path(folder).string());
     }
     return words;
   }

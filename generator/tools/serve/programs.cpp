@@ -1,6 +1,9 @@
 #include "generator/tools/serve/programs.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,10 +13,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <utility>
 
 #include "generator/support/diagnostics/search.hpp"
+#include "generator/support/files/paths.hpp"
 #include "generator/support/process/beside.hpp"
 #include "generator/tools/serve/status.hpp"
 
@@ -70,13 +75,41 @@ std::optional<fs::file_time_type> written_at(const std::string& path) {
   return error ? std::nullopt : std::optional(time);
 }
 
+constexpr const char* kFolder = "eagerx-gen-serve-";
+
+/// Folders of servers that were killed: each server locks its own for as long as it lives. What is
+/// younger than a minute may be one that is just being made.
+void remove_left_folders(const fs::path& place) {
+  constexpr time_t kYoungS = 60;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(place, error)) {
+    if (!entry.path().filename().string().starts_with(kFolder)) continue;
+    const int folder =
+        open(entry.path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
+    if (folder < 0) continue;
+    struct stat status {};
+    const bool is_left = fstat(folder, &status) == 0 && status.st_uid == geteuid() &&
+                         time(nullptr) - status.st_mtim.tv_sec > kYoungS &&
+                         flock(folder, LOCK_EX | LOCK_NB) == 0;
+    std::error_code ignored;
+    if (is_left) fs::remove_all(entry.path(), ignored);
+    close(folder);
+  }
+}
+
 }  // namespace
 
 Programs::Programs(std::vector<std::string> self, std::string graph)
-    : self_(std::move(self)), graph_(fs::absolute(std::move(graph)).string()) {
+    : self_(std::move(self)), graph_(absolute_path(std::move(graph)).string()) {
   std::error_code error;
-  std::string name = (fs::temp_directory_path(error) / "eagerx-gen-serve-XXXXXX").string();
-  if (!error && mkdtemp(name.data()) != nullptr) folder_ = name;
+  const fs::path place = fs::temp_directory_path(error);
+  if (error) return;
+  remove_left_folders(place);
+  std::string name = (place / (std::string(kFolder) + "XXXXXX")).string();
+  if (mkdtemp(name.data()) == nullptr) return;
+  folder_ = name;
+  lock_ = open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ >= 0) flock(lock_, LOCK_EX | LOCK_NB);
 }
 
 Programs::~Programs() {
@@ -84,6 +117,7 @@ Programs::~Programs() {
   if (thread_.joinable()) thread_.join();
   std::error_code ignored;
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  if (lock_ >= 0) close(lock_);
 }
 
 std::string Programs::place_of(const char* name) const {

@@ -58,6 +58,7 @@ class Programs {
   const std::vector<std::string> self_;
   const std::string graph_;
   std::string folder_;  // for what programs write for the page; empty: there is none yet
+  int lock_ = -1;       // of it, while this server lives
   std::mutex mutex_;
   std::condition_variable changed_;
   std::thread thread_;

@@ -266,6 +266,15 @@ bool is_dev_null(const struct stat& status) {
   return S_ISCHR(status.st_mode) && stat("/dev/null", &null) == 0 && status.st_rdev == null.st_rdev;
 }
 
+void open_standard_files() {
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
+    // The lowest that is free is this one. Errors have nowhere to go; a summary has to arrive.
+    const int mode = descriptor == STDOUT_FILENO ? O_RDONLY : O_RDWR;
+    static_cast<void>(::open("/dev/null", mode));
+  }
+}
+
 int print(std::FILE* out, std::string_view text) {
   errno = 0;
   const bool done =

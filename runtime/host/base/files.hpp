@@ -90,6 +90,10 @@ class FileLock {
 /// Where people send what they do not want.
 bool is_dev_null(const struct stat& status);
 
+/// Opens descriptors 0 to 2 on /dev/null where they are closed, so that no other file becomes one
+/// of them. A closed standard output stays one that cannot be written.
+void open_standard_files();
+
 /// Writes `text` to `out`, all of it, now.
 [[nodiscard]] int print(std::FILE* out, std::string_view text);
 

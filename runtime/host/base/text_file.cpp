@@ -15,6 +15,7 @@
 #include <runtime/host/base/files.hpp>
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/text_file.hpp>
+#include <system_error>
 #include <utility>
 #ifdef __SANITIZE_THREAD__
 #include <sanitizer/tsan_interface.h>
@@ -64,8 +65,11 @@ bool TextFile::open(const std::string& path, Writing writing) {
     if (file >= 0) ::close(file);
     return false;
   }
-  open(file, writing);
   owns_ = true;
+  if (!open(file, writing)) {
+    ::close(std::exchange(descriptor_, -1));
+    return false;
+  }
   replaces_ = status.st_size > 0;
   if (is_new) made_ = path;
   return true;
@@ -78,7 +82,7 @@ bool TextFile::open(int descriptor, Writing writing) {
   const bool is_regular = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   most_at_once_ = is_regular ? kBufferBytes : std::size_t{PIPE_BUF};
   start(writing);
-  return true;
+  return !failed();
 }
 
 void TextFile::start(Writing writing) {
@@ -88,7 +92,11 @@ void TextFile::start(Writing writing) {
   for (Buffer& buffer : buffers_) buffer.text = std::make_unique<char[]>(kBufferBytes);
   if (in_background) {
     empty_.release(kBackgroundBuffers - 1);  // all but the one that is being filled
-    writer_ = thread_without_signals([this] { write_in_background(); });
+    try {
+      writer_ = thread_without_signals([this] { write_in_background(); });
+    } catch (const std::system_error&) {
+      error_ = ENOMEM;  // there is no room for its stack, or no more threads
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 // eagerx-campaign LIBRARY: many episodes of a graph with its agent in the loop.
 #include <csignal>
+#include <runtime/host/base/files.hpp>
 #include <runtime/host/base/interrupt.hpp>
 
 #include "targets/environments/campaign/campaign.hpp"
@@ -60,5 +61,6 @@ int run(int argc, char** argv) {
 }  // namespace eagerx::campaign
 
 int main(int argc, char** argv) {
+  eagerx::host::open_standard_files();
   return eagerx::campaign::run(argc, argv);
 }

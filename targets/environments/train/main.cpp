@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <runtime/host/base/files.hpp>
 #include <runtime/host/base/interrupt.hpp>
 #include <string_view>
 #include <thread>
@@ -77,5 +78,6 @@ int run(int argc, char** argv) {
 }  // namespace eagerx::train
 
 int main(int argc, char** argv) {
+  eagerx::host::open_standard_files();
   return eagerx::train::run(argc, argv);
 }

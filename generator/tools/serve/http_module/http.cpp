@@ -2,7 +2,12 @@
 #include "generator/tools/serve/http.hpp"
 
 #include <httplib.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -28,6 +33,115 @@ Asked asked_of(const httplib::Request& request) {
 void put(httplib::Response& response, Answer answer) {
   response.status = answer.status;
   response.set_content(std::move(answer.body), answer.type.c_str());
+}
+
+/// A connection of which no more is read than a request has: the library itself takes lines, and as
+/// many of them, as somebody sends. Functions of all of its versions.
+class LimitedStream final : public httplib::Stream {
+ public:
+  explicit LimitedStream(int socket) : socket_(socket) {}
+
+  bool is_readable() const { return at_ < size_ || wait(POLLIN, kReadS); }
+  bool is_writable() const { return wait(POLLOUT, kWriteS); }
+  bool wait_readable() const { return is_readable(); }
+  bool wait_writable() const { return is_writable(); }
+  time_t duration() const { return 0; }
+  void get_remote_ip_and_port(std::string& ip, int& port) const { ip = "127.0.0.1", port = 0; }
+  void get_local_ip_and_port(std::string& ip, int& port) const { ip = "127.0.0.1", port = 0; }
+  socket_t socket() const { return socket_; }
+
+  ssize_t read(char* to, std::size_t size) {
+    if (at_ == size_ && !fill()) return is_over_ ? -1 : 0;
+    const std::size_t count = std::min(size, size_ - at_);
+    for (std::size_t i = 0; i < count; ++i) {
+      to[i] = bytes_[at_++];
+      if (!is_counted(to[i])) return -1;
+    }
+    return static_cast<ssize_t>(count);
+  }
+  ssize_t write(const char* from, std::size_t size) {
+    if (!is_writable()) return -1;
+    return send(socket_, from, size, MSG_NOSIGNAL);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kMostHead = std::size_t{32} << 10U;  // bytes
+  static constexpr std::chrono::seconds kHead{10};
+
+  bool wait(short what, int most_s) const {
+    constexpr int kMsPerS = 1000;
+    pollfd item{socket_, what, 0};
+    int count = -1;
+    while ((count = poll(&item, 1, most_s * kMsPerS)) < 0 && errno == EINTR) {
+    }
+    return count > 0;
+  }
+  bool fill() {
+    const bool is_late = in_head_ && Clock::now() - begun_ > kHead;
+    is_over_ = is_over_ || is_late || !wait(POLLIN, kReadS);
+    if (is_over_) return false;
+    const ssize_t count = recv(socket_, bytes_.data(), bytes_.size(), 0);
+    is_over_ = count < 0;
+    at_ = 0;
+    size_ = count > 0 ? static_cast<std::size_t>(count) : 0;
+    return count > 0;
+  }
+  /// False: it is one too many. A head ends with an empty line.
+  bool is_counted(char byte) {
+    const std::size_t most = in_head_ ? kMostHead : HttpServer::kMostBody;
+    is_over_ = is_over_ || ++count_ > most;
+    if (!in_head_) return !is_over_;
+    if (byte == '\n' && is_line_empty_) in_head_ = false, count_ = 0;
+    if (byte != '\r') is_line_empty_ = byte == '\n';
+    return !is_over_;
+  }
+
+  const int socket_;
+  const Clock::time_point begun_ = Clock::now();
+  std::array<char, 4096> bytes_{};
+  std::size_t at_ = 0, size_ = 0;
+  std::size_t count_ = 0;  // of head or body
+  bool in_head_ = true, is_line_empty_ = false, is_over_ = false;
+};
+
+/// One request a connection, from such a stream.
+class LimitedServer final : public httplib::Server {
+ public:
+  bool process_and_close_socket(socket_t socket) override {
+    LimitedStream stream(static_cast<int>(socket));
+    const bool good = process(*this, stream);
+    shutdown(static_cast<int>(socket), SHUT_RDWR);
+    ::close(static_cast<int>(socket));
+    return good;
+  }
+
+ private:
+  /// Newer versions of the library want addresses, too.
+  template <class Server>
+  static bool process(Server& server, httplib::Stream& stream) {
+    bool closed = false;
+    const std::string address = "127.0.0.1";
+    if constexpr (requires { server.process_request(stream, true, closed, nullptr); }) {
+      return server.process_request(stream, true, closed, nullptr);
+    } else {
+      return server.process_request(stream, address, 0, address, 0, true, closed, nullptr);
+    }
+  }
+};
+
+/// Why the body of a request is not looked at: of one that is packed or comes in pieces nobody
+/// knows how long it is. 0: it is.
+int refused_body(const httplib::Request& request) {
+  constexpr int kUnsupported = 415, kTooLarge = 413, kBad = 400;
+  if (request.has_header("Content-Encoding")) return kUnsupported;
+  if (request.has_header("Transfer-Encoding")) return kBad;
+  const std::string length = request.get_header_value("Content-Length");
+  if (length.find_first_not_of("0123456789") != std::string::npos) return kBad;
+  constexpr std::size_t kMostDigits = 7;
+  const bool is_long = length.size() > kMostDigits ||
+                       (!length.empty() && std::stoul(length) > HttpServer::kMostBody);
+  return is_long ? kTooLarge : 0;
 }
 
 class Httplib final : public HttpServer {
@@ -61,6 +175,8 @@ class Httplib final : public HttpServer {
     server_.set_pre_routing_handler(
         [&](const httplib::Request& request, httplib::Response& response) {
           auto refused = handler.refusal(asked_of(request));
+          if (const int status = refused_body(request); !refused && status != 0)
+            refused = handler.error(status);
           if (!refused) return Response::Unhandled;
           put(response, std::move(*refused));
           return Response::Handled;
@@ -85,7 +201,7 @@ class Httplib final : public HttpServer {
   }
 
  private:
-  httplib::Server server_;
+  LimitedServer server_;
 };
 
 }  // namespace

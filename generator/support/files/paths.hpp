@@ -1,0 +1,17 @@
+// Paths that are no longer relative.
+#pragma once
+
+#include <filesystem>
+#include <system_error>
+
+namespace eagerx::gen {
+
+/// The absolute path; as it is where the working folder has been deleted, so that what is done with
+/// it says that there is no such file.
+inline std::filesystem::path absolute_path(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::path result = std::filesystem::absolute(path, error);
+  return error ? path : result;
+}
+
+}  // namespace eagerx::gen
