@@ -37,7 +37,7 @@ std::string advice(std::string_view name) {
   if (name.starts_with("Random") || name == "Multinomial" || name == "Bernoulli") {
     return "export the deterministic action: call the policy with `deterministic=True`";
   }
-  if (name.find("Quantize") != std::string_view::npos || name.starts_with("QLinear")) {
+  if (name.find("uantize") != std::string_view::npos || name.starts_with("QLinear")) {
     return "export the actor before it is quantized; with `weights: int8` the generator rounds its "
            "weights to eight bits itself";
   }
