@@ -188,7 +188,7 @@ class Library {
     return result;
   }
 
-  static void check_states(const float* states) {
+  static void check_states(const void* states) {
     check_rows("states", states, Layout<Graph>::get().states.columns.numbers());
   }
 };

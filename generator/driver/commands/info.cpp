@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "generator/analysis/plausibility/plausibility.hpp"
 #include "generator/backend/emit/namer.hpp"
 #include "generator/driver/commands/arguments.hpp"
@@ -233,6 +236,22 @@ int graph_info(InfoOptions options) {
   return finish(run, options);
 }
 
+/// "did you mean `PidController`?" for `PID`: those that have it in their names, whatever the case.
+std::string names_with(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::size_t kShortest = 2, kMost = 8;
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  std::vector<std::string> found;
+  for (const std::string& name : known) {
+    if (word.size() >= kShortest && !std::ranges::search(name, word, same).empty())
+      found.push_back(fmt::format("`{}`", name));
+  }
+  if (found.empty() || found.size() > kMost) return "`eagerx-gen info` lists what there is";
+  return fmt::format("did you mean {}?", join(found, " or "));
+}
+
 int perform(const InfoOptions& options) {
   if (is_graph_file(options.entity)) return graph_info(options);
   if (options.flat) {
@@ -272,7 +291,7 @@ int perform(const InfoOptions& options) {
   for (const auto& [id, entity] : run.library.all_entities()) known.push_back(id);
   for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
   run.diagnostics.error("E0303", {}, fmt::format("unknown entity or target `{}`", options.entity))
-      .help = did_you_mean(options.entity, known, "`eagerx-gen info` lists what there is");
+      .help = did_you_mean(options.entity, known, names_with(options.entity, known));
   return finish(run, options);
 }
 

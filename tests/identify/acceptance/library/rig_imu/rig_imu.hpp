@@ -17,8 +17,8 @@ class RigImu {
   void callback(const eagerx::Tick& /*tick*/, const typename Io::Inputs& /*in*/,
                 typename Io::Outputs& out, Simulator& simulator) {
     using Message = std::remove_cvref_t<decltype(out.y)>;
-    const auto d = Simulator::Model::derivative(simulator.parameters, simulator.input,
-                                                simulator.state);
+    const auto d =
+        Simulator::Model::derivative(simulator.parameters, simulator.input, simulator.state);
     eagerx::element(out.y, 0) = static_cast<eagerx::ScalarOf<Message>>(d[1]);
   }
 };
