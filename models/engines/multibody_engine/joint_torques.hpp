@@ -20,6 +20,12 @@ template <class Real>
   return {a.now + b.now, a.slope + b.slope};
 }
 
+template <class Real>
+[[gnu::always_inline]] inline JointTorque<Real> operator*(const JointTorque<Real>& a,
+                                                          const Real& s) {
+  return {a.now * s, a.slope * s};
+}
+
 /// What an actuator wants of a joint, in the link's coordinate. Torques are N·m or N.
 template <class Real>
 struct JointDrive {
@@ -31,6 +37,8 @@ struct JointDrive {
   Real motor_velocity;  // dry friction is a motor that holds 0
   Real motor_torque;    // at most; 0: there is none
   Real applied;         // by the actuator in the last step
+  // Factors of the environment, 1 at first.
+  Real strength, stiffness_scale, damping_scale;
 };
 
 /// Stiffness and damping at the position and velocity of the end of the step. A torque beyond
@@ -39,8 +47,9 @@ template <class Real>
 [[gnu::always_inline]] inline JointTorque<Real> servo_torque(const JointDrive<Real>& drive,
                                                              const Real& q, const Real& v,
                                                              LaneOf<Real> dt) {
-  const Real slope = drive.damping + Real(dt) * drive.stiffness;
-  const Real wanted = drive.stiffness * (drive.position - q) - slope * v;
+  const Real stiffness = drive.stiffness * drive.stiffness_scale;
+  const Real slope = drive.damping * drive.damping_scale + Real(dt) * stiffness;
+  const Real wanted = stiffness * (drive.position - q) - slope * v;
   const auto inside = (wanted < drive.most) & (wanted > -drive.most);
   const Real zero(LaneOf<Real>(0));
   return {eagerx::max(eagerx::min(wanted, drive.most), -drive.most),

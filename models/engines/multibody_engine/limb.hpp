@@ -394,7 +394,9 @@ class Limb {
     const Real zero(Lane(0));
     const JointTorque<Real> servo = servo_torque(drive, q, v, dt);
     const auto has_servo = drive.most > zero;
-    record.drive[j] = {eagerx::select(has_servo, servo.now, drive.torque), servo.slope};
+    record.drive[j] =
+        JointTorque<Real>{eagerx::select(has_servo, servo.now, drive.torque), servo.slope} *
+        drive.strength;
     const Real needed = kSlides<j> ? dot(link.axis, link.force) : dot(link.axis, link.torque);
     JointTorque<Real> sum = record.drive[j];
     using Damping = typename Group::template Damping<j>;

@@ -90,6 +90,8 @@ class MultibodySimulator {
       if (kLinkOfJoint[j] != multibody::kNone)
         state_.drive[kLinkOfJoint[j]].motor_torque = number(Model::kJoints[j].friction);
     }
+    for (auto& drive : state_.drive)
+      drive.strength = drive.stiffness_scale = drive.damping_scale = one();
     state_.gravity = multibody::constant<Real>(gravity);
     input = {};
     if constexpr (parameter_count() > 0) {
@@ -139,6 +141,20 @@ class MultibodySimulator {
     if (!(mass > 0.0) || !eagerx::isfinite(mass)) return;
     state_.mass_scale[body] = number(mass / Model::kBodies[body].mass);
   }
+  /// Factors on what actuators do; those that are negative or not finite change nothing.
+  void set_strength(std::size_t joint, double factor) {
+    if (is_factor(factor)) state_.drive[link_of(joint)].strength = number(factor);
+  }
+  void set_gains(std::size_t joint, double stiffness, double damping) {
+    auto& drive = state_.drive[link_of(joint)];
+    if (is_factor(stiffness)) drive.stiffness_scale = number(stiffness);
+    if (is_factor(damping)) drive.damping_scale = number(damping);
+  }
+  /// Of the free body, from where the model has it [m].
+  void set_center_of_mass(std::size_t /*body*/, const Vector3& shift) {
+    state_.shift = vector(shift[0], shift[1], shift[2]);
+    state_.shifted = CountOf<Real>(1U);
+  }
   double mass(std::size_t body) const {
     return static_cast<double>(state_.mass_scale[body]) * Model::kBodies[body].mass;
   }
@@ -170,9 +186,9 @@ class MultibodySimulator {
   void set_joint_motor(std::size_t joint, const Real& velocity, const Real& torque) {
     const std::size_t link = link_of(joint);
     const Real friction = number(Model::kJoints[joint].friction);
-    const Real most = eagerx::min(finite(torque), strongest(joint)) - friction;
-    const auto works = most > zero();
     auto& drive = state_.drive[link];
+    const Real most = eagerx::min(finite(torque), strongest(joint)) * drive.strength - friction;
+    const auto works = most > zero();
     drive.motor_velocity = eagerx::select(works, finite(velocity) * signs(link), zero());
     drive.motor_torque = eagerx::select(works, most, friction);
   }
@@ -291,6 +307,7 @@ class MultibodySimulator {
     }
     return 0.0;
   }
+  static bool is_factor(double value) { return value >= 0.0 && eagerx::isfinite(value); }
   static Real number(double value) { return Real(static_cast<Lane>(value)); }
   static Real zero() { return Real(Lane(0)); }
   static Real one() { return Real(Lane(1)); }

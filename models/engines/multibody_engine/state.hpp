@@ -46,6 +46,8 @@ struct State : Motion<Model> {
   Vec<Real> gravity;
   Real mass_scale[kBodies];  // mass, in masses of the model
   Real friction[at_least_one(kGeometries)];
+  Vec<Real> shift;        // of the centre of mass of the free body, in its axes [m]
+  CountOf<Real> shifted;  // whether there is one
   // Forces on the centres of bodies, in the world's axes [N], and whether there is one.
   Vec<Real> outer[kBodies];
   CountOf<Real> pushed;
@@ -60,6 +62,25 @@ struct State : Motion<Model> {
     const Vec<Real>& push = outer[body];
     link.force = selected(here, link.force - push, link.force);
     link.torque = selected(here, link.torque - cross(link.axes * from, push), link.torque);
+  }
+  /// The free body with its centre of mass moved by `shift`; lane by lane, too.
+  [[gnu::always_inline]] void shift_base(Moving<Real>& base) const {
+    if (!any(shifted != CountOf<Real>(0U))) return;
+    const auto here = shifted != CountOf<Real>(0U);
+    const Vec<Real> r = base.axes * shift;
+    constexpr std::size_t kFree = free_body<Model>();
+    const Real mass = Real(static_cast<Lane>(Model::kBodies[kFree].mass)) * mass_scale[kFree];
+    // Its centre is the reference point, so that nothing but m·r² is added.
+    const Vec<Real> s = r * mass;
+    const Real xx = s.x * r.x, yy = s.y * r.y, zz = s.z * r.z;
+    Sym<Real>& i = base.inertia;
+    base.moment = selected(here, base.moment + s, base.moment);
+    i.xx = eagerx::select(here, i.xx + (yy + zz), i.xx);
+    i.yy = eagerx::select(here, i.yy + (xx + zz), i.yy);
+    i.zz = eagerx::select(here, i.zz + (xx + yy), i.zz);
+    i.xy = eagerx::select(here, i.xy - s.x * r.y, i.xy);
+    i.xz = eagerx::select(here, i.xz - s.x * r.z, i.xz);
+    i.yz = eagerx::select(here, i.yz - s.y * r.z, i.yz);
   }
   template <class Truth>
   [[gnu::always_inline]] static Vec<Real> selected(const Truth& where, const Vec<Real>& a,

@@ -97,6 +97,7 @@ class Step {
         using Part = typename BaseOf<Model>::template Part<part>;
         add_body<Part>(0, state_.mass_scale[Part::body(0)], base_);
       });
+      state_.shift_base(base_);
       set_forces(base_);
       if (state_.is_pushed()) {
         unrolled<bodies_on<Model>(kNone)>([&](auto part) __attribute__((always_inline)) {

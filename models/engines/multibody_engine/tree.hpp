@@ -102,6 +102,12 @@ constexpr std::size_t count_free() {
   return count;
 }
 template <class Model>
+constexpr std::size_t free_body() {
+  std::size_t b = 0;
+  while (parent_joint<Model>(b) != kNone) ++b;
+  return b;
+}
+template <class Model>
 constexpr bool hangs_on_world() {
   for (const auto& joint : Model::kJoints) {
     if (*joint.parent == '\0') return true;

@@ -66,6 +66,7 @@ class OpenDynamicsSimulator {
     for (std::size_t j = 0; j < kJoints; ++j) {
       anchor_[j] = Model::kJoints[j].anchor;
       turns_[j] = {};
+      factors_[j] = {1.0, 1.0, 1.0};
     }
     for (std::size_t g = 0; g < kGeometries; ++g) {
       shape_[g].friction = Model::kGeometries[g].friction;
@@ -138,6 +139,14 @@ class OpenDynamicsSimulator {
     const double scale = mass / nominal.mass;
     set_mass(body, mass, scale * nominal.inertia, scale * nominal.products);
   }
+  /// Factors on what actuators do; those that are negative or not finite change nothing.
+  void set_strength(std::size_t joint, double factor) {
+    if (is_factor(factor)) factors_[joint].strength = factor;
+  }
+  void set_gains(std::size_t joint, double stiffness, double damping) {
+    if (is_factor(stiffness)) factors_[joint].stiffness = stiffness;
+    if (is_factor(damping)) factors_[joint].damping = damping;
+  }
   void set_anchor(std::size_t joint, const Vector3& anchor) { anchor_[joint] = anchor; }
   void set_reference(std::size_t body, const Vector3& position) { reference_[body] = position; }
 
@@ -154,12 +163,13 @@ class OpenDynamicsSimulator {
     const double most = Model::kJoints[joint].max_torque;
     torque_[joint] = eagerx::max(-most, eagerx::min(finite(torque), most));
   }
-  double joint_torque(std::size_t joint) const { return torque_[joint]; }
+  double joint_torque(std::size_t joint) const { return torque_[joint] * factors_[joint].strength; }
   /// Makes hinge or slider move at `velocity` with `torque` at most (a force of sliders). One that
   /// is not stronger than the joint's friction does nothing.
   void set_joint_motor(std::size_t joint, double velocity, double torque) {
     const RigidJoint& of = Model::kJoints[joint];
-    const double most = eagerx::min(finite(torque), of.max_torque) - of.friction;
+    const double strength = factors_[joint].strength;
+    const double most = eagerx::min(finite(torque), of.max_torque) * strength - of.friction;
     set_joint_parameter(joint_[joint], of.kind, dParamVel, most > 0.0 ? finite(velocity) : 0.0);
     set_joint_parameter(joint_[joint], of.kind, dParamFMax, most > 0.0 ? most : of.friction);
   }
@@ -251,10 +261,9 @@ class OpenDynamicsSimulator {
       dBodyAddForce(body_[b], f[0], f[1], f[2]);
     }
     for (std::size_t j = 0; j < kJoints; ++j) {
-      if (servo_[j].max_torque > 0.0)
-        torque_[j] = servo_[j].torque(joint_position(j), joint_velocity(j));
+      const double applied = actuator_torque(j);
       const double damping = Model::kJoints[j].damping;
-      const double torque = damping > 0.0 ? torque_[j] - damping * joint_velocity(j) : torque_[j];
+      const double torque = damping > 0.0 ? applied - damping * joint_velocity(j) : applied;
       if (torque != 0.0) apply_torque(j, torque);
     }
   }
@@ -358,6 +367,17 @@ class OpenDynamicsSimulator {
     shape_[g].geom = create_geometry(space, Model::kGeometries[g], shape_[g].body, origin());
   }
 
+  static bool is_factor(double value) { return value >= 0.0 && eagerx::isfinite(value); }
+
+  double actuator_torque(std::size_t j) {
+    const ActuatorFactors& factors = factors_[j];
+    JointServo servo = servo_[j];
+    servo.stiffness *= factors.stiffness;
+    servo.damping *= factors.damping;
+    if (servo.max_torque > 0.0) torque_[j] = servo.torque(joint_position(j), joint_velocity(j));
+    return torque_[j] * factors.strength;
+  }
+
   void apply_torque(std::size_t j, double torque) {
     const Vector3 axis = rotate(parent_state(j).rotation, Model::kJoints[j].axis);
     const Vector3 t = torque * axis;
@@ -402,7 +422,11 @@ class OpenDynamicsSimulator {
   std::array<Vector3, kJoints> anchor_{};
   std::array<Vector3, kBodies> force_{};
   std::array<double, kJoints> torque_{};
+  struct ActuatorFactors {
+    double strength, stiffness, damping;
+  };
   std::array<JointServo, kJoints> servo_{};
+  std::array<ActuatorFactors, kJoints> factors_{};
   std::array<TurnCounter, kJoints> turns_{};
   std::array<Vector3, kBodies> velocity_before_{};  // at the engine's last tick
   double per_period_ = 0.0;

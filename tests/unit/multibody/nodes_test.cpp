@@ -4,12 +4,21 @@
 #include <cmath>
 #include <cstring>
 #include <eagerx/pack.hpp>
+#include <models/engine_states/body_center_of_mass/body_center_of_mass.hpp>
+#include <models/engine_states/joint_gains/joint_gains.hpp>
+#include <models/engine_states/joint_strength/joint_strength.hpp>
+#include <models/objects/two_link_arm/two_link_arm.hpp>
 
 #include "tests/unit/multibody/multibody_io.hpp"
 #include "tests/unit/multibody/robots.hpp"
 
 namespace eagerx::models::testing {
 namespace {
+
+struct RodsConfig {
+  static constexpr std::array<double, 2> masses = {1.0, 1.0};
+  static constexpr std::array<double, 2> lengths = {0.5, 0.5};
+};
 
 TEST(MultibodyNodes, MassAndForceMoveABody) {
   MultibodyScene<BoxOf<double>, WeightlessMultibody<20>> scene;
@@ -23,6 +32,43 @@ TEST(MultibodyNodes, MassAndForceMoveABody) {
   scene.simulator.set_force(0, {{0.0, 0.0, 0.0}});
   scene.run(1.0);
   EXPECT_NEAR(scene.simulator.twist(0)[1], 2.0, 1e-9);
+}
+
+TEST(MultibodyNodes, TheCentreOfMassMoves) {
+  MultibodyScene<BoxOf<double>, WeightlessMultibody<20>> scene;
+  scene.simulator.want_pose(0, {{0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0}});
+  scene.simulator.set_center_of_mass(0, {{0.0, 0.05, 0.0}});
+  scene.simulator.set_force(0, {{10.0, 0.0, 0.0}});  // in the model's centre
+  scene.reset();
+  scene.tick();
+  const double spin = 0.05 * 10.0 / BoxOf<double>::kBodies[0].inertia[2] * 0.02;
+  EXPECT_NEAR(scene.simulator.twist(0)[5], spin, 1e-3 * spin);
+  EXPECT_NEAR(scene.simulator.twist(0)[0] - 0.05 * spin, 10.0 / 2.0 * 0.02, 1e-3);
+}
+
+TEST(MultibodyNodes, StrengthAndGainsScaleActuators) {
+  using Rods = MultibodyScene<TwoLinkArm<ModelIo<double, RodsConfig>>, WeightlessMultibody<20>>;
+  const auto torques = [](double strength, double stiffness, double damping) {
+    Rods scene;
+    scene.simulator.set_strength(0, strength);
+    scene.simulator.set_strength(1, strength);
+    scene.simulator.set_gains(1, stiffness, damping);
+    scene.simulator.set_joint_torque(0, 2.0);
+    scene.simulator.want_joint(1, {{0.0, 0.0}, {10.0, 0.0}});
+    scene.simulator.set_joint_servo(1, {1.0, 5.0, 0.01, 100.0});
+    scene.reset();
+    scene.simulator.step(
+        {.stiffness = 0, .damping = 0, .slip_speed = 1, .correction = 0, .dt = 1e-6}, 1);
+    return std::array<double, 2>{scene.simulator.joint_torque(0), scene.simulator.joint_torque(1)};
+  };
+  const auto plain = torques(1.0, 1.0, 1.0), weak = torques(0.5, 1.0, 1.0);
+  EXPECT_NEAR(plain[0], 2.0, 1e-9);
+  EXPECT_NEAR(plain[1], 4.9, 1e-3);  // 5·1 − 0.01·10
+  EXPECT_NEAR(weak[0], 1.0, 1e-9);
+  EXPECT_NEAR(weak[1], 2.45, 1e-3);
+  EXPECT_NEAR(torques(1.0, 2.0, 1.0)[1], 9.9, 1e-3);
+  EXPECT_NEAR(torques(1.0, 1.0, 20.0)[1], 3.0, 1e-3);
+  EXPECT_EQ(torques(-1.0, std::nan(""), 1.0), plain);
 }
 
 TEST(MultibodyNodes, ForcesOnLinksActInTheirCentres) {

@@ -53,6 +53,21 @@ TEST(RigidNodes, JointsInTheOrderOfTheirNames) {
   EXPECT_NEAR(scene.simulator.joint_position(1), 0.5, 1e-7);
 }
 
+TEST(RigidNodes, StrengthAndGainsScaleActuators) {
+  const auto torques = [](double strength, double stiffness) {
+    ArmScene scene;
+    scene.simulator.set_strength(0, strength);
+    scene.simulator.set_gains(1, stiffness, 1.0);
+    scene.simulator.set_joint_torque(0, 2.0);
+    scene.simulator.set_joint_servo(1, {1e-3, 10.0, 0.0, 100.0});
+    scene.simulator.before_step();
+    return std::array<double, 2>{scene.simulator.joint_torque(0), scene.simulator.joint_torque(1)};
+  };
+  EXPECT_NEAR(torques(1.0, 1.0)[0], 2.0, 1e-12);
+  EXPECT_NEAR(torques(0.5, 1.0)[0], 1.0, 1e-12);
+  EXPECT_NEAR(torques(1.0, 3.0)[1], 0.03, 1e-12);
+}
+
 TEST(RigidNodes, PositionsAndVelocitiesOfJointsAreSetApart) {
   ArmScene scene;
   using Io = JointsIo<ArmScene::Simulator, 2>;
