@@ -38,11 +38,10 @@ TEST(Edit, TakesTheFixOfAHelpAndNotItsWords) {
 
 TEST(Edit, FixesGetTheirPlaces) {
   SourceMap sources;
-  const FileId file =
-      sources.add("g.yaml", "\xEF\xBB\xBFrate: 5 # \xF0\x9F\xA4\x96\na: {type: B}\n");
+  const FileId file = sources.add("g.yaml", "\xEF\xBB\xBFname: x\nrate: 5\nä: {type: B}\n");
   Diagnostics diagnostics;
-  diagnostics.error("E0202", {file, 2, 4, 1}, "no rate").help = {"add it", add_key("rate")};
-  diagnostics.error("E0203", {file, 2, 1, 1}, "no list").help = {"", change_list_to("1")};
+  diagnostics.error("E0202", {file, 3, 4, 1}, "no rate").help = {"add it", add_key("rate")};
+  diagnostics.error("E0203", {file, 3, 1, 1}, "no list").help = {"", change_list_to("1")};
   place_fixes(diagnostics, sources);
   ASSERT_EQ(diagnostics.all()[0].help.fixes.size(), 1U);
   const Fix& fix = diagnostics.all()[0].help.fixes.front();
@@ -50,7 +49,7 @@ TEST(Edit, FixesGetTheirPlaces) {
   EXPECT_FALSE(fix.certain);
   ASSERT_EQ(fix.edits.size(), 1U);
   EXPECT_EQ(fix.edits[0].text, ", rate: 5");
-  EXPECT_EQ(fix.edits[0].span.line, 2U);
+  EXPECT_EQ(fix.edits[0].span.line, 3U);
   EXPECT_EQ(fix.edits[0].span.column, 12U);
   EXPECT_EQ(fix.edits[0].span.length, 0U);
   EXPECT_TRUE(diagnostics.all()[1].help.fixes.empty()) << "no list stands there";
