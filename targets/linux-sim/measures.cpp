@@ -93,7 +93,7 @@ std::string Measures::read(const char* option, const std::string& written, expre
     const std::string what = formula.calculation.prepare(*typed, place_of);
     return what.empty() ? what : problem + what;
   }
-  const auto& [place, message, help] = *text.problem();
+  const auto& [place, message, help, mistyped] = *text.problem();
   return problem + "column " + std::to_string(place + 1) + ": " + message +
          (help.empty() ? "" : "\nhelp: " + help);
 }

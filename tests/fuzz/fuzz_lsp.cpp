@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "generator/tools/edit/helps.hpp"
+#include "generator/frontend/outline/fixes.hpp"
 #include "generator/tools/edit/rename_port.hpp"
 #include "generator/tools/lsp/complete.hpp"
 #include "generator/tools/lsp/fold.hpp"
@@ -76,15 +76,13 @@ void edits(const std::string& text, std::size_t at) {
   problem.span = {static_cast<FileId>(0), static_cast<std::uint32_t>(at % 7),
                   static_cast<std::uint32_t>(at % 11), static_cast<std::uint32_t>(at % 5)};
   problem.message = "`x.in` is wrong";
-  for (const char* const help :
-       {"did you mean `a`?", "write `1`", "put it in quotes", "leave the tag out",
-        "quotes make it a text: leave them out",
-        "add `processor: A` or `processor: B` to the connection",
-        "add a connection `{from: …, to: x.in}`", "add `config: {n: …}`: x",
-        "add it to `inputs:` of `x`", "add `skip: true` to one", "add `rate:`, its rate",
-        "else `allow: [E0203]`", "add `x` to that list", "write `", "add `", "did you mean `"}) {
-    problem.help = help;
-    for (const Help& each : helps_of(problem, text)) {
+  for (const Fix& fix :
+       {change_to("a"), change_number_to("1"), change_list_to("1"), leave_out(""), add_key("rate"),
+        add_key("n"), add_to_connection("processor", "A"), add_parameter("n"),
+        missing_connection("{from: …, to: x.in}").fixes.front(), add_to_list("x", "inputs", "x"),
+        skip_at({}, "a", "b"), allow_here("W0115"), set_in_graph("rate", "1")}) {
+    problem.help = {"", fix};
+    for (const TextFix& each : fixes_of(problem, text)) {
       for (const Splice& splice : each.edit.splices) {
         if (splice.place.begin > splice.place.end || splice.place.end > text.size()) std::abort();
       }

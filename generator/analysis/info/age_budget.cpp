@@ -128,7 +128,7 @@ class AgeBudget {
       problem.help =
           source ? "data arrive there: write it as `to:`" : "data begin there: write it as `from:`";
     } else if (!near.empty()) {
-      problem.help = fmt::format("did you mean `{}`?", near);
+      problem.help = meaning(near);
     } else {
       problem.help = all.empty() ? std::string("the graph has none")
                                  : fmt::format("there is {}", join(all, ", "));

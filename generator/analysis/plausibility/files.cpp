@@ -17,7 +17,7 @@ void check_files(const Judged& judged, Diagnostics& diagnostics) {
   const fs::path beside = fs::path(judged.spec.path).parent_path() / name;
   std::error_code error;
   if (fs::exists(name, error) || fs::exists(beside, error)) return;
-  const std::string help = help_for_missing(beside.string(), name);
+  const Help help = help_for_missing(beside.string(), name);
   diagnostics
       .warning("W0118", agent.file.span,
                fmt::format("there is no file `{}`, neither here nor beside the graph", name))

@@ -68,10 +68,12 @@ class Rates {
         "W0115", span,
         fmt::format("{} {} Hz, which is faster than controllers and their computers are", what,
                     rate_hz.to_string()));
+    const std::string in_hz = (rate_hz / Rational(1000)).to_string() + " Hz";
     problem.help = fmt::format(
-        "numbers without a unit are in Hz: write `rate: {} Hz` if that is meant; else `allow: "
+        "numbers without a unit are in Hz: write `rate: {}` if that is meant; else `allow: "
         "[W0115]`",
-        (rate_hz / Rational(1000)).to_string());
+        in_hz);
+    problem.help.fixes = {change_number_to(in_hz), allow_here("W0115")};
   }
   void check(const EntitySpec& entity, const std::string& what) {
     if (!entity.rate) return;

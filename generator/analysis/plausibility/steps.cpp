@@ -123,6 +123,7 @@ void check_steps(const Judged& judged, Diagnostics& diagnostics) {
     problem.help = fmt::format(
         "write `rate: {}` for the graph and call step() as often, or give {} a rate of at most {}",
         burst.rate_hz.to_string(), one ? "the node" : "the nodes", step_hz.to_string());
+    problem.help.fixes = {set_in_graph("rate", burst.rate_hz.to_string())};
   }
 }
 

@@ -86,7 +86,8 @@ void check_listed(const Selection& listed, const char* key, const std::string& o
         .warning("W0105", end.span,
                  fmt::format("`{}.{}` is connected, but `{}:` of `{}` leaves it out", object,
                              port.name, key, object))
-        .help = fmt::format("add `{}` to that list, or take the connection away", port.name);
+        .help = {fmt::format("add `{}` to that list, or take the connection away", port.name),
+                 add_to_list(port.name, key, object)};
   }
 }
 

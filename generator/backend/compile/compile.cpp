@@ -173,7 +173,7 @@ class CompileCheck {
     const std::size_t scope = missing.name.rfind("::");
     if (scope != std::string::npos && meant.find("::") == std::string::npos)
       meant = missing.name.substr(0, scope + 2) + meant;
-    problem.help = fmt::format("did you mean `{}`?", meant);
+    problem.help = meaning(meant);
   }
 
   bool compile_program() {

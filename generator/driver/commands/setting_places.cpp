@@ -47,7 +47,7 @@ bool SettingPlaces::report(std::string_view said, bool is_io, Diagnostics& diagn
   const std::string message(take(said, "error: ", "\nhelp: "));
   auto& problem = is_io ? diagnostics.io_error("E0206", found.front().second, message)
                         : diagnostics.error("E0206", found.front().second, message);
-  problem.help = said.substr(0, said.find_last_not_of('\n') + 1);
+  problem.help = std::string(said.substr(0, said.find_last_not_of('\n') + 1));
   for (const auto& [word, place] : std::span(found).subspan(1))
     problem.notes.push_back({fmt::format("`{}` stands here", setting_name(word)), place, ""});
   return true;

@@ -139,7 +139,7 @@ void check_key(Run& run, const PlacedPart& part, const std::vector<std::string>&
   const std::string key = key_of(part, words);
   std::error_code error;
   if (key.empty() || fs::exists(key, error)) return;
-  const std::string near = help_for_missing(key, key);
+  const std::string near = help_for_missing(key, key).text;
   run.diagnostics
       .error("E0518", part.span,
              fmt::format("there is no key `{}` for the line to part `{}`", key, part.name))

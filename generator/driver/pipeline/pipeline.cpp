@@ -9,6 +9,7 @@
 #include "generator/driver/pipeline/paths.hpp"
 #include "generator/frontend/compose/compose.hpp"
 #include "generator/frontend/compose/variants.hpp"
+#include "generator/frontend/outline/fixes.hpp"
 #include "generator/frontend/tables/tables.hpp"
 #include "generator/support/diagnostics/pages.hpp"
 #include "generator/support/diagnostics/search.hpp"
@@ -334,6 +335,7 @@ int finish(Run& run, const MessageOptions& options) {
   run.diagnostics.sort_by_place();
   if (options.quiet) run.diagnostics.drop_notes();
   if (options.json) {
+    place_fixes(run.diagnostics, run.sources);
     std::fputs(render_json(run.diagnostics, run.sources).c_str(), stderr);
   } else if (!run.diagnostics.all().empty()) {
     const bool terminal = isatty(STDERR_FILENO) == 1;

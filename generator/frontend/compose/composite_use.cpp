@@ -35,7 +35,7 @@ bool take_parameters(const Library& library, const YamlValue& settings, const En
     diagnostics
         .error("E0202", settings.span,
                fmt::format("missing key `rate`: nodes in `{}` run at it", entity.id.value))
-        .help = "add `rate:`, its rate in Hz";
+        .help = {"add `rate:`, its rate in Hz", add_key("rate")};
   }
   check_requirements(entity, config, rate != nullptr ? Rational::parse(rate->text) : std::nullopt,
                      span, diagnostics);

@@ -37,9 +37,8 @@ bool InnerPorts::is_there(const Spanned<std::string>& bound, const std::string& 
       "E0390", bound.span,
       fmt::format("there is no {} `{}` inside", sends ? "output" : "input", bound.value));
   const std::string near = nearest(name.name, *known);
-  problem.help = near.empty()
-                     ? "a port of a composite is bound to `NAME.PORT` of its own graph"
-                     : fmt::format("did you mean `{}.{}`?", parse_port(bound.value).owner, near);
+  problem.help = near.empty() ? "a port of a composite is bound to `NAME.PORT` of its own graph"
+                              : meaning(fmt::format("{}.{}", parse_port(bound.value).owner, near));
   return false;
 }
 
@@ -55,7 +54,7 @@ bool InnerPorts::has_port(const Spanned<std::string>& written, const std::string
       fmt::format("`{}` has no {} `{}`", name.owner, sends ? "output" : "input", name.name));
   const std::string near = nearest(name.name, *known);
   problem.help = near.empty() ? fmt::format("it has {}", join(*known, ", "))
-                              : fmt::format("did you mean `{}.{}`?", name.owner, near);
+                              : meaning(fmt::format("{}.{}", name.owner, near));
   return false;
 }
 

@@ -91,7 +91,7 @@ void report_unknown_inner(const Scope& scope, const YamlValue& graph, Diagnostic
                                       fmt::format("there is no `{}` inside", name));
     const std::string near = nearest(name, known);
     problem.help = near.empty() ? fmt::format("there is {}", join(known, ", "))
-                                : fmt::format("did you mean `{}.{}`?", near, states.front().key);
+                                : meaning(fmt::format("{}.{}", near, states.front().key));
   }
 }
 

@@ -23,8 +23,7 @@ std::vector<std::string> tunable_parameters(const Entity& entity) {
   return names;
 }
 
-void report(const YamlValue& item, std::string message, std::string help,
-            Diagnostics& diagnostics) {
+void report(const YamlValue& item, std::string message, Help help, Diagnostics& diagnostics) {
   diagnostics.error("E0396", item.span, std::move(message)).help = std::move(help);
 }
 
@@ -50,7 +49,7 @@ void take(YamlValue& nodes, const YamlValue& item, const Library& library,
                ? fmt::format("of a composite, name the parameter of a node inside: `{}.…`",
                              inside->key)
            : near.empty() ? "tunable are parameters of nodes: `controller.kp`"
-                          : fmt::format("did you mean `{}.{}`?", near, parameter),
+                          : meaning(fmt::format("{}.{}", near, parameter)),
            diagnostics);
     return;
   }
@@ -61,7 +60,7 @@ void take(YamlValue& nodes, const YamlValue& item, const Library& library,
   if (!contains(known, parameter)) {
     const std::string near = nearest(parameter, known);
     report(item, fmt::format("`{}` is no tunable parameter of `{}`", parameter, entity->id.value),
-           !near.empty()   ? fmt::format("did you mean `{}.{}`?", name, near)
+           !near.empty()   ? meaning(fmt::format("{}.{}", name, near))
            : known.empty() ? "its class takes none of its parameters at a reset"
                            : fmt::format("tunable are {}", join(known, ", ")),
            diagnostics);

@@ -9,14 +9,25 @@
 namespace eagerx::gen {
 namespace {
 
+/// Without escapes, on one line.
+bool is_as_written(const YamlValue& yaml) {
+  return yaml.span.length == yaml.text.size() + (yaml.quoted ? 2 : 0);
+}
+
 /// From `place` to the end of the text; all of it where it was written with escapes or over several
 /// lines.
 Span span_at(const YamlValue& yaml, std::size_t place) {
   const std::size_t quotes = yaml.quoted ? 2 : 0;
-  if (yaml.span.length != yaml.text.size() + quotes) return yaml.span;
+  if (!is_as_written(yaml)) return yaml.span;
   Span span = yaml.span;
   span.column += static_cast<std::uint32_t>(place + quotes / 2);
   span.length = static_cast<std::uint32_t>(std::max<std::size_t>(yaml.text.size() - place, 1));
+  return span;
+}
+
+Span span_of(const YamlValue& yaml, std::size_t place, const std::string& word) {
+  Span span = span_at(yaml, place);
+  span.length = static_cast<std::uint32_t>(word.size());
   return span;
 }
 
@@ -37,8 +48,11 @@ ExpressionNumber exact_number(const Expression& number) {
 bool report_problem(const ExpressionText& text, const YamlValue& yaml, const char* code,
                     Diagnostics& diagnostics) {
   if (text.good()) return false;
-  const auto& [place, message, help] = *text.problem();
-  diagnostics.error(code, span_at(yaml, place), message).help = help;
+  const auto& [place, message, help, mistyped] = *text.problem();
+  auto& problem = diagnostics.error(code, span_at(yaml, place), message);
+  problem.help = help;
+  if (!mistyped.meant.empty() && is_as_written(yaml))
+    problem.help.fixes = {change_word_to(mistyped.meant, span_of(yaml, place, mistyped.name))};
   return true;
 }
 

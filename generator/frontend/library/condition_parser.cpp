@@ -140,9 +140,8 @@ class Maker {
       return text_.good() ? port_fact(tree) : Type();
     }
     if (function != "len" && function != "increasing") {
-      text_.fail(tree.begin, fmt::format("unknown function `{}`", function),
-                 suggestion(function,
-                            {"abs", "min", "max", "len", "increasing", "size", "window", "dtype"}));
+      text_.fail_unknown(tree.begin, fmt::format("unknown function `{}`", function), function,
+                         {"abs", "min", "max", "len", "increasing", "size", "window", "dtype"});
       return {};
     }
     takes_one(tree);
@@ -191,8 +190,8 @@ class Maker {
 
   void check_choice(const Type& word, const Type& text) {
     if (text.choices == nullptr || contains(*text.choices, word.word)) return;
-    text_.fail(word.begin, fmt::format("`{}` is not one of its choices", word.word),
-               suggestion(word.word, *text.choices));
+    text_.fail_unknown(word.begin, fmt::format("`{}` is not one of its choices", word.word),
+                       word.word, *text.choices);
   }
 
   Type result(ConditionStep step, Type::Kind kind, std::size_t begin) {
@@ -294,8 +293,8 @@ class ConditionMaker : public Maker {
     collect("outputs", entity_.outputs);
     collect("states", entity_.states);
     if (found.empty()) {
-      text_.fail(begin, fmt::format("there is no input, output or state `{}`", written),
-                 suggestion(written, known));
+      text_.fail_unknown(begin, fmt::format("there is no input, output or state `{}`", written),
+                         written, known);
     } else if (found.size() > 1) {
       text_.fail(begin, fmt::format("`{}` could be two ports", written),
                  fmt::format("write {}", join(found, " or ")));
@@ -328,8 +327,7 @@ class ConditionMaker : public Maker {
     std::vector<std::string> known;
     for (const auto& parameter : entity_.config) known.push_back(parameter.name.value);
     if (has_rate()) known.emplace_back("rate");
-    text_.fail(word.begin, fmt::format("unknown name `{}`", word.word),
-               suggestion(word.word, known));
+    text_.fail_unknown(word.begin, fmt::format("unknown name `{}`", word.word), word.word, known);
   }
 
   const Entity& entity_;
@@ -360,12 +358,12 @@ class ExpressionMaker : public Maker {
     std::vector<std::string> known;
     for (const auto& [name, value] : references_) known.push_back(name);
     text_.fail(tree.begin, fmt::format("`{}` refers to nothing", reference),
-               did_you_mean(reference, known));
+               did_you_mean(reference, known).text);
   }
 
   Type port_fact(const Expression& call) override {
-    text_.fail(call.begin, fmt::format("unknown function `{}`", call.text),
-               suggestion(call.text, {"abs", "min", "max", "len"}));
+    text_.fail_unknown(call.begin, fmt::format("unknown function `{}`", call.text), call.text,
+                       {"abs", "min", "max", "len"});
     return {};
   }
 

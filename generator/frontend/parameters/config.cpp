@@ -102,14 +102,13 @@ class Reader {
 
  private:
   /// What to write for a number in the way of another language, or with a unit.
-  [[nodiscard]] std::string help_with_number(const YamlValue& yaml) const {
+  [[nodiscard]] Help help_with_number(const YamlValue& yaml) const {
     if (const auto foreign = yaml.is_scalar() ? foreign_number(yaml.text) : std::nullopt)
       return foreign->help;
     const Unit* unit = find_unit(parameter_.unit);
     if (unit == nullptr || !yaml.is_scalar() || take_unit_off(yaml.text).unit.empty()) return {};
     const std::string right = with_right_unit(yaml.text, unit->quantity);
-    return right.empty() ? fmt::format("its unit is {}", unit->name)
-                         : fmt::format("write `{}`", right);
+    return right.empty() ? Help(fmt::format("its unit is {}", unit->name)) : write_instead(right);
   }
 
   template <class T>
@@ -190,7 +189,7 @@ std::vector<std::string> report_unknown_parameters(const Entity& entity,
                           fmt::format("`{}` has no parameter `{}`", entity.id.value, setting.name));
     const std::string near = nearest(setting.name, known);
     if (!near.empty()) {
-      problem.help = fmt::format("did you mean `{}`?", near);
+      problem.help = meaning(near);
     } else if (known.empty()) {
       problem.help = fmt::format("`{}` has no parameters", entity.id.value);
     } else {
@@ -235,9 +234,10 @@ Config resolve_config(const Library& library, const Entity& entity,
           .error(
               "E0321", span,
               fmt::format("`{}` needs the parameter `{}`", entity.id.value, parameter.name.value))
-          .help =
+          .help = {
           fmt::format("add `config: {{{}: …}}`: {}{}", parameter.name.value, parameter.about,
-                      parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit));
+                      parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit)),
+          add_parameter(parameter.name.value)};
       continue;
     }
     const YamlValue read =

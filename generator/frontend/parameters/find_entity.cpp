@@ -43,7 +43,7 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
   const std::string near = nearest(id.value, known);
   constexpr std::size_t kMostListed = 8;
   if (!near.empty()) {
-    problem.help = fmt::format("did you mean `{}`?", near);
+    problem.help = meaning(near);
   } else if (!known.empty() && known.size() <= kMostListed) {
     problem.help =
         fmt::format("there is {}; folders of your own are given with `library:` or `--path`",

@@ -29,7 +29,7 @@ std::optional<std::string> with_decimal_point(std::string_view text) {
 
 std::optional<ForeignNumber> foreign_number(std::string_view text) {
   const auto meant = [](std::string number, std::string_view why) {
-    std::string help = fmt::format("write `{}`: {}", number, why);
+    Help help = write_instead(number, fmt::format(": {}", why));
     return ForeignNumber{std::move(number), std::move(help)};
   };
   if (auto point = with_decimal_point(text))

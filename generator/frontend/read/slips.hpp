@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "generator/support/diagnostics/fix.hpp"
+
 namespace eagerx::gen {
 
 /// "1.5" for "1,5", "-0.25 s" for "-0,25 s"; nullopt for what is no number with a decimal comma.
@@ -13,7 +15,7 @@ std::optional<std::string> with_decimal_point(std::string_view text);
 /// A number in the way of another language, and how it is written here.
 struct ForeignNumber {
   std::string number;
-  std::string help;  // "write `1000`: a number has no underscores"
+  Help help;  // "write `1000`: a number has no underscores"
 };
 /// "1,5" is 1.5, "0x32" is 50, "0100" is 100, "1_000" is 1000; nullopt for what is none of these.
 std::optional<ForeignNumber> foreign_number(std::string_view text);

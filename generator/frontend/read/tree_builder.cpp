@@ -87,7 +87,7 @@ std::string TreeBuilder::checked_tag(const Properties& properties, const std::st
         locator_.text().substr(properties.tag.begin, properties.tag.end - properties.tag.begin);
     report("E0108", locator_.span(properties.tag),
            fmt::format("tag `{}` has no meaning here", written))
-        .help = "leave the tag out";
+        .help = {"leave the tag out", leave_out("Leave the tag out")};
   }
   return tag;
 }
@@ -241,7 +241,7 @@ void TreeBuilder::report_bad_key(const YamlValue& key) {
   } else {
     report("E0111", key.span,
            fmt::format("`{}` means nothing in YAML and cannot be a key", key.text))
-        .help = "put it in quotes";
+        .help = {"put it in quotes", change_to(fmt::format("\"{}\"", key.text))};
   }
 }
 

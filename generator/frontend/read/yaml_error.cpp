@@ -117,8 +117,8 @@ bool report_anchor(const Failure& failure) {
       fmt::format("alias `{}` refers to an anchor that does not exist before it", written));
   const std::string near = nearest(written.substr(std::min<std::size_t>(1, written.size())),
                                    failure.builder.anchor_names());
-  error.help = near.empty() ? "put a text that begins with `*` in quotes"
-                            : fmt::format("did you mean `*{}`?", near);
+  error.help =
+      near.empty() ? Help("put a text that begins with `*` in quotes") : meaning("*" + near);
   return true;
 }
 

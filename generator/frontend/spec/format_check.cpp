@@ -23,7 +23,7 @@ Diagnostic& report_missing(const Field& field, Span span, const Format& format,
                            Diagnostics& diagnostics) {
   Diagnostic& problem = diagnostics.error(
       "E0202", span, fmt::format("missing key `{}` in {}", field.name, format.what));
-  problem.help = fmt::format("add `{}:`, {}", field.name, field.about);
+  problem.help = {fmt::format("add `{}:`, {}", field.name, field.about), add_key(field.name)};
   return problem;
 }
 
@@ -108,7 +108,7 @@ std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Forma
                                const std::vector<std::string>& known, std::set<std::string>& told,
                                Diagnostics& diagnostics) {
   const YamlValue::Entry& entry = yaml.entries[i];
-  const auto report = [&](std::string help) {
+  const auto report = [&](Help help) {
     diagnostics
         .error("E0201", entry.key_span,
                fmt::format("unknown key `{}` in {}", entry.key, format.what))
@@ -130,8 +130,8 @@ std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Forma
     if (told.insert(misplaced).second) report(misplaced);
     return {};
   }
-  report(near.empty() ? fmt::format("{} has the keys {}", format.what, join(known, ", "))
-                      : fmt::format("did you mean `{}`?", near));
+  report(near.empty() ? Help(fmt::format("{} has the keys {}", format.what, join(known, ", ")))
+                      : meaning(near));
   return near;
 }
 

@@ -31,7 +31,7 @@ std::string mapping_text(const Format& format) {
 }
 
 /// What to write in place of a list, a mapping or one value, where another of these is expected.
-std::string other_form(const YamlValue& yaml, const Format& format) {
+Help other_form(const YamlValue& yaml, const Format& format) {
   using Kind = Format::Kind;
   const auto any_is = [&](auto&& fits) {
     return format.kind != Kind::one_of
@@ -46,7 +46,10 @@ std::string other_form(const YamlValue& yaml, const Format& format) {
   const bool value = any_is([&](const Format& one) { return !is_mapping(one) && !is_list(one); });
   if (yaml.is_sequence() && value) {
     const bool has_one = yaml.items.size() == 1 && yaml.items.front().is_scalar();
-    if (has_one) return fmt::format("write `{}`, without brackets or a dash", yaml.items[0].text);
+    if (has_one) {
+      const std::string& one = yaml.items[0].text;
+      return {fmt::format("write `{}`, without brackets or a dash", one), change_list_to(one)};
+    }
     return mapping ? "" : "it takes one value, no list";
   }
   if (yaml.is_map() && list) return "write a list: `[…]`, or lines that begin with a dash";
@@ -70,13 +73,15 @@ bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagno
                       format.kind == Format::Kind::decimal || format.kind == Format::Kind::number ||
                       format.kind == Format::Kind::boolean || format.kind == Format::Kind::memory;
   if (number && yaml.is_scalar() && yaml.quoted)
-    problem.help = "quotes make it a text: leave them out";
+    problem.help = {"quotes make it a text: leave them out", change_to(yaml.text)};
   if (problem.help.empty()) problem.help = other_form(yaml, format);
   if (!yaml.is_scalar() || yaml.quoted) return false;
   if (const auto foreign = foreign_number(yaml.text)) {
     problem.help = foreign->help;
   } else if (const auto glued = mapping ? glued_key(yaml.text) : std::nullopt) {
     problem.help = glued->help;
+    if (yaml.text.find(':') != std::string::npos)
+      problem.help.fixes = {change_to(fmt::format("{}: {}", glued->key, glued->value))};
   }
   return false;
 }
@@ -193,9 +198,9 @@ bool check_unit(const YamlValue& yaml, const Format& format, Diagnostics& diagno
                                     describe(yaml), with_article(unit->quantity))
                       : fmt::format("`{}` is not a unit of {}", shortened(name), wanted));
   const std::string right = with_right_unit(yaml.text, format.quantity);
-  problem.help = right.empty() ? fmt::format("units of {} are {}", wanted,
-                                             join(units_of(format.quantity), ", "))
-                               : fmt::format("write `{}`", right);
+  problem.help = !right.empty() ? write_instead(right)
+                                : fmt::format("units of {} are {}", wanted,
+                                              join(units_of(format.quantity), ", "));
   return false;
 }
 
@@ -238,8 +243,8 @@ bool check_memory(const YamlValue& yaml, const Format& format, Diagnostics& diag
   const std::string right = with_right_unit_of_memory(yaml.text);
   diagnostics
       .error("E0209", yaml.span, fmt::format("`{}` is not a unit of memory", shortened(unit)))
-      .help = right.empty() ? fmt::format("units of memory are {}", join(units_of_memory(), ", "))
-                            : fmt::format("write `{}`", right);
+      .help = !right.empty() ? write_instead(right)
+                             : fmt::format("units of memory are {}", join(units_of_memory(), ", "));
   return false;
 }
 

@@ -131,7 +131,7 @@ AgentSpec read_node_policy(const YamlValue& yaml) {
 }
 
 /// Help for a node that says nothing of what it runs: perhaps a variant means another of `nodes`.
-std::string help_for_nothing_to_run(const std::string& name, const YamlValue& nodes) {
+Help help_for_nothing_to_run(const std::string& name, const YamlValue& nodes) {
   std::vector<std::string> others;
   for (const auto& other : nodes.entries)
     if (other.value.find("type") != nullptr || other.value.find("policy") != nullptr)

@@ -28,9 +28,10 @@ bool report_decimal_comma(const std::vector<YamlValue::Entry>& entries, std::siz
   if (!meant || second.column <= first.column) return false;
   Span span = first;
   span.length = second.column + second.length - first.column;
-  diagnostics.error("E0203", span, fmt::format("expected a number, found `{}`", text)).help =
+  diagnostics.error("E0203", span, fmt::format("expected a number, found `{}`", text)).help = {
       fmt::format("write `{}: {}`: a number has a decimal point, and a comma ends it", before.key,
-                  *meant);
+                  *meant),
+      change_to(*meant)};
   return true;
 }
 

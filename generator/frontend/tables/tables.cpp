@@ -158,7 +158,7 @@ class TableReader {
     constexpr std::size_t kMostListed = 12;
     const std::string near = nearest(column.text, names);
     if (!near.empty()) {
-      problem.help = fmt::format("did you mean `{}`?", near);
+      problem.help = meaning(near);
     } else if (names.empty()) {
       problem.help = fmt::format("it has no names; write a number from 1 to {}", width);
     } else if (names.size() <= kMostListed) {

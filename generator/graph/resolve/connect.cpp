@@ -156,8 +156,9 @@ class Connector {
       const char* section = sends ? "outputs" : "inputs";
       diagnostics()
           .error("E0307", text.span, fmt::format("`{}` is not selected", text.value))
-          .help =
-          fmt::format("add it to `{}:` of `{}`, or leave that key out", section, port.owner);
+          .help = {
+          fmt::format("add it to `{}:` of `{}`, or leave that key out", section, port.owner),
+          add_to_list(port.name, section, port.owner)};
       return;
     }
     if (environment) {
@@ -217,7 +218,7 @@ class Connector {
     const std::string near = nearest(port.name, known);
     problem.help = near.empty()
                        ? suggestion(port.name, known, fmt::format("it {} no messages", verb))
-                       : fmt::format("did you mean `{}.{}`?", port.owner, near);
+                       : meaning(fmt::format("{}.{}", port.owner, near));
   }
 
   /// Also what stands at the wrong end. Returns the owner that was meant.
@@ -309,7 +310,7 @@ class Connector {
           continue;
         auto& problem = diagnostics().error("E0310", input.span,
                                             fmt::format("`{}` is not connected", input.written));
-        problem.help = fmt::format("add a connection `{{from: …, to: {}}}`", input.written);
+        problem.help = missing_connection(fmt::format("{{from: …, to: {}}}", input.written));
         if (node.node.role == NodeRole::engine_node) {
           problem.help += ": a sensor in use depends on it, or it is listed in `actuators:`";
         } else {
@@ -329,7 +330,7 @@ class Connector {
       diagnostics()
           .error("E0310", actions[i].span,
                  fmt::format("`actions.{}` is not connected", actions[i].name))
-          .help = fmt::format("add a connection `{{from: actions.{}, to: …}}`", actions[i].name);
+          .help = missing_connection(fmt::format("{{from: actions.{}, to: …}}", actions[i].name));
     }
   }
 

@@ -105,11 +105,14 @@ void check_cycles(Draft& draft) {
     // cycle[i] waits for cycle[i + 1]; the last one waits for the first.
     std::vector<Span> places;
     std::vector<std::string> sources, names;
+    std::vector<Fix> fixes;
     for (std::size_t i = 0; i < cycle.size(); ++i) {
       const DraftInput& input = connection_between(draft, cycle[(i + 1) % cycle.size()], cycle[i]);
       places.push_back(input.span);
       sources.push_back(source_name(draft, *input.edge));
       names.push_back(fmt::format("{} -> {}", sources.back(), input.written));
+      if (input.span.file == places.front().file)
+        fixes.push_back(skip_at(input.span, sources.back(), input.written));
     }
     auto& problem = draft.diagnostics.error(
         "E0314", places.front(),
@@ -127,6 +130,8 @@ void check_cycles(Draft& draft) {
                        places.size() - kMostNotes, names.back()),
            places.back(), ""});
     problem.help = help_for(draft, cycle, names.front());
+    fixes.resize(std::min(fixes.size(), kMostNotes + 1));
+    if (cycle.front() != Graph::kEnvironment) problem.help.fixes = std::move(fixes);
   }
 }
 

@@ -51,7 +51,8 @@ void report_left_out(const Selection& components, const std::vector<PortManifest
     diagnostics
         .error("E0310", spec.name.span,
                fmt::format("`{}.{}` cannot be left out", spec.name.value, name))
-        .help = fmt::format("add it to `{}:`, as `{}` needs it", section, spec.type.value);
+        .help = {fmt::format("add it to `{}:`, as `{}` needs it", section, spec.type.value),
+                 add_to_list(name, std::string(section), spec.name.value)};
   }
 }
 

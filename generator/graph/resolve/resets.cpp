@@ -131,7 +131,8 @@ class ResetTargetResolver {
         "E0307", from.span,
         exists ? fmt::format("`{}` is not among the states of `{}`", state, name)
                : fmt::format("`{}` has no state `{}`", owner.entity->id.value, state));
-    problem.help = exists ? fmt::format("add it to `states:` of `{}`", name)
+    problem.help = exists ? Help(fmt::format("add it to `states:` of `{}`", name),
+                                 add_to_list(state, "states", name))
                           : suggestion(state, known, "it has no states in this graph");
     return std::nullopt;
   }
@@ -207,8 +208,9 @@ class ResetTargetResolver {
     if (tried) return;
     diagnostics()
         .error("E0310", node.node.span, fmt::format("`{}` has no target", node.node.name))
-        .help = fmt::format("add a connection `{{from: object.states.name, to: {}.targets.{}}}`",
-                            node.node.name, entity->reset_targets.front().name.value);
+        .help =
+        missing_connection(fmt::format("{{from: object.states.name, to: {}.targets.{}}}",
+                                       node.node.name, entity->reset_targets.front().name.value));
   }
 
   Draft& draft_;

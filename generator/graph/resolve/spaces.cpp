@@ -298,6 +298,9 @@ class SpaceResolver {
                        ? fmt::format("no processor makes {} of it: connect something that fits",
                                      describe(takes))
                        : fmt::format("add `{}` to the connection", join(processors, "` or `"));
+    constexpr std::string_view kKey = "processor: ";
+    for (const std::string& each : processors)
+      problem.help.fixes.push_back(add_to_connection("processor", each.substr(kKey.size())));
   }
 
   /// Everything is connected and no space was refused, so what is missing was never written.

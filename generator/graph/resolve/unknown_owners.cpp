@@ -74,7 +74,7 @@ void UnknownOwners::report_used(const Unknown& unknown, const Place& place) {
         "`{0}` has {1}: write `\"{0}[*].{2}\"` for all of them, or `\"{0}[0].{2}\"` for one",
         unknown.owner, counted(unknown.elements, "element"), place.port);
   } else if (!unknown.near.empty()) {
-    problem.help = fmt::format("did you mean `{}.{}`?", unknown.near, place.port);
+    problem.help = meaning(fmt::format("{}.{}", unknown.near, place.port));
   } else if (!unknown.known.empty()) {
     problem.help = fmt::format("there is {}", join(unknown.known, ", "));
   }

@@ -12,8 +12,9 @@
 namespace eagerx::gen {
 namespace {
 
-std::string message(const std::string& error, const std::string& help) {
-  return fmt::format("error: {}\n{}", error, help.empty() ? "" : fmt::format("help: {}\n", help));
+std::string message(const std::string& error, const Help& help) {
+  return fmt::format("error: {}\n{}", error,
+                     help.empty() ? "" : fmt::format("help: {}\n", help.text));
 }
 
 /// The command that the arguments had got to, and what was typed to get there.
@@ -87,7 +88,7 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
 
 std::string not_a_choice(const std::string& word, const std::vector<std::string>& choices) {
   const std::string list = fmt::format("there is {}", join(choices, ", "));
-  return fmt::format("`{}` is not possible\n{}", word, did_you_mean(word, choices, list));
+  return fmt::format("`{}` is not possible\n{}", word, did_you_mean(word, choices, list).text);
 }
 
 std::string not_a_command(const CLI::App& app, const std::string& word) {

@@ -6,19 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/support/diagnostics/fix.hpp"
+#include "generator/support/diagnostics/span.hpp"
+
 namespace eagerx::gen {
-
-/// Index of a file in a SourceMap.
-enum class FileId : std::uint32_t { none = 0xffffffffU };
-
-/// A place in a file. Lines and columns count from 1, columns in code points; line 0 means the
-/// whole file.
-struct Span {
-  FileId file = FileId::none;
-  std::uint32_t line = 0;
-  std::uint32_t column = 0;
-  std::uint32_t length = 0;  // code points on that line
-};
 
 /// The texts that spans point into. A file is added once and stays.
 class SourceMap {
@@ -72,7 +63,7 @@ struct Diagnostic {
   Span span;
   std::string label;
   std::vector<Note> notes;
-  std::string help;
+  Help help;
   bool io = false;     // true: could not read or write (exit code 3)
   bool usage = false;  // true: the command line is wrong (exit code 2)
 };
@@ -113,6 +104,7 @@ class Diagnostics {
   [[nodiscard]] bool has_io_errors() const { return io_errors_ > 0; }
   [[nodiscard]] bool has_usage_errors() const { return usage_errors_ > 0; }
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
+  [[nodiscard]] std::vector<Diagnostic>& all() { return all_; }
 
  private:
   std::vector<Diagnostic> all_;
@@ -130,19 +122,5 @@ std::vector<Diagnostic::Note> notes_with_uses(const Diagnostic& diagnostic,
 std::string render_text(const Diagnostics& diagnostics, const SourceMap& sources, bool color);
 /// One JSON array, one object a diagnostic.
 std::string render_json(const Diagnostics& diagnostics, const SourceMap& sources);
-
-/// The candidate nearest to `word` (Damerau-Levenshtein, at most a third of the letters wrong, case
-/// ignored at no cost), or empty.
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
-/// "did you mean `…`?" with the nearest one, or `otherwise`.
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
-                         std::string otherwise = {});
-/// The nearest one, if it is meant, and `otherwise` if it is not: "did you mean `…`? If it is
-/// another one, …".
-std::string did_you_mean_or(std::string_view word, const std::vector<std::string>& candidates,
-                            const std::string& otherwise);
-/// did_you_mean(), or "there is A, B, C", or `none` if there are no candidates.
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
-                       const std::string& none = {});
 
 }  // namespace eagerx::gen

@@ -70,7 +70,7 @@ class TextRenderer {
     if (!diagnostic.help.empty()) {
       constexpr std::size_t kIndent = 6;  // under the text after "help: "
       text_ += fmt::format("{}help{}: {}\n", palette_.help, palette_.off,
-                           indent_lines(diagnostic.help, kIndent));
+                           indent_lines(diagnostic.help.text, kIndent));
     }
     text_ += '\n';
   }

@@ -47,7 +47,7 @@ std::vector<std::string> entries_of_folder(const std::string& path) {
   return names;
 }
 
-std::string help_for_missing(const std::string& path, const std::string& written) {
+Help help_for_missing(const std::string& path, const std::string& written) {
   constexpr std::size_t kFew = 3;
   std::error_code error;
   const fs::path file(path);
@@ -55,12 +55,12 @@ std::string help_for_missing(const std::string& path, const std::string& written
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const fs::path mentioned = fs::path(written).parent_path();
   if (!fs::is_directory(folder, error))
-    return mentioned.empty() ? std::string() : "there is no folder `" + mentioned.string() + "`";
+    return mentioned.empty() ? "" : "there is no folder `" + mentioned.string() + "`";
   const std::vector<std::string> names = entries_of_folder(folder.string());
   const auto as_written = [&](const std::string& name) { return (mentioned / name).string(); };
   const std::string near =
       host::nearest_name(file.filename().string(), with_near_stem(file, names));
-  if (!near.empty()) return "did you mean `" + as_written(near) + "`?";
+  if (!near.empty()) return meaning(as_written(near));
   const std::vector<std::string> alike = of_one_kind(file, names);
   if (alike.empty() || alike.size() > kFew) return {};
   std::string all;

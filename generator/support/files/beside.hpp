@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/support/diagnostics/fix.hpp"
+
 namespace eagerx::gen {
 
 /// Names of what is in a folder, sorted; none if there is no such folder. At most 1000 are read.
@@ -12,6 +14,6 @@ std::vector<std::string> entries_of_folder(const std::string& path);
 /// Of a file or folder at `path` that is not there, and is called `written` where it is named: "did
 /// you mean `…`?" with the nearest name beside it, the few files of its kind that are there, or the
 /// folder that is not there either. Empty: nothing helps, or there is something at `path`.
-std::string help_for_missing(const std::string& path, const std::string& written);
+Help help_for_missing(const std::string& path, const std::string& written);
 
 }  // namespace eagerx::gen

@@ -13,12 +13,12 @@
 
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
+#include "generator/frontend/outline/fixes.hpp"
+#include "generator/frontend/outline/lines.hpp"
 #include "generator/frontend/read/tree.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
-#include "generator/tools/edit/helps.hpp"
-#include "generator/tools/outline/lines.hpp"
 #include "generator/tools/serve/graph_file.hpp"
 
 namespace eagerx::gen {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "generator/tools/outline/outline.hpp"
+#include "generator/frontend/outline/outline.hpp"
 
 namespace eagerx::gen {
 

@@ -14,12 +14,12 @@
 #include "generator/driver/pipeline/paths.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/frontend/library/schema.hpp"
+#include "generator/frontend/outline/outline.hpp"
 #include "generator/support/files/files.hpp"
 #include "generator/support/files/paths.hpp"
 #include "generator/tools/commands/half_written.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/lsp/schema_view.hpp"
-#include "generator/tools/outline/outline.hpp"
 #include "generator/tools/page/page.hpp"
 
 namespace eagerx::gen {

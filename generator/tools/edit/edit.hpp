@@ -6,24 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/frontend/outline/splice.hpp"
 #include "generator/support/diagnostics/diagnostics.hpp"
-#include "generator/tools/outline/outline.hpp"
 
 namespace eagerx::gen {
-
-/// `text` takes the place of some bytes.
-struct Splice {
-  Bytes place;
-  std::string text;
-};
-
-struct Edit {
-  std::string reason;  // as a button would say it: "Change to `theta`"
-  std::vector<Splice> splices;
-};
-
-/// The text with all splices that do not overlap an earlier one of the list.
-std::string applied(std::string_view text, std::vector<Splice> splices);
 
 /// Every place that names an object or a node: its key, its ports in connections, what is set,
 /// limited, placed, measured or shown of it, also in variants. Empty: there is none of this name.

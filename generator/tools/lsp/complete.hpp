@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/frontend/outline/outline.hpp"
 #include "generator/tools/lsp/ports.hpp"
 #include "generator/tools/lsp/resolved.hpp"
-#include "generator/tools/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

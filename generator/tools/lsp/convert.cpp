@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "generator/frontend/outline/lines.hpp"
 #include "generator/tools/edit/words.hpp"
-#include "generator/tools/outline/lines.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {
@@ -78,7 +78,7 @@ std::optional<Position> position_in(const Json* json) {
 Json diagnostic_json(const Diagnostic& diagnostic, std::string_view text) {
   std::string message = diagnostic.message;
   if (!diagnostic.label.empty()) message += ": " + diagnostic.label;
-  if (!diagnostic.help.empty()) message += "\nhelp: " + diagnostic.help;
+  if (!diagnostic.help.empty()) message += "\nhelp: " + diagnostic.help.text;
   const bool is_error = diagnostic.severity == Severity::error;
   const bool is_warning = diagnostic.severity == Severity::warning;
   return Json{{"range", range_of(text, bytes_of(text, diagnostic.span))},

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/frontend/outline/outline.hpp"
 #include "generator/support/diagnostics/diagnostics.hpp"
 #include "generator/support/json/json.hpp"
 #include "generator/tools/edit/edit.hpp"
@@ -14,7 +15,6 @@
 #include "generator/tools/lsp/fold.hpp"
 #include "generator/tools/lsp/resolved.hpp"
 #include "generator/tools/lsp/text.hpp"
-#include "generator/tools/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

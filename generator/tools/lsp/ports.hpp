@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/frontend/outline/outline.hpp"
 #include "generator/tools/lsp/schema_view.hpp"
-#include "generator/tools/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

@@ -4,14 +4,14 @@
 #include <array>
 #include <utility>
 
+#include "generator/frontend/outline/fixes.hpp"
+#include "generator/frontend/outline/lines.hpp"
 #include "generator/support/diagnostics/search.hpp"
 #include "generator/support/files/uri.hpp"
-#include "generator/tools/edit/helps.hpp"
 #include "generator/tools/edit/rename_port.hpp"
 #include "generator/tools/lsp/convert.hpp"
 #include "generator/tools/lsp/errors.hpp"
 #include "generator/tools/lsp/server.hpp"
-#include "generator/tools/outline/lines.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {
@@ -149,14 +149,14 @@ Json Server::actions(const Document& document, const Json& params) {
     if (file == FileId::none || document.sources.name(file) != document.path) continue;
     const Bytes place = bytes_of(document.text, each.span);
     if (place.end < asked.begin || place.begin > asked.end) continue;
-    for (const Help& help : helps_of(each, document.text)) {
+    for (const TextFix& fix : fixes_of(each, document.text)) {
       Json diagnostics = Json::list();
       diagnostics.push_back(diagnostic_json(each, document.text));
-      result.push_back(Json{{"title", help.edit.reason},
+      result.push_back(Json{{"title", fix.edit.reason},
                             {"kind", "quickfix"},
-                            {"isPreferred", help.is_certain},
+                            {"isPreferred", fix.is_certain},
                             {"diagnostics", std::move(diagnostics)},
-                            {"edit", edit_json(help.edit, document.uri, document.text)}});
+                            {"edit", edit_json(fix.edit, document.uri, document.text)}});
     }
   }
   return result;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/tools/outline/outline.hpp"
+#include "generator/frontend/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/frontend/outline/outline.hpp"
 #include "generator/support/json/json.hpp"
-#include "generator/tools/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

@@ -6,10 +6,10 @@
 #include <initializer_list>
 #include <utility>
 
+#include "generator/frontend/outline/lines.hpp"
 #include "generator/support/files/uri.hpp"
 #include "generator/tools/lsp/convert.hpp"
 #include "generator/tools/lsp/errors.hpp"
-#include "generator/tools/outline/lines.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/frontend/outline/outline.hpp"
 #include "generator/support/json/json.hpp"
 #include "generator/tools/edit/edit.hpp"
 #include "generator/tools/lsp/analyst.hpp"
 #include "generator/tools/lsp/text.hpp"
-#include "generator/tools/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

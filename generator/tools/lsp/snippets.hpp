@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "generator/frontend/outline/outline.hpp"
 #include "generator/tools/lsp/ports.hpp"
-#include "generator/tools/outline/outline.hpp"
 
 namespace eagerx::gen::lsp {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "generator/frontend/outline/lines.hpp"
 #include "generator/support/diagnostics/utf8.hpp"
-#include "generator/tools/outline/lines.hpp"
 
 namespace eagerx::gen::lsp {
 namespace {

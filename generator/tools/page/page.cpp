@@ -47,7 +47,7 @@ Json diagnostics_json(const PageContents& contents) {
     list.push_back(Json{{"severity", name_of(problem.severity)},
                         {"code", problem.code},
                         {"message", problem.message},
-                        {"help", problem.help},
+                        {"help", problem.help.text},
                         {"notes", std::move(notes)},
                         {"line", place.line},
                         {"column", place.column},

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "generator/tools/edit/helps.hpp"
+#include "generator/frontend/outline/fixes.hpp"
 #include "generator/tools/serve/graph_file.hpp"
 #include "generator/tools/serve/state_json.hpp"
 #include "generator/tools/serve/status.hpp"

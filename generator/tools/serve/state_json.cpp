@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "generator/frontend/outline/fixes.hpp"
+#include "generator/frontend/outline/lines.hpp"
 #include "generator/support/diagnostics/utf8.hpp"
-#include "generator/tools/edit/helps.hpp"
-#include "generator/tools/outline/lines.hpp"
 
 namespace eagerx::gen::serve {
 namespace {
@@ -198,7 +198,7 @@ Json problems_json(const Workshop::Checked& checked, const std::string& path,
       place = has_own ? checked.sources.place_in(own, place) : Span{};
     }
     Json json{{"code", problem.code},       {"severity", name_of(problem.severity)},
-              {"message", problem.message}, {"help", problem.help},
+              {"message", problem.message}, {"help", problem.help.text},
               {"notes", std::move(notes)},  {"line", place.line},
               {"column", place.column},     {"length", place.length}};
     const bool has_place = place.line > 0;

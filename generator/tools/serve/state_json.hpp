@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "generator/frontend/outline/outline.hpp"
 #include "generator/support/json/json.hpp"
-#include "generator/tools/outline/outline.hpp"
 #include "generator/tools/serve/workshop.hpp"
 
 namespace eagerx::gen::serve {

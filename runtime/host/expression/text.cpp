@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/expression/text.hpp>
 #include <utility>
 
@@ -130,7 +131,15 @@ std::string Text::next() {
 }
 
 void Text::fail(std::size_t place, std::string message, std::string help) {
-  if (good()) problem_ = {place, std::move(message), std::move(help)};
+  if (good()) problem_ = {place, std::move(message), std::move(help), {}};
+}
+
+void Text::fail_unknown(std::size_t place, std::string message, const std::string& name,
+                        const std::vector<std::string>& known) {
+  if (!good()) return;
+  problem_ = {place, std::move(message), host::suggestion(name, known), {}};
+  if (std::string near = host::nearest_name(name, known); !near.empty())
+    problem_->mistyped = {name, std::move(near)};
 }
 
 Text::Nested::Nested(Text& text) : text_(text) {

@@ -10,11 +10,16 @@
 
 namespace eagerx::expression {
 
+/// A name that stands there, and the one that was probably meant; both empty: there is none.
+struct Mistyped {
+  std::string name, meant;
+};
 /// What is wrong, and from which byte of the text on.
 struct Problem {
   std::size_t place = 0;
   std::string message;
   std::string help;  // empty: nothing to say
+  Mistyped mistyped = {};
 };
 
 /// After the first problem nothing can be taken any more, so that only that one is told of.
@@ -49,6 +54,9 @@ class Text {
 
   /// A problem at this place.
   void fail(std::size_t place, std::string message, std::string help = {});
+  /// One of a name that is not among `known`.
+  void fail_unknown(std::size_t place, std::string message, const std::string& name,
+                    const std::vector<std::string>& known);
 
   /// Counts how deep a descent is, so that no text can exhaust the stack.
   struct Nested {

@@ -148,13 +148,12 @@ class Typer {
 
   void report_unknown(const Expression& tree) {
     std::string help = names_.help ? names_.help(tree.text) : std::string();
-    if (help.empty()) {
-      std::vector<std::string> known;
-      for (const Variable& variable : names_.variables) known.push_back(variable.name);
-      known.insert(known.end(), {"time", "pi"});
-      help = host::suggestion(tree.text, known);
-    }
-    fail(tree.begin, "unknown name " + quoted(tree.text), std::move(help));
+    std::string message = "unknown name " + quoted(tree.text);
+    if (!help.empty()) return fail(tree.begin, std::move(message), std::move(help));
+    std::vector<std::string> known;
+    for (const Variable& variable : names_.variables) known.push_back(variable.name);
+    known.insert(known.end(), {"time", "pi"});
+    text_.fail_unknown(tree.begin, std::move(message), tree.text, known);
   }
 
   Typed element(const Expression& tree) {
@@ -288,7 +287,7 @@ class Typer {
     std::vector<std::string> known = {"sum", "norm",     "mean",   "min",
                                       "max", "angle_of", "before", "where"};
     for (const Function& each : kFunctions) known.emplace_back(each.name);
-    fail(tree.begin, "unknown function " + quoted(name), host::suggestion(name, known));
+    text_.fail_unknown(tree.begin, "unknown function " + quoted(name), name, known);
     return {};
   }
 

@@ -15,7 +15,7 @@ TEST(RenderJson, EveryFieldInStableOrder) {
   Diagnostic& error = diagnostics.error("E1", {file, 2, 3, 4}, "say \"hi\"\n");
   error.label = "l";
   error.notes.push_back({"n", {}, "nl"});
-  error.help = "h";
+  error.help = {"h", change_to("x")};
   EXPECT_EQ(render_json(diagnostics, sources), R"([
   {
     "severity": "error",
@@ -36,6 +36,23 @@ TEST(RenderJson, EveryFieldInStableOrder) {
       }
     ],
     "help": "h",
+    "fixes": [
+      {
+        "title": "Change to `x`",
+        "certain": true,
+        "edits": [
+          {
+            "span": {
+              "file": "a.yaml",
+              "line": 2,
+              "column": 3,
+              "length": 4
+            },
+            "text": "x"
+          }
+        ]
+      }
+    ],
     "io": false
   }
 ]

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "generator/tools/edit/helps.hpp"
+#include "generator/frontend/outline/fixes.hpp"
+#include "generator/frontend/outline/lines.hpp"
 #include "generator/tools/edit/rename_port.hpp"
-#include "generator/tools/outline/lines.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -18,18 +18,41 @@ TEST(Edit, SplicesStayWhereTheyWere) {
             "xwo");  // overlaps, and past the end
 }
 
-TEST(Edit, TakesTheHelpAtItsWord) {
+TEST(Edit, TakesTheFixOfAHelpAndNotItsWords) {
   const std::string text = "a: \xF0\x9F\xA4\x96\nb: thetta\n";
   Diagnostic problem;
   problem.span = {static_cast<FileId>(0), 2, 4, 6};
   EXPECT_FALSE(fix_of(problem, text));
   problem.help = "did you mean `theta`?";
+  EXPECT_FALSE(fix_of(problem, text));
+  problem.help = meaning("theta");
+  EXPECT_EQ(problem.help.text, "did you mean `theta`?");
+  problem.help.text = "in other words";
   const auto fix = fix_of(problem, text);
   ASSERT_TRUE(fix);
   EXPECT_EQ(fix->reason, "Change to `theta`");
   EXPECT_EQ(applied(text, fix->splices), "a: \xF0\x9F\xA4\x96\nb: theta\n");
   problem.span.length = 0;
   EXPECT_FALSE(fix_of(problem, text));
+}
+
+TEST(Edit, FixesGetTheirPlaces) {
+  SourceMap sources;
+  const FileId file = sources.add("g.yaml", "\xEF\xBB\xBFname: x\nrate: 5\nä: {type: B}\n");
+  Diagnostics diagnostics;
+  diagnostics.error("E0202", {file, 3, 4, 1}, "no rate").help = {"add it", add_key("rate")};
+  diagnostics.error("E0203", {file, 3, 1, 1}, "no list").help = {"", change_list_to("1")};
+  place_fixes(diagnostics, sources);
+  ASSERT_EQ(diagnostics.all()[0].help.fixes.size(), 1U);
+  const Fix& fix = diagnostics.all()[0].help.fixes.front();
+  EXPECT_EQ(fix.title, "Add `rate: 5`");
+  EXPECT_FALSE(fix.certain);
+  ASSERT_EQ(fix.edits.size(), 1U);
+  EXPECT_EQ(fix.edits[0].text, ", rate: 5");
+  EXPECT_EQ(fix.edits[0].span.line, 3U);
+  EXPECT_EQ(fix.edits[0].span.column, 12U);
+  EXPECT_EQ(fix.edits[0].span.length, 0U);
+  EXPECT_TRUE(diagnostics.all()[1].help.fixes.empty()) << "no list stands there";
 }
 
 TEST(Edit, LinesAreCountedInCodePoints) {
@@ -101,67 +124,55 @@ std::string part(std::string_view text, Bytes place) {
   return std::string(text.substr(place.begin, place.end - place.begin));
 }
 
-/// The text with the first help of a diagnostic at `word`.
-std::string helped(const std::string& text, const std::string& word, const std::string& help,
-                   const std::string& code = "E0203", const std::string& message = "") {
+/// The text with a fix of a diagnostic at `word`.
+std::string fixed(const std::string& text, const std::string& word, const Fix& fix) {
   const std::size_t at = text.find(word);
   Diagnostic problem;
-  problem.code = code;
-  problem.message = message;
-  problem.help = help;
+  problem.help = {"", fix};
   const auto line = static_cast<std::uint32_t>(
       std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
   const std::size_t begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
   problem.span = {static_cast<FileId>(0), line + 1, static_cast<std::uint32_t>(at - begin + 1),
                   static_cast<std::uint32_t>(word.size())};
-  if (code[0] == 'W') problem.severity = Severity::warning;
-  const auto helps = helps_of(problem, text);
-  return helps.empty() ? "" : applied(text, helps.front().edit.splices);
+  const auto fixes = fixes_of(problem, text);
+  return fixes.empty() ? "" : applied(text, fixes.front().edit.splices);
 }
 
-TEST(Helps, AreWrittenAsTheLinesAround) {
-  EXPECT_EQ(helped("rate: 30hz\n", "30hz", "write `30 Hz`", "E0209"), "rate: 30 Hz\n");
-  EXPECT_EQ(helped("rate: 30hz\n", "30hz", "write `30 Hz`", "E0999"), "");
-  EXPECT_EQ(helped("a: '1'\n", "'1'", "quotes make it a text: leave them out"), "a: 1\n");
-  EXPECT_EQ(helped("a: !x 1\n", "!x", "leave the tag out", "E0108"), "a: 1\n");
+TEST(Fixes, AreWrittenAsTheLinesAround) {
+  EXPECT_EQ(fixed("rate: 30hz\n", "30hz", change_to("30 Hz")), "rate: 30 Hz\n");
+  EXPECT_EQ(fixed("a: !x 1\n", "!x", leave_out("")), "a: 1\n");
   const std::string block =
       "connections:\n  - from: a.b # c\n    to: c.d # e\r\n  - {from: x.y, to: z.w}\n";
-  EXPECT_EQ(helped(block, "c.d", "add `processor: P` to the connection", "E0306"),
+  EXPECT_EQ(fixed(block, "c.d", add_to_connection("processor", "P")),
             "connections:\n  - from: a.b # c\n    to: c.d # e\n    processor: P\r\n  - {from: x.y, "
             "to: z.w}\n");
-  EXPECT_EQ(helped(block, "z.w", "add `processor: P` or `processor: Q` to the connection", "E0306"),
+  EXPECT_EQ(fixed(block, "z.w", add_to_connection("processor", "P")),
             "connections:\n  - from: a.b # c\n    to: c.d # e\r\n  - {from: x.y, to: z.w, "
             "processor: P}\n");
-  EXPECT_EQ(helped("nodes:\n  a: {}\n", "a:", "add a connection `{from: …, to: a.b}`", "E0310"),
+  EXPECT_EQ(fixed(block, "z.w", add_to_connection("to", "P")), "");
+  const Fix connection = missing_connection("{from: …, to: a.b}").fixes.front();
+  EXPECT_EQ(fixed("nodes:\n  a: {}\n", "a:", connection),
             "nodes:\n  a: {}\nconnections:\n  - {from: , to: a.b}\n");
-  EXPECT_EQ(helped("connections: [{from: x.y, to: z.w}]", "x.y",
-                   "add a connection `{from: …, to: a.b}`", "E0310"),
+  EXPECT_EQ(fixed("connections: [{from: x.y, to: z.w}]", "x.y", connection),
             "connections: [{from: x.y, to: z.w}, {from: , to: a.b}]");
-  EXPECT_EQ(
-      helped("rate: 5\nnodes:\n  a: {type: B}\n", "{", "add `rate:`, its rate in Hz", "E0202"),
-      "rate: 5\nnodes:\n  a: {type: B, rate: 5}\n");
-  EXPECT_EQ(helped("nodes:\n  a:\n    type: B\n", "type", "add `rate:`, its rate in Hz", "E0202"),
+  EXPECT_EQ(fixed("rate: 5\nnodes:\n  a: {type: B}\n", "{", add_key("rate")),
+            "rate: 5\nnodes:\n  a: {type: B, rate: 5}\n");
+  EXPECT_EQ(fixed("nodes:\n  a:\n    type: B\n", "type", add_key("rate")),
             "nodes:\n  a:\n    type: B\n    rate: \n");
-  EXPECT_EQ(helped("nodes:\n  a: {type: B}\n", "a:", "add `config: {n: …}`: samples", "E0321"),
+  EXPECT_EQ(fixed("nodes:\n  a: {type: B}\n", "a:", add_parameter("n")),
             "nodes:\n  a: {type: B, config: {n: }}\n");
-  EXPECT_EQ(helped("nodes:\n  a: {type: B, config: {}}\n", "a:", "add `config: {n: …}`: samples",
-                   "E0321"),
+  EXPECT_EQ(fixed("nodes:\n  a: {type: B, config: {}}\n", "a:", add_parameter("n")),
             "nodes:\n  a: {type: B, config: {n: }}\n");
   EXPECT_EQ(
-      helped("objects:\n  p: {type: P, sensors: [x]}\nconnections:\n  - {from: p.y, to: q.z}\n",
-             "p.y", "add it to `sensors:` of `p`, or leave that key out", "E0307"),
+      fixed("objects:\n  p: {type: P, sensors: [x]}\nconnections:\n  - {from: p.y, to: q.z}\n",
+            "p.y", add_to_list("y", "sensors", "p[0]")),
       "objects:\n  p: {type: P, sensors: [x, y]}\nconnections:\n  - {from: p.y, to: q.z}\n");
-  EXPECT_EQ(helped("rate: 400000\n", "400000",
-                   "numbers without a unit are in Hz: write `rate: 400 Hz` if that is meant; else "
-                   "`allow: [W0115]`",
-                   "W0115"),
-            "rate: 400 Hz\n");
-}
-
-TEST(Helps, SayNothingWhereThereIsNothingToWrite) {
-  for (const char* const help :
-       {"", "add `", "write `", "choose another name", "add `…` to the connection"})
-    EXPECT_EQ(helped("a: b\n", "b", help), "") << help;
+  EXPECT_EQ(fixed("rate: 400000\n", "400000", change_number_to("400 Hz")), "rate: 400 Hz\n");
+  EXPECT_EQ(fixed("rate: $(x)\n", "$(x)", change_number_to("400 Hz")), "");
+  EXPECT_EQ(fixed("rate: 5\na: 1\n", "1", set_in_graph("rate", "10")), "rate: 10\na: 1\n");
+  EXPECT_EQ(fixed("a: {delay: [5 ms], b: 1}\n", "[", change_list_to("5 ms")),
+            "a: {delay: 5 ms, b: 1}\n");
+  EXPECT_EQ(fixed("a: 1\n", "1", allow_here("W0115")), "a: 1\nallow: [W0115]\n");
 }
 
 constexpr const char* kManifest = R"(kind: object

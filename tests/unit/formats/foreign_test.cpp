@@ -28,7 +28,7 @@ TEST_P(ForeignFiles, AreNamedAsWhatTheyAre) {
   const Diagnostic diagnostic = test::read_bad(GetParam().bytes);
   EXPECT_EQ(diagnostic.code, "E0603");
   EXPECT_EQ(diagnostic.message, "policy `policy.onnx` is "s + GetParam().message);
-  EXPECT_EQ(diagnostic.help, GetParam().way + "; "s + kKnownFormats);
+  EXPECT_EQ(diagnostic.help.text, GetParam().way + "; "s + kKnownFormats);
 }
 
 /// A pickle of protocol `version` that makes an object of `module` and class `name`.
@@ -106,7 +106,7 @@ TEST(ForeignTables, AreNamedByTheirTensors) {
   Diagnostic diagnostic =
       test::read_bad(test::safetensors({{"params.Dense_0.kernel", {1, 1}, {1}}}));
   test::expect_problem(diagnostic, "E0624", "as Flax and Keras do: `params.Dense_0.kernel`");
-  EXPECT_EQ(diagnostic.help, kJaxWay);
+  EXPECT_EQ(diagnostic.help.text, kJaxWay);
   diagnostic = test::read_bad(test::safetensors({{"gru.Wx", {3, 1}, {1, 1, 1}}}));
   test::expect_problem(diagnostic, "E0624", "has a memory of MLX: `gru.Wx`");
 }

@@ -98,7 +98,7 @@ TEST(OnnxErrors, OpsetFromAnotherTime) {
   builder.model.mutable_opset_import(0)->set_version(6);
   const Diagnostic diagnostic = read_bad(builder.bytes());
   expect_named(diagnostic, "E0605", "opset 6");
-  EXPECT_EQ(diagnostic.help, "export it with an `opset_version` from 9 to 23");
+  EXPECT_EQ(diagnostic.help.text, "export it with an `opset_version` from 9 to 23");
 }
 
 TEST(OnnxErrors, NoOutput) {
@@ -176,8 +176,9 @@ TEST(OnnxErrors, UnsupportedOperatorIsNamedWithTheSupportedOnes) {
   builder.graph().mutable_node(1)->set_op_type("Softsign");
   const Diagnostic diagnostic = read_bad(builder.bytes());
   expect_named(diagnostic, "E0612", "operator `Softsign`");
-  EXPECT_THAT(diagnostic.help, HasSubstr("Identity, LSTM, LayerNormalization, LeakyRelu, Less, "
-                                         "LessOrEqual, LogSoftmax, MatMul, Max, MaxPool"));
+  EXPECT_THAT(diagnostic.help.text,
+              HasSubstr("Identity, LSTM, LayerNormalization, LeakyRelu, Less, "
+                        "LessOrEqual, LogSoftmax, MatMul, Max, MaxPool"));
 }
 
 TEST(OnnxErrors, QuantizedModelsAreToBeExportedBefore) {
@@ -201,7 +202,7 @@ TEST(OnnxErrors, StochasticActor) {
   builder.graph().mutable_output(0)->set_name("noisy");
   const Diagnostic diagnostic = read_bad(builder.bytes());
   expect_named(diagnostic, "E0612", "RandomNormalLike");
-  EXPECT_THAT(diagnostic.help, HasSubstr("deterministic=True"));
+  EXPECT_THAT(diagnostic.help.text, HasSubstr("deterministic=True"));
 }
 
 TEST(OnnxErrors, OperatorUsedInAWayThatIsNotALayer) {

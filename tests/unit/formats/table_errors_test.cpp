@@ -245,7 +245,7 @@ TEST(Pickle, CodeIsRefusedByName) {
   bytes += std::string("X\x04\0\0\0true\x85R.", 12);
   const Diagnostic diagnostic = read_bad(test::zip({{"archive/data.pkl", bytes}}));
   expect_problem(diagnostic, "E0622", "imports `os.system`");
-  EXPECT_THAT(diagnostic.help, HasSubstr("it was not run"));
+  EXPECT_THAT(diagnostic.help.text, HasSubstr("it was not run"));
   // The same by protocol 4's way.
   bytes = std::string("\x80\x04\x8c\x08") + "builtins" + "\x8c\x04" + "eval" + "\x93" + ".";
   expect_problem(read_bad(test::zip({{"archive/data.pkl", bytes}})), "E0622",

@@ -1,4 +1,4 @@
-#include "generator/tools/outline/outline.hpp"
+#include "generator/frontend/outline/outline.hpp"
 
 #include <gtest/gtest.h>
 

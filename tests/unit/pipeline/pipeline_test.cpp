@@ -55,7 +55,7 @@ TEST_F(Pipeline, AProblemThatListsWhatThereIsIsSaidOfTheWholeLibrary) {
   EXPECT_FALSE(make(run, options));
   EXPECT_TRUE(run.library.whole);
   ASSERT_EQ(run.diagnostics.all().size(), 1U);
-  EXPECT_EQ(run.diagnostics.all().front().help, "did you mean `OdeEngine`?");
+  EXPECT_EQ(run.diagnostics.all().front().help.text, "did you mean `OdeEngine`?");
 }
 
 TEST_F(Pipeline, ALibraryOfEnvironmentsHasTheWholeOfAPlacedGraph) {

@@ -172,7 +172,7 @@ TEST(Receptions, TheDelayThatIsRecommendedWorksAndNoLongerOneDoes) {
   for_each_connection([&](const Connection& c, std::uint32_t window, bool source_first) {
     Diagnostics diagnostics;
     if (plan_reception(input_of(c, window), ends_of(c, source_first), diagnostics)) return;
-    const std::string& help = diagnostics.all().front().help;
+    const std::string& help = diagnostics.all().front().help.text;
     const std::string begin = "shorten the delay to at most ";
     if (!help.starts_with(begin)) return;
     const Rational longest =

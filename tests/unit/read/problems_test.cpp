@@ -110,7 +110,7 @@ TEST(Problems, Tags) {
 
 TEST(Problems, Aliases) {
   expect_error("a: &anchor 1\nb: *ancor\n", "E0109", "2:4+6", "does not exist");
-  EXPECT_EQ(Reading("a: &anchor 1\nb: *ancor\n").diagnostics.all().at(0).help,
+  EXPECT_EQ(Reading("a: &anchor 1\nb: *ancor\n").diagnostics.all().at(0).help.text,
             "did you mean `*anchor`?");
   expect_error("a: *b\nc: &b 1\n", "E0109", "1:4+2", "does not exist before it");
   expect_error("a: &a [1, *a]\n", "E0109", "1:11+2", "refers to a value that contains it");

@@ -69,16 +69,17 @@ TEST_F(FilesTest, WhatIsForgottenIsNotInTheWay) {
 
 TEST_F(FilesTest, AMissingFileHasANearNameOrAFewOfItsKindOrNoFolder) {
   const std::string graph = folder_.file("graph.yaml", "x");
-  EXPECT_EQ(help_for_missing(graph, "graph.yaml"), "");
-  EXPECT_EQ(help_for_missing(at("grahp.yaml"), "sub/grahp.yaml"), "did you mean `sub/graph.yaml`?");
-  EXPECT_EQ(help_for_missing(at("grap.yml"), "grap.yml"), "did you mean `graph.yaml`?");
-  EXPECT_EQ(help_for_missing(at("x.yaml"), "x.yaml"), "there is `graph.yaml`");
-  EXPECT_EQ(help_for_missing(at("x.onnx"), "x.onnx"), "");
-  EXPECT_EQ(help_for_missing(at("no/graph.yaml"), "no/graph.yaml"), "there is no folder `no`");
+  EXPECT_EQ(help_for_missing(graph, "graph.yaml").text, "");
+  EXPECT_EQ(help_for_missing(at("grahp.yaml"), "sub/grahp.yaml").text,
+            "did you mean `sub/graph.yaml`?");
+  EXPECT_EQ(help_for_missing(at("grap.yml"), "grap.yml").text, "did you mean `graph.yaml`?");
+  EXPECT_EQ(help_for_missing(at("x.yaml"), "x.yaml").text, "there is `graph.yaml`");
+  EXPECT_EQ(help_for_missing(at("x.onnx"), "x.onnx").text, "");
+  EXPECT_EQ(help_for_missing(at("no/graph.yaml"), "no/graph.yaml").text, "there is no folder `no`");
   // A long end makes nothing near.
   const std::string other = folder_.file("a.manifest", "x");
-  EXPECT_EQ(help_for_missing(other, "a.manifest"), "");
-  EXPECT_EQ(help_for_missing(at("motor.manifest"), "motor.manifest"), "there is `a.manifest`");
+  EXPECT_EQ(help_for_missing(other, "a.manifest").text, "");
+  EXPECT_EQ(help_for_missing(at("motor.manifest"), "motor.manifest").text, "there is `a.manifest`");
 }
 
 }  // namespace

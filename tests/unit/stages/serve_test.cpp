@@ -34,7 +34,7 @@ class NoWorkshop final : public Workshop {
       const std::size_t newline = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
       const auto column = static_cast<std::uint32_t>(at - (newline + 1) + 1);
       checked.diagnostics.error("E0307", {file, line + 1, column, 6}, "no `thetta`").help =
-          "did you mean `theta`?";
+          meaning("theta");
     } else {
       checked.page = Json{{"size", text.size()}};
     }

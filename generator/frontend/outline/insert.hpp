@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/tools/edit/edit.hpp"
+#include "generator/frontend/outline/splice.hpp"
 
 namespace eagerx::gen {
 

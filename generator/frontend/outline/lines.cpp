@@ -1,4 +1,4 @@
-#include "generator/tools/outline/lines.hpp"
+#include "generator/frontend/outline/lines.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "generator/tools/edit/insert.hpp"
+#include "generator/frontend/outline/insert.hpp"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "generator/frontend/outline/outline.hpp"
 #include "generator/support/diagnostics/diagnostics.hpp"
-#include "generator/tools/outline/outline.hpp"
 
 namespace eagerx::gen {
 

@@ -1,4 +1,4 @@
-#include "generator/tools/edit/edit.hpp"
+#include "generator/frontend/outline/splice.hpp"
 
 #include <algorithm>
 #include <utility>

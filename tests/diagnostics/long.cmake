@@ -1,0 +1,2 @@
+# All cases, also those without a fix, which must not get one unseen.
+add_test(NAME diagnostics.fixes_of_all COMMAND ${CMAKE_CURRENT_LIST_DIR}/fixes $<TARGET_FILE:eagerx-gen> --all)
