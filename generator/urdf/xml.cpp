@@ -46,7 +46,7 @@ std::string choices(const Contents& contents) {
   return result;
 }
 
-std::string help_for(std::string_view name, const Contents& contents) {
+gen::Help help_for(std::string_view name, const Contents& contents) {
   if (name.starts_with("xacro:")) return "run `xacro FILE > robot.urdf` first";
   if (name == "mesh") return "use a `box`, `sphere`, `cylinder` or `capsule`";
   std::vector<std::string> candidates;

@@ -31,7 +31,7 @@ std::string cpp(const std::string& text, ExpressionType type, double weight = 1.
     const Diagnostic& problem = diagnostics.all().front();
     EXPECT_EQ(problem.code, "E0339");
     return std::to_string(problem.span.column - 10) + ": " + problem.message +
-           (problem.help.empty() ? "" : " (" + problem.help + ")");
+           (problem.help.empty() ? "" : " (" + problem.help.text + ")");
   }
   std::vector<VariableText> names;
   for (const auto& variable : variables())

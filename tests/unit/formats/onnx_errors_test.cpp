@@ -186,7 +186,7 @@ TEST(OnnxErrors, QuantizedModelsAreToBeExportedBefore) {
   builder.add_tensor("scale", {}, {0.5F});
   builder.add_node("DequantizeLinear", {"g1", "scale"}, "real");
   builder.graph().mutable_node(1)->set_input(0, "real");
-  EXPECT_THAT(read_bad(builder.bytes()).help, HasSubstr("`weights: int8`"));
+  EXPECT_THAT(read_bad(builder.bytes()).help.text, HasSubstr("`weights: int8`"));
 }
 
 TEST(OnnxErrors, OperatorOfAnotherDomain) {

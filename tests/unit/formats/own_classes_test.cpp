@@ -35,7 +35,7 @@ TEST(OwnPolicyClass, IsRefusedWithoutKnownAnswers) {
   EXPECT_EQ(problem.code, "E0628");
   EXPECT_THAT(problem.message, HasSubstr("`__main__.CustomActorCriticPolicy`"));
   EXPECT_THAT(problem.message, HasSubstr("`_build_mlp_extractor`"));
-  EXPECT_THAT(problem.help, HasSubstr("golden: rows.csv"));
+  EXPECT_THAT(problem.help.text, HasSubstr("golden: rows.csv"));
 }
 
 TEST(OwnPolicyClass, IsReadAsFarAsTorchsAnswersAreThose) {
@@ -125,7 +125,7 @@ TEST(SomeNormalized, OfAnotherPolicyIsRefused) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read_some_normalized("ppo_discrete_obs.zip", diagnostics).has_value());
   EXPECT_EQ(diagnostics.all().front().code, "E0627");
-  EXPECT_THAT(diagnostics.all().front().help, HasSubstr("`norm_obs_keys`"));
+  EXPECT_THAT(diagnostics.all().front().help.text, HasSubstr("`norm_obs_keys`"));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ void expect_said_refused(const std::string& file, const ReadContext& context, co
   ASSERT_FALSE(diagnostics.all().empty());
   EXPECT_EQ(diagnostics.all().front().code, code);
   EXPECT_THAT(diagnostics.all().front().message, HasSubstr(message));
-  EXPECT_THAT(diagnostics.all().front().help, HasSubstr(help));
+  EXPECT_THAT(diagnostics.all().front().help.text, HasSubstr(help));
 }
 
 ReadContext with_sizes(std::vector<std::int64_t> sizes) {

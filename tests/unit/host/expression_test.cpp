@@ -34,8 +34,9 @@ std::string problem_of(const std::string& text, Type type, Calculation& calculat
   Text piece(text);
   const auto typed = read_typed(piece, {variables(), NameForm::port, {}}, type);
   if (!typed) {
-    const auto& [place, message, help] = *piece.problem();
-    return std::to_string(place + 1) + ": " + message + (help.empty() ? "" : " (" + help + ")");
+    const expression::Problem& problem = *piece.problem();
+    return std::to_string(problem.place + 1) + ": " + problem.message +
+           (problem.help.empty() ? "" : " (" + problem.help + ")");
   }
   return calculation.prepare(*typed, [&](const Read& read) -> std::optional<std::size_t> {
     if (values.size() == 64) return std::nullopt;

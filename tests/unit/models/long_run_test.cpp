@@ -130,7 +130,7 @@ struct SourceAtIo : blocks::SourceIo<RealType, ConfigType> {
 /// The largest error of a sine over 2,000 ticks from `first` on.
 template <class Io>
 double error_of_sine(std::uint64_t first, double frequency) {
-  Reference<Io> node;
+  eagerx::models::Reference<Io> node;
   node.reset({});
   double worst = 0.0;
   for (std::uint64_t n = first; n < first + 2000; ++n) {
@@ -171,7 +171,7 @@ struct SweepConfig : HumConfig {
 
 TEST(LongRun, AChirpGoesOnWithItsLastFrequency) {
   using Io = SourceAtIo<float, SweepConfig, eagerx::Rate<1000>>;
-  Reference<Io> node;
+  eagerx::models::Reference<Io> node;
   node.reset({});
   for (const std::uint64_t n :
        {4'000ULL, 9'999ULL, 10'000ULL, 10'001ULL, 12'345ULL, 36'000'017ULL}) {

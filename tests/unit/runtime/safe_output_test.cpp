@@ -5,12 +5,12 @@
 namespace eagerx {
 namespace {
 
-using Message = Array<float, 1>;
+using OneFloat = Array<float, 1>;
 
 TEST(SafeOutput, ASlowRampArrivesInItsTime) {
   // 0.01 a second at 1 kHz: less than half a unit in the last place of 300.
-  const SafeOutput<Message> safe{{{310.0F}}, {}, 0, 1e-5F};
-  OutputKeeper<Message> keeper;
+  const SafeOutput<OneFloat> safe{{{310.0F}}, {}, 0, 1e-5F};
+  OutputKeeper<OneFloat> keeper;
   keeper.reset(safe);
   keeper.leave({{300.0F}}, safe);
   for (int n = 0; n < 500'000; ++n) keeper.be_safe(safe, false);
@@ -20,8 +20,8 @@ TEST(SafeOutput, ASlowRampArrivesInItsTime) {
 }
 
 TEST(SafeOutput, ABeginningRampKeepsNothingOfTheLastOne) {
-  const SafeOutput<Message> safe{{{0.0F}}, {}, 0, 0.1F};
-  OutputKeeper<Message> keeper;
+  const SafeOutput<OneFloat> safe{{{0.0F}}, {}, 0, 0.1F};
+  OutputKeeper<OneFloat> keeper;
   for (int episode = 0; episode < 2; ++episode) {
     keeper.reset(safe);
     keeper.leave({{1.0F}}, safe);
