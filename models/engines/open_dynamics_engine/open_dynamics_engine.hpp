@@ -37,7 +37,7 @@ class OpenDynamicsEngine {
   template <class... Simulators>
   void callback(const Tick& /*tick*/, Simulators&... simulators) {
     if constexpr (sizeof...(Simulators) > 0) {
-      (simulators.begin_tick(Io::Rate::period_s), ...);
+      (simulators.begin_tick(Io::Rate::period_s, Config::substeps), ...);
       for (int i = 0; i < Config::substeps; ++i) {
         (simulators.before_step(), ...);
         world_.step();

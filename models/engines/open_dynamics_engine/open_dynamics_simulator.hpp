@@ -170,6 +170,7 @@ class OpenDynamicsSimulator {
     const RigidJoint& of = Model::kJoints[joint];
     const double strength = factors_[joint].strength;
     const double most = eagerx::min(finite(torque), of.max_torque) * strength - of.friction;
+    has_motor_[joint] = most > 0.0;
     set_joint_parameter(joint_[joint], of.kind, dParamVel, most > 0.0 ? finite(velocity) : 0.0);
     set_joint_parameter(joint_[joint], of.kind, dParamFMax, most > 0.0 ? most : of.friction);
   }
@@ -250,8 +251,9 @@ class OpenDynamicsSimulator {
     placed_ = true;
   }
 
-  void begin_tick(double period_s) {
+  void begin_tick(double period_s, int steps) {
     per_period_ = 1.0 / period_s;
+    step_s_ = period_s / steps;
     for (std::size_t b = 0; b < kBodies; ++b) velocity_before_[b] = state(b).velocity;
   }
   void before_step() {
@@ -262,8 +264,7 @@ class OpenDynamicsSimulator {
     }
     for (std::size_t j = 0; j < kJoints; ++j) {
       const double applied = actuator_torque(j);
-      const double damping = Model::kJoints[j].damping;
-      const double torque = damping > 0.0 ? applied - damping * joint_velocity(j) : applied;
+      const double torque = applied - damping_torque(j, applied);
       if (torque != 0.0) apply_torque(j, torque);
     }
   }
@@ -367,15 +368,23 @@ class OpenDynamicsSimulator {
     shape_[g].geom = create_geometry(space, Model::kGeometries[g], shape_[g].body, origin());
   }
 
+  /// As a motor that holds 0, which never turns the joint around, with the torque of the velocity
+  /// at the end of the step. A joint has one motor, so beside another it is a torque.
+  double damping_torque(std::size_t j, double applied) {
+    const RigidJoint& of = Model::kJoints[j];
+    if (!(of.damping > 0.0)) return 0.0;
+    if (has_motor_[j]) return of.damping * joint_velocity(j);
+    const double inertia = inertia_of_joint(of, Model::kBodies[kChild[j]]);
+    const double v = velocity_after(of, inertia, joint_velocity(j), applied, step_s_);
+    set_joint_parameter(joint_[j], of.kind, dParamFMax, of.friction + of.damping * eagerx::abs(v));
+    return 0.0;
+  }
   static bool is_factor(double value) { return value >= 0.0 && eagerx::isfinite(value); }
 
   double actuator_torque(std::size_t j) {
-    const ActuatorFactors& factors = factors_[j];
-    JointServo servo = servo_[j];
-    servo.stiffness *= factors.stiffness;
-    servo.damping *= factors.damping;
+    const JointServo servo = scaled(servo_[j], factors_[j]);
     if (servo.max_torque > 0.0) torque_[j] = servo.torque(joint_position(j), joint_velocity(j));
-    return torque_[j] * factors.strength;
+    return torque_[j] * factors_[j].strength;
   }
 
   void apply_torque(std::size_t j, double torque) {
@@ -422,14 +431,12 @@ class OpenDynamicsSimulator {
   std::array<Vector3, kJoints> anchor_{};
   std::array<Vector3, kBodies> force_{};
   std::array<double, kJoints> torque_{};
-  struct ActuatorFactors {
-    double strength, stiffness, damping;
-  };
   std::array<JointServo, kJoints> servo_{};
   std::array<ActuatorFactors, kJoints> factors_{};
+  std::array<bool, kJoints> has_motor_{};
   std::array<TurnCounter, kJoints> turns_{};
   std::array<Vector3, kBodies> velocity_before_{};  // at the engine's last tick
-  double per_period_ = 0.0;
+  double per_period_ = 0.0, step_s_ = 0.0;
   std::array<JointCoordinates, kJoints> wanted_joint_{};
   std::array<RigidState, kBodies> wanted_body_{};
   std::array<bool, kJoints> joint_wanted_{};

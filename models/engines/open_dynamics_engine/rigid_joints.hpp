@@ -43,6 +43,31 @@ struct JointServoOf {
 };
 using JointServo = JointServoOf<double>;
 
+/// Of an environment: on the torques of a joint's actuators, on the gains of its servo.
+struct ActuatorFactors {
+  double strength, stiffness, damping;
+};
+constexpr JointServo scaled(JointServo servo, const ActuatorFactors& factors) {
+  servo.stiffness *= factors.stiffness;
+  servo.damping *= factors.damping;
+  return servo;
+}
+
+/// What the child's body resists the joint with, if nothing hangs on it [kg·m², kg].
+constexpr double inertia_of_joint(const RigidJoint& joint, const RigidBody& child) {
+  if (joint.kind == JointKind::slider) return child.mass;
+  const Vector3 &n = joint.axis, &i = child.inertia, &p = child.products;
+  const Vector3 arm = cross(n, child.position - joint.anchor);
+  return i[0] * n[0] * n[0] + i[1] * n[1] * n[1] + i[2] * n[2] * n[2] +
+         2.0 * (p[0] * n[0] * n[1] + p[1] * n[0] * n[2] + p[2] * n[1] * n[2]) +
+         child.mass * dot(arm, arm);
+}
+/// Of a damped joint, by the implicit Euler method.
+constexpr double velocity_after(const RigidJoint& joint, double inertia, double velocity,
+                                double torque, double step_s) {
+  return (inertia * velocity + step_s * torque) / (inertia + step_s * joint.damping);
+}
+
 /// Counts the turns of a hinge, of which a quaternion knows only whether they are even. It takes
 /// the rotation's w and its part along the axis: cosine and sine of half the angle, so that a full
 /// circle of theirs is two turns of the joint.

@@ -147,6 +147,36 @@ TEST(MultibodyContact, WalkerStandsWithoutJitterAtEveryStep) {
   check_standing<double>(0.002);
 }
 
+TEST(MultibodyContact, RandomTargetsNeverBreakAWalker) {
+  for (const float step_s : {0.001F, 0.005F, 0.01F}) {
+    MultibodyScene<WalkerOf<float>> scene;
+    let_walker_stand(scene, 0.3);
+    const multibody::ContactSettings<float> settings{2e4F, 400.0F, 0.005F, 0.2F, step_s};
+    unsigned state = 7;
+    double fastest = 0.0, beyond = 0.0;
+    for (int i = 0; i < 10000; ++i) {
+      for (std::size_t j = 0; i % 20 == 0 && j < 12; ++j) {
+        state = state * 1664525U + 1013904223U;
+        const float target = static_cast<float>(state >> 8) / 16777216.0F * 6.0F - 3.0F;
+        scene.simulator.set_joint_servo(j, {target, 80.0F, 1.0F, 33.5F});
+      }
+      scene.simulator.step(settings, 4);
+      for (std::size_t j = 0; j < 12; ++j) {
+        const RigidJoint& joint = WalkerOf<float>::kJoints[j];
+        const auto q = static_cast<double>(scene.simulator.joint_position(j));
+        const double speed = std::abs(static_cast<double>(scene.simulator.joint_velocity(j)));
+        ASSERT_LT(speed, 200.0);  // false for NaN, too
+        fastest = std::max(fastest, speed);
+        beyond = std::max({beyond, q - joint.high, joint.low - q});
+      }
+      ASSERT_GT(scene.simulator.pose(0)[2], -0.45F);  // the trunk has no shape, legs reach as far
+    }
+    std::printf("random, %g ms: %.0f rad/s, %.3f rad beyond a stop\n",
+                1e3 * static_cast<double>(step_s), fastest, beyond);
+    EXPECT_LT(beyond, 100.0 * static_cast<double>(step_s));  // what it moves in a step
+  }
+}
+
 /// A trunk of a box, a capsule or a cylinder below it: their points are compliant on the base.
 template <ShapeKind kKind>
 struct Bellied : WalkerOf<double> {

@@ -51,6 +51,25 @@ void want_all(Simulator& simulator) {
   simulator.want_joint(2, {{0.4, -0.9}, {-0.5, 0.6}});
 }
 
+/// A rod whose damping is ten times its inertia by the step.
+struct Damped {
+  using Real = double;
+  static constexpr std::array<RigidBody, 1> kBodies = {
+      {{.name = "rod", .inertia = {{0.1, 0.1, 0.01}}}}};
+  static constexpr std::array<RigidJoint, 1> kJoints = {
+      {{.name = "j", .child = "rod", .damping = 1000.0}}};
+  static constexpr std::array<RigidGeometry, 0> kGeometries = {};
+};
+
+TEST(RigidJoints, DampingFarAboveInertiaPerStepIsStable) {
+  Scene<Damped, RigidConfig<20>> scene;  // 1 ms
+  scene.simulator.want_joint(0, {{0.0, 0.0}, {5.0, 0.0}});
+  scene.reset();
+  scene.simulator.set_joint_torque(0, 50.0);
+  for (int i = 0; i < 50; ++i) scene.tick();
+  EXPECT_NEAR(scene.simulator.joint_velocity(0), 0.05, 1e-3);  // torque/damping
+}
+
 TEST(Joints, ResetPutsThemWhereItSays) {
   Scene<Chain, WeightlessConfig<20>> scene;
   want_all(scene.simulator);
