@@ -126,10 +126,9 @@ class Emitter {
       add(folder + "packs/" + file, template_file, std::move(view));
     };
     View messages = messages_view(plan, names);
-    if (plan.graph->has_engine()) {
-      const std::string& registers = plan.graph->engine().entity->pack_registers;
-      if (!registers.empty()) messages.set("registers", registers);
-    }
+    const bool has_engine = plan.graph->has_engine();
+    messages.set("registers",
+                 text_or_false(has_engine ? plan.graph->engine().entity->pack_registers : ""));
     add_one("messages.hpp", "cpp/packs_messages.hpp.mustache", std::move(messages));
     add_one("io.hpp", "cpp/io.hpp.mustache",
             io_view(plan, names, {options_.builtin_root, (here / "packs").string()}));
