@@ -100,8 +100,10 @@ class Rings:
     def check(self, network, folder, printed):
         header = next(folder.glob("*/program.hpp")).read_text()
         memory = header[header.index("// Messages: as many"):header.index("// Simulators, engine and nodes")]
-        found = {member: (int(capacity), int(needed or 1)) for member, capacity, needed in
-                 re.findall(r"(\w+)_\[(\d+)\]\{\};(?:  // .* needs (\d+))?", memory)}
+        # What stands behind a member may go on over several lines.
+        needs = re.compile(r"needs(?:\s|//)+(\d+)")
+        found = {member: (int(capacity), int((needs.search(behind) or [0, 1])[1])) for member, capacity, behind in
+                 re.findall(r"(\w+)_\[(\d+)\]\{\};((?:[ \n]*//[^\n]*)*)", memory)}
         held = dict.fromkeys(found, 1)
         episodes = list(events(printed))
         for episode in episodes:

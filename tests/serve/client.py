@@ -57,6 +57,10 @@ class Server:
                 return answer.status, answer.headers, answer.read()
         except urllib.error.HTTPError as answer:
             return answer.code, answer.headers, answer.read()
+        except urllib.error.URLError as error:
+            if not isinstance(error.reason, (BrokenPipeError, ConnectionResetError)):
+                raise
+            return 0, {}, b""  # refused while the body was still on its way
 
     def get(self, what):
         status, _, body = self.request(what)
@@ -88,8 +92,11 @@ class Server:
     def raw(self, data, timeout=20):
         """What comes back for these bytes until the server closes."""
         with socket.create_connection(("127.0.0.1", self.port), timeout=timeout) as peer:
-            peer.sendall(data)
             received = b""
+            try:
+                peer.sendall(data)
+            except (BrokenPipeError, ConnectionResetError):
+                pass  # it has refused what came first
             try:
                 while part := peer.recv(65536):
                     received += part

@@ -125,10 +125,10 @@ std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree,
                                          const GraphOptions& options) {
   load_library_for(run, options, {}, std::nullopt);
   if (run.diagnostics.has_errors()) return std::nullopt;
-  return import_graph(tree, options.graph, run.library,
-                      {options.engine, options.engine_rate_hz, options.rate_hz,
-                       options.keep_processes},
-                      run.diagnostics);
+  return import_graph(
+      tree, options.graph, run.library,
+      {options.engine, options.engine_rate_hz, options.rate_hz, options.keep_processes},
+      run.diagnostics);
 }
 
 namespace {
