@@ -29,12 +29,11 @@ std::uint64_t clock_ticks() {
   while (true) {
     const std::uint32_t round = rounds;
     const std::uint32_t left = reg(0xE000E018);
-    const bool pending = (reg(0xE000ED04) & kPending) != 0;
-    if (round != rounds) continue;
     // Where exceptions wait (in another handler, with interrupts off), a round that is over is not
     // counted yet. A counter near 0 was read before it was over.
-    const std::uint32_t uncounted = pending && left > kRound / 2 ? 1 : 0;
-    return (std::uint64_t{round} + uncounted) * kRound + (kRound - 1 - left);
+    const bool uncounted = left > kRound / 2 && (reg(0xE000ED04) & kPending) != 0;
+    if (round != rounds) continue;
+    return (std::uint64_t{round} + (uncounted ? 1 : 0)) * kRound + (kRound - 1 - left);
   }
 }
 
