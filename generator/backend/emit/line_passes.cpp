@@ -73,7 +73,7 @@ std::size_t sort_includes(std::string_view text, std::size_t begin, std::string&
     if (!is_include) continue;
     end = next;
     if (!is_needed(line, text)) continue;
-    (line.find('<') != kNone ? angled : quoted).push_back(line);
+    (line.starts_with("#include <") ? angled : quoted).push_back(line);
   }
   for (auto* lines : {&angled, &quoted}) {
     std::ranges::sort(*lines);
