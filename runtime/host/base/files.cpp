@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <climits>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -48,19 +50,42 @@ bool is_same(const std::string& path, const struct stat& status) {
          found.st_ino == status.st_ino;
 }
 
-/// `a/q.csv` → `a/.q.csv.0123456789abcdef.part`, where no program expects it.
-std::string name_beside(const std::string& path, std::string_view ending) {
+/// `a/q.csv` → `.q.csv.`: how the temporary names of a file begin.
+std::string beginning_of_drafts(const fs::path& path) {
   constexpr std::size_t kMostOfName = 200;  // of the 255 bytes that a name has
+  const std::string name = path.filename().string();
+  return "." + (name.size() > kMostOfName ? std::string() : name) + ".";
+}
+
+/// `a/q.csv` → `a/.q.csv.4711.0123456789abcdef.part`, of process 4711, where no program expects it.
+std::string name_beside(const std::string& path, std::string_view ending) {
   std::uint64_t random = 0;
   if (getrandom(&random, sizeof random, 0) != sizeof random)
     random =
         static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
   const fs::path whole(path);
-  std::string name = whole.filename().string();
-  if (name.size() > kMostOfName) name.clear();
-  return (whole.parent_path() / ("." + name + "." + hex_text(random) + ".part"))
+  return (whole.parent_path() / (beginning_of_drafts(whole) + std::to_string(getpid()) + "." +
+                                 hex_text(random) + ".part"))
       .string()
       .append(ending);
+}
+
+/// Removes drafts of a file whose programs were killed.
+void remove_left_behind(const std::string& path) {
+  const fs::path whole(path);
+  const std::string beginning = beginning_of_drafts(whole);
+  std::error_code error;
+  const fs::path folder = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
+  for (fs::directory_iterator item(folder, error), end; !error && item != end;
+       item.increment(error)) {
+    const std::string name = item->path().filename().string();
+    if (!name.starts_with(beginning) || name.find(".part") == std::string::npos) continue;
+    pid_t process = 0;
+    const char* const first = name.data() + beginning.size();
+    const auto [stop, wrong] = std::from_chars(first, name.data() + name.size(), process);
+    const bool is_ours = wrong == std::errc() && stop != first && *stop == '.' && process > 0;
+    if (is_ours && kill(process, 0) != 0 && errno == ESRCH) unlink(item->path().c_str());
+  }
 }
 
 /// Nothing if there is no file, or none that can be read.
@@ -120,6 +145,7 @@ Draft::~Draft() {
 int Draft::make_beside(const struct stat* replaced, std::string_view ending, int& file) {
   constexpr int kTries = 8;
   constexpr mode_t kForAll = 0666, kForOwner = 0600;
+  remove_left_behind(place_);
   for (int i = 0; i < kTries && file < 0; ++i) {
     draft_ = name_beside(place_, ending);
     file = open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,

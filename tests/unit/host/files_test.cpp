@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -292,6 +293,23 @@ TEST_F(OutputFiles, WhoHasTheLockSeesWhatTheOthersWrote) {
   for (std::thread& thread : threads) thread = std::thread(add);
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(text("log").size(), std::size_t{kThreads * kEach});
+}
+
+TEST(OutputFiles, DraftsOfKilledProgramsGo) {
+  const std::string folder = ::testing::TempDir() + "eagerx_left_behind/";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const pid_t gone = fork();
+  if (gone == 0) _exit(0);
+  ASSERT_EQ(waitpid(gone, nullptr, 0), gone);
+  const std::string dead = folder + ".q.csv." + std::to_string(gone) + ".0x01.part";
+  const std::string alive = folder + ".q.csv." + std::to_string(getpid()) + ".0x01.part";
+  const std::string other = folder + ".q.csv.name.part";
+  for (const std::string& path : {dead, alive, other}) std::ofstream(path) << "half";
+  EXPECT_EQ(write_whole(folder + "q.csv", "whole"), 0);
+  EXPECT_FALSE(std::filesystem::exists(dead));
+  EXPECT_TRUE(std::filesystem::exists(alive));
+  EXPECT_TRUE(std::filesystem::exists(other));
 }
 
 }  // namespace
