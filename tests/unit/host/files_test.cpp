@@ -295,7 +295,7 @@ TEST_F(OutputFiles, WhoHasTheLockSeesWhatTheOthersWrote) {
   EXPECT_EQ(text("log").size(), std::size_t{kThreads * kEach});
 }
 
-TEST(OutputFiles, DraftsOfKilledProgramsGo) {
+TEST(LeftBehind, DraftsOfKilledProgramsGo) {
   const std::string folder = ::testing::TempDir() + "eagerx_left_behind/";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
