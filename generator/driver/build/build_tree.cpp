@@ -71,7 +71,7 @@ namespace {
 constexpr const char* kConfigured = "eagerx-gen.configured";
 /// What CMake and the compiler said the last time.
 constexpr const char* kLog = "eagerx-gen.log";
-/// A folder, as only generator/driver/commands/write may open files for writing.
+/// A folder, as only generator/driver/build/write may open files for writing.
 constexpr const char* kLock = "eagerx-gen.lock";
 
 bool is_set(const char* variable) {

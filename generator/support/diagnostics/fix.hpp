@@ -1,5 +1,5 @@
-// Changes of a text that mend a problem, raised where the problem is found. How they are laid out
-// is decided by tools/edit, which sees the text.
+// Changes of a text that fix a problem, raised where the problem is found. frontend/outline decides
+// how to lay them out, because it sees the text.
 #pragma once
 
 #include <cstdint>
