@@ -293,7 +293,10 @@ bool write_file(const std::string& path, const std::string& text, Diagnostics& d
   };
   if (!is_below(fs::path(path).filename().string())) return fail("it is no name of a file");
   if (error) return fail(error.message());
-  if (has_text(path, text)) return true;
+  if (has_text(path, text)) {
+    host::remove_left_drafts(path);
+    return true;
+  }
   const int refused = host::write_whole(path, text);
   if (refused == EISDIR) return fail("it is a folder");
   return refused == 0 || fail(host::problem_of_writing(refused));

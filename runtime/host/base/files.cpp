@@ -70,24 +70,6 @@ std::string name_beside(const std::string& path, std::string_view ending) {
       .append(ending);
 }
 
-/// Removes drafts of a file whose programs were killed.
-void remove_left_behind(const std::string& path) {
-  const fs::path whole(path);
-  const std::string beginning = beginning_of_drafts(whole);
-  std::error_code error;
-  const fs::path folder = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
-  for (fs::directory_iterator item(folder, error), end; !error && item != end;
-       item.increment(error)) {
-    const std::string name = item->path().filename().string();
-    if (!name.starts_with(beginning) || name.find(".part") == std::string::npos) continue;
-    pid_t process = 0;
-    const char* const first = name.data() + beginning.size();
-    const auto [stop, wrong] = std::from_chars(first, name.data() + name.size(), process);
-    const bool is_ours = wrong == std::errc() && stop != first && *stop == '.' && process > 0;
-    if (is_ours && kill(process, 0) != 0 && errno == ESRCH) unlink(item->path().c_str());
-  }
-}
-
 /// Nothing if there is no file, or none that can be read.
 std::optional<std::string> text_of(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
@@ -136,6 +118,23 @@ std::string problem_of_writing(int error) {
   }
 }
 
+void remove_left_drafts(const std::string& path) {
+  const fs::path whole(behind_links(path));
+  const std::string beginning = beginning_of_drafts(whole);
+  std::error_code error;
+  const fs::path folder = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
+  for (fs::directory_iterator item(folder, error), end; !error && item != end;
+       item.increment(error)) {
+    const std::string name = item->path().filename().string();
+    if (!name.starts_with(beginning) || name.find(".part") == std::string::npos) continue;
+    pid_t process = 0;
+    const char* const first = name.data() + beginning.size();
+    const auto [stop, wrong] = std::from_chars(first, name.data() + name.size(), process);
+    const bool is_ours = wrong == std::errc() && stop != first && *stop == '.' && process > 0;
+    if (is_ours && kill(process, 0) != 0 && errno == ESRCH) unlink(item->path().c_str());
+  }
+}
+
 Draft::Draft(std::string path) : path_(std::move(path)) {}
 
 Draft::~Draft() {
@@ -145,7 +144,7 @@ Draft::~Draft() {
 int Draft::make_beside(const struct stat* replaced, std::string_view ending, int& file) {
   constexpr int kTries = 8;
   constexpr mode_t kForAll = 0666, kForOwner = 0600;
-  remove_left_behind(place_);
+  remove_left_drafts(place_);
   for (int i = 0; i < kTries && file < 0; ++i) {
     draft_ = name_beside(place_, ending);
     file = open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,

@@ -56,6 +56,9 @@ class Draft {
 [[nodiscard]] int write_whole(const std::string& path, std::string_view bytes,
                               Durability durability = Durability::synced);
 
+/// Removes the drafts of `path` that killed programs left behind. A Draft does so itself.
+void remove_left_drafts(const std::string& path);
+
 /// What a Draft of `path` meets. Changes nothing, and opens no device and no FIFO.
 [[nodiscard]] int problem_of_output(const std::string& path);
 
