@@ -18,7 +18,7 @@ namespace eagerx::gen {
 namespace {
 
 const std::string kTrainingHead =
-    R"({"eagerx_training":1,"graph":"arm","rate":30,"algorithm":"ppo","settings":"layers 8; clip 0.20; sac_batch 256","seed":1,"seeds":1,"steps":100,"has_success":true,"terms":["angle","effort"]})"
+    R"({"eagerx_training":1,"graph":"arm","rate":30,"algorithm":"ppo","settings":"layers 8; clip 0.20; batch_size 256","seed":1,"seeds":1,"steps":100,"has_success":true,"terms":["angle","effort"]})"
     "\n";
 const std::string kTrainingRow = R"({"seed":1,"steps":10,"return":-5.5})"
                                  "\n";
@@ -240,13 +240,14 @@ TEST_F(Training, ALongCurveKeepsItsPeaks) {
 }
 
 TEST_F(Training, SettingsBesideTheirDefaults) {
-  const Json settings = settings_json("layers 8; clip 0.20; sac_batch 256; future 7", "ppo");
+  const Json settings = settings_json("layers 8; clip 0.20; batch_size 256; future 7", "ppo");
   const auto& rows = *settings.as<Json::List>();
   ASSERT_EQ(rows.size(), 3) << "not those of another algorithm";
   EXPECT_EQ(truth_of(member(&rows[0], "differs")), true);
   EXPECT_EQ(text_of(member(&rows[0], "default")), "64,64");
   EXPECT_EQ(truth_of(member(&rows[1], "differs")), false) << "0.20 is 0.2";
   EXPECT_TRUE(member(&rows[2], "default")->is<std::monostate>()) << "of another version";
+  EXPECT_EQ(text_of(member(&rows[0], "name")), "net_arch") << "`layers` is its former name";
 }
 
 const std::string kSweep =

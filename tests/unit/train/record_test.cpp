@@ -23,7 +23,7 @@ class TrainRecord : public testing::Test {
     options_.output = folder_.path("policy.safetensors");
     options_.csv = folder_.path("curve.csv");
     options_.record = folder_.path("training.json");
-    options_.settings.layers = {8, 8};
+    options_.settings.net_arch = {8, 8};
     options_.settings.stagger = false;
     options_.steps = 8192 * 7;
     options_.threads = 1;
@@ -81,7 +81,7 @@ TEST_F(TrainRecord, HasTheCurveOfTheTable) {
     EXPECT_NEAR(sum, line["evaluation_return"].get<double>(), 1e-3 * std::abs(sum) + 1e-3);
   }
   EXPECT_GE(with_terms, 1);
-  EXPECT_EQ(with_terms, iterations / options_.settings.evaluation_every);
+  EXPECT_EQ(with_terms, iterations / options_.settings.eval_interval);
 }
 
 TEST_F(TrainRecord, HasTheEpisodesOfTheLastEvaluation) {

@@ -30,9 +30,9 @@ class TrainStages : public testing::TestWithParam<const char*> {
     result.csv = path("curve.csv");
     const Settings& settings = result.settings;
     const bool is_ppo = settings.algorithm == "ppo";
-    result.steps = iterations * (is_ppo ? settings.environments * settings.horizon
-                                        : settings.sac.environments * settings.sac.horizon);
-    result.settings.layers = {16, 16};
+    result.steps = iterations * (is_ppo ? settings.n_envs * settings.n_steps
+                                        : settings.sac.n_envs * settings.sac.train_freq);
+    result.settings.net_arch = {16, 16};
     result.settings.until_return = 1.0;  // the reward is negative: it uses all steps
     result.threads = 1;
     result.is_quiet = true;
