@@ -62,6 +62,13 @@ inline constexpr auto kRenamed = std::to_array<Renamed>({
     {kTrainSettings, "evaluation_episodes", "n_eval_episodes"},
     {kTrainSettings, "success_share", "target_success_rate"},
     {kTrainSettings, "hard-starts", "failure-replay"},  // in checkpoints: the hash of the table
+    {kCurveColumns, "success", "success_rate"},
+    {kCurveColumns, "evaluation_return", "eval_return"},
+    {kCurveColumns, "evaluation_success", "eval_success_rate"},
+    {kCurveColumns, "deviation", "std"},
+    {kCurveColumns, "step_size", "learning_rate"},
+    {kCurveColumns, "divergence", "approx_kl"},
+    {kCurveColumns, "stage_success", "stage_success_rate"},
     {kTrainOptions, "--discount", "--gamma"},
     {kTrainOptions, "--hard-starts", "--failure-replay"},
 });
@@ -70,6 +77,14 @@ inline constexpr auto kRenamed = std::to_array<Renamed>({
 constexpr std::string_view new_name(std::string_view where, std::string_view name) {
   for (const Renamed& one : kRenamed) {
     if (one.where == where && one.old_name == name) return one.new_name;
+  }
+  return {};
+}
+
+/// What `name` was called before; empty if it has always been called so.
+constexpr std::string_view former_name(std::string_view where, std::string_view name) {
+  for (const Renamed& one : kRenamed) {
+    if (one.where == where && one.new_name == name) return one.old_name;
   }
   return {};
 }

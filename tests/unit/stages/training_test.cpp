@@ -81,7 +81,7 @@ constexpr const char* kEvaluated = "evaluation, without noise";
 TEST_F(Training, ARecord) {
   const auto record = read(
       kTrainingHead + kTrainingRow +
-      R"({"seed":1,"steps":20,"return":-4,"evaluation_return":-3,"evaluation_success":0.5,"terms":[-4,1]})"
+      R"({"seed":1,"steps":20,"return":-4,"eval_return":-3,"evaluation_success":0.5,"terms":[-4,1]})"
       "\n" +
       kTrainingEnd);
   ASSERT_TRUE(record);
@@ -182,18 +182,26 @@ TEST_F(Training, CutAnywhere) {
 }
 
 TEST_F(Training, ATableOfACurve) {
-  const auto record = read(
-      "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence\n"
-      "8192,-10,,,,1,0.001,0.01\n16384,-8,,-7,0.5,0.9,0.001,0.01\n");
-  ASSERT_TRUE(record);
-  EXPECT_EQ(numbers(member(&line(record->page, "Return", kNoisy), "y")), Numbers({-10, -8}));
-  EXPECT_EQ(numbers(member(&line(record->page, "Return", kEvaluated), "x")), Numbers({16384}));
-  EXPECT_TRUE(record->episodes.empty());
+  for (const std::string columns :
+       {"steps,return,success_rate,eval_return,eval_success_rate,std,learning_rate,approx_kl\n",
+        "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,"
+        "divergence\n"}) {
+    const auto record =
+        read(columns + "8192,-10,,,,1,0.001,0.01\n16384,-8,,-7,0.5,0.9,0.001,0.02\n");
+    ASSERT_TRUE(record);
+    EXPECT_EQ(numbers(member(&line(record->page, "Return", kNoisy), "y")), Numbers({-10, -8}));
+    EXPECT_EQ(numbers(member(&line(record->page, "Return", kEvaluated), "x")), Numbers({16384}));
+    const char* const kDivergence = "KL divergence of an iteration";
+    EXPECT_EQ(numbers(member(&line(record->page, kDivergence, kDivergence), "y")),
+              Numbers({0.01, 0.02}));
+    EXPECT_TRUE(record->episodes.empty());
+  }
 }
 
 TEST_F(Training, StagesAreShown) {
   const auto record = read(
-      "steps,return,stage,stage_success,stage_return\n10,-9,1,,\n20,-8,1,0.5,-7\n30,-20,2,,\n");
+      "steps,return,stage,stage_success_rate,stage_return\n10,-9,1,,\n20,-8,1,0.5,-7\n30,-20,2,,"
+      "\n");
   ASSERT_TRUE(record);
   const char* const kInStage = "in its stage, without noise";
   EXPECT_EQ(numbers(member(&line(record->page, "Return", kInStage), "x")), Numbers({20}));

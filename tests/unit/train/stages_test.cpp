@@ -68,7 +68,7 @@ TEST_P(TrainStages, EndWhereWhatTheyWaitForIsReached) {
     EXPECT_EQ(curve[i + 1].stage, now.stage + (is_reached ? 1.0 : 0.0)) << i;
   }
   const std::string csv = read_file(some.csv);
-  EXPECT_NE(csv.find(",stage,stage_success,stage_return\n"), std::string::npos);
+  EXPECT_NE(csv.find(",stage,stage_success_rate,stage_return\n"), std::string::npos);
 }
 
 // Also where the next stage has just begun, and in the middle of its first era.
