@@ -1,6 +1,7 @@
 // A tree against its table, with every problem in plain words.
 #include <fmt/format.h>
 
+#include <runtime/host/base/renamed.hpp>
 #include <set>
 #include <utility>
 
@@ -102,12 +103,31 @@ bool is_empty_record(const YamlValue& yaml, const Format& format) {
   return yaml.is_null() && ranges::none_of(format.fields, &Field::required);
 }
 
+/// Reports a former name of a key. Returns the key's name now; empty if it is none.
+std::string report_renamed_key(const YamlValue& yaml, const YamlValue::Entry& entry,
+                               const Format& format, Diagnostics& diagnostics) {
+  std::string now(host::new_name(format.what, entry.key));
+  const Field* const field = find_named(format.fields, now);
+  if (field == nullptr) return {};
+  Diagnostic& problem = diagnostics.error(
+      "E0201", entry.key_span, fmt::format("unknown key `{}` in {}", entry.key, format.what));
+  if (yaml.find(now) != nullptr) {
+    problem.help = fmt::format("leave it out: it is now called `{}`, which is also here", now);
+  } else {
+    problem.help = {host::help_for_renamed(format.what, entry.key), change_to(now)};
+  }
+  check(entry.value, *field->format, diagnostics);
+  return now;
+}
+
 /// Returns the key that was meant; empty if nobody can say. `told`: the helps for misplaced keys of
 /// the record so far; several that belong to one place are one mistake.
 std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Format& format,
                                const std::vector<std::string>& known, std::set<std::string>& told,
                                Diagnostics& diagnostics) {
   const YamlValue::Entry& entry = yaml.entries[i];
+  if (std::string now = report_renamed_key(yaml, entry, format, diagnostics); !now.empty())
+    return now;
   const auto report = [&](Help help) {
     diagnostics
         .error("E0201", entry.key_span,

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/commands/manifest_check.hpp"
+#include "generator/driver/commands/train_file.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/frontend/outline/fixes.hpp"
 #include "generator/frontend/outline/lines.hpp"
@@ -38,8 +40,17 @@ std::optional<std::string> text_of_file(Run& run, const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-/// What `check` finds in this text of the file.
+/// What `check` finds in this text of the file: a graph, a manifest or settings of a training.
 Run check_of(const EditOptions& options, const std::string& text) {
+  if (is_manifest(options.graph) || is_train_file(text)) {
+    Run run;
+    if (is_manifest(options.graph)) {
+      check_manifest(run, options, options.graph, text);
+    } else {
+      check_train_file(run, options.graph, text);
+    }
+    return run;
+  }
   GraphOptions graph;
   static_cast<LibraryOptions&>(graph) = options;
   graph.graph = options.graph;
@@ -159,9 +170,12 @@ Arguments common(EditOptions& options) {
 
 Command fix_table(EditOptions& options) {
   return {.name = "fix",
-          .about = "apply what the help of errors says, where it is a change of the graph's text",
+          .about =
+              "apply what the help of errors says, where it is a change of the file's text: of a "
+              "graph, a manifest or settings of a training",
           .examples = {{"look first", "eagerx-gen fix pendulum.yaml --dry-run"},
-                       {"change the file", "eagerx-gen fix pendulum.yaml"}},
+                       {"change the file", "eagerx-gen fix pendulum.yaml"},
+                       {"former names of settings", "eagerx-gen fix settings.yaml"}},
           .arguments = joined({common(options), diagnostics(options)}),
           .run = [&options] { return perform_fix(options); }};
 }

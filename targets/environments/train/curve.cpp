@@ -80,9 +80,8 @@ std::string grid(const Plane& plane) {
 }
 
 constexpr std::string_view kColumns =
-    "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence,"
-    "stage,"
-    "stage_success,stage_return";
+    "steps,return,success_rate,eval_return,eval_success_rate,std,learning_rate,approx_kl,stage,"
+    "stage_success_rate,stage_return";
 
 std::string row_of(const CurvePoint& point) {
   return fmt::format("{:.0f},{},{},{},{},{},{},{},{},{},{}\n", point.steps, cell(point.mean_return),

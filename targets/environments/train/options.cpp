@@ -63,8 +63,8 @@ std::vector<client::Setter> setters(Options& o) {
       {"--seed", [&](Text v) { settings.seed = number<std::uint64_t>(v, 0, kMostSeed); }},
       {"--seeds", [&](Text v) { o.seeds = number<std::uint64_t>(v, 1, 1000); }},
       {"--threads", [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
-      {"--hidden", [&](Text v) { give(o, "layers", v); }},
-      {"--discount", [&](Text v) { give(o, "discount", v); }},
+      {"--hidden", [&](Text v) { give(o, "net_arch", v); }},
+      {"--gamma", [&](Text v) { give(o, "gamma", v); }},
       {"--setting",
        [&](Text v) {
          set_named(settings, v);
@@ -77,7 +77,7 @@ std::vector<client::Setter> setters(Options& o) {
          o.cases.push_back({v, {}});
        }},
       {"--results", [&](Text v) { o.results = v; }},
-      {"--hard-starts", [&](Text v) { o.hard_starts = v; }},
+      {"--failure-replay", [&](Text v) { o.hard_starts = v; }},
       {"--from", [&](Text v) { o.from = v; }},
       {"--replay", [&](Text v) { o.replay.push_back(v); }},
       {"--csv", [&](Text v) { o.csv = v; }},

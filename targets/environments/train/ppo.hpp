@@ -25,7 +25,7 @@ class Ppo : public Algorithm {
 
   const Model& model() const { return model_; }
 
-  std::size_t environments() const override { return settings_.environments; }
+  std::size_t environments() const override { return settings_.n_envs; }
   std::size_t parts() const override { return kParts; }
   std::string stepping() const override { return rollout(own_.first).stepping(); }
   void set_stage(const std::string& name) override;

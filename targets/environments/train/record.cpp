@@ -36,7 +36,7 @@ std::string head_of(const Options& options, const Description& description) {
   if (std::isfinite(wanted)) head["until_return"] = wanted;
   for (const auto& [name, path] : {std::pair("resume", &options.resume),
                                    {"from", &options.from},
-                                   {"hard_starts", &options.hard_starts}}) {
+                                   {"failure_replay", &options.hard_starts}}) {
     if (!path->empty()) head[name] = *path;
   }
   if (!options.replay.empty()) head["replay"] = options.replay;
@@ -50,12 +50,12 @@ std::string member(const char* name, double value) {
 
 std::string row_of(std::uint64_t seed, const CurvePoint& point, const std::vector<double>& terms) {
   std::string text = fmt::format("{{\"seed\":{},\"steps\":{:.0f}", seed, point.steps);
-  text += member("return", point.mean_return) + member("success", point.success) +
-          member("evaluation_return", point.evaluation_return) +
-          member("evaluation_success", point.evaluation_success) +
-          member("deviation", point.deviation) + member("step_size", point.step_size) +
-          member("divergence", point.divergence) + member("stage", point.stage) +
-          member("stage_success", point.stage_success) + member("stage_return", point.stage_return);
+  text += member("return", point.mean_return) + member("success_rate", point.success) +
+          member("eval_return", point.evaluation_return) +
+          member("eval_success_rate", point.evaluation_success) + member("std", point.deviation) +
+          member("learning_rate", point.step_size) + member("approx_kl", point.divergence) +
+          member("stage", point.stage) + member("stage_success_rate", point.stage_success) +
+          member("stage_return", point.stage_return);
   if (terms.empty()) return text + "}\n";
   std::string values;
   for (const double term : terms) {

@@ -31,7 +31,7 @@ struct Frozen {
 };
 
 /// One of kParts parts of the environments: some tiles of sixteen, or one of fewer. What is learnt
-/// from is in sequences, of memory_steps or without a memory of one step, sixteen beside each
+/// from is in sequences, of bptt_steps or without a memory of one step, sixteen beside each
 /// other, in order of time: those of a tile, or of a smaller one several in a row of time. So
 /// [packs] is [sequences / 16][steps of a sequence].
 class Rollout final : public Seen {

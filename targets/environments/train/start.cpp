@@ -124,8 +124,8 @@ std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& li
     return std::make_unique<Ppo>(settings, library, kernels, team, longest, ranks);
   // A training that goes on takes the actions of its era from the memory.
   sac::Settings& s = settings.sac;
-  const std::size_t era = pace_of(settings, library.description()).era_steps + s.horizon - 1;
-  s.memory = std::max(s.memory, era / s.horizon * s.horizon * s.environments);
+  const std::size_t era = pace_of(settings, library.description()).era_steps + s.train_freq - 1;
+  s.buffer_size = std::max(s.buffer_size, era / s.train_freq * s.train_freq * s.n_envs);
   return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
 }
 

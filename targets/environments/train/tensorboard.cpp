@@ -97,16 +97,16 @@ std::string scalar_event(double wall_time_s, std::int64_t step, const Scalars& s
 }
 
 Scalars scalars_of(const CurvePoint& point) {
-  Scalars all = {{"episodes/return", point.mean_return},
-                 {"episodes/success", point.success},
-                 {"evaluation/return", point.evaluation_return},
-                 {"evaluation/success", point.evaluation_success},
-                 {"learning/deviation", point.deviation},
-                 {"learning/learning_rate", point.step_size},
-                 {"learning/divergence", point.divergence},
+  Scalars all = {{"rollout/ep_rew_mean", point.mean_return},
+                 {"rollout/success_rate", point.success},
+                 {"eval/mean_reward", point.evaluation_return},
+                 {"eval/success_rate", point.evaluation_success},
+                 {"train/std", point.deviation},
+                 {"train/learning_rate", point.step_size},
+                 {"train/approx_kl", point.divergence},
                  {"stage/number", point.stage},
-                 {"stage/success", point.stage_success},
-                 {"stage/return", point.stage_return}};
+                 {"stage/success_rate", point.stage_success},
+                 {"stage/mean_reward", point.stage_return}};
   std::erase_if(all, [](const auto& scalar) { return std::isnan(scalar.second); });
   return all;
 }

@@ -29,7 +29,7 @@ Settings settings_of(const Options& options, const Description& description) {
 std::string conditions_of(const Options& options, const Description& description) {
   std::string text = conditions(options.settings, description.hash);
   if (!options.hard_starts.empty())
-    text += fmt::format("; hard-starts {:016x}", host::fnv1a(read_file(options.hard_starts)));
+    text += fmt::format("; failure-replay {:016x}", host::fnv1a(read_file(options.hard_starts)));
   return text;
 }
 

@@ -21,7 +21,7 @@ class Sac : public Algorithm {
 
   const Model& model() const { return model_; }
 
-  std::size_t environments() const override { return settings_.sac.environments; }
+  std::size_t environments() const override { return settings_.sac.n_envs; }
   std::string stepping() const override { return walk_.stepping(); }
   void set_stage(const std::string& name) override;
   void begin_era() override;

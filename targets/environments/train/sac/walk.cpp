@@ -14,9 +14,9 @@ Walk::Walk(const train::Settings& settings, const Library& library, std::uint32_
       return_sums(1),
       settings_(settings),
       head_(library.description()),
-      environments_(library.functions(), static_cast<std::uint32_t>(settings.sac.environments), 0,
+      environments_(library.functions(), static_cast<std::uint32_t>(settings.sac.n_envs), 0,
                     settings.seed, longest, EAGERX_SAME_STEP),
-      count_(settings.sac.environments),
+      count_(settings.sac.n_envs),
       numbers_(head_.numbers),
       hard_(settings, library, 0, static_cast<std::uint32_t>(count_)),
       rows_(library.description(), count_),
@@ -99,7 +99,7 @@ bool Walk::count_reward(std::size_t environment) {
   const std::size_t e = environment;
   const bool ended = rows_.ended(e);
   return_[e] += rows_.reward[e];
-  discounted_[e] = discounted_[e] * settings_.discount + rows_.reward[e];
+  discounted_[e] = discounted_[e] * settings_.gamma + rows_.reward[e];
   return_sums.add(0, discounted_[e]);
   if (!ended) return false;
   episodes.push_back({return_[e], 0, rows_.success[e] != 0 ? 1U : 0U});
