@@ -49,6 +49,11 @@ struct RigidJoint {
   // Of hinge and slider on MultibodyEngine; OpenDynamicsEngine has neither.
   double armature = 0.0;  // inertia of the motor, times the square of its gear ratio [kg·m², kg]
   double max_velocity = std::numeric_limits<double>::infinity();  // [rad/s, m/s]
+  // A hinge or slider that this one follows, an earlier or later one that follows none: position =
+  // ratio · (position of that one) + offset. Then nothing acts on this one but damping and
+  // friction.
+  const char* mimics = "";
+  double ratio = 1.0, offset = 0.0;  // [rad, m]
 };
 
 enum class ShapeKind : std::uint8_t {
