@@ -9,6 +9,9 @@ if(NOT EAGERX_SANITIZE) # a library that is opened by programs without sanitizer
   # Links, devices, FIFOs, files of others in the place of every output.
   add_test(NAME commands_every_kind COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/every_kind ${PROJECT_BINARY_DIR}
                                             $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
+  # Two programs with one output.
+  add_test(NAME commands_two_writers COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/two_writers ${PROJECT_BINARY_DIR}
+                                             $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
 endif()
 add_test(NAME commands_at_once_all COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/at_once ${PROJECT_BINARY_DIR} --all)
 # No output on an input or on another output, in any command.
