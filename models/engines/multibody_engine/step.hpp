@@ -1,8 +1,10 @@
 // A step of a robot: accelerations, contacts, and the semi-implicit Euler method.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <eagerx/math.hpp>
+#include <limits>
 #include <models/engines/multibody_engine/contact.hpp>
 #include <models/engines/multibody_engine/limb.hpp>
 #include <models/engines/multibody_engine/mimic.hpp>
@@ -66,6 +68,22 @@ class Step {
   template <std::size_t g>
   using LimbOf = Limb<Model, g, kFloating>;
   static constexpr bool kHasSolved = kBaseSolved ? kBasePoints > 0 : kLimbPoints > 0;
+  /// The torque that limits a joint's speed looks at the joint alone. Where another link drives it
+  /// beyond, its speed is cut here; momentum is lost then.
+  static constexpr double kCut = 1.25;  // of the limit
+  static constexpr auto kFastest = [] {
+    std::array<Lane, at_least_one(State::kLinks)> fastest{};
+    for (std::size_t l = 0; l < State::kLinks; ++l)
+      fastest[l] =
+          static_cast<Lane>(kCut * Model::kJoints[kTree<Model>.links[l].joint].max_velocity);
+    return fastest;
+  }();
+  static constexpr bool kHasFastest = [] {
+    for (std::size_t l = 0; l < State::kLinks; ++l) {
+      if (kFastest[l] < std::numeric_limits<Lane>::infinity()) return true;
+    }
+    return false;
+  }();
   static constexpr bool kMimicking = count_mimics<Model>() > 0;
 
   template <class F>
@@ -453,6 +471,10 @@ class Step {
     const Real dt(settings_.dt);
     for (std::size_t j = 0; j < State::kLinks; ++j) {
       state_.v[j] += dt * acceleration[j];
+      if constexpr (kHasFastest) {
+        const Real most(kFastest[j]);
+        state_.v[j] = eagerx::max(-most, eagerx::min(state_.v[j], most));
+      }
       state_.q[j] += dt * state_.v[j];
     }
     follow_leaders<Model>(state_);
