@@ -49,11 +49,11 @@ struct Seen {
   double gained = 0.0;   // energy, of the largest kinetic energy
 };
 
-/// All that a joint has, where its speed is limited; else what makes it faster by 2 rad/s until the
-/// next one.
+/// All that a joint has, where its speed is limited to what steps of 1 ms can follow; else what
+/// makes it faster by 2 rad/s until the next one.
 double torque_of(std::size_t j) {
   const RigidJoint& joint = Model::kJoints[j];
-  if (std::isfinite(joint.max_velocity)) return std::min(joint.max_torque, 50.0);
+  if (joint.max_velocity <= 50.0) return std::min(joint.max_torque, 50.0);
   const RigidBody& child = Model::kBodies[scene::find(Model::kBodies, joint.child)];
   return std::min(joint.max_torque, 100.0 * inertia_of_joint(joint, child));
 }
