@@ -39,7 +39,7 @@ struct RigidJoint {
   Vector3 anchor{};               // a point of the joint in the reference pose
   Vector3 axis{{0.0, 1.0, 0.0}};  // of length 1
   Vector3 axis2{{0.0, 0.0, 1.0}};
-  // Of hinge (within ±π) and slider: where the joint stops.
+  // Of hinge and slider: where the joint stops.
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   // Of hinge and slider, too.
