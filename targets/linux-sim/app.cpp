@@ -17,7 +17,6 @@
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/reconnect.hpp>
-#include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/replay_log.hpp>
 #include <targets/linux-sim/say.hpp>
 #include <targets/linux-sim/session.hpp>
@@ -89,7 +88,7 @@ std::string problem_of_agent(const Options& options, const GraphProgram& program
 
 /// What is wrong with options that the graph decides about, or nothing.
 std::string problem_of(const Options& options, const Fields& fields, const GraphProgram& program,
-                       StateSettings& settings, AgentFaults& faults) {
+                       StateSettings& settings, AgentFaults& faults, Measures& measures) {
   const GraphFacts& facts = program.facts();
   if (options.agent == target::Agent::outside) {
     if (program.is_real() && options.real_time_factor != 1.0)
@@ -115,8 +114,8 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
     return "error: the part with the agent sees and decides itself\nhelp: leave out `--fault`";
   problem = faults.read(options.faults);
   if (!problem.empty()) return problem;
-  problem = measures_of_run.prepare(options.until, options.measures, options.summary,
-                                    readables_of(facts, fields.states));
+  problem = measures.prepare(options.until, options.measures, options.summary,
+                             readables_of(facts, fields.states));
   return problem.empty() ? problem_with_files(options) : problem;
 }
 
@@ -127,7 +126,8 @@ int run_with(const Options& options, GraphProgram& program) {
   const Fields fields(program);
   StateSettings settings(fields.states);
   AgentFaults faults(fields);
-  const std::string problem = problem_of(options, fields, program, settings, faults);
+  Measures measures;
+  const std::string problem = problem_of(options, fields, program, settings, faults, measures);
   if (!problem.empty()) return fail(problem, kBadUsage);
 
   std::vector<std::max_align_t> zero(program.action_bytes() / sizeof(std::max_align_t) + 1);
@@ -165,7 +165,7 @@ int run_with(const Options& options, GraphProgram& program) {
   std::optional<RemoteAgent> agent;
   if (options.agent == target::Agent::dds)
     agent.emplace(options, facts, fields, zero.data(), program.action_bytes());
-  return run_told({options, fields, table, settings, faults, reconnection}, program,
+  return run_told({options, fields, table, settings, faults, reconnection, measures}, program,
                   agent ? &*agent : nullptr);
 }
 
@@ -188,8 +188,9 @@ int run(int argc, char** argv, GraphProgram& program) {
                     "\nhelp: something has changed the folder while it was built: run "
                     "the command again",
                 kBadFile);
-  spaces_of_run.prepare(facts);
-  recorder_of_run.graph_is(facts);
+  std::vector<std::uint64_t> out_of_space(facts.channel_count);
+  program.spaces.prepare(facts, out_of_space.data());
+  program.recorder.graph_is(facts);
   Options defaults;
   defaults.plan = facts.plan;
   defaults.agent = facts.agent;

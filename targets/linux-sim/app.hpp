@@ -195,6 +195,11 @@ void run_program(Watch& watch, Program& program) {
 template <class Graph>
 class ProgramOf final : public GraphProgram {
  public:
+  ProgramOf() {
+    untraced().trace.spaces = &spaces;
+    traced().trace.spaces = &spaces;
+    traced().trace.recorder = &recorder;
+  }
   const GraphFacts& facts() const override {
     static const GraphFacts facts = known();
     return facts;

@@ -13,6 +13,8 @@
 #include <eagerx/safety.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/message_view.hpp>
+#include <targets/linux-sim/recorder.hpp>
+#include <targets/linux-sim/spaces.hpp>
 
 namespace eagerx::linux_sim {
 
@@ -113,10 +115,13 @@ class CountListener {
 };
 
 /// The program of a graph. There are two of it: one that says nothing, which run() takes unless
-/// `traced`, and one whose trace is recorder_of_run (recorder.hpp), which all other functions mean.
+/// `traced`, and one whose trace shows its messages to `recorder`, which all other functions mean.
 /// Actions are Action objects of the program, as bytes.
 class GraphProgram {
  public:
+  Recorder recorder;
+  SpaceCounts spaces;  // of both
+
   virtual const GraphFacts& facts() const = 0;
   virtual void list_fields(FieldListener& listener) const = 0;
   /// Whether the policy answers as it did where it was generated.

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <targets/common/partner.hpp>
 #include <targets/linux-sim/keys.hpp>
-#include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/split.hpp>
 #include <vector>
 
@@ -212,8 +211,7 @@ std::string connect_part(SplitLink& link, const std::string& line, const std::st
   if (!link.port().open(line, options.baud))
     return "error: cannot open `" + line + "`: " + link.port().error() +
            (facts.part_count == 1 ? "" : "\nnote: of " + name_of_part(link.part()));
-  // Who changes messages, or takes their place, does so when they are sent.
-  link.set_runs_ahead(!options.lockstep && !recorder_of_run.takes_part());
+  link.set_runs_ahead(!options.lockstep);
   return greet_part(link, facts, most_s);
 }
 
