@@ -72,7 +72,7 @@ int self_test(const GraphProgram& program) {
 
 /// What another process must not decide, or nothing.
 std::string problem_of_agent(const Options& options, const GraphProgram& program) {
-  if (options.agent != target::Agent::dds) return {};
+  if (options.agent != kDdsAgent) return {};
   if (program.is_real() || program.facts().is_split())
     return "error: `--agent dds` moves no real hardware: DDS does not say who sends an action\n"
            "help: try the agent in simulation, then give its policy to the graph";
@@ -90,7 +90,7 @@ std::string problem_of_agent(const Options& options, const GraphProgram& program
 std::string problem_of(const Options& options, const Fields& fields, const GraphProgram& program,
                        StateSettings& settings, AgentFaults& faults, Measures& measures) {
   const GraphFacts& facts = program.facts();
-  if (options.agent == target::Agent::outside) {
+  if (options.agent == kOutsideAgent) {
     if (program.is_real() && options.real_time_factor != 1.0)
       return "error: real hardware has a time of its own\nhelp: `--real-time-factor 1`";
     if (facts.is_split())
@@ -163,7 +163,7 @@ int run_with(const Options& options, GraphProgram& program) {
     if (!unconnected.empty()) return fail(unconnected, kBadFile);
   }
   std::optional<RemoteAgent> agent;
-  if (options.agent == target::Agent::dds)
+  if (options.agent == kDdsAgent)
     agent.emplace(options, facts, fields, zero.data(), program.action_bytes());
   return run_told({options, fields, table, settings, faults, reconnection, measures}, program,
                   agent ? &*agent : nullptr);

@@ -18,6 +18,9 @@
 
 namespace eagerx::linux_sim {
 
+/// Another process is the agent: over DDS, or the one that started the program.
+inline constexpr target::Agent kDdsAgent{target::kAgents}, kOutsideAgent{target::kAgents + 1};
+
 class Pictures;
 class SplitLink;
 class Watch;
@@ -132,7 +135,7 @@ class GraphProgram {
   /// Null: nothing is shown.
   virtual Pictures* pictures() const = 0;
   /// To part `part` of GraphFacts::parts. Null: there are not so many.
-  virtual SplitLink* link(std::size_t part) const = 0;
+  virtual SplitLink* link(std::size_t part) = 0;
 
   /// The episodes of `watch.plan()`; ends early when `watch` says so. Safe when it returns.
   virtual void run(Watch& watch, bool traced) = 0;

@@ -140,7 +140,7 @@ class Session {
       if (unseen.empty()) unseen = publishing_->open();
     }
     if (unseen.empty() && agent_ != nullptr) unseen = agent_->open();
-    if (unseen.empty() && options_.agent == target::Agent::outside) {
+    if (unseen.empty() && options_.agent == kOutsideAgent) {
       outside_.emplace(options_, told_.fields, program_, is_traced());
       unseen = outside_->open();
     }

@@ -243,7 +243,7 @@ std::string find_parts(const GraphFacts& facts, const Options& options, PartLine
   return problem.empty() ? find_keys(options.keys, facts, found.lines, found.keys) : problem;
 }
 
-std::string connect_parts(const GraphProgram& program, const Options& options) {
+std::string connect_parts(GraphProgram& program, const Options& options) {
   const GraphFacts& facts = program.facts();
   PartLines found;
   std::string problem = find_parts(facts, options, found);
@@ -253,13 +253,13 @@ std::string connect_parts(const GraphProgram& program, const Options& options) {
   return problem;
 }
 
-bool links_are_whole(const GraphProgram& program) {
+bool links_are_whole(GraphProgram& program) {
   for (std::size_t part = 0; SplitLink* const link = program.link(part); ++part)
     if (!link->ok()) return false;
   return true;
 }
 
-std::string end_links(const GraphProgram& program, Summary& summary) {
+std::string end_links(GraphProgram& program, Summary& summary) {
   const GraphFacts& facts = program.facts();
   std::string broken;
   for (std::size_t part = 0; SplitLink* const link = program.link(part); ++part) {
