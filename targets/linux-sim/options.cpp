@@ -106,7 +106,7 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
     return UsageError{"both `--csv` and `--trace` want the standard output",
                       "give one of them a file"};
   }
-  if (options.agent != Agent::dds &&
+  if (options.agent != kDdsAgent &&
       std::find(given.begin(), given.end(), "--agent-timeout") != given.end())
     return UsageError{"`--agent-timeout` does nothing without `--agent dds`", "leave it out"};
   if (const auto idle = find_idle_option(given)) return *idle;
@@ -117,7 +117,8 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
 }
 
 std::string_view agent_name(const Options& options) {
-  return options.agent == Agent::dds ? "dds" : target::name_of(options.agent);
+  if (options.agent == kDdsAgent) return "dds";
+  return options.agent == kOutsideAgent ? "outside" : target::name_of(options.agent);
 }
 
 std::string options_help(const Options& defaults) {

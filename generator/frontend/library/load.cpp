@@ -171,6 +171,13 @@ class ManifestLoader {
       for (const Manifest& manifest : found.mapped()) read(manifest, library);
     }
   }
+  /// Reads those whose ids were read already, which is an error.
+  void find_twice(const Library& library) {
+    std::vector<std::string> ids;
+    for (const auto& [id, entity] : library.entities) ids.push_back(id);
+    for (const auto& [id, target] : library.targets) ids.push_back(id);
+    for (const std::string& id : ids) read_id(id, library);
+  }
   void read_all(const Library& library) {
     while (!unread_.empty()) read_id(std::string(unread_.begin()->first), library);
   }
@@ -271,6 +278,7 @@ Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap
     for (auto& manifest : loader->load(folder)) loader->keep(std::move(manifest), library);
   }
   if (!installed.empty()) library.unread = loader;
+  loader->find_twice(library);
   loader->add_implementations(library);
   return library;
 }

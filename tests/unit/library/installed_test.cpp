@@ -76,9 +76,7 @@ TEST_F(Installed, AnIdOfTheUserThatIsInstalledTooIsFoundTwice) {
   std::ofstream(folder / "manifest.yaml") << "kind: node\nid: Gain\nsummary: another\n"
                                              "class: Gain\nheader: gain.hpp\n";
   const Library library = load({{folder.parent_path().string(), {}}});
-  ASSERT_NE(library.find("Gain"), nullptr);
   std::filesystem::remove_all(folder.parent_path());
-  EXPECT_EQ(library.find("Gain")->summary, "another");
   ASSERT_TRUE(diagnostics_.has_errors());
   EXPECT_EQ(diagnostics_.all().back().code, "E0302") << diagnostics_.all().back().message;
 }
