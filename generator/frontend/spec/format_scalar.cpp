@@ -147,8 +147,15 @@ bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagno
     begin = end + 1;
   }
   if (good && parts >= 2 && parts <= 3) return true;
-  diagnostics.error("E0205", yaml.span, fmt::format("{} is not a port", describe(yaml))).help =
-      fmt::format("write {}", format.what);
+  auto& problem =
+      diagnostics.error("E0205", yaml.span, fmt::format("{} is not a port", describe(yaml)));
+  problem.help = fmt::format("write {}", format.what);
+  // As traces spell it: node/output.
+  const std::size_t slash = yaml.text.rfind('/');
+  if (!good || parts != 1 || slash == std::string::npos) return false;
+  std::string port = yaml.text;
+  port[slash] = '.';
+  problem.help = write_instead(port);
   return false;
 }
 

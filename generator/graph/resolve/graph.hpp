@@ -388,7 +388,4 @@ void find_applied_spaces(Graph& graph);
 std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
                              const ResolveOptions& options, Diagnostics& diagnostics);
 
-/// The ids of entities that resolve() adds to the graph of this file, for the noise of its task.
-std::vector<std::string> entities_of_noise(const YamlValue& root);
-
 }  // namespace eagerx::gen

@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <cmath>
+#include <runtime/host/base/nearest.hpp>
 
 #include "generator/support/diagnostics/diagnostics.hpp"
 #include "generator/tools/trace/plot.hpp"
@@ -9,24 +9,6 @@ namespace eagerx::gen {
 namespace {
 
 using trace_log::Log;
-
-/// Parts between slashes.
-std::vector<std::string> parts_of(const std::string& name) {
-  std::vector<std::string> parts(1);
-  for (const char c : name) {
-    if (c == '/')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
-bool has_parts(const std::string& channel, const std::vector<std::string>& wanted) {
-  const std::vector<std::string> parts = parts_of(channel);
-  // std::ranges' answers with a view, which clang 14 does not compile with GCC 12's library.
-  return std::search(parts.begin(), parts.end(), wanted.begin(), wanted.end()) != parts.end();
-}
 
 std::string list_of(const std::vector<std::string>& names) {
   std::string text;
@@ -38,18 +20,14 @@ std::string list_of(const std::vector<std::string>& names) {
 
 std::optional<std::uint32_t> channel_named(const Log& log, const std::string& name,
                                            std::string& problem) {
-  if (const auto exact = log.channel(name)) return exact;
-  std::vector<std::uint32_t> fitting;
-  std::vector<std::string> names, all;
-  for (std::uint32_t c = 0; c < log.channels.size(); ++c) {
-    all.push_back(log.channels[c].name);
-    if (!has_parts(all.back(), parts_of(name))) continue;
-    fitting.push_back(c);
-    names.push_back(all.back());
-  }
-  if (fitting.size() == 1) return fitting.front();
+  std::vector<std::string> all;
+  for (const auto& channel : log.channels) all.push_back(channel.name);
+  if (const std::string* const meant = host::name_meant(name, all))
+    return static_cast<std::uint32_t>(meant - all.data());
+  std::vector<std::string> fitting;
+  for (const std::string* const each : host::with_parts_of(name, all)) fitting.push_back(*each);
   if (!fitting.empty()) {
-    problem = "`" + name + "` may be " + list_of(names);
+    problem = "`" + name + "` may be " + list_of(fitting);
     return std::nullopt;
   }
   problem = "there is no channel `" + name + "` in `" + log.path + "`";

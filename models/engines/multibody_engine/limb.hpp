@@ -250,6 +250,21 @@ class Limb {
     });
   }
 
+  /// L⁻ᵀ·row of any row over the limb's links, but for what the base's factors do.
+  [[gnu::always_inline]] static void reduce(const Record& record, Real* row, Real (&row_base)[6]) {
+    unrolled<n>([&](auto back) __attribute__((always_inline)) {
+      constexpr std::size_t i = n - 1 - back;
+      each_above<i>([&](auto up) __attribute__((always_inline)) {
+        row[up] -= record.lower[i][up] * row[i];
+      });
+      if constexpr (kFloating) {
+        unrolled<6>([&](auto b) __attribute__((always_inline)) {
+          row_base[b] -= record.to_base[i][b] * row[i];
+        });
+      }
+    });
+  }
+
   /// f(i) for j and all that carry it, from the base on; each_above() without j.
   template <std::size_t j, class F>
   [[gnu::always_inline]] static void each_carrier(const F& f) {

@@ -5,7 +5,9 @@
 #include <eagerx/math.hpp>
 #include <models/engines/multibody_engine/contact.hpp>
 #include <models/engines/multibody_engine/limb.hpp>
+#include <models/engines/multibody_engine/mimic.hpp>
 #include <models/engines/multibody_engine/state.hpp>
+#include <type_traits>
 #include <utility>
 
 namespace eagerx::models::multibody {
@@ -50,7 +52,7 @@ class Step {
     start_base();
     each_group([&](auto g) __attribute__((always_inline)) { make_equations<g>(); });
     if constexpr (kFloating) finish_base();
-    if constexpr (kHasSolved) solve_contacts(sweeps);
+    if constexpr (kHasSolved || kMimicking) solve_impulses(sweeps);
     if constexpr (kFloating) accelerate_base();
     each_group([&](auto g) __attribute__((always_inline)) { accelerate_limbs<g>(); });
     if constexpr (kBasePoints > 0 && !kBaseSolved) keep_base_forces();
@@ -64,6 +66,7 @@ class Step {
   template <std::size_t g>
   using LimbOf = Limb<Model, g, kFloating>;
   static constexpr bool kHasSolved = kBaseSolved ? kBasePoints > 0 : kLimbPoints > 0;
+  static constexpr bool kMimicking = count_mimics<Model>() > 0;
 
   template <class F>
   [[gnu::always_inline]] static void each_group(const F& f) {
@@ -237,7 +240,7 @@ class Step {
 
   /// Projected Gauss-Seidel on the velocities of the end of the step, from the last step's
   /// impulses.
-  [[gnu::noinline]] void solve_contacts(int sweeps) {
+  [[gnu::noinline]] void solve_impulses(int sweeps) {
     const Real zero(Lane(0)), dt(settings_.dt), per_step(Lane(1) / settings_.dt);
     for (auto& element : base_pushed_) element = zero;
     each_group([&](auto g) __attribute__((always_inline)) {
@@ -255,13 +258,18 @@ class Step {
                       impulse = impulse * dt;
                       push<Real, n, kFloating>(point, impulse, links, base_pushed_);
                     });
+    if constexpr (kMimicking) {
+      make_mimic_rows();
+      solve_mimics();
+    }
 #pragma GCC unroll 1
-    for (int i = 0; i < sweeps; ++i) {
+    for (int i = 0; kHasSolved && i < sweeps; ++i) {
       each_solved([&]<std::size_t n>(PointRecord<Real, n> & point, std::size_t index, Real * links)
                       __attribute__((always_inline)) {
                         sweep<Real, n, kFloating>(point, Points::friction(state_, index),
                                                   state_.force[index], links, base_pushed_);
                       });
+      if constexpr (kMimicking) solve_mimics();
     }
     each_solved([&]<std::size_t n>(PointRecord<Real, n>&, std::size_t index, Real*) __attribute__((
         always_inline)) { state_.force[index] = state_.force[index] * per_step; });
@@ -278,6 +286,76 @@ class Step {
       }
     });
   }
+  // ---- joints that follow others
+  [[gnu::noinline]] void make_mimic_rows() {
+    mimics_.clear();
+    const Real dt(settings_.dt);
+    for (std::size_t m = 0; m < kMimics<Model>.size(); ++m) {
+      const Mimicry& mimicry = kMimics<Model>[m];
+      mimics_.velocity[m] = state_.v[mimicry.follower] -
+                            Real(static_cast<Lane>(mimicry.ratio)) * state_.v[mimicry.leader];
+    }
+    each_limb([&]<std::size_t g>(std::size_t k, auto& record) __attribute__((always_inline)) {
+      const std::size_t first = GroupOf<Model, g>::index(k, 0);
+      for (std::size_t m = 0; m < kMimics<Model>.size(); ++m) {
+        Real* const row = mimics_.row[m] + first;
+        LimbOf<g>::reduce(record, row, mimics_.base[m]);
+        for (std::size_t j = 0; j < LimbOf<g>::n; ++j) {
+          const Real weighted = row[j] * record.inverse[j];
+          mimics_.weighted[m][first + j] = weighted;
+          mimics_.velocity[m] += dt * (weighted * record.rhs[j]);
+        }
+      }
+    });
+    for (std::size_t m = 0; kFloating && m < kMimics<Model>.size(); ++m) {
+      Real(&row)[6] = mimics_.base[m];
+      for (std::size_t j = 6; j-- > 0;) {
+        for (std::size_t i = 0; i < j; ++i) row[i] -= equation_.a[j][i] * row[j];
+        mimics_.weighted_base[m][j] = row[j] * base_inverse_[j];
+        mimics_.velocity[m] += dt * (mimics_.weighted_base[m][j] * equation_.rhs[j]);
+      }
+    }
+    mimics_.decompose();
+  }
+  /// After what contacts have pushed.
+  [[gnu::noinline]] void solve_mimics() {
+    Real velocity[MimicRows<Model>::kSize];
+    for (std::size_t m = 0; m < kMimics<Model>.size(); ++m) {
+      velocity[m] = mimics_.velocity[m];
+      for (std::size_t b = 0; kFloating && b < 6; ++b)
+        velocity[m] += mimics_.weighted_base[m][b] * base_pushed_[b];
+    }
+    each_limb([&]<std::size_t g>(std::size_t k, auto& record) __attribute__((always_inline)) {
+      const std::size_t first = GroupOf<Model, g>::index(k, 0);
+      for (std::size_t m = 0; m < kMimics<Model>.size(); ++m) {
+        for (std::size_t j = 0; j < LimbOf<g>::n; ++j)
+          velocity[m] += mimics_.weighted[m][first + j] * record.pushed[j];
+      }
+    });
+    mimics_.solve(velocity);
+    each_limb([&]<std::size_t g>(std::size_t k, auto& record) __attribute__((always_inline)) {
+      const std::size_t first = GroupOf<Model, g>::index(k, 0);
+      for (std::size_t m = 0; m < kMimics<Model>.size(); ++m) {
+        for (std::size_t j = 0; j < LimbOf<g>::n; ++j)
+          record.pushed[j] += mimics_.row[m][first + j] * mimics_.impulse[m];
+      }
+    });
+    for (std::size_t m = 0; kFloating && m < kMimics<Model>.size(); ++m) {
+      for (std::size_t b = 0; b < 6; ++b)
+        base_pushed_[b] += mimics_.base[m][b] * mimics_.impulse[m];
+    }
+  }
+  /// f<group>(limb, its record).
+  template <class F>
+  [[gnu::always_inline]] void each_limb(const F& f) {
+    each_group([&](auto g) __attribute__((always_inline)) {
+      auto& records = this->records<g>();
+#pragma GCC unroll 1
+      for (std::size_t k = 0; k < GroupOf<Model, g>::kCount; ++k)
+        f.template operator()<g>(k, records[k]);
+    });
+  }
+
   /// The base's part of L⁻ᵀJᵀ.
   template <std::size_t n>
   [[gnu::always_inline]] void finish_base_rows(PointRecord<Real, n>& point) {
@@ -377,6 +455,7 @@ class Step {
       state_.v[j] += dt * acceleration[j];
       state_.q[j] += dt * state_.v[j];
     }
+    follow_leaders<Model>(state_);
     if constexpr (kFloating) {
       const Real* const a = base_acceleration;
       state_.velocity = state_.velocity + Vec<Real>{a[0], a[1], a[2]} * dt;
@@ -394,6 +473,8 @@ class Step {
   Real base_inverse_[6], base_pushed_[6];
   Records<Model, std::make_index_sequence<kGroups>> records_;
   PointRecord<Real, 0> base_points_[at_least_one(kBasePoints)];
+  struct None {};
+  std::conditional_t<kMimicking, MimicRows<Model>, None> mimics_;
 };
 
 }  // namespace eagerx::models::multibody

@@ -31,6 +31,8 @@ class OpenDynamicsSimulator {
       "OpenDynamicsEngine: a joint or geometry of the model names a body that it does not have");
   static_assert(scene::is_tree<Model>(),
                 "OpenDynamicsEngine: joints must make a tree, with parents before their children");
+  static_assert(!scene::has_mimics<Model>(),
+                "OpenDynamicsEngine: no joint mimics another one; MultibodyEngine can do it");
 
   static constexpr std::size_t inputs() {
     if constexpr (requires { Model::kInputs; }) return Model::kInputs;

@@ -109,6 +109,7 @@ TEST_F(LogsTest, AChannelIsNamedByPartsThatOnlyItHas) {
   std::string problem;
   EXPECT_EQ(channel_named(read, "theta", problem), 1U);
   EXPECT_EQ(channel_named(read, "pendulum/theta", problem), 1U);
+  EXPECT_EQ(channel_named(read, "pendulum.theta", problem), 1U);  // as the graph spells it
   EXPECT_FALSE(channel_named(read, "thetta", problem));
   EXPECT_NE(problem.find("thetta"), std::string::npos);
 }
