@@ -173,8 +173,7 @@ void run_program(Watch& watch, Program& program) {
     }
   };
   LinkOf<Graph>::connect(program);
-  const host::Keeper keeper(how_to_take_over(program), &program,
-                            Graph::kSafety.hang_ns);
+  const host::Keeper keeper(how_to_take_over(program), &program, Graph::kSafety.hang_ns);
   target::warm_up(program);  // a library may need memory for it, and none afterwards
   const host::MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
