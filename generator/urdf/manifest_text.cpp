@@ -225,7 +225,7 @@ description: |
 
   std::string engines() const {
     return "engines:\n" + (can_use_open_dynamics(robot_) ? engine("OpenDynamicsEngine", "") : "") +
-           (can_use_multibody(robot_) ? engine("MultibodyEngine", ", packs: true") : "");
+           (can_use_multibody(robot_) ? engine("MultibodyEngine", ", vectorized: true") : "");
   }
   std::string engine(const char* name, const char* more) const {
     return fmt::format(
