@@ -44,7 +44,9 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
       ranks_(ranks),
       own_(environments::share_of(kParts, ranks.rank(), ranks.size())),
       has_threads_(library.description().has_threads),
-      gradient_sum_(ranks, model_) {
+      gradient_sum_(ranks, model_),
+      learning_s_(own_.end - own_.first) {
+  done_.weights = model_.actor.parameters() + model_.critic.parameters();
   for (std::size_t part = 0; part < kParts; ++part) {
     if (part < own_.first || part >= own_.end) {
       parts_.push_back(std::make_unique<Seen>(model_.critic.inputs()));
@@ -201,8 +203,19 @@ bool Ppo::update(std::size_t minibatch) {
                          .advantage_scale = advantage_scale_,
                          .minibatches = minibatches()};
   team_.run_parts(learners_.size(), [&](std::size_t i) {
+    const Stopwatch watch;
     learners_[i]->learn(common, rollout(own_.first + i), minibatch);
+    learning_s_[i] += watch.seconds();
   });
+  done_.samples += settings_.n_envs * pace.horizon() / minibatches() * own() / kParts;
+  const Stopwatch watch;
+  const bool goes_on = move();
+  updating_s_ += watch.seconds();
+  return goes_on;
+}
+
+/// Along the gradients of all parts. False if the policy has moved far enough.
+bool Ppo::move() {
   std::vector<Gradient*> own;
   for (const auto& learner : learners_) own.push_back(&learner->gradient);
   const Gradient& sum = gradient_sum_.of(own);
@@ -251,8 +264,11 @@ Algorithm::Result Ppo::iterate() {
     if (before) model_ = *before;
     throw;
   }
+  const Stopwatch watch;
   average();
   see();
+  updating_s_ += watch.seconds();
+  done_.steps += settings_.n_envs * pace.horizon() * own() / kParts;
   model_.remembered.clear();
   for (const auto& part : parts_)
     model_.remembered.insert(model_.remembered.end(), part->remembered.begin(),
@@ -264,6 +280,15 @@ Algorithm::Result Ppo::iterate() {
 
 std::vector<float> Ppo::deployed_parameters() const {
   return folded(model_.actor, model_.averaged, model_.observations);
+}
+
+Spent Ppo::spent() const {
+  Spent sum{.learning_s = updating_s_};
+  for (std::size_t i = 0; i < own(); ++i) {
+    sum += rollout(own_.first + i).spent;
+    sum.learning_s += learning_s_[i];
+  }
+  return sum;
 }
 
 double Ppo::deviation() const {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <runtime/host/base/hash.hpp>
@@ -86,6 +87,22 @@ ordered_json episodes_of(const Evaluation& evaluation) {
   return list;
 }
 
+/// Processor time in seconds, and what was done in it.
+ordered_json time_of(const Ended& ended) {
+  const Spent& spent = ended.spent;
+  const double all_s = std::max(ended.seconds * ended.threads, spent.total_s());
+  return {{"threads", ended.threads},
+          {"simulation_s", spent.simulation_s},
+          {"inference_s", spent.inference_s},
+          {"learning_s", spent.learning_s},
+          {"evaluation_s", spent.evaluation_s},
+          {"waiting_s", all_s - spent.total_s()},
+          {"steps", ended.done.steps},
+          {"samples", ended.done.samples},
+          {"inference_gflop", ended.done.inference_gflop()},
+          {"learning_gflop", ended.done.learning_gflop()}};
+}
+
 const char* name_of(Ending ending) {
   return ending == Ending::success ? "success" : ending == Ending::steps ? "steps" : "interrupted";
 }
@@ -131,6 +148,7 @@ void Record::end(const Ended& ended, const Evaluation& evaluation) {
       {"steps", ended.steps},
       {"seconds", ended.seconds},
       {"kernels", ended.kernels},
+      {"time", time_of(ended)},
       {"policy", ended.options.output},
       {"policy_hash", host::hex_text(host::fnv1a(read_file(ended.options.output)))},
       {"evaluation", evaluation_of(evaluation)},

@@ -110,10 +110,15 @@ void Rollout::collect(const Frozen& frozen) {
   observation_sums.clear();
   return_sums.clear();
   episodes.clear();
+  Stopwatch watch;
   for (std::size_t t = 0; t < horizon_; ++t) {
     note_states(t);
     act(frozen, t);
-    step(frozen, t);
+    spent.inference_s += watch.lap();
+    step_environments();
+    spent.simulation_s += watch.lap();
+    note_step(frozen, t);
+    spent.learning_s += watch.lap();
   }
   for (std::size_t k = 0; k < tiles(); ++k) {
     frozen.normaliser.load(sight_.now() + k * kLanes * width_, critic_row_.data());
@@ -126,6 +131,7 @@ void Rollout::collect(const Frozen& frozen) {
   remembered.clear();
   actor_states_.save(remembered);
   critic_states_.save(remembered);
+  spent.learning_s += watch.lap();
 }
 
 /// Draws the actions of all environments and notes what the critic thinks.
@@ -220,8 +226,7 @@ void Rollout::step_environments() {
   cut_first_episodes();
 }
 
-void Rollout::step(const Frozen& frozen, std::size_t step) {
-  step_environments();
+void Rollout::note_step(const Frozen& frozen, std::size_t step) {
   if (remembers) taken.insert(taken.end(), action_.begin(), action_.end());
   for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
   hard_.set(environments_);

@@ -26,7 +26,7 @@ class Commands {
     for (std::size_t k = 1; k < kCount; ++k) {
       const auto later = time >= end;
       const std::array<Real, 3> next = row(k);
-      for (std::size_t i = 0; i < 3; ++i) command[i] = select(later, next[i], command[i]);
+      for (std::size_t i = 0; i < 3; ++i) command[i] = eagerx::select(later, next[i], command[i]);
       end = end + durations_[k];
     }
     for (std::size_t i = 0; i < 3; ++i) eagerx::models::put(out.command, i, command[i]);
@@ -48,7 +48,8 @@ class Commands {
   [[nodiscard]] std::array<Real, 3> row(std::size_t k) const {
     const auto stands = stand_[k] < Real(kStanding);
     std::array<Real, 3> result{};
-    for (std::size_t i = 0; i < 3; ++i) result[i] = select(stands, Real(0), speeds_[3 * k + i]);
+    for (std::size_t i = 0; i < 3; ++i)
+      result[i] = eagerx::select(stands, Real(0), speeds_[3 * k + i]);
     return result;
   }
 

@@ -26,8 +26,8 @@ class Pushes {
     for (std::size_t k = 0; k < kCount; ++k) {
       begin = begin + waits_[k];
       const auto pushes = time >= begin && time < begin + Real(kDuration);
-      x = select(pushes, impulses_[2 * k] * Real(kRate), x);
-      y = select(pushes, impulses_[2 * k + 1] * Real(kRate), y);
+      x = eagerx::select(pushes, impulses_[2 * k] * Real(kRate), x);
+      y = eagerx::select(pushes, impulses_[2 * k + 1] * Real(kRate), y);
     }
     eagerx::models::put(out.force, 0, x);
     eagerx::models::put(out.force, 1, y);

@@ -47,22 +47,22 @@ class SpeedErrors {
   }
 
   void add(const std::array<Real, 3>& motion, const Truth& counts) {
-    instant_ = select(counts, instant_ + distance(motion, command_), instant_);
-    in_window_ = select(counts, in_window_ + Real(1), in_window_);
+    instant_ = eagerx::select(counts, instant_ + distance(motion, command_), instant_);
+    in_window_ = eagerx::select(counts, in_window_ + Real(1), in_window_);
     std::array<Real, 3> mean{};
     for (std::size_t i = 0; i < 3; ++i) {
-      sum_[i] = select(counts, sum_[i] + motion[i], sum_[i]);
+      sum_[i] = eagerx::select(counts, sum_[i] + motion[i], sum_[i]);
       mean[i] = sum_[i] / Real(kTicks);
     }
     const Truth full = in_window_ >= Real(kTicks);
-    speed_ = select(full, speed_ + distance(mean, command_), speed_);
-    turn_ = select(full, turn_ + eagerx::abs(mean[2] - command_[2]), turn_);
-    windows_ = select(full, windows_ + Real(1), windows_);
+    speed_ = eagerx::select(full, speed_ + distance(mean, command_), speed_);
+    turn_ = eagerx::select(full, turn_ + eagerx::abs(mean[2] - command_[2]), turn_);
+    windows_ = eagerx::select(full, windows_ + Real(1), windows_);
     begin_where(full);
   }
   void begin_where(const Truth& begins) {
-    in_window_ = select(begins, Real(0), in_window_);
-    for (Real& sum : sum_) sum = select(begins, Real(0), sum);
+    in_window_ = eagerx::select(begins, Real(0), in_window_);
+    for (Real& sum : sum_) sum = eagerx::select(begins, Real(0), sum);
   }
 
   std::array<Real, 3> command_{};  // of the tick before

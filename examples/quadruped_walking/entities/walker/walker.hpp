@@ -11,6 +11,7 @@ namespace walking {
 /// stand on straight legs in the reference pose.
 template <class Io>
 struct Walker {
+  using Real = typename Io::Real;
   static constexpr double kLink = 0.2;                    // length of thigh and calf [m]
   static constexpr double kFoot = 0.02;                   // radius [m]
   static constexpr double kHipX = 0.1805, kHipY = 0.047;  // of the hip from the trunk [m]

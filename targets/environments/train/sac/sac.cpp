@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <eagerx/math.hpp>
+#include <numeric>
 
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/sac/log.hpp"
@@ -67,6 +68,7 @@ Algorithm::Result Sac::iterate() {
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
   }
   see();
+  done_.steps += settings_.sac.train_freq * settings_.sac.n_envs;
   pace.next();
   return {walk_.episodes, 0.0, model_.actor_adam.steps - updates};
 }
@@ -116,8 +118,12 @@ void Sac::update(const Normaliser& normaliser) {
   team_.run_parts(kParts, [&](std::size_t part) {
     const Random random({settings_.seed, static_cast<std::uint32_t>(part), number},
                         entity_id("train/batch"));
+    const Stopwatch watch;
     learners_[part]->learn(frozen, random);
+    learning_s_[part] += watch.seconds();
   });
+  const Stopwatch watch;
+  done_.samples += settings_.sac.batch_size;
   Gradient& sum = learners_.front()->gradient;
   for (std::size_t part = 1; part < kParts; ++part) sum.add(kernels_, learners_[part]->gradient);
   const auto count = static_cast<double>(settings_.sac.batch_size);
@@ -137,6 +143,13 @@ void Sac::update(const Normaliser& normaliser) {
   model_.temperature_adam.step(kernels_, model_.log_temperature, {static_cast<float>(surplus)},
                                step_size, 1.0F);
   deviation_ = sum.deviation / count;
+  updating_s_ += watch.seconds();
+}
+
+Spent Sac::spent() const {
+  Spent spent = walk_.spent;
+  spent.learning_s += updating_s_ + std::accumulate(learning_s_.begin(), learning_s_.end(), 0.0);
+  return spent;
 }
 
 std::vector<float> Sac::deployed_parameters() const {

@@ -64,6 +64,7 @@ void Walk::act(const Model& model, const Normaliser& normaliser, const Kernels& 
 
 void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kernels, bool is_random,
                 std::uint32_t time) {
+  Stopwatch watch;
   if (!is_random) act(model, normaliser, kernels, time);
   for (std::size_t e = 0; e < count_ && is_random; ++e) {
     Random random = noise(time, e);
@@ -71,10 +72,13 @@ void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kerne
       squashed_[e * numbers_ + j] = random.uniform(-1.0F, 1.0F);
   }
   before_.assign(sight_.now(), sight_.now() + count_ * width_);
+  spent.inference_s += watch.lap();
   step_environments();
+  spent.simulation_s += watch.lap();
   for (std::size_t e = 0; e < count_; ++e) settle(model, e, time);
   hard_.set(environments_);
   sum_observations();
+  spent.learning_s += watch.lap();
 }
 
 void Walk::step_again(const Memory& memory, std::size_t back) {
