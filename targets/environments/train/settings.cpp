@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/base/number.hpp>
 #include <stdexcept>
 
@@ -172,11 +174,65 @@ Settings::Settings() {
   for (const Setting& row : kTrainSettings) place_of(row).set(*this, row, row.otherwise);
 }
 
+namespace {
+
+/// Names of Stable-Baselines3, CleanRL and others, and ours for the same.
+constexpr std::array<std::array<std::string_view, 2>, 29> kOtherNames = {
+    {{"lr", "learning_rate"},
+     {"alpha_lr", "learning_rate"},
+     {"gamma", "discount"},
+     {"gae_lambda", "trace_decay"},
+     {"lambda", "trace_decay"},
+     {"lam", "trace_decay"},
+     {"n_envs", "environments"},
+     {"num_envs", "environments"},
+     {"n_steps", "horizon"},
+     {"num_steps", "horizon"},
+     {"n_epochs", "epochs"},
+     {"update_epochs", "epochs"},
+     {"num_minibatches", "minibatches"},
+     {"n_minibatches", "minibatches"},
+     {"clip_range", "clip"},
+     {"clip_coef", "clip"},
+     {"clip_param", "clip"},
+     {"ent_coef", "entropy"},
+     {"entropy_coef", "entropy"},
+     {"max_grad_norm", "gradient_norm"},
+     {"target_kl", "divergence"},
+     {"desired_kl", "divergence"},
+     {"net_arch", "layers"},
+     {"hidden_sizes", "layers"},
+     {"buffer_size", "sac_memory"},
+     {"tau", "sac_target_share"},
+     {"learning_starts", "sac_random_steps"},
+     {"gradient_steps", "sac_updates"},
+     {"target_entropy", "sac_entropy"}}};
+
+std::string help_with(std::string_view name) {
+  constexpr const char* kAll = "`eagerx-gen help train-settings` lists them";
+  const auto lists = [&](std::string_view ours) {
+    return std::ranges::find(kTrainSettings, ours, &Setting::name) != std::end(kTrainSettings);
+  };
+  for (const auto& [theirs, ours] : kOtherNames)
+    if (theirs == name && lists(ours)) return fmt::format("it is `{}` here; {}", ours, kAll);
+  if (name == "batch_size")
+    return fmt::format(
+        "of PPO it follows from `environments`, `horizon` and `minibatches`, of SAC it is "
+        "`sac_batch`; {}",
+        kAll);
+  std::vector<std::string> known;
+  for (const Setting& row : kTrainSettings) known.emplace_back(row.name);
+  const std::string near = host::did_you_mean(name, known);
+  return near.empty() ? kAll : fmt::format("{} {}", near, kAll);
+}
+
+}  // namespace
+
 void set(Settings& settings, std::string_view name, const std::string& text) {
   const auto* row = std::ranges::find(kTrainSettings, name, &Setting::name);
   if (row == std::end(kTrainSettings))
     throw client::Problem(client::kUsage, fmt::format("there is no setting `{}`", name),
-                          "`eagerx-gen help train-settings` lists them");
+                          help_with(name));
   place_of(*row).set(settings, *row, text);
 }
 
