@@ -9,6 +9,7 @@
 #include "generator/frontend/read/rational.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/read/slips.hpp"
+#include "generator/frontend/spec/foreign_words.hpp"
 #include "generator/frontend/spec/format.hpp"
 #include "generator/frontend/spec/format_scalar.hpp"
 #include "generator/frontend/spec/misplaced.hpp"
@@ -166,6 +167,7 @@ std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Forma
     if (told.insert(misplaced).second) report(misplaced);
     return {};
   }
+  if (near.empty()) near = foreign_word(entry.key, known);
   report(near.empty() ? Help(fmt::format("{} has the keys {}", format.what, join(known, ", ")))
                       : meaning(near));
   return near;
@@ -263,9 +265,12 @@ bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics
     case Format::Kind::one_of:
       for (const auto& option : format.options) {
         if (!takes(yaml, *option)) continue;
-        return option->kind == Format::Kind::keyword
-                   ? check_keyword(yaml, *option, format.what, diagnostics)
-                   : check(yaml, *option, diagnostics);
+        const bool is_word = option->kind == Format::Kind::keyword;
+        if (is_word && yaml.is_scalar() && !contains(option->keywords, yaml.text) &&
+            report_word_for_key(yaml, format, diagnostics))
+          return false;
+        return is_word ? check_keyword(yaml, *option, format.what, diagnostics)
+                       : check(yaml, *option, diagnostics);
       }
       return wrong_type(yaml, format, diagnostics);
   }
