@@ -29,6 +29,14 @@ struct Around {
     return static_cast<float>(Offset) + 5.0F * triangle + 0.1F * even(n, channel);
   }
 };
+/// What SwingIo measures of a pendulum that hangs and shakes: angles pi and its half. Where it
+/// could go over the top, two filters could take different sides.
+struct Hanging {
+  static float at(Seq n, std::uint32_t channel) {
+    const float middle = channel == 0 ? 3.1415927F : channel == 1 ? 1.5707964F : 0.0F;
+    return middle + 0.01F * Around<0>::at(n, channel);
+  }
+};
 /// Rises every second tick.
 struct Pulses {
   static float at(Seq n, std::uint32_t /*channel*/) { return static_cast<float>(n % 2); }
