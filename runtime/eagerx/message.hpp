@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/index.hpp>
 #include <type_traits>
 
 namespace eagerx {
@@ -15,12 +16,40 @@ struct Array {
   T data[kSize];
 
   static constexpr std::size_t size() { return kSize; }
-  constexpr T& operator[](std::size_t i) { return data[i]; }
-  constexpr const T& operator[](std::size_t i) const { return data[i]; }
-  constexpr T* begin() { return data; }
-  constexpr T* end() { return data + kSize; }
-  constexpr const T* begin() const { return data; }
-  constexpr const T* end() const { return data + kSize; }
+#if defined(EAGERX_CONSTANT_INDEXES)
+  constexpr T& operator[](std::size_t i) {
+    return data[known_below<kSize>(i)];
+  }
+  constexpr const T& operator[](std::size_t i) const {
+    return data[known_below<kSize>(i)];
+  }
+#elif defined(EAGERX_CHECKS)
+  constexpr T& operator[](Index i) {
+    return data[i.below(kSize, "message")];
+  }
+  constexpr const T& operator[](Index i) const {
+    return data[i.below(kSize, "message")];
+  }
+#else
+  constexpr T& operator[](std::size_t i) {
+    return data[i];
+  }
+  constexpr const T& operator[](std::size_t i) const {
+    return data[i];
+  }
+#endif
+  constexpr T* begin() {
+    return data;
+  }
+  constexpr T* end() {
+    return data + kSize;
+  }
+  constexpr const T* begin() const {
+    return data;
+  }
+  constexpr const T* end() const {
+    return data + kSize;
+  }
   friend constexpr bool operator==(const Array& a,
                                    const Array& b) requires std::is_arithmetic_v<T> {
     for (std::size_t i = 0; i < kSize; ++i) {

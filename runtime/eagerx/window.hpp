@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <eagerx/cursor.hpp>
+#include <eagerx/index.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <limits>
@@ -55,17 +56,32 @@ class Window {
   constexpr bool empty() const { return size() == 0; }
 
   /// Message `i`, 0 is the oldest. `i < size()`.
+#ifdef EAGERX_CHECKS
+  constexpr const Message& operator[](Index i) const {
+    const auto place = static_cast<std::uint32_t>(i.below(size(), "window"));
+    return ring_[ring_position<Capacity>(seq(place))];
+  }
+#else
   constexpr const Message& operator[](std::uint32_t i) const {
     return ring_[ring_position<Capacity>(seq(i))];
   }
-  constexpr const Message& front() const { return (*this)[0]; }
-  constexpr const Message& back() const { return ring_[ring_position<Capacity>(end_ - 1)]; }
+#endif
+  constexpr const Message& front() const {
+    return (*this)[0];
+  }
+  constexpr const Message& back() const {
+    return ring_[ring_position<Capacity>(end_ - 1)];
+  }
 
   /// The newest message, or `otherwise` while there is none.
-  constexpr Message back_or(const Message& otherwise) const { return empty() ? otherwise : back(); }
+  constexpr Message back_or(const Message& otherwise) const {
+    return empty() ? otherwise : back();
+  }
 
   /// Sequence number of message `i` in its channel.
-  constexpr Seq seq(std::uint32_t i) const { return end_ - size() + i; }
+  constexpr Seq seq(std::uint32_t i) const {
+    return end_ - size() + i;
+  }
   /// Time at which message `i` was sent, in seconds since the reset (a delay is not added).
   template <class Real>
   constexpr Real sent_s(std::uint32_t i) const {

@@ -11,6 +11,7 @@ function(eagerx_configure_target library)
   target_compile_options(${library} PRIVATE -fvisibility-inlines-hidden $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   # Without a build type CMake would not optimise at all.
   target_compile_options(${library} PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
+  target_compile_definitions(${library} PRIVATE $<$<CONFIG:Debug>:EAGERX_CHECKS>)
   set(visible ${CMAKE_CURRENT_BINARY_DIR}/eagerx_environments.map)
   set(functions version describe error create destroy reset step act set_states tune get_states get_exact_states set_stage critic trace hash counts
                 picture stepping)

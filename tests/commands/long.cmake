@@ -13,6 +13,10 @@ if(NOT EAGERX_SANITIZE) # a library that is opened by programs without sanitizer
   add_test(NAME commands_two_writers COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/two_writers ${PROJECT_BINARY_DIR}
                                              $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
 endif()
+# A node that writes beyond its message.
+if(NOT EAGERX_SANITIZE)
+  add_test(NAME commands_sanitized COMMAND ${CMAKE_CURRENT_LIST_DIR}/sanitized ${PROJECT_BINARY_DIR})
+endif()
 add_test(NAME commands_at_once_all COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/at_once ${PROJECT_BINARY_DIR} --all)
 # No output on an input or on another output, in any command.
 add_test(NAME commands_one_file COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_file ${PROJECT_BINARY_DIR})

@@ -102,8 +102,9 @@ class CompileCheck {
     std::vector<std::string> words = {options_.compiler, "-std=c++20", "-O2", "-g1",
                                       "-ffunction-sections"};
     words.insert(words.end(), flags_.begin(), flags_.end());
-    words.insert(words.end(), {"-Wdouble-promotion", "-I" + folder_,
-                               "-I" + options_.root + "/runtime", "-I" + options_.root});
+    words.insert(words.end(),
+                 {"-Wdouble-promotion", "-DEAGERX_CONSTANT_INDEXES", "-Wuninitialized",
+                  "-I" + folder_, "-I" + options_.root + "/runtime", "-I" + options_.root});
     for (const std::string& each : options_.include_folders) words.push_back("-I" + each);
     const bool portable =
         ranges::all_of(classes_, [](const UsedClass& each) { return each.system.empty(); });
@@ -194,6 +195,7 @@ class CompileCheck {
     }
     std::set<std::pair<std::string, std::uint32_t>> told;  // one constant makes a line of doubles
     for (const CompilerMessage& message : messages) {
+      report_wrong_memory(message, told);
       if (message.text.find("[-Wdouble-promotion]") == std::string::npos ||
           plan_.graph->double_precision || !is_of_portable_entity(message.file) ||
           !told.insert({message.file, message.line}).second)
@@ -203,6 +205,29 @@ class CompileCheck {
           .help = "write constants as `Real(0.5)` and use `Io::Real`";
     }
     return true;
+  }
+
+  /// A constant index beyond a message; a variable without a value.
+  void report_wrong_memory(const CompilerMessage& message,
+                           std::set<std::pair<std::string, std::uint32_t>>& told) {
+    const auto says = [&](std::string_view words) {
+      return message.text.find(words) != std::string::npos;
+    };
+    const bool is_outside = says("index is outside of the message");
+    if (!is_outside && !says("[-Wuninitialized]")) return;
+    std::vector<CompilerMessage::Place> places = {{message.file, message.line, message.column}};
+    places.insert(places.end(), message.inlined_at.begin(), message.inlined_at.end());
+    const auto place =
+        ranges::find_if(places, [&](const auto& each) { return is_of_entity(each.file); });
+    if (place == places.end() || !told.insert({place->file, place->line}).second) return;
+    const Span span = span_of(place->file, place->line, place->column);
+    const std::string text = message.text.substr(0, message.text.find(" [-W"));
+    if (is_outside)
+      broken(span, "index is outside of the message").help =
+          "a message of shape [N] has the indexes 0 to N - 1";
+    else
+      broken(span, "reads what has no value: " + text).help =
+          "give the variable a value where it is declared";
   }
 
   /// The program over SIMD vectors, if the target has one.

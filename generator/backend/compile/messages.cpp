@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <utility>
 
 namespace eagerx::gen {
 namespace {
@@ -18,6 +19,36 @@ std::optional<std::uint32_t> take_number(std::string_view& text) {
   return number;
 }
 
+/// Takes "FILE:LINE:COLUMN", where the file may have colons.
+bool read_place(std::string_view place, std::string& file, std::uint32_t& line,
+                std::uint32_t& column) {
+  const std::size_t second = place.rfind(':');
+  if (second == std::string_view::npos || second == 0) return false;
+  const std::size_t first = place.rfind(':', second - 1);
+  if (first == std::string_view::npos) return false;
+  file = place.substr(0, first);
+  const std::string numbers = std::string(place.substr(first + 1)) + ":";
+  std::string_view rest = numbers;
+  const auto row = take_number(rest);
+  const auto at = take_number(rest);
+  if (!row || !at) return false;
+  line = *row;
+  column = *at;
+  return true;
+}
+
+/// "    inlined from 'void mine::Gain<Io>::callback(…)' at gain.hpp:14:16:"
+std::optional<CompilerMessage::Place> inlined_at(std::string_view line) {
+  constexpr std::string_view kBegin = "    inlined from ", kPlace = "' at ";
+  const std::size_t at = line.rfind(kPlace);
+  if (!line.starts_with(kBegin) || at == std::string_view::npos) return std::nullopt;
+  line.remove_prefix(at + kPlace.size());
+  while (line.ends_with(':') || line.ends_with(',')) line.remove_suffix(1);
+  CompilerMessage::Place place;
+  if (!read_place(line, place.file, place.line, place.column)) return std::nullopt;
+  return place;
+}
+
 std::optional<CompilerMessage> message_in(std::string_view line) {
   CompilerMessage message;
   for (const std::string_view kind : {": fatal error: ", ": error: ", ": warning: "}) {
@@ -25,21 +56,8 @@ std::optional<CompilerMessage> message_in(std::string_view line) {
     if (at == std::string_view::npos) continue;
     message.error = kind != ": warning: ";
     message.text = line.substr(at + kind.size());
-    // The file may have colons, its line and column have none.
-    const std::string_view place = line.substr(0, at);
-    const std::size_t column = place.rfind(':');
-    if (column == std::string_view::npos || column == 0) return std::nullopt;
-    const std::size_t row = place.rfind(':', column - 1);
-    if (row == std::string_view::npos) return std::nullopt;
-    message.file = place.substr(0, row);
-    std::string numbers(place.substr(row + 1));
-    numbers += ":";
-    std::string_view rest = numbers;
-    const auto first = take_number(rest);
-    const auto second = take_number(rest);
-    if (!first || !second) return std::nullopt;
-    message.line = *first;
-    message.column = *second;
+    if (!read_place(line.substr(0, at), message.file, message.line, message.column))
+      return std::nullopt;
     return message;
   }
   return std::nullopt;
@@ -49,10 +67,18 @@ std::optional<CompilerMessage> message_in(std::string_view line) {
 
 std::vector<CompilerMessage> messages_in(std::string_view output) {
   std::vector<CompilerMessage> messages;
+  std::vector<CompilerMessage::Place> places;  // said before the message
   while (!output.empty()) {
     const std::string_view line = output.substr(0, output.find('\n'));
     output.remove_prefix(std::min(line.size() + 1, output.size()));
-    if (auto message = message_in(line)) messages.push_back(std::move(*message));
+    if (auto place = inlined_at(line)) {
+      places.push_back(std::move(*place));
+    } else if (auto message = message_in(line)) {
+      message->inlined_at = std::exchange(places, {});
+      messages.push_back(std::move(*message));
+    } else if (!line.starts_with(' ')) {
+      places.clear();  // "In function …" begins another one
+    }
   }
   return messages;
 }

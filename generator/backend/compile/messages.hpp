@@ -14,6 +14,12 @@ struct CompilerMessage {
   std::uint32_t line = 0, column = 0;
   bool error = false;
   std::string text;
+  /// Where functions were called that the compiler put in their callers, the innermost one first.
+  struct Place {
+    std::string file;
+    std::uint32_t line = 0, column = 0;
+  };
+  std::vector<Place> inlined_at = {};
 };
 std::vector<CompilerMessage> messages_in(std::string_view output);
 

@@ -73,6 +73,10 @@ Tree tree_of(const Run& run, const GenerateOptions& options, const Target& targe
   if (several) tree.settings.emplace_back("EAGERX_TARGET", target.id.value);
   if (options.for_this_machine && !widest_instruction_set().empty())
     tree.settings.emplace_back("EAGERX_INSTRUCTION_SETS", widest_instruction_set());
+  if (options.sanitize && target.id.value == "linux-sim") {
+    tree.build += "-sanitized";
+    tree.settings.emplace_back("EAGERX_SANITIZED", "ON");
+  }
   if (!target.toolchain.empty()) tree.toolchain = toolchain_of(run, options, target, folder);
   if (is_own(run, target) && !is_standalone(options)) {
     const fs::path own = absolute_path(folder_of(run, target)).lexically_normal();

@@ -125,6 +125,10 @@ Arguments on_building(GenerateOptions& options) {
                  selection(options),
                  rates(options),
                  {agent_policy(options), library(options), warnings(options)},
+                 {flag("--sanitize", options.sanitize,
+                       "for Linux: with address and undefined-behavior sanitizers, which name the "
+                       "class and the line of a node that writes beyond a message; it is built in "
+                       "the folder `build-sanitized`")},
                  diagnostics(options)});
 }
 

@@ -80,6 +80,7 @@ int become_built(const Run& run, const BuiltProgram& program,
     command.insert(command.end() - 1, {"--time-limit", "0"});  // as long as the user wants
   }
   expect_graph(program);
+  setenv("UBSAN_OPTIONS", "print_stacktrace=1", 0);  // of `--sanitize`, as the user has it if set
   command.insert(command.end(), words.begin(), words.end());
   return become(command.front(), {command.begin() + 1, command.end()});
 }
@@ -124,6 +125,19 @@ std::string title(const Run& run, const Planned& item) {
                        target.id.value);
   return target.toolchain.empty() ? run.graph->name
                                   : fmt::format("{} for {}", run.graph->name, target.id.value);
+}
+
+/// Whether any of them can be built with sanitizers.
+bool check_sanitized(Run& run, const std::vector<Planned>& items) {
+  const auto is_native = [](const Planned& item) {
+    return item.program.target->id.value == "linux-sim";
+  };
+  if (ranges::any_of(items, is_native)) return true;
+  run.diagnostics
+      .usage_error("E0516", fmt::format("`{}` has no programs with sanitizers",
+                                        items.back().program.target->id.value))
+      .help = "leave out `--target`: on Linux the same graph has the same bits";
+  return false;
 }
 
 /// Whether it can be run here; that is asked before it is built.
@@ -182,6 +196,10 @@ std::optional<std::vector<BuiltProgram>> build_made_graph(Run& run, GenerateOpti
   const auto generated = generate_graph(run, options, code);
   if (!generated) return std::nullopt;
   const std::vector<Planned> items = planned(run, options, *generated);
+  if (options.sanitize && !check_sanitized(run, items)) {
+    code = kWrongUsage;
+    return std::nullopt;
+  }
   if (to_run != nullptr) {
     const Planned& last = items.back();
     if (!check_start(run, last.program)) return std::nullopt;

@@ -1,0 +1,60 @@
+// Indexes of messages and windows. With EAGERX_CHECKS, which debug builds and sanitizers define,
+// each is compared with the size, and the program ends with the place in the node that wrote it.
+#pragma once
+
+#ifdef EAGERX_CONSTANT_INDEXES  // defined by `eagerx-gen check --compile`
+
+#include <cstddef>
+
+namespace eagerx {
+
+/// Never defined: the compiler warns of each call that is left.
+[[gnu::warning("index is outside of the message")]] void index_is_outside();
+
+/// An index; if it is a constant that the compiler knows, one below Size.
+template <std::size_t Size>
+[[gnu::always_inline]] constexpr std::size_t known_below(std::size_t i) {
+  if (__builtin_constant_p(i) && i >= Size) index_is_outside();
+  return i;
+}
+
+}  // namespace eagerx
+
+#elif defined(EAGERX_CHECKS)
+
+#include <cstddef>
+#include <cstdint>
+#include <source_location>
+
+/// Says what is wrong and ends the program; on Linux, runtime/host/base has it.
+extern "C" [[gnu::weak]] void eagerx_index_is_outside(const char* file, std::uint_least32_t line,
+                                                      const char* function, const char* of,
+                                                      std::size_t index, std::size_t size);
+
+namespace eagerx {
+
+/// A number, and the place where somebody made an index of it.
+class Index {
+ public:
+  // Not explicit, so that `message[i]` stays what it is.
+  constexpr Index(  // NOLINT(google-explicit-constructor)
+      std::size_t value, std::source_location place = std::source_location::current())
+      : value_(value), place_(place) {}
+
+  /// `of` what: "message", "window". It has `size` elements.
+  constexpr std::size_t below(std::size_t size, const char* of) const {
+    if (value_ < size) return value_;
+    if (eagerx_index_is_outside != nullptr)
+      eagerx_index_is_outside(place_.file_name(), place_.line(), place_.function_name(), of, value_,
+                              size);
+    __builtin_trap();
+  }
+
+ private:
+  std::size_t value_;
+  std::source_location place_;
+};
+
+}  // namespace eagerx
+
+#endif
