@@ -128,9 +128,8 @@ TEST_F(LogsTest, APanelIsAChannelAnElementOrSeveral) {
   for (const PlotLine& line : one->lines) EXPECT_EQ(line.element, 0U);
   const auto both = panel_named(read, "theta,u[0],u", {}, problem);
   ASSERT_TRUE(both) << problem;
-  EXPECT_EQ(both->names,
-            (std::vector<std::string>{"pendulum/theta", "environment/u[0]", "environment/u[0]",
-                                      "environment/u[1]"}));
+  EXPECT_EQ(both->names, (std::vector<std::string>{"pendulum/theta", "environment/u[0]",
+                                                   "environment/u[0]", "environment/u[1]"}));
   EXPECT_EQ(both->elements, 4U);
   for (const std::string wrong : {"u[2]", "u[x]", "u[]", "theta[1]", "theta,", ",u", "thetta"}) {
     problem.clear();
