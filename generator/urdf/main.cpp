@@ -51,7 +51,7 @@ void say_more(const Options& options, const eagerx::urdf::Robot& robot) {
       eagerx::gen::say("`{}` is fixed to the world, as it has no mass\n", robot.base);
   }
   if (robot.links > robot.bodies.size())
-    eagerx::gen::say("{} of {} links: `fixed` joints weld links together, or to the world\n",
+    eagerx::gen::say("{} of {} links: the others are welded to them, or to the world\n",
                      eagerx::gen::counted(robot.bodies.size(), "body", "bodies"), robot.links);
   if (const auto quick = quickest_joint(robot); quick && quick->time_s < kUsualStep)
     eagerx::gen::say(

@@ -184,7 +184,7 @@ class Reader {
   }
 
   Joint joint(pugi::xml_node element) {
-    xml_.check(element, {.attributes = {"name", "type"},
+    xml_.check(element, {.attributes = {"name", "type", "dont_collapse"},
                          .once = {"origin", "parent", "child", "axis", "limit", "dynamics",
                                   "joint_properties", "mimic"}});
     Joint result;
