@@ -70,18 +70,32 @@ double radius_around(const Vector3& centre, const std::vector<Vector3>& points) 
   return std::max(most, kThinnest);
 }
 
-/// The principal axes of the points, by Jacobi's rotations.
-Axes3 principal_axes(const std::vector<Vector3>& points) {
+/// The principal axes of the surface, by Jacobi's rotations. It counts by its area: corners would
+/// say how a side is divided into triangles.
+Axes3 principal_axes(const Triangles& triangles) {
   Vector3 mean{};
-  for (const Vector3& p : points) mean = mean + p;
-  mean = (1.0 / static_cast<double>(points.size())) * mean;
-  double a[3][3] = {};
-  for (const Vector3& p : points) {
-    const Vector3 d = p - mean;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) a[i][j] += d[i] * d[j];
+  double area = 0.0;
+  const auto each = [&triangles](auto&& use) {
+    for (std::size_t t = 0; t < triangles.size(); t += 3) {
+      const Vector3* const p = &triangles[t];
+      use(p, length(models::cross(p[1] - p[0], p[2] - p[0])));
     }
-  }
+  };
+  each([&](const Vector3* p, double weight) {
+    mean = mean + (weight / 3.0) * (p[0] + p[1] + p[2]);
+    area += weight;
+  });
+  if (area > 0.0) mean = (1.0 / area) * mean;
+  double a[3][3] = {};
+  each([&](const Vector3* p, double weight) {
+    const Vector3 corners[4] = {p[0] - mean, p[1] - mean, p[2] - mean,
+                                p[0] + p[1] + p[2] - 3.0 * mean};
+    for (const Vector3& d : corners) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) a[i][j] += weight * d[i] * d[j];
+      }
+    }
+  });
   double v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   constexpr std::size_t kPairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   for (int sweep = 0; sweep < 30; ++sweep) {
@@ -216,14 +230,13 @@ double reach(const Fitted& shape, const Vector3& direction) {
                      shape.size[2] * std::abs(d[2]));
 }
 
-/// Halves that are no larger than a quarter of the mesh, so that a sphere can be around few of
-/// them.
+/// Triangles in parts that are small beside the mesh, so that a sphere can be around few of them.
 Triangles subdivided(Triangles triangles) {
   constexpr std::size_t kMost = 60'000;  // corners
   Vector3 size;
   for (std::size_t i = 0; i < 3; ++i)
     size[i] = reach(triangles, kFrameAxes[i]) + reach(triangles, -1.0 * kFrameAxes[i]);
-  const double longest = 0.25 * length(size);
+  const double longest = length(size) / 32.0;
   for (std::size_t t = 0; t < triangles.size() && triangles.size() < kMost;) {
     std::size_t side = 0;
     const auto edge = [&](std::size_t i) {
@@ -265,8 +278,20 @@ std::array<Triangles, 2> halves(const Triangles& triangles) {
 }  // namespace
 
 Fitted smallest_box(const Triangles& triangles) {
-  const Fitted straight = box_along(kFrameAxes, triangles);
-  const Fitted turned = box_along(principal_axes(triangles), triangles);
+  const std::vector<Vector3> points = outermost(triangles);
+  Axes3 axes = principal_axes(triangles);
+  if (is_smaller(box_along(kFrameAxes, points), box_along(axes, points))) axes = kFrameAxes;
+  // Turned a little about each axis while that makes it smaller.
+  double best = volume(box_along(axes, points));
+  for (double turn = 0.2; turn > 1e-4; turn *= 0.5) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      const Quaternion by = models::rotation(axes[i % 3], i < 3 ? turn : -turn);
+      const Axes3 other = {rotate(by, axes[0]), rotate(by, axes[1]), rotate(by, axes[2])};
+      const double size = volume(box_along(other, points));
+      if (size < 0.9999 * best) best = size, axes = other;
+    }
+  }
+  const Fitted straight = box_along(kFrameAxes, triangles), turned = box_along(axes, triangles);
   return is_smaller(turned, straight) ? turned : straight;
 }
 
@@ -288,7 +313,11 @@ Fitted smallest_shape(const Triangles& triangles) {
 double reach_beyond(const std::vector<Fitted>& shapes, const Triangles& triangles) {
   const std::vector<Vector3> points = outermost(triangles);
   double most = 0.0;
-  for (const Vector3& direction : directions(kDirections)) {
+  std::vector<Vector3> where = directions(kDirections);
+  for (const Axes3& axes : {kFrameAxes, principal_axes(triangles)}) {
+    for (const Vector3& axis : axes) where.insert(where.end(), {axis, -1.0 * axis});
+  }
+  for (const Vector3& direction : where) {
     const double mesh = reach(points, direction);
     for (const Fitted& shape : shapes) most = std::max(most, reach(shape, direction) - mesh);
   }

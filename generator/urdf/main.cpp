@@ -38,6 +38,8 @@ bool is_id(const std::string& text) {
   return !text.empty() && is_letter(text[0]) && text != "Io";
 }
 
+constexpr double kUsualStep = 1e-3;  // [s]
+
 /// What the description does not say by itself.
 void say_more(const Options& options, const eagerx::urdf::Robot& robot) {
   // A robot that was meant to stand on something falls.
@@ -51,6 +53,12 @@ void say_more(const Options& options, const eagerx::urdf::Robot& robot) {
   if (robot.links > robot.bodies.size())
     eagerx::gen::say("{} of {} links: `fixed` joints weld links together, or to the world\n",
                      eagerx::gen::counted(robot.bodies.size(), "body", "bodies"), robot.links);
+  if (const auto quick = quickest_joint(robot); quick && quick->time_s < kUsualStep)
+    eagerx::gen::say(
+        "`{}` reaches {:.3g} rad/s or m/s in {:.2g} ms under its largest torque: longer steps do "
+        "not "
+        "follow it; is its inertia, or its `limit`, right?\n",
+        quick->name, quick->speed, 1e3 * quick->time_s);
   if (!can_use_open_dynamics(robot))
     eagerx::gen::say(
         "for MultibodyEngine alone: OpenDynamicsEngine has no joints that mimic others\n");

@@ -7,6 +7,7 @@
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/quote/quote.hpp"
 #include "generator/urdf/robot.hpp"
+#include "models/engines/open_dynamics_engine/rigid_joints.hpp"
 
 namespace eagerx::urdf {
 namespace {
@@ -225,7 +226,7 @@ description: |
 
   std::string engines() const {
     return "engines:\n" + (can_use_open_dynamics(robot_) ? engine("OpenDynamicsEngine", "") : "") +
-           (can_use_multibody(robot_) ? engine("MultibodyEngine", ", packs: true") : "");
+           (can_use_multibody(robot_) ? engine("MultibodyEngine", ", vectorized: true") : "");
   }
   std::string engine(const char* name, const char* more) const {
     return fmt::format(
@@ -250,6 +251,28 @@ bool can_use_multibody(const Robot& robot) {
 
 bool can_use_open_dynamics(const Robot& robot) {
   return std::ranges::all_of(robot.joints, &std::string::empty, &BodyJoint::mimics);
+}
+
+std::optional<QuickJoint> quickest_joint(const Robot& robot) {
+  std::optional<QuickJoint> result;
+  for (const BodyJoint& joint : robot.joints) {
+    const double speed = joint.limits.velocity, torque = joint.limits.effort;
+    if (joint.is_fixed || !std::isfinite(speed) || !std::isfinite(torque) || torque <= 0.0)
+      continue;
+    const auto child = std::ranges::find(robot.bodies, joint.child, &Body::name);
+    models::RigidJoint as_scene;
+    as_scene.kind = joint.slides ? models::JointKind::slider : models::JointKind::hinge;
+    as_scene.anchor = joint.anchor;
+    as_scene.axis = joint.axis;
+    const models::RigidBody body = {.name = "",
+                                    .mass = child->mass,
+                                    .inertia = child->inertia,
+                                    .position = child->position,
+                                    .products = child->products};
+    const double time_s = models::inertia_of_joint(as_scene, body) * speed / torque;
+    if (!result || time_s < result->time_s) result = QuickJoint{joint.name, time_s, speed};
+  }
+  return result;
 }
 
 std::string manifest_text(const Robot& robot) {

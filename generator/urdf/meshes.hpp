@@ -42,8 +42,8 @@ enum class CollisionShapes : std::uint8_t { smallest, boxes, spheres, none };
 
 struct MeshOptions {
   CollisionShapes shapes = CollisionShapes::smallest;
-  double distance = 0.01;             // of spheres [m]
-  std::vector<std::string> packages;  // folders that `package://` is looked for in
+  double distance = 0.01;                  // of spheres [m]
+  std::vector<std::string> packages = {};  // folders that `package://` is looked for in
 };
 
 /// Where a mesh is: by its path, beside the description in `folder` or in one of the folders above

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "generator/backend/emit/namer.hpp"
@@ -423,11 +422,6 @@ class Maker {
                                        "both others; it is used as it is",
                                        body.name));
     }
-  }
-
-  static double ball_of_water(double mass) {
-    const double radius = std::cbrt(0.75 * mass / (std::numbers::pi * 1000.0));
-    return 0.4 * mass * radius * radius;
   }
 
   const Description& from_;

@@ -73,6 +73,15 @@ bool can_use_multibody(const Robot& robot);
 /// No joint follows another one.
 bool can_use_open_dynamics(const Robot& robot);
 
+/// The joint that reaches its limit of speed first from rest, under its largest torque, as far as
+/// the body that it moves says.
+struct QuickJoint {
+  std::string name;
+  double time_s = 0.0;
+  double speed = 0.0;  // [rad/s, m/s]
+};
+std::optional<QuickJoint> quickest_joint(const Robot& robot);
+
 /// The object's header and its manifest.
 std::string header_text(const Robot& robot);
 std::string manifest_text(const Robot& robot);

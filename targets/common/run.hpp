@@ -46,9 +46,10 @@ constexpr RunPlan default_plan() {
   return plan;
 }
 
-/// Where actions come from. `csv` exists on targets with files only; on linux-sim another process
-/// may be the agent, over DDS or, `outside`, the one that started the program. Graphs name neither.
-enum class Agent : std::uint8_t { policy, zero, random, csv, dds, outside };
+/// Where actions come from. `csv` exists on targets with files only. A target may have agents of
+/// its own, which graphs do not name: their numbers begin at kAgents.
+enum class Agent : std::uint8_t { policy, zero, random, csv };
+inline constexpr std::uint8_t kAgents = 4;
 
 /// The agent called `name` in graphs and on command lines; false if there is none.
 constexpr bool agent_of(std::string_view name, Agent& agent) {
@@ -67,10 +68,7 @@ constexpr std::string_view name_of(Agent agent) {
       return "zero";
     case Agent::random:
       return "random";
-    case Agent::outside:
-      return "outside";
     case Agent::csv:
-    case Agent::dds:
       break;
   }
   return "csv";
@@ -117,28 +115,10 @@ bool is_linked(const Program& program) {
   }
 }
 
-/// The same between two episodes, where a watch can bring back what is lost.
-template <class Program, class Watch>
-bool is_linked_again(const Program& program, Watch& watch) {
-  if (is_linked(program)) return true;
-  if constexpr (requires { watch.link_again(); }) return watch.link_again();
-  static_cast<void>(watch);
-  return false;
-}
-
 /// A program that asks others for messages before it needs them waits for those on their way.
 template <class Program>
 void settle(Program& program) {
   if constexpr (requires { program.settle(); }) program.settle();
-}
-
-/// The same where `watch` looks at the messages of each step, if it says so.
-template <class Program, class Watch>
-void catch_up(Program& program, [[maybe_unused]] Watch& watch) {
-  if constexpr (requires { watch.looks(); }) {
-    if (!watch.looks()) return;
-  }
-  settle(program);
 }
 
 /// What was applied in the last step: what another program has decided, once that is there.
@@ -200,16 +180,6 @@ bool is_real(const Program& program) {
   }
 }
 
-/// What an episode begins with: as the graph draws it, or as the watch wants.
-template <class Graph, class Watch>
-typename Graph::States states_of(Watch& watch, EpisodeKey key) {
-  if constexpr (requires { watch.states(key); }) {
-    return watch.states(key);
-  } else {
-    return Graph::draw(key);
-  }
-}
-
 /// Whether a graph's state `i` can be set while an episode runs.
 template <class Graph>
 constexpr bool is_tunable([[maybe_unused]] std::size_t i) {
@@ -245,50 +215,65 @@ typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
   }
 }
 
+/// What sees the steps of run_episodes(), and has a say in them: a class derived from this one
+/// hides the functions that it has use for. None is virtual, for boards.
+template <class Graph>
+struct Watch {
+  using Action = typename Graph::Action;
+  using Observation = typename Graph::Observation;
+  using Outcome = typename OutcomeOf<Graph>::Type;
+  using States = typename Graph::States;
+
+  /// Before an episode and before a step. False ends the run.
+  bool go_on() { return true; }
+  /// Between two episodes, when the other program of a split graph is gone: whether it is back.
+  bool link_again() { return false; }
+  /// The key of an episode that is planned with another one.
+  EpisodeKey key(EpisodeKey planned) { return planned; }
+  /// An episode begins, before its reset.
+  void begin(EpisodeKey /*key*/) {}
+  /// What it begins with.
+  States states(EpisodeKey key) { return Graph::draw(key); }
+  void reset(std::uint32_t /*episode*/, const Observation& /*observation*/) {}
+  /// Whether an episode is over before its last step.
+  bool is_over() { return false; }
+  /// How many steps up to now were too late.
+  std::uint64_t late_in_a_row() { return 0; }
+  /// `step` is from 1; `action`: what was applied.
+  void step(std::uint32_t /*episode*/, Seq /*step*/, const Action& /*action*/,
+            const Observation& /*observation*/, const Outcome& /*outcome*/) {}
+  /// Whether messages of a step are looked at before the next one. If not, a part's messages and
+  /// what it has decided are not waited for.
+  bool looks() { return true; }
+};
+
 /// Runs `plan`; an episode has fewer steps if the graph's task ends it. `agent(key, step,
-/// observation)` gives an action, and the program's guard what is applied in its place. `watch`
-/// sees what happens: `watch.reset(episode, observation)`, `watch.step(episode, step, action,
-/// observation)` with `step` from 1, and ends the run before a step or an episode by returning
-/// false from `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an
-/// episode; if it has `key(key)`, that is the key of the episode; if it has `late_in_a_row()`, that
-/// is how many steps up to now were too late; if it has `states(key)`, that is what an episode
-/// begins with; if it has `is_over()`, an episode ends when that is true; if it has `looks()` and
-/// that is false, it sees no message that a part has sent, nor what a part has decided. An episode
+/// observation)` gives an action, and the program's guard what is applied in its place. An episode
 /// of a program with a link to another one ends when the link does, and `watch` does not see that
-/// step. The run ends then, too, unless `watch` has `link_again()` and that is true: then the next
-/// episode begins.
-template <class Graph, class Program, class AgentFunction, class Watch>
-void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
+/// step. The run ends then, too, unless `watch` brings the other program back.
+template <class Graph, class Program, class AgentFunction, class WatchOfRun>
+void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, WatchOfRun& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
     settle(program);
-    if (!is_linked_again(program, watch) || !watch.go_on()) return;
-    EpisodeKey key{plan.seed, plan.environment, episode};
-    if constexpr (requires { watch.key(key); }) key = watch.key(key);
-    if constexpr (requires { watch.begin(key); }) watch.begin(key);
+    if (!(is_linked(program) || watch.link_again()) || !watch.go_on()) return;
+    const EpisodeKey key = watch.key({plan.seed, plan.environment, episode});
+    watch.begin(key);
     program.trace.episode(episode);
-    typename Graph::Observation observation = program.reset(states_of<Graph>(watch, key));
-    catch_up(program, watch);
+    typename Graph::Observation observation = program.reset(watch.states(key));
+    if (watch.looks()) settle(program);
     if (!is_linked(program)) continue;
     watch.reset(episode, observation);
     for (std::uint64_t step = 0; step < plan.steps; ++step) {
       if (!watch.go_on()) return;
-      if constexpr (requires { watch.is_over(); }) {
-        if (watch.is_over()) break;
-      }
+      if (watch.is_over()) break;
       const typename Graph::Action wanted = agent(key, step, observation);
-      std::uint64_t late = 0;
-      if constexpr (requires { watch.late_in_a_row(); }) late = watch.late_in_a_row();
-      typename Graph::Action action = guarded(program, wanted, late);
+      typename Graph::Action action = guarded(program, wanted, watch.late_in_a_row());
       observation = apply(program, action);
-      catch_up(program, watch);
+      if (watch.looks()) settle(program);
       if (!is_linked(program)) break;
       find_applied(program, action);
       const auto outcome = outcome_of<Graph>(program);
-      if constexpr (requires { watch.step(episode, step, action, observation, outcome); }) {
-        watch.step(episode, step + 1, action, observation, outcome);
-      } else {
-        watch.step(episode, step + 1, action, observation);
-      }
+      watch.step(episode, step + 1, action, observation, outcome);
       if (has_ended(outcome)) break;
     }
   }

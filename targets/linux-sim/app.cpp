@@ -7,6 +7,7 @@
 #include <runtime/host/base/number.hpp>
 #include <string>
 #include <targets/linux-sim/action_file.hpp>
+#include <targets/linux-sim/channel_names.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/faults.hpp>
 #include <targets/linux-sim/fields.hpp>
@@ -17,7 +18,6 @@
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/reconnect.hpp>
-#include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/replay_log.hpp>
 #include <targets/linux-sim/say.hpp>
 #include <targets/linux-sim/session.hpp>
@@ -36,6 +36,10 @@ int fail(const std::string& text, int exit_code) {
 
 void say_note(const std::string& text) {
   std::fputs(("note: " + text + "\n").c_str(), stderr);
+}
+
+void say_other_spelling(const std::string& written, const std::string& name) {
+  say_note("`" + written + "` is `" + name + "` here");
 }
 
 namespace {
@@ -73,7 +77,7 @@ int self_test(const GraphProgram& program) {
 
 /// What another process must not decide, or nothing.
 std::string problem_of_agent(const Options& options, const GraphProgram& program) {
-  if (options.agent != target::Agent::dds) return {};
+  if (options.agent != kDdsAgent) return {};
   if (program.is_real() || program.facts().is_split())
     return "error: `--agent dds` moves no real hardware: DDS does not say who sends an action\n"
            "help: try the agent in simulation, then give its policy to the graph";
@@ -89,9 +93,9 @@ std::string problem_of_agent(const Options& options, const GraphProgram& program
 
 /// What is wrong with options that the graph decides about, or nothing.
 std::string problem_of(const Options& options, const Fields& fields, const GraphProgram& program,
-                       StateSettings& settings, AgentFaults& faults) {
+                       StateSettings& settings, AgentFaults& faults, Measures& measures) {
   const GraphFacts& facts = program.facts();
-  if (options.agent == target::Agent::outside) {
+  if (options.agent == kOutsideAgent) {
     if (program.is_real() && options.real_time_factor != 1.0)
       return "error: real hardware has a time of its own\nhelp: `--real-time-factor 1`";
     if (facts.is_split())
@@ -115,19 +119,21 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
     return "error: the part with the agent sees and decides itself\nhelp: leave out `--fault`";
   problem = faults.read(options.faults);
   if (!problem.empty()) return problem;
-  problem = measures_of_run.prepare(options.until, options.measures, options.summary,
-                                    readables_of(facts, fields.states));
+  problem = measures.prepare(options.until, options.measures, options.summary,
+                             readables_of(facts, fields.states));
   return problem.empty() ? problem_with_files(options) : problem;
 }
 
 /// Everything behind the command line.
-int run_with(const Options& options, GraphProgram& program) {
+int run_with(const Options& given, GraphProgram& program) {
   const GraphFacts& facts = program.facts();
+  const Options options = with_channels_named(given, facts);
   const bool is_split = facts.is_split();
   const Fields fields(program);
   StateSettings settings(fields.states);
   AgentFaults faults(fields);
-  const std::string problem = problem_of(options, fields, program, settings, faults);
+  Measures measures;
+  const std::string problem = problem_of(options, fields, program, settings, faults, measures);
   if (!problem.empty()) return fail(problem, kBadUsage);
 
   std::vector<std::max_align_t> zero(program.action_bytes() / sizeof(std::max_align_t) + 1);
@@ -163,9 +169,9 @@ int run_with(const Options& options, GraphProgram& program) {
     if (!unconnected.empty()) return fail(unconnected, kBadFile);
   }
   std::optional<RemoteAgent> agent;
-  if (options.agent == target::Agent::dds)
+  if (options.agent == kDdsAgent)
     agent.emplace(options, facts, fields, zero.data(), program.action_bytes());
-  return run_told({options, fields, table, settings, faults, reconnection}, program,
+  return run_told({options, fields, table, settings, faults, reconnection, measures}, program,
                   agent ? &*agent : nullptr);
 }
 
@@ -188,8 +194,9 @@ int run(int argc, char** argv, GraphProgram& program) {
                     "\nhelp: something has changed the folder while it was built: run "
                     "the command again",
                 kBadFile);
-  spaces_of_run.prepare(facts);
-  recorder_of_run.graph_is(facts);
+  std::vector<std::uint64_t> out_of_space(facts.channel_count);
+  program.spaces.prepare(facts, out_of_space.data());
+  program.recorder.graph_is(facts);
   Options defaults;
   defaults.plan = facts.plan;
   defaults.agent = facts.agent;

@@ -28,7 +28,8 @@ namespace eagerx::linux_sim {
 
 /// The link of a split graph: split_app.hpp. A whole one has none.
 template <class Graph>
-struct LinkOf {
+class LinkOf {
+ public:
   static constexpr bool kIsSplit = false;
   static constexpr bool kPartDecides = false;
   template <class Trace>
@@ -43,16 +44,16 @@ struct LinkOf {
   static void make_safe(Program& /*program*/) {}
 };
 
-/// What target::run_episodes() tells a watch.
+/// Tells the library's watch what run_episodes() says.
 template <class Graph>
-class GraphWatch {
+class GraphWatch : public target::Watch<Graph> {
  public:
-  using Action = typename Graph::Action;
-  using Observation = typename Graph::Observation;
-  using Outcome = typename target::OutcomeOf<Graph>::Type;
-  using States = typename Graph::States;
+  using typename target::Watch<Graph>::Action;
+  using typename target::Watch<Graph>::Observation;
+  using typename target::Watch<Graph>::Outcome;
+  using typename target::Watch<Graph>::States;
 
-  explicit GraphWatch(Watch& watch) : watch_(watch) {}
+  GraphWatch(Watch& watch, LinkOf<Graph>& link) : watch_(watch), link_(link) {}
 
   bool go_on() { return watch_.go_on(); }
   bool link_again() { return LinkOf<Graph>::kIsSplit && watch_.link_again(); }
@@ -61,7 +62,7 @@ class GraphWatch {
   std::uint64_t late_in_a_row() const { return watch_.late_in_a_row(); }
 
   EpisodeKey key(EpisodeKey planned) { return watch_.key(planned); }
-  void begin(EpisodeKey key) { LinkOf<Graph>::begin(key, watch_.agent()); }
+  void begin(EpisodeKey key) { link_.begin(key, watch_.agent()); }
   States states(EpisodeKey key) {
     States states = Graph::draw(key);
     const StateRow row = watch_.states();
@@ -124,8 +125,7 @@ class GraphWatch {
   }
   /// The action of a file, or of another process.
   [[gnu::noinline, gnu::cold]] Action given(Seq step, const Observation& observation) {
-    if (watch_.agent() == target::Agent::dds)
-      copy_observation<Graph>(observation, watch_.observations());
+    if (watch_.agent() == kDdsAgent) copy_observation<Graph>(observation, watch_.observations());
     const void* const row = watch_.given_action(step);
     return row != nullptr ? *static_cast<const Action*>(row) : Graph::zero();
   }
@@ -137,6 +137,7 @@ class GraphWatch {
   }
 
   Watch& watch_;
+  LinkOf<Graph>& link_;
   bool has_header_ = false;
 };
 
@@ -161,8 +162,8 @@ host::Keeper::TakeOver how_to_take_over(const Program& program) {
 
 /// A run from its first reset to its last step, and behind that until everything is safe.
 template <class Graph, class Program>
-void run_program(Watch& watch, Program& program) {
-  GraphWatch<Graph> seen(watch);
+void run_program(Watch& watch, LinkOf<Graph>& link, Program& program) {
+  GraphWatch<Graph> seen(watch, link);
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if constexpr (LinkOf<Graph>::kPartDecides) {
       // That part has agent and guard.
@@ -172,7 +173,7 @@ void run_program(Watch& watch, Program& program) {
       return seen.action(key, step, observation, program);
     }
   };
-  LinkOf<Graph>::connect(program);
+  link.connect(program);
   const host::Keeper keeper(how_to_take_over(program), &program, Graph::kSafety.hang_ns);
   target::warm_up(program);  // a library may need memory for it, and none afterwards
   const host::MadeSafe<Program> made_safe(program);
@@ -195,6 +196,11 @@ void run_program(Watch& watch, Program& program) {
 template <class Graph>
 class ProgramOf final : public GraphProgram {
  public:
+  ProgramOf() {
+    untraced().trace.spaces = &spaces;
+    traced().trace.spaces = &spaces;
+    traced().trace.recorder = &recorder;
+  }
   const GraphFacts& facts() const override {
     static const GraphFacts facts = known();
     return facts;
@@ -212,10 +218,11 @@ class ProgramOf final : public GraphProgram {
     if constexpr (requires { Graph::kRenders; }) return pictures_of_run();
     return nullptr;
   }
-  SplitLink* link(std::size_t part) const override { return LinkOf<Graph>::link(part); }
+  SplitLink* link(std::size_t part) override { return link_.link(part); }
 
   void run(Watch& watch, bool is_traced) override {
-    is_traced ? run_program<Graph>(watch, traced()) : run_program<Graph>(watch, untraced());
+    is_traced ? run_program<Graph>(watch, link_, traced())
+              : run_program<Graph>(watch, link_, untraced());
   }
   void list_counts(bool is_traced, CountListener& listener) const override {
     const auto count = [&](const char* name, std::uint64_t n) { listener.count(name, n); };
@@ -304,6 +311,7 @@ class ProgramOf final : public GraphProgram {
     return facts;
   }
 
+  [[no_unique_address]] LinkOf<Graph> link_;
   std::optional<typename Graph::Observation> observation_;
 };
 

@@ -13,8 +13,13 @@
 #include <eagerx/safety.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/message_view.hpp>
+#include <targets/linux-sim/recorder.hpp>
+#include <targets/linux-sim/spaces.hpp>
 
 namespace eagerx::linux_sim {
+
+/// Another process is the agent: over DDS, or the one that started the program.
+inline constexpr target::Agent kDdsAgent{target::kAgents}, kOutsideAgent{target::kAgents + 1};
 
 class Pictures;
 class SplitLink;
@@ -113,10 +118,13 @@ class CountListener {
 };
 
 /// The program of a graph. There are two of it: one that says nothing, which run() takes unless
-/// `traced`, and one whose trace is recorder_of_run (recorder.hpp), which all other functions mean.
+/// `traced`, and one whose trace shows its messages to `recorder`, which all other functions mean.
 /// Actions are Action objects of the program, as bytes.
 class GraphProgram {
  public:
+  Recorder recorder;
+  SpaceCounts spaces;  // of both
+
   virtual const GraphFacts& facts() const = 0;
   virtual void list_fields(FieldListener& listener) const = 0;
   /// Whether the policy answers as it did where it was generated.
@@ -127,7 +135,7 @@ class GraphProgram {
   /// Null: nothing is shown.
   virtual Pictures* pictures() const = 0;
   /// To part `part` of GraphFacts::parts. Null: there are not so many.
-  virtual SplitLink* link(std::size_t part) const = 0;
+  virtual SplitLink* link(std::size_t part) = 0;
 
   /// The episodes of `watch.plan()`; ends early when `watch` says so. Safe when it returns.
   virtual void run(Watch& watch, bool traced) = 0;

@@ -10,7 +10,6 @@
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/identify.hpp>
-#include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/say.hpp>
 #include <vector>
 
@@ -108,7 +107,7 @@ int identify_with(const Options& options, const trace_log::Log& log, const Field
                           options.identify_sensors, options.identify_horizon_s, problem))
     return kBadFile;
   std::vector<identification::Parameter> parameters = parameters_of(fields.ranges);
-  recorder_of_run.measure(&experiment);
+  program.recorder.follow(&experiment);
   Trials trials(log, fields, program, experiment);
   Trial middle;
   for (const identification::Parameter& parameter : parameters)

@@ -115,7 +115,4 @@ class Measures {
 /// What the expressions of a graph's program may read.
 std::vector<Readable> readables_of(const GraphFacts& facts, const std::vector<Field>& states);
 
-/// Of this process, which runs one program: the trace and the watch fill it.
-inline Measures measures_of_run;
-
 }  // namespace eagerx::linux_sim

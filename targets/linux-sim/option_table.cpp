@@ -34,13 +34,13 @@ bool set_agent(Options& options, std::string_view value) {
   if (value.starts_with("dds")) {
     dds::Network network;
     if (!dds::parse_network(value.substr(3), network) || !network.interface.empty()) return false;
-    options.agent = Agent::dds;
+    options.agent = kDdsAgent;
     options.agent_domain = network.domain;
     return true;
   }
   constexpr std::string_view kSocket = "fd:";
   if (value.starts_with(kSocket)) {
-    options.agent = Agent::outside;
+    options.agent = kOutsideAgent;
     return at_least(value.substr(kSocket.size()), 0, options.agent_socket);
   }
   Agent agent{};

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <targets/common/run.hpp>
+#include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/publish/destination.hpp>
 #include <variant>
 #include <vector>
@@ -37,9 +38,9 @@ struct Options {
   target::Agent agent = target::Agent::zero;
   bool self_test = false;
   std::string action_file;         // of Agent::csv
-  std::uint32_t agent_domain = 0;  // of Agent::dds
+  std::uint32_t agent_domain = 0;  // of kDdsAgent
   double agent_timeout_s = 10.0;   // the same
-  int agent_socket = -1;           // of Agent::outside
+  int agent_socket = -1;           // of kOutsideAgent
   std::string csv;                 // empty: none; "-": standard output
   std::string trace;               // the same
   bool trace_time = false, trace_scenes = false;

@@ -50,7 +50,7 @@ bool ends_with_its_line(const link::PartFacts& part) {
 
 }  // namespace
 
-Reconnection::Reconnection(const GraphProgram& program, const Options& options)
+Reconnection::Reconnection(GraphProgram& program, const Options& options)
     : program_(program), options_(options), parts_(program.facts().part_count) {}
 
 std::string Reconnection::problem_of_options() const {

@@ -14,7 +14,7 @@ namespace eagerx::linux_sim {
 /// what they wait in is safe as long as it lasts. Allocates memory, and says what happens.
 class Reconnection {
  public:
-  Reconnection(const GraphProgram& program, const Options& options);
+  Reconnection(GraphProgram& program, const Options& options);
 
   /// What `--reconnect` cannot do in this run, or nothing.
   std::string problem_of_options() const;
@@ -40,7 +40,7 @@ class Reconnection {
   bool is_someone_else(std::size_t part) const;
   void give_up(std::size_t part);
 
-  const GraphProgram& program_;
+  GraphProgram& program_;
   const Options& options_;
   PartLines where_;
   std::vector<Part> parts_;

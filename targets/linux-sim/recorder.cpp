@@ -1,5 +1,4 @@
 #include <eagerx/trace_text.hpp>
-#include <optional>
 #include <runtime/host/base/text_file.hpp>
 #include <runtime/host/identify/experiment.hpp>
 #include <runtime/host/trace/replay.hpp>
@@ -16,11 +15,7 @@ namespace {
 
 using Text = TraceText<host::TextFile>;
 
-std::optional<SceneRecord> scenes_of_run;
-
 }  // namespace
-
-constinit Recorder recorder_of_run;
 
 bool Recorder::before(std::uint32_t channel, Seq seq, MessageView message) {
   return with_elements(message.scalar, message.data, [&](auto* elements) {
@@ -40,7 +35,7 @@ void Recorder::keep(std::uint32_t channel, Seq seq, MessageView message) {
 
 void Recorder::keep_all(std::uint32_t channel, Seq seq, MessageView message) {
   if (publishing_ != nullptr) publishing_->message(channel, episode_, seq, message.data);
-  if (measures_) measures_of_run.set_message(Variable::Kind::message, channel, message);
+  if (measures_ != nullptr) measures_->set_message(Variable::Kind::message, channel, message);
   if (file_ == nullptr) return;
   ++messages_;
   Text::begin_message(*file_, episode_, facts_->channels[channel], seq);
@@ -62,7 +57,7 @@ bool Recorder::runs_engine() const {
 void Recorder::scene(std::uint64_t rate_num, std::uint64_t rate_den, Seq tick, const float* scene) {
   if (publishing_ != nullptr) publishing_->scene(episode_, tick, scene);
   if (scene_file_ != nullptr)
-    scenes_of_run->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
+    scenes_->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
 }
 
 void Recorder::write_to(host::TextFile* file, bool timed) {
@@ -72,14 +67,14 @@ void Recorder::write_to(host::TextFile* file, bool timed) {
   decide();
 }
 
-void Recorder::keep_scenes(host::TextFile* file) {
-  scenes_of_run.emplace(facts_->scene_rows);
+void Recorder::keep_scenes(host::TextFile* file, SceneRecord* scenes) {
+  scenes_ = scenes;
   scene_file_ = file;
   keeps_scenes_ = true;
 }
 
 void Recorder::decide() {
-  const bool records = measures_ || file_ != nullptr;
+  const bool records = measures_ != nullptr || file_ != nullptr;
   keeps_ = records || publishing_ != nullptr;
   only_publishes_ = !records && publishing_ != nullptr;
 }
@@ -90,8 +85,8 @@ void Recorder::publish(Publishing* publishing) {
   decide();
 }
 
-void Recorder::measure() {
-  measures_ = measures_of_run.reads_messages();
+void Recorder::measure(Measures& measures) {
+  measures_ = measures.reads_messages() ? &measures : nullptr;
   decide();
 }
 

@@ -21,9 +21,11 @@ class Experiment;
 namespace eagerx::linux_sim {
 
 struct GraphFacts;
+class Measures;
 class Publishing;
+class SceneRecord;
 
-/// There is one, so that a program's trace stays small. Programs call what is in the first part.
+/// A program's trace points to it, and so stays small. Programs call what is in the first part.
 class Recorder {
  public:
   void episode(std::uint32_t index) { episode_ = index; }
@@ -43,14 +45,14 @@ class Recorder {
   void graph_is(const GraphFacts& facts) { facts_ = &facts; }
   /// Without a file only the hash is made. `timed`: every message with the time it was sent at.
   void write_to(host::TextFile* file, bool timed);
-  void keep_scenes(host::TextFile* file);
+  void keep_scenes(host::TextFile* file, SceneRecord* scenes);
   /// Others see the messages.
   void publish(Publishing* publishing);
   /// Expressions see the messages.
-  void measure();
+  void measure(Measures& measures);
   void follow(trace_log::Replay* replay) { replay_ = replay; }
   /// Every run is one of the experiment's from now on.
-  void measure(identification::Experiment* experiment) { experiment_ = experiment; }
+  void follow(identification::Experiment* experiment) { experiment_ = experiment; }
   /// The file's last line.
   void write_end(std::uint64_t hash) const;
 
@@ -62,6 +64,8 @@ class Recorder {
   const GraphFacts* facts_ = nullptr;
   host::TextFile* file_ = nullptr;
   host::TextFile* scene_file_ = nullptr;
+  SceneRecord* scenes_ = nullptr;
+  Measures* measures_ = nullptr;  // null: they read no messages
   Publishing* publishing_ = nullptr;
   trace_log::Replay* replay_ = nullptr;
   identification::Experiment* experiment_ = nullptr;
@@ -71,10 +75,7 @@ class Recorder {
   bool timed_ = false;
   bool keeps_ = false;
   bool only_publishes_ = false;
-  bool measures_ = false;
   bool keeps_scenes_ = false;
 };
-
-extern Recorder recorder_of_run;
 
 }  // namespace eagerx::linux_sim

@@ -6,7 +6,6 @@
 #include <string>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/files.hpp>
-#include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/replay_log.hpp>
 #include <targets/linux-sim/say.hpp>
 #include <targets/linux-sim/state_record.hpp>
@@ -92,7 +91,7 @@ int replay_log(const Options& options, const Fields& fields, const ActionTable& 
   trace_log::Replay replay(*log, {facts.channels, facts.channel_count});
   if (!replay.prepare(options.replay_given, program.is_real(), problem))
     return fail(problem, kBadFile);
-  recorder_of_run.follow(&replay);
+  program.recorder.follow(&replay);
   Repetition(options, *log, fields, table, program, replay).run();
   std::string text = replay.report(facts.name, facts.engine);
   if (options.hash) text += hash_line(program.hash());

@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/keeper.hpp>
-#include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/run_watch.hpp>
-#include <targets/linux-sim/spaces.hpp>
 
 namespace eagerx::linux_sim {
 
@@ -12,6 +10,8 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
     : Watch(told.options.plan, told.options.agent, csv),
       facts_(program.facts()),
       told_(told),
+      measures_(told.measures),
+      spaces_(program.spaces),
       pictures_(program.pictures()),
       states_(told.fields.states),
       observations_(told.fields.observations),
@@ -26,8 +26,8 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
   writes_ = csv.is_open();
   paces_ = pacer_.paces();
   // A row of the table has the action.
-  looks_ = measures_of_run.reads_messages() || told.options.strict_spaces ||
-           (facts_.part_decides && writes_);
+  looks_ =
+      measures_.reads_messages() || told.options.strict_spaces || (facts_.part_decides && writes_);
   has_faults_ = !told.faults.empty();
   tunes_ = told.settings.tunes();
 }
@@ -52,11 +52,11 @@ bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
   is_over_ = false;
   record_.begin(states);
   task_record_.end_episode();
-  if (measures_of_run.is_used()) {
-    measures_of_run.end_episode();
-    measures_of_run.begin_episode();
+  if (measures_.is_used()) {
+    measures_.end_episode();
+    measures_.begin_episode();
     measure_states();
-    is_over_ = measures_of_run.is_over();
+    is_over_ = measures_.is_over();
   }
   if (trace_.is_open()) record_.trace(trace_, key.episode);
   return changed;
@@ -67,8 +67,7 @@ void RunWatch::measure_states() {
   for (std::uint32_t i = 0; i < told_.fields.states.size(); ++i) {
     const MessageType& type = told_.fields.states[i].type;
     if (now.has_value[i])
-      measures_of_run.set_message(Variable::Kind::state, i,
-                                  {now.messages[i], type.scalar, type.size});
+      measures_.set_message(Variable::Kind::state, i, {now.messages[i], type.scalar, type.size});
   }
 }
 
@@ -76,7 +75,7 @@ bool RunWatch::tune(std::uint32_t episode, Seq step, StateRow states) {
   std::fill_n(states.has_value, told_.fields.states.size(), false);
   if (!set_parameters(step, states)) return false;
   record_.begin(states);
-  if (measures_of_run.is_used()) measure_states();
+  if (measures_.is_used()) measure_states();
   if (trace_.is_open()) record_.trace_set(trace_, episode, step, states);
   return true;
 }
@@ -88,9 +87,9 @@ void RunWatch::reset(std::uint32_t /*episode*/) {
     progress_.start(began_ns_);
   }
   ++episodes_;
-  if (measures_of_run.is_used()) {
-    measures_of_run.step(0, 0.0);
-    is_over_ = measures_of_run.is_over();
+  if (measures_.is_used()) {
+    measures_.step(0, 0.0);
+    is_over_ = measures_.is_over();
   }
   hand_on(pacer_.is_slow());
 }
@@ -100,9 +99,9 @@ void RunWatch::reset(std::uint32_t /*episode*/) {
                                                      const OutcomeView& outcome) {
   ++steps_;
   task_record_.step(outcome);
-  if (measures_of_run.is_used()) {
-    measures_of_run.step(step, facts_.seconds(step));
-    is_over_ = measures_of_run.is_over();
+  if (measures_.is_used()) {
+    measures_.step(step, facts_.seconds(step));
+    is_over_ = measures_.is_over();
   }
   return has_ended || step == plan_.steps || is_over_;
 }
@@ -139,7 +138,7 @@ const void* RunWatch::given_action(Seq step) {
 }
 
 bool RunWatch::left_space() const {
-  return told_.options.strict_spaces && spaces_of_run.is_any();
+  return told_.options.strict_spaces && spaces_.is_any();
 }
 
 std::string RunWatch::not_finite() const {
@@ -157,9 +156,9 @@ void RunWatch::finish(Summary& summary) {
     summary.elapsed_s = static_cast<double>(now_ns() - began_ns_) * kSecondsPerNs;
     record_.describe(summary);
   }
-  if (measures_of_run.is_used()) {
-    measures_of_run.end_episode();
-    measures_of_run.describe(summary);
+  if (measures_.is_used()) {
+    measures_.end_episode();
+    measures_.describe(summary);
   }
   task_record_.end_episode();
   task_record_.count(summary);

@@ -7,6 +7,7 @@
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/faults.hpp>
 #include <targets/linux-sim/fields.hpp>
+#include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
@@ -28,6 +29,7 @@ struct Told {
   const StateSettings& settings;
   AgentFaults& faults;
   Reconnection& reconnection;
+  Measures& measures;  // which the recorder of the program fills, too
 };
 
 class RunWatch : public Watch {
@@ -90,6 +92,8 @@ class RunWatch : public Watch {
 
   const GraphFacts& facts_;
   const Told& told_;
+  Measures& measures_;
+  const SpaceCounts& spaces_;
   Pictures* pictures_;
   StateMemory states_;
   MessageRows observations_;

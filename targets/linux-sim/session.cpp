@@ -9,14 +9,12 @@
 #include <targets/linux-sim/dds/agent_watch.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/float_environment.hpp>
-#include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/outside/outside_watch.hpp>
 #include <targets/linux-sim/publish/publish_watch.hpp>
 #include <targets/linux-sim/publish/remote_watch.hpp>
-#include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/say.hpp>
+#include <targets/linux-sim/scene_record.hpp>
 #include <targets/linux-sim/session.hpp>
-#include <targets/linux-sim/spaces.hpp>
 #include <targets/linux-sim/split.hpp>
 
 namespace eagerx::linux_sim {
@@ -142,7 +140,7 @@ class Session {
       if (unseen.empty()) unseen = publishing_->open();
     }
     if (unseen.empty() && agent_ != nullptr) unseen = agent_->open();
-    if (unseen.empty() && options_.agent == target::Agent::outside) {
+    if (unseen.empty() && options_.agent == kOutsideAgent) {
       outside_.emplace(options_, told_.fields, program_, is_traced());
       unseen = outside_->open();
     }
@@ -153,7 +151,7 @@ class Session {
   }
 
   bool is_traced() const {
-    return options_.hash || trace_.is_open() || publishing_ || measures_of_run.reads_messages();
+    return options_.hash || trace_.is_open() || publishing_ || told_.measures.reads_messages();
   }
 
   void begin() {
@@ -172,22 +170,25 @@ class Session {
                               facts_.rate_den, facts_.channels, facts_.channel_count};
       TraceText<host::TextFile>::head(trace_, graph, options_.plan.seed, options_.plan.environment,
                                       agent_name(options_), options_.trace_time);
-      recorder_of_run.write_to(&trace_, options_.trace_time);
-      if (options_.trace_scenes) recorder_of_run.keep_scenes(&trace_);
+      program_.recorder.write_to(&trace_, options_.trace_time);
+      if (options_.trace_scenes) {
+        scenes_.emplace(facts_.scene_rows);
+        program_.recorder.keep_scenes(&trace_, &*scenes_);
+      }
     }
-    if (is_traced) recorder_of_run.measure();
-    if (publishing_) recorder_of_run.publish(&*publishing_);
+    if (is_traced) program_.recorder.measure(told_.measures);
+    if (publishing_) program_.recorder.publish(&*publishing_);
     program_.run(watch, is_traced);
     if (is_traced) {
       if (links_are_whole(program_) && calculates_as_everywhere())
-        recorder_of_run.write_end(program_.hash());
+        program_.recorder.write_end(program_.hash());
       hash_ = program_.hash();
     }
     program_.list_counts(is_traced, faults_);
   }
 
   int end(RunWatch& watch) {
-    spaces_of_run.list(faults_);
+    program_.spaces.list(faults_);
     watch.finish(summary_);
     if (agent_ != nullptr) agent_->finish(summary_);
     const std::string problem_of_pictures = close_pictures(program_.pictures(), summary_);
@@ -214,7 +215,7 @@ class Session {
     if (!misled.empty()) fail(misled, kBadActions);
     if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
     if (watch.left_space())
-      fail("error: " + spaces_of_run.first() + "\n" + place_of(summary_), kLeftSpace);
+      fail("error: " + program_.spaces.first() + "\n" + place_of(summary_), kLeftSpace);
     const std::string not_finite = watch.not_finite();
     if (!not_finite.empty()) fail(not_finite, kNotFinite);
     host::end_as_told();
@@ -241,6 +242,7 @@ class Session {
   const GraphFacts& facts_;
   RemoteAgent* const agent_;
   host::TextFile csv_, trace_;
+  std::optional<SceneRecord> scenes_;
   std::optional<Publishing> publishing_;
   std::optional<OutsideAgent> outside_;
   Summary summary_;

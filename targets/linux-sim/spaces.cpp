@@ -3,22 +3,8 @@
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/spaces.hpp>
-#include <vector>
 
 namespace eagerx::linux_sim {
-namespace {
-
-std::vector<std::uint64_t> counts_of_run;
-
-}  // namespace
-
-constinit SpaceCounts spaces_of_run;
-
-void SpaceCounts::prepare(const GraphFacts& facts) {
-  facts_ = &facts;
-  counts_of_run.assign(facts.channel_count, 0);
-  counts_ = counts_of_run.data();
-}
 
 void SpaceCounts::note(std::uint32_t channel, Seq seq, std::size_t element, double value) {
   if (total_++ == 0) {

@@ -17,8 +17,11 @@ struct GraphFacts;
 /// every space with bounds.
 class SpaceCounts {
  public:
-  /// Before the run. Allocates.
-  void prepare(const GraphFacts& facts);
+  /// Before the run. `counts`: a 0 for each channel.
+  void prepare(const GraphFacts& facts, std::uint64_t* counts) {
+    facts_ = &facts;
+    counts_ = counts;
+  }
 
   template <class Graph, class Message>
   [[gnu::always_inline]] void see(std::uint32_t channel, Seq seq, const Message& message) {
@@ -52,8 +55,5 @@ class SpaceCounts {
   std::size_t element_ = 0;
   double value_ = 0.0;
 };
-
-/// Of this process, which runs one program.
-extern SpaceCounts spaces_of_run;
 
 }  // namespace eagerx::linux_sim

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <targets/common/partner.hpp>
 #include <targets/linux-sim/keys.hpp>
-#include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/split.hpp>
 #include <vector>
 
@@ -212,8 +211,7 @@ std::string connect_part(SplitLink& link, const std::string& line, const std::st
   if (!link.port().open(line, options.baud))
     return "error: cannot open `" + line + "`: " + link.port().error() +
            (facts.part_count == 1 ? "" : "\nnote: of " + name_of_part(link.part()));
-  // Who changes messages, or takes their place, does so when they are sent.
-  link.set_runs_ahead(!options.lockstep && !recorder_of_run.takes_part());
+  link.set_runs_ahead(!options.lockstep);
   return greet_part(link, facts, most_s);
 }
 
@@ -245,7 +243,7 @@ std::string find_parts(const GraphFacts& facts, const Options& options, PartLine
   return problem.empty() ? find_keys(options.keys, facts, found.lines, found.keys) : problem;
 }
 
-std::string connect_parts(const GraphProgram& program, const Options& options) {
+std::string connect_parts(GraphProgram& program, const Options& options) {
   const GraphFacts& facts = program.facts();
   PartLines found;
   std::string problem = find_parts(facts, options, found);
@@ -255,13 +253,13 @@ std::string connect_parts(const GraphProgram& program, const Options& options) {
   return problem;
 }
 
-bool links_are_whole(const GraphProgram& program) {
+bool links_are_whole(GraphProgram& program) {
   for (std::size_t part = 0; SplitLink* const link = program.link(part); ++part)
     if (!link->ok()) return false;
   return true;
 }
 
-std::string end_links(const GraphProgram& program, Summary& summary) {
+std::string end_links(GraphProgram& program, Summary& summary) {
   const GraphFacts& facts = program.facts();
   std::string broken;
   for (std::size_t part = 0; SplitLink* const link = program.link(part); ++part) {

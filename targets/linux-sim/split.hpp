@@ -57,11 +57,11 @@ std::string greet_part(SplitLink& link, const GraphFacts& facts, double most_s);
 /// Why a link is over, for people; empty: it is not.
 std::string why_over(SplitLink& link, const GraphFacts& facts);
 /// Connects with all parts. Returns what went wrong; empty: nothing.
-std::string connect_parts(const GraphProgram& program, const Options& options);
+std::string connect_parts(GraphProgram& program, const Options& options);
 /// Whether no link is over.
-bool links_are_whole(const GraphProgram& program);
+bool links_are_whole(GraphProgram& program);
 /// Ends the session of each part, and adds lines and counts of each to the summary.
 /// Returns why the run was over before its time, with the part's name; empty: it was not.
-std::string end_links(const GraphProgram& program, Summary& summary);
+std::string end_links(GraphProgram& program, Summary& summary);
 
 }  // namespace eagerx::linux_sim

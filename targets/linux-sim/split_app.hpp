@@ -13,15 +13,14 @@ namespace eagerx::linux_sim {
 
 template <class Graph>
 using StarOf = typename Graph::Link::template Star<LinkPort>;
-template <class Graph>
-inline StarOf<Graph> star_of_run{};
 
 template <class Graph, std::size_t K>
 class LinkOfRun final : public SplitLink {
  public:
+  explicit LinkOfRun(StarOf<Graph>& star) : star_(star) {}
   LinkPort& port() override { return link().port; }
   const link::PartFacts& part() const override { return Graph::Link::kParts[K]; }
-  const link::PartProgress& progress() const override { return star_of_run<Graph>.progress(K); }
+  const link::PartProgress& progress() const override { return star_.progress(K); }
   void set_time_limit(std::uint64_t ns) override { link().set_time_limit(ns); }
   bool open(std::uint32_t session) override {
     return link().open({part().graph, target::kRuntimeVersion}, session);
@@ -30,7 +29,7 @@ class LinkOfRun final : public SplitLink {
   link::Problem problem() const override { return link().problem(); }
   const link::Greeting& greeting() const override { return link().board(); }
   const link::Statistics& statistics() const override { return link().statistics(); }
-  void set_runs_ahead(bool runs_ahead) override { star_of_run<Graph>.set_runs_ahead(runs_ahead); }
+  void set_runs_ahead(bool runs_ahead) override { star_.set_runs_ahead(runs_ahead); }
   void forget_silence() override { link().on_silence(0, nullptr, nullptr); }
   bool finish(link::Report& report, CountListener& counts) override {
     return link().finish(report,
@@ -38,22 +37,32 @@ class LinkOfRun final : public SplitLink {
   }
 
  private:
-  static auto& link() { return star_of_run<Graph>.template link<K>(); }
+  auto& link() const { return star_.template link<K>(); }
+
+  StarOf<Graph>& star_;
 };
 
+template <class Graph, class Parts>
+struct LinksOfRun;
 template <class Graph, std::size_t... K>
-SplitLink* link_of(std::size_t part, std::index_sequence<K...> /*parts*/) {
-  static std::tuple<LinkOfRun<Graph, K>...> links;
-  SplitLink* found = nullptr;
-  ((K == part ? void(found = &std::get<K>(links)) : void()), ...);
-  return found;
-}
+struct LinksOfRun<Graph, std::index_sequence<K...>> {
+  explicit LinksOfRun(StarOf<Graph>& star) : links(LinkOfRun<Graph, K>(star)...) {}
+
+  SplitLink* find(std::size_t part) {
+    SplitLink* found = nullptr;
+    ((K == part ? void(found = &std::get<K>(links)) : void()), ...);
+    return found;
+  }
+
+  std::tuple<LinkOfRun<Graph, K>...> links;
+};
 
 template <class Graph>
 requires requires {
   typename Graph::Link;
 }
-struct LinkOf<Graph> {
+class LinkOf<Graph> {
+ public:
   static constexpr bool kIsSplit = true;
   static constexpr bool kPartDecides = Graph::Link::kPartDecides;
   template <class Trace>
@@ -65,29 +74,31 @@ struct LinkOf<Graph> {
     facts.part_decides = kPartDecides;
     facts.part_knows_random = target::board_knows_random<Graph>;
   }
-  static SplitLink* link(std::size_t part) {
-    return link_of<Graph>(part, std::make_index_sequence<StarOf<Graph>::kParts>());
-  }
+  SplitLink* link(std::size_t part) { return links_.find(part); }
   /// Real hardware is made safe when a part is silent.
   template <class Program>
-  static void connect(Program& program) {
-    program.connect(star_of_run<Graph>);
+  void connect(Program& program) {
+    program.connect(star_);
     if constexpr (requires { program.make_safe(); }) {
       if (!program.is_real()) return;
-      star_of_run<Graph>.for_each([&](auto& link) {
+      star_.for_each([&](auto& link) {
         link.on_silence(
             static_cast<std::uint64_t>(Graph::kSafety.link_timeout_ns),
             [](void* context) { static_cast<Program*>(context)->make_safe(); }, &program);
       });
     }
   }
-  static void begin(EpisodeKey key, target::Agent agent) {
-    star_of_run<Graph>.begin_episode({key, static_cast<std::uint8_t>(agent)});
+  void begin(EpisodeKey key, target::Agent agent) {
+    star_.begin_episode({key, static_cast<std::uint8_t>(agent)});
   }
   template <class Program>
   static void make_safe(Program& program) {
     if constexpr (kPartDecides) program.link().make_safe();
   }
+
+ private:
+  StarOf<Graph> star_{};
+  LinksOfRun<Graph, std::make_index_sequence<StarOf<Graph>::kParts>> links_{star_};
 };
 
 }  // namespace eagerx::linux_sim

@@ -15,10 +15,12 @@ namespace eagerx::linux_sim {
 /// was a signal, or a stop.
 template <class Graph>
 struct Untraced : NoTrace, Shows<Graph> {
+  SpaceCounts* spaces = nullptr;
+
   static bool is_interrupted() { return host::stop_if_told(), host::ends_reset(); }
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {
-    spaces_of_run.see<Graph>(channel, seq, message);
+    spaces->see<Graph>(channel, seq, message);
   }
 };
 
@@ -30,31 +32,36 @@ inline constexpr bool shows_scene = requires {
 
 /// What shows pictures, and keeps their scenes if told so.
 template <class Graph>
-struct ShowsAndKeeps : Shows<Graph> {};
+struct ShowsAndKeeps : Shows<Graph> {
+  Recorder* recorder = nullptr;
+};
 template <class Graph>
 requires shows_scene<Graph>
 struct ShowsAndKeeps<Graph> : Shows<Graph> {
-  static bool draws() { return recorder_of_run.keeps_scenes() || Shows<Graph>::draws(); }
+  Recorder* recorder = nullptr;
+
+  bool draws() const { return recorder->keeps_scenes() || Shows<Graph>::draws(); }
   template <class Rate>
-  static void show(Rate rate, Seq tick, const typename Graph::Rendered& scene) {
-    if (recorder_of_run.keeps_scenes())
-      recorder_of_run.scene(Rate::num, Rate::den, tick, scene.data);
+  void show(Rate rate, Seq tick, const typename Graph::Rendered& scene) const {
+    if (recorder->keeps_scenes()) recorder->scene(Rate::num, Rate::den, tick, scene.data);
     if (Shows<Graph>::draws()) Shows<Graph>::show(rate, tick, scene);
   }
 };
 
-/// Folds messages into the hash and shows them to recorder_of_run.
+/// Folds messages into the hash and shows them to the recorder.
 template <class Graph>
 class Traced : public ShowsAndKeeps<Graph> {
  public:
   static constexpr bool kSimulators = true;
+  using ShowsAndKeeps<Graph>::recorder;
+  SpaceCounts* spaces = nullptr;
 
   static bool is_interrupted() { return host::stop_if_told(), host::ends_reset(); }
-  static bool runs_engine() { return recorder_of_run.runs_engine(); }
+  bool runs_engine() const { return recorder->runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 
   void episode(std::uint32_t index) {
-    recorder_of_run.episode(index);
+    recorder->episode(index);
     hash_.episode(index);
   }
 
@@ -62,19 +69,17 @@ class Traced : public ShowsAndKeeps<Graph> {
   /// (g++) to 29 % (clang++) more text when all of them are expanded.
   template <class Message>
   [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, Message& message) {
-    if (recorder_of_run.takes_part() &&
-        !recorder_of_run.before(channel, seq, MessageView::of(message)))
-      return;
-    spaces_of_run.see<Graph>(channel, seq, message);
+    if (recorder->takes_part() && !recorder->before(channel, seq, MessageView::of(message))) return;
+    spaces->see<Graph>(channel, seq, message);
     hash_(channel, seq, message);
-    if (recorder_of_run.keeps()) recorder_of_run.keep(channel, seq, MessageView::of(message));
+    if (recorder->keeps()) recorder->keep(channel, seq, MessageView::of(message));
   }
 
   template <class Simulator>
   void simulator(const char* object, Seq tick, Simulator& simulator) {
     if constexpr (identification::HasDynamics<Simulator>) {
-      if (recorder_of_run.experiments())
-        recorder_of_run.simulator(object, tick, identification::view_of(simulator));
+      if (recorder->experiments())
+        recorder->simulator(object, tick, identification::view_of(simulator));
     }
   }
 

@@ -50,7 +50,7 @@ class Watch {
   virtual const void* given_action(Seq step) = 0;
 
   /// Whether an agent outside sees observations and what was applied, before reset() and step().
-  bool has_outside() const { return agent_ == target::Agent::outside; }
+  bool has_outside() const { return agent_ == kOutsideAgent; }
   virtual ObservationRow outside_observation() = 0;
   virtual void applied(const void* action) = 0;
   /// The key of an episode that is planned with another one.

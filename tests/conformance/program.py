@@ -121,6 +121,10 @@ class Builder:
             command += ["--path", folder]
         command = [str(part) for part in command]
         result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        if result.returncode == 0 and not any(out.glob("*/graph.hpp")):
+            # It has parts: this target has the whole graph of it, with the same messages.
+            shutil.rmtree(out)
+            result = subprocess.run([*command, "--target", "environments"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         if result.returncode == 1:
             raise Refused(re.findall(r"error\[(E\d+)\]", result.stderr), result.stderr)
         if result.returncode:

@@ -11,13 +11,6 @@ namespace {
 
 using graphs::pendulum_swing_up::Graph;
 
-struct NoWatch {
-  static bool go_on() { return true; }
-  static void reset(std::uint32_t /*episode*/, const Graph::Observation& /*observation*/) {}
-  static void step(std::uint32_t /*episode*/, eagerx::Seq /*step*/, const Graph::Action& /*action*/,
-                   const Graph::Observation& /*observation*/) {}
-};
-
 }  // namespace
 
 int main() {
@@ -27,7 +20,7 @@ int main() {
                         const Graph::Observation& observation) {
     return Graph::policy(observation);
   };
-  NoWatch watch;
+  eagerx::target::Watch<Graph> watch;
   eagerx::target::run_episodes<Graph>(plan, program, agent, watch);
   std::printf("0x%016" PRIx64 "\n", program.trace.hash());
 }

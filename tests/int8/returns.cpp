@@ -11,12 +11,10 @@ namespace {
 
 using graphs::pendulum_swing_up::Graph;
 
-struct Return {
+struct Return : eagerx::target::Watch<Graph> {
   double cost = 0.0;
-  static bool go_on() { return true; }
-  static void reset(std::uint32_t /*episode*/, const Graph::Observation& /*observation*/) {}
-  void step(std::uint32_t /*episode*/, eagerx::Seq /*step*/, const Graph::Action& action,
-            const Graph::Observation& observation) {
+  void step(std::uint32_t /*episode*/, eagerx::Seq /*step*/, const Action& action,
+            const Observation& observation, const Outcome& /*outcome*/) {
     const double theta = std::atan2(static_cast<double>(observation.angle.back()[1]),
                                     static_cast<double>(observation.angle.back()[0]));
     const auto theta_dot = static_cast<double>(observation.theta_dot.back());

@@ -74,33 +74,34 @@ struct PartPort {
 using Seen = std::vector<std::uint64_t>;
 
 /// Keeps all of it, or looks at nothing.
-struct KeepingWatch {
+template <class Graph>
+struct KeepingWatch : target::Watch<Graph> {
+  using typename target::Watch<Graph>::Action;
+  using typename target::Watch<Graph>::Observation;
+  using typename target::Watch<Graph>::Outcome;
+
   bool keeps = false;
   target::Agent agent = target::Agent::random;
   Seen seen{};
   void (*begin_parts)(void* star, EpisodeKey key) = nullptr;
   void* star = nullptr;
 
-  static bool go_on() { return true; }
   bool looks() const { return keeps; }
   void begin(EpisodeKey key) {
     if (begin_parts != nullptr) begin_parts(star, key);
   }
-  template <class Observation>
   void reset(std::uint32_t episode, const Observation& observation) {
     seen.push_back(episode);
     see(observation);
   }
-  template <class Action, class Observation>
   void step(std::uint32_t /*episode*/, Seq step, const Action& action,
-            const Observation& observation) {
+            const Observation& observation, const Outcome& /*outcome*/) {
     seen.push_back(step);
     if (keeps) action.for_each([&](const char*, const auto& message) { add(message); });
     see(observation);
   }
 
  private:
-  template <class Observation>
   void see(const Observation& observation) {
     if (!keeps) return;
     observation.for_each([&](const char*, const auto& window) {
@@ -131,7 +132,8 @@ struct Result {
 };
 
 template <class Graph, class Program>
-Result run(const target::RunPlan& plan, Program& program, KeepingWatch& watch, bool decides) {
+Result run(const target::RunPlan& plan, Program& program, KeepingWatch<Graph>& watch,
+           bool decides) {
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     return decides ? target::act<Graph>(watch.agent, key, step, observation, program)
                    : Graph::zero();
@@ -145,7 +147,8 @@ Result run(const target::RunPlan& plan, Program& program, KeepingWatch& watch, b
 template <class Graph>
 Result run_whole(const target::RunPlan& plan) {
   auto program = std::make_unique<typename Graph::template Program<CountingTrace>>();
-  KeepingWatch watch{.keeps = true};
+  KeepingWatch<Graph> watch;
+  watch.keeps = true;
   return run<Graph>(plan, *program, watch, true);
 }
 
@@ -202,7 +205,10 @@ class SplitRun {
     if (!open) return {.is_whole = false};
     auto program = std::make_unique<typename Hub::template Program<CountingTrace, Star>>();
     program->connect(star_);
-    KeepingWatch watch{.keeps = looks, .begin_parts = begin, .star = &star_};
+    KeepingWatch<Hub> watch;
+    watch.keeps = looks;
+    watch.begin_parts = begin;
+    watch.star = &star_;
     Result result = drawn::run<Hub>(plan, *program, watch, !Hub::Link::kPartDecides);
     const auto finish = [](auto& link) {
       link::Report report;

@@ -6,7 +6,6 @@ import socket
 import subprocess
 import sys
 import threading
-import time
 import traceback
 
 from play import RUN, Between, Stage, at, cost_of, drawn, flipped, generator, hash_in, until
@@ -166,9 +165,8 @@ def slow_greetings(stage):
     # And a slow one at the other end, while the part waits for those.
     server = socket.create_server(("127.0.0.1", 0))
     threading.Thread(target=lambda: drip(server.accept()[0], bytes(range(73))), daemon=True).start()
-    begun, hub = time.monotonic(), stage.hub(server.getsockname()[1])
+    hub = stage.hub(server.getsockname()[1])
     check(hub.wait() == 3 and "does not show in time that it has the key" in hub.said(), "the hub ends", hub.said())
-    check(time.monotonic() - begun < 30, "soon")
     until(lambda: "did not show within 5 s that it has the key" in part.said(), "the end of a slow greeting")
     slow.append(socket.create_connection(("127.0.0.1", port)))
     same_hash(stage.hub(port))

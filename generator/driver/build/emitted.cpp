@@ -88,13 +88,8 @@ std::optional<std::vector<GeneratedFile>> emit_program(Run& run, const EmitOptio
 
 std::optional<ProgramFacts> facts_of_program(Run& run, const GraphOptions& options) {
   // It is equal for all targets and outputs.
-  auto targets = find_targets(run, options);
-  if (run.library.was_too_small()) {  // others are listed
-    if (!make_again(run, options)) return std::nullopt;
-    targets = find_targets(run, options);
-  }
-  const auto files =
-      emit_program(run, emit_options_for(run, std::move(targets), absolute_path(".").string()));
+  const auto files = emit_program(
+      run, emit_options_for(run, find_targets(run, options), absolute_path(".").string()));
   const auto hash = files ? hash_in(*files) : std::nullopt;
   if (!hash) return std::nullopt;
   ProgramFacts facts{*hash, {}};

@@ -43,8 +43,6 @@ bool choose_language(Run& run, const GenerateOptions& options) {
         "leave out `--standalone`, `--library` and `--of`";
     return false;
   }
-  // From here on nobody makes the graph again, which has the part.
-  if (!run.library.whole && !make_again(run, options)) return false;
   PlacedPart* const part = find_part(run, options.part);
   if (part == nullptr) return false;
   for (const std::string& name : options.packages) {

@@ -70,10 +70,6 @@ std::optional<std::vector<const Target*>> judged_targets(Run& run, const GraphOp
   const bool cut = !options.of.empty();
   if (cut && !cut_graph(run, options, output)) return std::nullopt;
   auto targets = find_targets(run, options);
-  if (run.library.was_too_small()) {  // others are listed
-    if (!make_again(run, options) || (cut && !cut_graph(run, options, output))) return std::nullopt;
-    targets = find_targets(run, options);
-  }
   if (!cut) check_graph(run, targets, output);
   const bool complete = !run.diagnostics.has_errors() && is_as_written(options);
   allow_warnings(run.spec->allow, complete, run.diagnostics);

@@ -180,10 +180,10 @@ void check_manifest(Run& run, const LibraryOptions& options, const std::string& 
   if (run.diagnostics.has_errors()) return;
   const FileId file = run.tree.span.file;
   const Meanwhile counts(path, text);
+  Run installed;
+  load(installed, {});
+  const LibraryOptions with = with_folder_of(options, installed, here);
   Run library;
-  load(library, {});
-  const LibraryOptions with = with_folder_of(options, library, here);
-  library = Run();
   load(library, with);
   take(library.diagnostics, library.sources, here, file, run.diagnostics);
   const auto entity = ranges::find_if(library.library.entities, [&](const auto& each) {

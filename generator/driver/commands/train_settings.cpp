@@ -11,6 +11,7 @@
 #include "generator/frontend/spec/schema.hpp"
 #include "generator/support/command_line/command_line.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "targets/environments/options/train_presets.hpp"
 #include "targets/environments/options/train_settings.hpp"
 
 namespace eagerx::gen {
@@ -113,6 +114,19 @@ std::optional<std::vector<std::string>> read_train_settings(const std::string& p
   return words;
 }
 
+namespace {
+
+std::string presets_text() {
+  std::string text =
+      "\nPresets, with `--preset NAME`; settings of files and options override them:\n";
+  for (const eagerx::options::Preset& preset : eagerx::options::kTrainPresets)
+    text += fmt::format("\n  {}, {}\n    {}\n    measured: {}\n    {}\n", preset.name,
+                        preset.algorithm, preset.about, preset.measured, preset.values);
+  return text;
+}
+
+}  // namespace
+
 std::string train_settings_text() {
   std::string text =
       "`eagerx-gen train GRAPH.yaml --settings FILE.yaml`, or one of them with `--setting\n"
@@ -127,7 +141,7 @@ std::string train_settings_text() {
                     *row.algorithm == '\0' ? "" : fmt::format("; {} only", row.algorithm));
     if (*row.sb3 != '\0') text += fmt::format("    Stable-Baselines3: {}\n", row.sb3);
   }
-  return text;
+  return text + presets_text();
 }
 
 std::string train_settings_schema() {

@@ -21,50 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With `mentions`, what they need of the library; else all of it.
-void load_library_for(Run& run, const LibraryOptions& options,
-                      const std::vector<Spanned<std::string>>& more,
-                      std::optional<Mentions> mentions) {
-  run.root = data_root();
-  if (run.root.empty()) {
-    run.diagnostics.io_error("E0301", {}, "cannot find the folder with models and templates").help =
-        "install eagerx-gen with `cmake --install`, or set EAGERX_HOME to that folder";
-    return;
-  }
-  std::vector<Spanned<std::string>> folders;
-  for (const auto& path : options.paths) folders.push_back({path, {}});
-  folders.insert(folders.end(), more.begin(), more.end());
-  std::vector<Spanned<std::string>> installed;
-  for (const char* part : {"models", "targets"})
-    installed.push_back({(fs::path(run.root) / part).string(), {}});
-  if (mentions) {
-    run.library =
-        load_mentioned(std::move(*mentions), folders, installed, run.sources, run.diagnostics);
-    return;
-  }
-  folders.insert(folders.end(), installed.begin(), installed.end());
-  run.library = load_library(folders, run.sources, run.diagnostics);
-  const fs::path root = absolute_path(fs::path(run.root) / "models").lexically_normal();
-  for (auto& [id, entity] : run.library.entities)
-    entity.own = entity.include_root != root.parent_path().string();
-}
-
-/// What the graph and the command line mention.
-Mentions mentions_of(const YamlValue& graph, const GraphOptions& options) {
-  Mentions mentions;
-  mentions.add(graph);
-  mentions.add(options.engine);
-  for (const std::string& target : wanted_targets(options)) mentions.add(target);
-  for (const std::string& item : options.split)
-    mentions.add(item.substr(item.find_last_of("=:") + 1));
-  for (const std::string& id : entities_of_patterns(graph)) mentions.add(id);
-  for (const std::string& id : entities_of_noise(graph)) mentions.add(id);
-  return mentions;
-}
-
-/// How much of the library is read.
-enum class Reading : std::uint8_t { mentioned, whole };
-
 /// The folders that a graph names, whatever else is in it.
 std::vector<Spanned<std::string>> library_folders(const YamlValue& graph, const std::string& path) {
   std::vector<Spanned<std::string>> folders;
@@ -80,32 +36,47 @@ std::vector<Spanned<std::string>> library_folders(const YamlValue& graph, const 
   return folders;
 }
 
-/// The spec of a graph in our own form, with the rates of the command line, and its library.
-bool read_own_graph(Run& run, const GraphOptions& options, Reading reading) {
+/// Those of the command line, of the graph, and what is installed.
+void read_library(Run& run, const LibraryOptions& options,
+                  const std::vector<Spanned<std::string>>& of_graph = {}) {
+  run.root = data_root();
+  if (run.root.empty()) {
+    run.diagnostics.io_error("E0301", {}, "cannot find the folder with models and templates").help =
+        "install eagerx-gen with `cmake --install`, or set EAGERX_HOME to that folder";
+    return;
+  }
+  std::vector<Spanned<std::string>> folders, installed;
+  for (const auto& path : options.paths) folders.push_back({path, {}});
+  folders.insert(folders.end(), of_graph.begin(), of_graph.end());
+  for (const char* part : {"models", "targets"})
+    installed.push_back({(fs::path(run.root) / part).string(), {}});
+  run.library = load_library(folders, run.sources, run.diagnostics, installed);
+  const fs::path models = absolute_path(fs::path(run.root) / "models").lexically_normal();
+  for (auto& [id, entity] : run.library.entities)
+    entity.own = entity.include_root != models.parent_path().string();
+}
+
+/// Library, compose, spec: of a graph in our own form. Each looks for problems, whatever the one
+/// before it found.
+bool read_own_graph(Run& run, const GraphOptions& options) {
   const std::size_t errors_before = run.diagnostics.error_count();
-  load_library_for(
-      run, options, library_folders(run.tree, options.graph),
-      reading == Reading::whole ? std::nullopt : std::optional(mentions_of(run.tree, options)));
+  const auto is_right = [&] { return run.diagnostics.error_count() == errors_before; };
+  read_library(run, options, library_folders(run.tree, options.graph));
   FlatGraph flat{run.tree, GraphForm::written, {}, {}};
-  if (run.diagnostics.error_count() == errors_before)
-    flat = compose(run.tree, run.library, run.sources, run.diagnostics);
-  const bool composed = run.diagnostics.error_count() == errors_before;
+  if (is_right()) flat = compose(run.tree, run.library, run.sources, run.diagnostics);
+  const bool composed = is_right();
   run.spec = read_graph_spec(flat.root, options.graph, run.diagnostics, flat.form);
   run.flat = std::move(flat.root);
   run.composites = std::move(flat.ends);
-  if (run.spec) {
-    run.spec->composites = std::move(flat.composites);
-    if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
-    if (options.engine_rate_hz && run.spec->has_engine())
-      run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();
-  }
+  if (run.spec) run.spec->composites = std::move(flat.composites);
   return run.spec && composed;
 }
 
 }  // namespace
 
 void load(Run& run, const LibraryOptions& options) {
-  load_library_for(run, options, {}, std::nullopt);
+  read_library(run, options);
+  run.library.read_all();
 }
 
 YamlValue read_graph_file(Run& run, const std::string& path) {
@@ -123,7 +94,7 @@ YamlValue read_graph_file(Run& run, const std::string& path) {
 
 std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree,
                                          const GraphOptions& options) {
-  load_library_for(run, options, {}, std::nullopt);
+  load(run, options);
   if (run.diagnostics.has_errors()) return std::nullopt;
   return import_graph(
       tree, options.graph, run.library,
@@ -212,6 +183,12 @@ bool wants_whole_graph(const Run& run, const GraphOptions& options) {
   });
 }
 
+void take_rates(Run& run, const GraphOptions& options) {
+  if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
+  if (options.engine_rate_hz && run.spec->has_engine())
+    run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();
+}
+
 /// `--policy FILE` in place of the graph's agent; the graph names files beside itself.
 void take_policy(Run& run, const GraphOptions& options) {
   if (options.agent_policy.empty()) return;
@@ -225,8 +202,8 @@ void take_policy(Run& run, const GraphOptions& options) {
   run.spec->agent = std::move(agent);
 }
 
-/// Files that the graph names and that only the compiler or the program reads.
-void remember_named_files(const Run& run) {
+/// Files that manifests name and that only the compiler reads.
+void remember_headers(const Run& run) {
   const auto header = [](const fs::path& root, const CppClass& type) {
     if (!type.include.empty()) remember_input((root / type.include).string());
   };
@@ -235,34 +212,54 @@ void remember_named_files(const Run& run) {
     for (const ObjectEngine& engine : entity.object_engines)
       header(engine.include_root, engine.model);
   }
-  const AgentSpec& agent = run.spec->agent;
-  if (agent.kind == AgentSpec::Kind::csv)
-    remember_input((fs::path(run.spec->path).parent_path() / agent.file.value).string());
 }
 
-/// From the tree of the graph's file on.
-bool make_of_tree(Run& run, const GraphOptions& options, Reading reading) {
-  if (is_saved_graph(run.tree)) {
-    auto imported = import_file(run, run.tree, options);
-    if (!imported) return false;
-    run.spec = std::move(imported->spec);
-  } else if (!read_own_graph(run, options, reading)) {
-    return false;
-  }
+bool read_saved_graph(Run& run, const GraphOptions& options) {
+  auto imported = import_file(run, run.tree, options);
+  if (imported) run.spec = std::move(imported->spec);
+  return imported.has_value();
+}
+
+/// What the command line says in place of the graph.
+void take_options(Run& run, const GraphOptions& options) {
+  take_rates(run, options);
   take_policy(run, options);
-  remember_named_files(run);
+  const AgentSpec& agent = run.spec->agent;
+  if (agent.kind == AgentSpec::Kind::csv)  // which only the program reads
+    remember_input((fs::path(run.spec->path).parent_path() / agent.file.value).string());
   if (!options.of.empty() || options.purpose == Purpose::recording) prepare_for_cut(run);
   if (options.purpose == Purpose::training) prepare_for_training(run);
   if (options.purpose == Purpose::campaign) prepare_for_campaign(run);
   if (options.purpose == Purpose::simulation || wants_whole_graph(run, options))
     run.spec->placement.clear();
-  const std::size_t errors = run.diagnostics.error_count();
+}
+
+/// False if numbers of the graph are not there.
+bool add_tables(Run& run) {
+  const std::size_t errors_before = run.diagnostics.error_count();
   run.tables = read_tables(*run.spec, run.sources, run.diagnostics);
-  if (run.diagnostics.error_count() > errors) return false;  // lists that are not there
-  // Before the graph is resolved, so that a bad file is told of along with everything else.
+  return run.diagnostics.error_count() == errors_before;
+}
+
+bool choose_variant(Run& run, const GraphOptions& options) {
+  run.tree =
+      choose_variant(run.written, options.graph, options.variant, run.sources, run.diagnostics);
+  return !run.diagnostics.has_errors();
+}
+
+/// All stages from the graph's tree on, in their order. One that has no result ends it; the others
+/// add what they find to the diagnostics, so that everything is said in one run.
+bool make_of_written(Run& run, const GraphOptions& options) {
+  if (!choose_variant(run, options)) return false;
+  const bool read =
+      is_saved_graph(run.tree) ? read_saved_graph(run, options) : read_own_graph(run, options);
+  if (!read) return false;
+  take_options(run, options);
+  if (!add_tables(run)) return false;
   run.policies = read_policies(*run.spec, run.library, run.diagnostics);
   run.graph = resolve(*run.spec, run.library, {options.engine, options.real, placement_of(options)},
                       run.diagnostics);
+  remember_headers(run);
   if (!run.graph) return false;
   run.plan = make_plan(*run.graph, run.diagnostics);
   check_policies(*run.spec, *run.graph, run.policies, run.diagnostics);
@@ -275,58 +272,18 @@ std::vector<std::string> wanted_targets(const GraphOptions& options) {
   return options.targets.empty() ? std::vector<std::string>{"linux-sim"} : options.targets;
 }
 
-namespace {
-
-bool make_of_tree(Run& run, const GraphOptions& options) {
-  if (run.diagnostics.has_errors()) return false;
-  const bool made = make_of_tree(run, options, Reading::mentioned);
-  return run.library.was_too_small() ? make_again(run, options) : made;
-}
-
-}  // namespace
-
-namespace {
-
-/// Leaves what was read of the graph's file.
-void start_again(Run& run) {
-  Run whole;
-  whole.sources = std::move(run.sources);
-  whole.written = std::move(run.written);
-  whole.tree = std::move(run.tree);
-  run = std::move(whole);
-}
-
-void choose_variant(Run& run, const GraphOptions& options) {
-  run.tree =
-      choose_variant(run.written, options.graph, options.variant, run.sources, run.diagnostics);
-}
-
-}  // namespace
-
 bool make(Run& run, const GraphOptions& options) {
   run.written = read_graph_file(run, options.graph);
-  choose_variant(run, options);
-  return make_of_tree(run, options);
-}
-
-bool make_spec(Run& run, const GraphOptions& options) {
-  choose_variant(run, options);
-  if (run.diagnostics.has_errors()) return false;
-  const bool made = read_own_graph(run, options, Reading::mentioned);
-  if (!run.library.was_too_small()) return made;
-  start_again(run);
-  return read_own_graph(run, options, Reading::whole);
+  return make_of_written(run, options);
 }
 
 bool make_of_text(Run& run, const GraphOptions& options, const std::string& text) {
   run.written = read_yaml_text(options.graph, text, run.sources, run.diagnostics);
-  choose_variant(run, options);
-  return make_of_tree(run, options);
+  return make_of_written(run, options);
 }
 
-bool make_again(Run& run, const GraphOptions& options) {
-  start_again(run);
-  return make_of_tree(run, options, Reading::whole);
+bool make_spec(Run& run, const GraphOptions& options) {
+  return choose_variant(run, options) && read_own_graph(run, options);
 }
 
 int finish(Run& run, const MessageOptions& options) {

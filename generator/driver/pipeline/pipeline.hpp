@@ -15,8 +15,13 @@
 
 namespace eagerx::gen {
 
-/// One run of the generator. Graph and plan point into the library and stay where they are.
+/// One run of the generator. It stays where it is: graph and plan point into the library, and the
+/// library reads on from the sources.
 struct Run {
+  Run() = default;
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
   SourceMap sources;
   Diagnostics diagnostics;
   std::string root;  // of the built-in models, targets, templates
@@ -40,8 +45,7 @@ YamlValue read_graph_file(Run& run, const std::string& path);
 /// EAGERx's file through the manifests of the library, which is loaded.
 std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree,
                                          const GraphOptions& options);
-/// read → spec (or import) → resolve → plan, and the policies, with what the graph mentions of the
-/// library, or all of it if that was too little. True if there was no problem.
+/// All stages, from the graph's file to the plan. True if there was no problem.
 bool make(Run& run, const GraphOptions& options);
 /// The same of a graph that is the text of `options.graph`, which need not be there.
 bool make_of_text(Run& run, const GraphOptions& options, const std::string& text);
@@ -49,8 +53,6 @@ bool make_of_text(Run& run, const GraphOptions& options, const std::string& text
 bool make_spec(Run& run, const GraphOptions& options);
 /// All that `check` looks for in such a graph; true if there was no problem.
 bool check_text(Run& run, const GraphOptions& options, const std::string& text);
-/// Again from the graph's file, with the whole library.
-bool make_again(Run& run, const GraphOptions& options);
 /// The targets that are generated for, as the command line says.
 std::vector<std::string> wanted_targets(const GraphOptions& options);
 /// Prints what was found to the standard error and returns the exit code.

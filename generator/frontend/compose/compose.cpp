@@ -100,10 +100,10 @@ class Composer {
     add_said(scope, entry, name, settings);
     const YamlValue* type = settings.find("type");
     const bool known = type != nullptr && type->is_scalar();
-    const auto found = known ? library_.entities.find(type->text) : library_.entities.end();
-    if (found != library_.entities.end() && found->second.is_composite() &&
-        (found->second.kind == EntityKind::object) == (section == Section::objects)) {
-      add_composite(scope, entry, name, settings, found->second);
+    const Entity* const found = known ? library_.find(type->text) : nullptr;
+    if (found != nullptr && found->is_composite() &&
+        (found->kind == EntityKind::object) == (section == Section::objects)) {
+      add_composite(scope, entry, name, settings, *found);
       return;
     }
     if (++entities_ > kMostEntities) {
@@ -114,8 +114,7 @@ class Composer {
     }
     if (!scope.around.empty())
       name_files_from(*scope.around.back(), sources_.name(root_.span.file), settings);
-    inner_.entity_of[scope.prefix + name] =
-        found == library_.entities.end() ? nullptr : &found->second;
+    inner_.entity_of[scope.prefix + name] = found;
     (section == Section::objects ? objects_ : nodes_)
         .push_back({scope.prefix + name, entry.key_span, std::move(settings)});
   }
@@ -358,18 +357,6 @@ FlatGraph compose(const YamlValue& root, const Library& library, SourceMap& sour
   FlatGraph flat = Composer(root, library, sources, diagnostics).run();
   take_tunable(flat.root, library, diagnostics);
   return flat;
-}
-
-std::vector<std::string> entities_of_patterns(const YamlValue& root) {
-  const YamlValue* connections = root.find("connections");
-  const bool has_pattern =
-      connections != nullptr && ranges::any_of(connections->items, [](const YamlValue& item) {
-        return ranges::any_of(item.entries, [](const YamlValue::Entry& entry) {
-          return (entry.key == "from" || entry.key == "to") &&
-                 entry.value.text.find('[') != std::string::npos;
-        });
-      });
-  return has_pattern ? std::vector<std::string>{"Mux", "GetIndex"} : std::vector<std::string>();
 }
 
 }  // namespace eagerx::gen

@@ -22,7 +22,4 @@ struct FlatGraph {
 FlatGraph compose(const YamlValue& root, const Library& library, SourceMap& sources,
                   Diagnostics& diagnostics);
 
-/// Entities that composing may need though no graph names them: for connections with indices.
-std::vector<std::string> entities_of_patterns(const YamlValue& root);
-
 }  // namespace eagerx::gen

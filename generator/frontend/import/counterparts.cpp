@@ -310,7 +310,7 @@ bool Counterparts::may_stand_in(const Entity& entity, const SavedEntity& saved,
 }
 
 bool Counterparts::knows(const std::string& id) const {
-  return ranges::any_of(library_.entities,
+  return ranges::any_of(library_.all_entities(),
                         [&](const auto& item) { return stands_for(item.second, id); });
 }
 

@@ -48,30 +48,6 @@ const ObjectEngine* Entity::implementation(const Entity& engine) const {
   return found;
 }
 
-const Entity* Library::find(const std::string& id) const {
-  const auto found = entities.find(id);
-  if (found != entities.end()) return &found->second;
-  asked_for_more = true;
-  return nullptr;
-}
-
-const Target* Library::find_target(const std::string& id) const {
-  const auto found = targets.find(id);
-  if (found != targets.end()) return &found->second;
-  asked_for_more = true;
-  return nullptr;
-}
-
-const std::map<std::string, Entity>& Library::all_entities() const {
-  asked_for_more = true;
-  return entities;
-}
-
-const std::map<std::string, Target>& Library::all_targets() const {
-  asked_for_more = true;
-  return targets;
-}
-
 std::vector<std::string> Library::ids(EntityKind kind) const {
   std::vector<std::string> result;
   for (const auto& [id, entity] : all_entities()) {

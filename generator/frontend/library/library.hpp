@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "generator/frontend/library/condition.hpp"
-#include "generator/frontend/library/mentions.hpp"
 #include "generator/frontend/spec/graph_spec.hpp"
 
 namespace eagerx::gen {
@@ -94,7 +93,7 @@ struct ObjectEngine {
   std::vector<ConnectionSpec> connections;
   std::vector<EntitySpec> states;  // name = the object's state, type = an engine state
   std::vector<NodeState> node_states;
-  bool packs = false;        // whether the model also calculates with packs of numbers
+  bool packs = false;        // whether the model also calculates with SIMD vectors
   std::string include_root;  // folder that the model's include is relative to
 };
 
@@ -124,7 +123,7 @@ struct Entity {
   std::vector<std::string> counts;  // nodes: what for_each_count() counts
   std::vector<std::string> moves;   // engine states: what they set that changes in an episode
   std::string pack_registers;       // engines: of a pack of numbers; empty: the runtime's choice
-  Condition packs;  // where its class also calculates with packs of numbers; empty: nowhere
+  Condition packs;  // where its class also calculates with SIMD vectors; empty: nowhere
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs
   std::optional<Spanned<std::string>> family;  // the family of boards it needs
@@ -162,10 +161,10 @@ struct Target {
   std::string language;  // of a part's program that is not of C++; empty: C++
   std::vector<std::pair<std::string, std::string>> yours;  // as `partner`, written once
   std::string cmake, toolchain;
-  bool packs = false;                 // whether it also takes the program over packs of numbers
-  std::string system;                 // its operating system; empty: none
-  std::string family;                 // the family of boards it is of; empty: none
-  std::optional<std::uint32_t> baud;  // of its serial port, if that can send telemetry
+  bool packs = false;                      // whether it also takes the program over SIMD vectors
+  std::string system;                      // its operating system; empty: none
+  std::string family;                      // the family of boards it is of; empty: none
+  std::optional<std::uint32_t> baud;       // of its serial port, if that can send telemetry
   std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
   std::vector<std::pair<std::string, std::string>> facts;  // for people: clock_hz, flash, run, …
   std::vector<std::string> run;
@@ -175,41 +174,41 @@ struct Target {
   [[nodiscard]] bool is_board() const { return system.empty() && ram_bytes.has_value(); }
 };
 
-/// What was read: everything, or what a graph mentions. The functions know of the difference.
+class ManifestLoader;
+
+/// All entities and targets. What is wrong in a manifest is added to the diagnostics that the
+/// library was loaded with, when the manifest is read: an installed one when its id is asked for.
 struct Library {
-  std::map<std::string, Entity> entities;
-  std::map<std::string, Target> targets;
-  bool whole = true;  // false: installed manifests were left unread
-  mutable bool asked_for_more = false;
+  mutable std::map<std::string, Entity> entities;  // those that were read
+  mutable std::map<std::string, Target> targets;
+  std::shared_ptr<ManifestLoader> unread;  // has the other manifests; nullptr if there are none
 
   /// nullptr if there is none.
   [[nodiscard]] const Entity* find(const std::string& id) const;
   [[nodiscard]] const Target* find_target(const std::string& id) const;
   [[nodiscard]] const std::map<std::string, Entity>& all_entities() const;
   [[nodiscard]] const std::map<std::string, Target>& all_targets() const;
+  void read_all() const;
   [[nodiscard]] std::vector<std::string> ids(EntityKind kind) const;
   /// A name that objects are implemented for and several engines run, but that is no engine itself.
   /// These engines; empty if `name` is none.
   [[nodiscard]] std::vector<std::string> engines_of_family(const std::string& name) const;
-  /// Whether an answer may have been another one with the whole library: something was not found,
-  /// or all of a kind were asked for.
-  [[nodiscard]] bool was_too_small() const { return !whole && asked_for_more; }
 };
 
 std::string_view to_string(EntityKind kind);
 
 /// Reads every manifest.yaml below the folders, in the order of their paths; a folder's span is
-/// where it was named. Codes: E0301 a folder that cannot be read, E0302 an id defined twice, E0303
-/// an implementation of an object that there is not, E02xx what is wrong in a manifest.
+/// where it was named. Of the `installed` folders, which come after the others, it reads the ids
+/// alone, for parsing all takes 60 ms: a manifest is parsed when the library is asked for its id.
+/// So `sources` and `diagnostics` have to stay. Codes: E0301 a folder that cannot be read, E0302 an
+/// id defined twice, E0303 an implementation of an object that there is not, E02xx what is wrong in
+/// a manifest.
 Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
-                     Diagnostics& diagnostics);
+                     Diagnostics& diagnostics,
+                     const std::vector<Spanned<std::string>>& installed = {});
 
-/// The same for a graph with these mentions, in a quarter of the time. Of the `installed` folders,
-/// which come after the others, it reads only what graph and manifests mention, and what has no
-/// plain id.
-Library load_mentioned(Mentions mentions, const std::vector<Spanned<std::string>>& folders,
-                       const std::vector<Spanned<std::string>>& installed, SourceMap& sources,
-                       Diagnostics& diagnostics);
+/// The id in a manifest's text, if there is exactly one line for it and the id is a plain word.
+std::optional<std::string_view> declared_id(std::string_view text);
 
 /// Typed form of one manifest.
 std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::string& path,

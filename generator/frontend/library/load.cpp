@@ -2,14 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
 
 #include "generator/frontend/library/library.hpp"
-#include "generator/frontend/library/mentions.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/search.hpp"
 #include "generator/support/files/paths.hpp"
@@ -18,6 +16,9 @@ namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kWord =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
 
 /// Copies in an output of eagerx-gen in `folder`, as its list names them: what a standalone tree
 /// has of the installed package is no entity. (What eagerx-urdf writes is one, and has a list,
@@ -121,15 +122,15 @@ void add_to_object(Library& library, Implementation implementation, const Source
   // No structured binding: clang 14 lets no lambda capture one.
   const Spanned<std::string>& object = implementation.object;
   const ObjectEngine& engine = implementation.engine;
-  const auto found = library.entities.find(object.value);
-  if (found == library.entities.end() || found->second.kind != EntityKind::object) {
+  const Entity* const found = library.find(object.value);
+  if (found == nullptr || found->kind != EntityKind::object) {
     diagnostics
         .error("E0303", object.span,
                fmt::format("there is no object `{}` to implement", object.value))
         .help = did_you_mean(object.value, library.ids(EntityKind::object));
     return;
   }
-  auto& engines = found->second.object_engines;
+  auto& engines = library.entities.at(object.value).object_engines;
   const auto first = ranges::find(
       engines, engine.engine.value, [](const auto& each) -> auto& { return each.engine.value; });
   if (first != engines.end()) {
@@ -143,17 +144,43 @@ void add_to_object(Library& library, Implementation implementation, const Source
   engines.push_back(std::move(implementation.engine));
 }
 
-/// A manifest whose text is loaded, not read yet.
-struct Manifest {
-  std::string path;
-  fs::path include_root;
-  FileId file = FileId::none;
-};
+}  // namespace
 
-class Loader {
+class ManifestLoader {
  public:
-  Loader(SourceMap& sources, Diagnostics& diagnostics)
+  /// One whose text is loaded, not read yet.
+  struct Manifest {
+    std::string path;
+    fs::path include_root;
+    FileId file = FileId::none;
+  };
+
+  ManifestLoader(SourceMap& sources, Diagnostics& diagnostics)
       : sources_(sources), diagnostics_(diagnostics) {}
+
+  /// Keeps the manifest for `read_id` if its text says its id, else reads it.
+  void keep(Manifest manifest, Library& library) {
+    if (const auto id = declared_id(sources_.text(manifest.file)))
+      unread_[std::string(*id)].push_back(std::move(manifest));
+    else
+      read(manifest, library);
+  }
+
+  void read_id(const std::string& id, const Library& library) {
+    if (const auto found = unread_.extract(id)) {
+      for (const Manifest& manifest : found.mapped()) read(manifest, library);
+    }
+  }
+  /// Reads those whose ids were read already, which is an error.
+  void find_twice(const Library& library) {
+    std::vector<std::string> ids;
+    for (const auto& [id, entity] : library.entities) ids.push_back(id);
+    for (const auto& [id, target] : library.targets) ids.push_back(id);
+    for (const std::string& id : ids) read_id(id, library);
+  }
+  void read_all(const Library& library) {
+    while (!unread_.empty()) read_id(std::string(unread_.begin()->first), library);
+  }
 
   /// The manifests of a folder that none of the others was, in the order of their paths.
   std::vector<Manifest> load(const Spanned<std::string>& folder) {
@@ -177,15 +204,13 @@ class Loader {
     return manifests;
   }
 
-  void read(const Manifest& manifest, Mentions* mentions = nullptr) {
-    trees_.push_back(read_loaded_yaml(manifest.file, sources_, diagnostics_));
-    const YamlValue& tree = trees_.back();
+  void read(const Manifest& manifest, const Library& library) {
+    const YamlValue tree = read_loaded_yaml(manifest.file, sources_, diagnostics_);
     if (tree.is_null()) return;
-    if (mentions != nullptr) mentions->add_manifest(tree);
     const YamlValue* kind = tree.find("kind");
     if (kind != nullptr && kind->text == "target") {
       if (auto target = read_target_manifest(tree, manifest.path, diagnostics_))
-        add(library_.targets, *target, sources_, diagnostics_);
+        add(library.targets, *target, sources_, diagnostics_);
       return;
     }
     if (kind != nullptr && kind->text == "implementation") {
@@ -197,62 +222,85 @@ class Loader {
     }
     if (auto entity = read_entity_manifest(tree, manifest.path, diagnostics_)) {
       set_include_root(*entity, manifest.include_root);
-      add(library_.entities, *entity, sources_, diagnostics_);
+      add(library.entities, *entity, sources_, diagnostics_);
     }
   }
 
-  Library take() {
+  void add_implementations(Library& library) {
     for (auto& implementation : implementations_)
-      add_to_object(library_, std::move(implementation), sources_, diagnostics_);
-    return std::move(library_);
+      add_to_object(library, std::move(implementation), sources_, diagnostics_);
+    implementations_.clear();
   }
 
  private:
   SourceMap& sources_;
   Diagnostics& diagnostics_;
-  Library library_;
   std::vector<std::string> done_;
   std::vector<Implementation> implementations_;
-  std::deque<YamlValue> trees_;  // which mentions point into
+  std::map<std::string, std::vector<Manifest>> unread_;  // by the id
 };
 
-}  // namespace
-
-Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
-                     Diagnostics& diagnostics) {
-  Loader loader(sources, diagnostics);
-  for (const auto& folder : folders) {
-    for (const Manifest& manifest : loader.load(folder)) loader.read(manifest);
-  }
-  return loader.take();
+const Entity* Library::find(const std::string& id) const {
+  if (unread != nullptr) unread->read_id(id, *this);
+  const auto found = entities.find(id);
+  return found == entities.end() ? nullptr : &found->second;
 }
 
-Library load_mentioned(Mentions mentions, const std::vector<Spanned<std::string>>& folders,
-                       const std::vector<Spanned<std::string>>& installed, SourceMap& sources,
-                       Diagnostics& diagnostics) {
-  Loader loader(sources, diagnostics);
+const Target* Library::find_target(const std::string& id) const {
+  if (unread != nullptr) unread->read_id(id, *this);
+  const auto found = targets.find(id);
+  return found == targets.end() ? nullptr : &found->second;
+}
+
+void Library::read_all() const {
+  if (unread != nullptr) unread->read_all(*this);
+}
+
+const std::map<std::string, Entity>& Library::all_entities() const {
+  read_all();
+  return entities;
+}
+
+const std::map<std::string, Target>& Library::all_targets() const {
+  read_all();
+  return targets;
+}
+
+Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
+                     Diagnostics& diagnostics, const std::vector<Spanned<std::string>>& installed) {
+  Library library;
+  auto loader = std::make_shared<ManifestLoader>(sources, diagnostics);
   for (const auto& folder : folders) {
-    for (const Manifest& manifest : loader.load(folder)) loader.read(manifest, &mentions);
+    for (const auto& manifest : loader->load(folder)) loader->read(manifest, library);
   }
-  // Every text is loaded, so that places are in the same order as in a library that is read whole.
-  std::map<std::string, std::vector<Manifest>> unread;
+  // Every text is loaded, so that places are in the same order whatever is read first.
   for (const auto& folder : installed) {
-    for (Manifest& manifest : loader.load(folder)) {
-      if (const auto id = declared_id(sources.text(manifest.file)))
-        unread[std::string(*id)].push_back(std::move(manifest));
-      else
-        loader.read(manifest, &mentions);
-    }
+    for (auto& manifest : loader->load(folder)) loader->keep(std::move(manifest), library);
   }
-  while (const auto text = mentions.next()) {
-    const auto found = unread.find(*text);
-    if (found == unread.end()) continue;
-    for (const Manifest& manifest : found->second) loader.read(manifest, &mentions);
-    unread.erase(found);
-  }
-  Library library = loader.take();
-  library.whole = unread.empty();
+  if (!installed.empty()) library.unread = loader;
+  loader->find_twice(library);
+  loader->add_implementations(library);
   return library;
+}
+
+std::optional<std::string_view> declared_id(std::string_view text) {
+  constexpr std::string_view kKey = "\nid:";
+  std::size_t at = text.starts_with(kKey.substr(1)) ? kKey.size() - 1 : std::string_view::npos;
+  if (const std::size_t line = text.find(kKey); line != std::string_view::npos) {
+    const bool twice =
+        at != std::string_view::npos || text.find(kKey, line + 1) != std::string_view::npos;
+    if (twice) return std::nullopt;
+    at = line + kKey.size();
+  }
+  if (at == std::string_view::npos || text.substr(at, 1) != " ") return std::nullopt;
+  const std::string_view line = text.substr(at, text.find('\n', at) - at);
+  const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+  const std::size_t end = std::min(line.find_first_not_of(kWord, begin), line.size());
+  const std::string_view rest = line.substr(end);
+  const std::size_t next = std::min(rest.find_first_not_of(' '), rest.size());
+  const bool ends = next == rest.size() || (next > 0 && rest[next] == '#');
+  if (end == begin || !ends) return std::nullopt;
+  return line.substr(begin, end - begin);
 }
 
 }  // namespace eagerx::gen

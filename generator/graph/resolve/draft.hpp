@@ -111,9 +111,13 @@ struct Draft {
   std::optional<std::size_t> render = {};
   std::deque<EntitySpec> added = {};  // nodes that the graph file has not, as it would say them
   std::map<std::string, std::size_t, std::less<>> node_of_name = {};  // once all are there
+  std::map<std::string, std::size_t, std::less<>> object_of_name = {};
 
   /// A node that no entity of the graph is: what the generator itself adds.
   [[nodiscard]] bool is_added(std::size_t node) const { return node == task || node == render; }
+  void add_object(DraftObject object);
+  /// nullptr: there is none of this name.
+  [[nodiscard]] const DraftObject* find_object(std::string_view name) const;
   /// Whether a node, or the object that an engine node is of, has such a problem.
   [[nodiscard]] bool is_doubtful(const DraftNode& node) const;
 };

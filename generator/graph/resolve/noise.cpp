@@ -112,10 +112,4 @@ void add_noise(Draft& draft) {
   if (draft.task) NoiseAdder(draft).run();
 }
 
-std::vector<std::string> entities_of_noise(const YamlValue& root) {
-  const YamlValue* const task = root.find("task");
-  const bool has_noise = task != nullptr && task->find("noise") != nullptr;
-  return has_noise ? std::vector<std::string>{kNoiseNode} : std::vector<std::string>();
-}
-
 }  // namespace eagerx::gen

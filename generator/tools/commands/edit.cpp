@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -41,21 +42,18 @@ std::optional<std::string> text_of_file(Run& run, const std::string& path) {
 }
 
 /// What `check` finds in this text of the file: a graph, a manifest or settings of a training.
-Run check_of(const EditOptions& options, const std::string& text) {
-  if (is_manifest(options.graph) || is_train_file(text)) {
-    Run run;
-    if (is_manifest(options.graph)) {
-      check_manifest(run, options, options.graph, text);
-    } else {
-      check_train_file(run, options.graph, text);
-    }
-    return run;
+std::unique_ptr<Run> check_of(const EditOptions& options, const std::string& text) {
+  auto run = std::make_unique<Run>();
+  if (is_manifest(options.graph)) {
+    check_manifest(*run, options, options.graph, text);
+  } else if (is_train_file(text)) {
+    check_train_file(*run, options.graph, text);
+  } else {
+    GraphOptions graph;
+    static_cast<LibraryOptions&>(graph) = options;
+    graph.graph = options.graph;
+    check_text(*run, graph, text);
   }
-  GraphOptions graph;
-  static_cast<LibraryOptions&>(graph) = options;
-  graph.graph = options.graph;
-  Run run;
-  check_text(run, graph, text);
   return run;
 }
 
@@ -104,13 +102,13 @@ bool is_wrong_at(const Run& run, const Span& place, const std::string& path) {
 /// Makes the first change of `text` that the help of an error names and that mends it: then nothing
 /// is wrong at its place any more. (Elsewhere more may be told of now, which it hid.) False: there
 /// is none.
-bool fix_one(Run& run, const EditOptions& options, std::string& text) {
-  for (const Diagnostic& each : run.diagnostics.all()) {
-    const auto fix = is_in(run, each, options.graph) ? fix_of(each, text) : std::nullopt;
+bool fix_one(std::unique_ptr<Run>& run, const EditOptions& options, std::string& text) {
+  for (const Diagnostic& each : run->diagnostics.all()) {
+    const auto fix = is_in(*run, each, options.graph) ? fix_of(each, text) : std::nullopt;
     if (!fix) continue;
     std::string tried = applied(text, fix->splices);
-    Run then = check_of(options, tried);
-    if (is_wrong_at(then, each.span, options.graph)) continue;
+    auto then = check_of(options, tried);
+    if (is_wrong_at(*then, each.span, options.graph)) continue;
     if (!options.quiet) say("{}:{}: {}\n", options.graph, each.span.line, fix->reason);
     text = std::move(tried);
     run = std::move(then);
@@ -121,15 +119,15 @@ bool fix_one(Run& run, const EditOptions& options, std::string& text) {
 
 int perform_fix(const EditOptions& options) {
   constexpr int kMost = 1000;  // so that two changes that undo each other come to an end
-  Run run;
-  const auto file = text_of_file(run, options.graph);
-  if (!file) return finish(run, options);
+  Run reading;
+  const auto file = text_of_file(reading, options.graph);
+  if (!file) return finish(reading, options);
   std::string text = *file;
-  run = check_of(options, text);
+  auto run = check_of(options, text);
   int made = 0;
   while (made < kMost && fix_one(run, options, text)) ++made;
-  if (made > 0) apply(run, options, *file, text);
-  const int code = finish(run, options);
+  if (made > 0) apply(*run, options, *file, text);
+  const int code = finish(*run, options);
   if (!options.quiet && made == 0)
     say("{}: there is no error whose help is a change of the text\n", options.graph);
   return code;
@@ -149,11 +147,11 @@ int perform_rename(const EditOptions& options) {
     return kProblems;
   }
   const std::string text = applied(*file, edit->splices);
-  Run after = check_of(options, text);
-  if (after.diagnostics.has_errors() && !check_of(options, *file).diagnostics.has_errors()) {
+  const auto after = check_of(options, text);
+  if (after->diagnostics.has_errors() && !check_of(options, *file)->diagnostics.has_errors()) {
     complain("error: `{}` stays as it is, for with the new name there would be a problem\n",
              options.graph);
-    return finish(after, options);
+    return finish(*after, options);
   }
   apply(run, options, *file, text);
   const int code = finish(run, options);

@@ -10,6 +10,7 @@
 namespace eagerx::host {
 
 /// What a name is the name of. A key of a file has the title that messages give its mapping.
+inline constexpr std::string_view kAnyMapping = "";  // that has the new name
 inline constexpr std::string_view kTrainSettings = "settings of a training";
 inline constexpr std::string_view kTrainOptions = "options of train";
 inline constexpr std::string_view kCurveColumns = "columns of a learning curve";
@@ -19,6 +20,9 @@ struct Renamed {
 };
 
 inline constexpr auto kRenamed = std::to_array<Renamed>({
+    {"safety", "hang", "heartbeat_timeout"},
+    {kAnyMapping, "packs", "vectorized"},
+    {kAnyMapping, "pack_registers", "simd_registers"},
     {kTrainSettings, "layers", "net_arch"},
     {kTrainSettings, "activation", "activation_fn"},
     {kTrainSettings, "memory", "rnn"},
@@ -76,7 +80,8 @@ inline constexpr auto kRenamed = std::to_array<Renamed>({
 /// What `name` is called now; empty if it is no former name there.
 constexpr std::string_view new_name(std::string_view where, std::string_view name) {
   for (const Renamed& one : kRenamed) {
-    if (one.where == where && one.old_name == name) return one.new_name;
+    if ((one.where == where || one.where == kAnyMapping) && one.old_name == name)
+      return one.new_name;
   }
   return {};
 }

@@ -178,10 +178,11 @@ class OptionParser {
 
 /// Counts steps and prints the CSV.
 template <class Graph>
-class Watch {
+class Watch : public target::Watch<Graph> {
  public:
-  using Action = typename Graph::Action;
-  using Observation = typename Graph::Observation;
+  using typename target::Watch<Graph>::Action;
+  using typename target::Watch<Graph>::Observation;
+  using typename target::Watch<Graph>::Outcome;
   using Table = target::CsvTable<Graph, Console>;
 
   Watch(const Options& options, const PacedTrace<Graph>& trace)
@@ -197,17 +198,17 @@ class Watch {
     Table::row(console, episode, 0, observation, nullptr, nullptr);
   }
   void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation,
-            const typename Table::Outcome& outcome) {
+            const Outcome& outcome) {
     ++steps_;
     rewards_.step(outcome);
     if (csv_) Table::row(console, episode, step, observation, &action, &outcome);
   }
   std::uint64_t steps() const { return steps_; }
-  const target::RewardCheck<typename Table::Outcome>& rewards() const { return rewards_; }
+  const target::RewardCheck<Outcome>& rewards() const { return rewards_; }
 
  private:
   const PacedTrace<Graph>& trace_;
-  target::RewardCheck<typename Table::Outcome> rewards_;
+  target::RewardCheck<Outcome> rewards_;
   std::uint64_t steps_ = 0;
   std::uint64_t late_limit_;
   bool csv_;

@@ -35,6 +35,10 @@ inline constexpr Row kTrain[] = {
     {.names = "--gamma",
      .value = "X",
      .about = "weight of a reward one step later (default: 0.99)"},
+    {.names = "--preset",
+     .value = "NAME",
+     .about = "settings for a kind of task, which files and other options override; `eagerx-gen "
+              "help train-settings` lists them"},
     {.names = "--setting",
      .value = "NAME=VALUE",
      .about = "one setting; `eagerx-gen help train-settings` lists them",

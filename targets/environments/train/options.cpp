@@ -11,6 +11,7 @@
 #include "targets/environments/client/command_line.hpp"
 #include "targets/environments/options/train.hpp"
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/presets.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -56,6 +57,7 @@ std::vector<client::Setter> setters(Options& o) {
          if (v != "ppo" && v != "sac")
            refuse("there is no algorithm `" + v + "`, only ppo and sac");
          settings.algorithm = v;
+         o.algorithm_given = true;
        }},
       {"--steps", [&](Text v) { o.steps = number<std::uint64_t>(v, 1, kMostSteps); }},
       {"--until-return",
@@ -65,6 +67,7 @@ std::vector<client::Setter> setters(Options& o) {
       {"--threads", [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
       {"--hidden", [&](Text v) { give(o, "net_arch", v); }},
       {"--gamma", [&](Text v) { give(o, "gamma", v); }},
+      {"--preset", [&](Text v) { o.preset = v; }},
       {"--setting",
        [&](Text v) {
          set_named(settings, v);
@@ -169,6 +172,7 @@ Options parse_options(int argc, const char* const* argv) {
       refuse("--resume goes on with one training and --from begins another: give one of them");
     if (!options.resume.empty() && !options.replay.empty())
       refuse("--resume goes on with a training that has its logs already: leave --replay out");
+    apply_preset(options);
     check_settings(options);
     check_sweep(options);
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/base/number.hpp>
 #include <runtime/host/base/renamed.hpp>
 #include <stdexcept>
@@ -167,10 +169,36 @@ const Place& place_of(const Setting& row) {
   throw problem;
 }
 
-[[noreturn]] void refuse_name(std::string_view name) {
-  const std::string renamed = host::help_for_renamed(host::kTrainSettings, name);
-  throw client::Problem(client::kUsage, fmt::format("there is no setting `{}`", name),
-                        renamed.empty() ? "`eagerx-gen help train-settings` lists them" : renamed);
+/// Names of CleanRL, rsl_rl, Spinning Up and others, and ours for the same.
+constexpr auto kOtherNames = std::to_array<std::array<std::string_view, 2>>({
+    {"lr", "learning_rate"},
+    {"alpha_lr", "learning_rate"},
+    {"lambda", "gae_lambda"},
+    {"lam", "gae_lambda"},
+    {"num_envs", "n_envs"},
+    {"num_steps", "n_steps"},
+    {"update_epochs", "n_epochs"},
+    {"num_minibatches", "n_minibatches"},
+    {"clip_coef", "clip_range"},
+    {"clip_param", "clip_range"},
+    {"entropy_coef", "ent_coef"},
+    {"desired_kl", "target_kl"},
+    {"hidden_sizes", "net_arch"},
+    {"gradient_steps", "utd_ratio"},
+    {"target_entropy", "target_entropy_per_action"},
+});
+
+std::string help_with(std::string_view name) {
+  constexpr const char* kAll = "`eagerx-gen help train-settings` lists them";
+  if (const std::string renamed = host::help_for_renamed(host::kTrainSettings, name);
+      !renamed.empty())
+    return renamed;
+  for (const auto& [theirs, ours] : kOtherNames)
+    if (theirs == name) return fmt::format("it is `{}` here; {}", ours, kAll);
+  std::vector<std::string> known;
+  for (const Setting& row : kTrainSettings) known.emplace_back(row.name);
+  const std::string near = host::did_you_mean(name, known);
+  return near.empty() ? kAll : fmt::format("{} {}", near, kAll);
 }
 
 }  // namespace
@@ -181,7 +209,9 @@ Settings::Settings() {
 
 void set(Settings& settings, std::string_view name, const std::string& text) {
   const auto* row = std::ranges::find(kTrainSettings, name, &Setting::name);
-  if (row == std::end(kTrainSettings)) refuse_name(name);
+  if (row == std::end(kTrainSettings))
+    throw client::Problem(client::kUsage, fmt::format("there is no setting `{}`", name),
+                          help_with(name));
   place_of(*row).set(settings, *row, text);
 }
 

@@ -83,15 +83,15 @@ void check_trainable(const Description& description) {
 }  // namespace
 
 void check_files(const Options& options) {
-  check_writable(options.output);
-  check_writable(golden_path(options.output));
+  claim_output(options.output);
+  claim_output(golden_path(options.output));
   for (const std::string* path : {&options.csv, &options.curve, &options.record}) {
-    if (!path->empty()) check_writable(*path);
+    if (!path->empty()) claim_output(*path);
   }
   if (options.seeds > 1) {
     check_files_of_seeds(options);
   } else {
-    if (!options.checkpoint.empty()) check_writable(options.checkpoint);
+    if (!options.checkpoint.empty()) claim_output(options.checkpoint);
     if (!options.resume.empty())
       check_resumed(read_file(options.resume), options.resume, options.settings);
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "targets/environments/train/export.hpp"
+#include "targets/environments/train/presets.hpp"
 #include "targets/environments/train/signs.hpp"
 
 namespace eagerx::train {
@@ -99,6 +100,8 @@ std::string notes(const Ended& ended, const Evaluation& evaluation) {
   std::string text = unfinished(ended);
   for (const std::string& sign : signs_of(ended.curve, evaluation, ended.description))
     text += "note: " + sign + "\n";
+  const std::string advice = preset_advice(ended.options, ended.description, ended.curve);
+  if (!advice.empty()) text += "note: " + advice + "\n";
   const double wanted = ended.options.settings.until_return;
   if (evaluation.mean_return < wanted)
     return text + fmt::format(

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <runtime/host/base/claim.hpp>
 
 #include "targets/environments/train/client.hpp"
 
@@ -170,18 +171,23 @@ bool has_other_curve(const std::filesystem::path& folder, const std::string& own
   return false;
 }
 
+/// Whether no other training that runs writes there.
+bool claims(const std::string& folder, const std::string& name) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Problem(kInputOutput, "cannot make `" + folder + "`: " + error.message());
+  return host::claim_output(folder + "/" + name) == 0;
+}
+
 }  // namespace
 
 EventFile::EventFile(const std::string& folder, const std::string& graph,
                      const std::vector<CurvePoint>& curve)
     : folder_(folder) {
   const std::string name = std::string(kEvents) + "0." + graph;
-  for (int run = 2; has_other_curve(folder_, name, curve); ++run)
+  for (int run = 2; has_other_curve(folder_, name, curve) || !claims(folder_, name); ++run)
     folder_ = folder + "/run" + std::to_string(run);
   path_ = folder_ + "/" + name;
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw Problem(kInputOutput, "cannot make `" + folder_ + "`: " + error.message());
   write_file(path_, first_event(now_s()));
   for (const CurvePoint& point : curve) append(point);
 }

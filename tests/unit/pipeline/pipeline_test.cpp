@@ -3,12 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 
 namespace eagerx::gen {
 namespace {
-
-namespace fs = std::filesystem;
 
 class Pipeline : public testing::Test {
  protected:
@@ -22,38 +19,20 @@ class Pipeline : public testing::Test {
   }
 };
 
-TEST_F(Pipeline, GraphsWithoutAProblemNeedOnlyWhatTheyMention) {
-  std::size_t graphs = 0;
-  for (const auto& folder : fs::directory_iterator(fs::path(EAGERX_SOURCE_DIR) / "examples")) {
-    const fs::path graph = folder.path() / "graph.yaml";
-    if (!fs::exists(graph)) continue;
-    gen::Run run;
-    if (!make(run, options_for(fs::relative(graph, EAGERX_SOURCE_DIR).string()))) continue;
-    ++graphs;
-    EXPECT_FALSE(run.library.whole) << graph;
-  }
-  EXPECT_GT(graphs, 8U);
-}
-
-TEST_F(Pipeline, NoiseNeedsNoMoreThanItsNode) {
+TEST_F(Pipeline, AGraphReadsOnlyTheManifestsThatItUses) {
   gen::Run run;
   EXPECT_TRUE(make(run, options_for("tests/environments/swing.yaml")));
-  EXPECT_FALSE(run.library.whole);
+  const std::size_t used = run.library.entities.size();
+  EXPECT_TRUE(run.library.entities.contains("Pendulum"));
+  EXPECT_FALSE(run.library.entities.contains("Quadruped"));
+  EXPECT_GT(run.library.all_entities().size(), 3 * used);
 }
 
-TEST_F(Pipeline, AProblemThatListsNothingNeedsNoMore) {
-  gen::Run run;
-  EXPECT_FALSE(make(run, options_for("tests/diagnostics/cases/cycle.yaml")));
-  EXPECT_TRUE(run.diagnostics.has_errors());
-  EXPECT_FALSE(run.library.whole);
-}
-
-TEST_F(Pipeline, AProblemThatListsWhatThereIsIsSaidOfTheWholeLibrary) {
+TEST_F(Pipeline, AProblemListsAllThatThereIs) {
   GraphOptions options = options_for("examples/pendulum_swing_up/graph.yaml");
   options.engine = "OdeEngin";
   gen::Run run;
   EXPECT_FALSE(make(run, options));
-  EXPECT_TRUE(run.library.whole);
   ASSERT_EQ(run.diagnostics.all().size(), 1U);
   EXPECT_EQ(run.diagnostics.all().front().help.text, "did you mean `OdeEngine`?");
 }
@@ -72,14 +51,13 @@ TEST_F(Pipeline, ALibraryOfEnvironmentsHasTheWholeOfAPlacedGraph) {
   EXPECT_TRUE(is_placed({"environments", "linux-sim"})) << "which E0335 then refuses";
 }
 
-TEST_F(Pipeline, TargetsAndEnginesOfTheCommandLineAreMentioned) {
+TEST_F(Pipeline, TargetsAndEnginesOfTheCommandLineAreFound) {
   GraphOptions options = options_for("examples/pendulum_swing_up/graph.yaml");
   options.engine = "OpenDynamicsEngine";
   options.targets = {"mps2-an500"};
   gen::Run run;
   EXPECT_TRUE(make(run, options));
-  EXPECT_FALSE(run.library.whole);
-  EXPECT_TRUE(run.library.targets.contains("mps2-an500"));
+  EXPECT_NE(run.library.find_target("mps2-an500"), nullptr);
 }
 
 }  // namespace

@@ -60,6 +60,26 @@ TEST(TrainSettings, EachIsSetAndStandsInTheText) {
   }
 }
 
+TEST(TrainSettings, NamesOfOtherLibrariesGetOurs) {
+  const auto help = [](const std::string& name) {
+    Settings settings;
+    try {
+      set(settings, name, "1");
+    } catch (const client::Problem& problem) {
+      return problem.help;
+    }
+    return std::string();
+  };
+  const std::string all = "; `eagerx-gen help train-settings` lists them";
+  EXPECT_EQ(help("lr"), "it is `learning_rate` here" + all);
+  EXPECT_EQ(help("gamma"), "it is `discount` here" + all);
+  EXPECT_EQ(help("n_envs"), "it is `environments` here" + all);
+  EXPECT_EQ(help("tau"), "it is `sac_target_share` here" + all);
+  EXPECT_EQ(help("learning_rat"),
+            "did you mean `learning_rate`? `eagerx-gen help train-settings` lists them");
+  EXPECT_EQ(help("xyzzy"), "`eagerx-gen help train-settings` lists them");
+}
+
 TEST(TrainSettings, OutOfRangeIsRefused) {
   for (const Setting& row : kTrainSettings) {
     if (row.kind == SettingKind::word || row.kind == SettingKind::truth) {

@@ -161,6 +161,20 @@ TEST(Urdf, LimitsOfOtherTools) {
   EXPECT_EQ(joints[3].limits.friction, 0.25);
 }
 
+/// 1 N·m on 1 kg·m² (about x) takes 2 s to 2 rad/s, on 2.5 kg·m² (about z) 1 N·m takes 0.25 s to
+/// 0.1.
+TEST(Urdf, QuickestJointIsFound) {
+  const auto made = robot_of(robot(
+      "<link name='base'/>" + link("a") + link("b") +
+      joint("continuous", "base", "a", "<limit effort='1' velocity='2'/>") +
+      joint("continuous", "a", "b", "<axis xyz='0 0 1'/><limit effort='1' velocity='0.1'/>")));
+  ASSERT_TRUE(made);
+  const auto quick = quickest_joint(*made);
+  ASSERT_TRUE(quick);
+  EXPECT_EQ(quick->name, "a_b");
+  EXPECT_DOUBLE_EQ(quick->time_s, 0.25);
+}
+
 TEST(Urdf, NamesThatWouldBeTheSameGetNumbers) {
   const auto made =
       robot_of(robot("<link name='base'/>" + link("a-b") + link("a.b") +
