@@ -21,6 +21,24 @@ const endings = {
 const endingOf = ({ended}) => endings[ended] ?? "it goes on, or was killed";
 const percent = (part, of) => (of ? `${short((100 * part) / of, 4)} %` : "–");
 
+// Where the time of all threads went, and how fast each of them was.
+const kWork = ["simulation", "inference", "learning", "evaluation", "waiting"];
+function timeFacts(time) {
+  if (!time) return [];
+  const all = kWork.reduce((sum, name) => sum + time[`${name}_s`], 0);
+  const speeds = {
+    simulation: [time.steps, "steps/s"],
+    inference: [time.steps, "steps/s", time.inference_gflop],
+    learning: [time.samples, "samples/s", time.learning_gflop]
+  };
+  return kWork.map((name) => {
+    const spent = time[`${name}_s`];
+    const [number, unit, gflop] = speeds[name] ?? [];
+    const speed = number && spent ? `${count(Math.round(number / spent))} ${unit} a thread` : "";
+    return [name, percent(spent, all), gflop && spent ? `${speed}, ${short(gflop / spent, 3)} Gflop/s` : speed];
+  });
+}
+
 // ---- How it went ----------------------------------------------------------------------------------------------------
 function trainingCard(training) {
   const best = training.trainings[training.best];
@@ -29,6 +47,7 @@ function trainingCard(training) {
   const facts = [
     ["it ended", endingOf(best)], ["steps", count(best.steps), `of at most ${count(training.steps)}`],
     best.seconds === undefined ? null : ["time", `${short(best.seconds, 3)} s`],
+    ...timeFacts(best.time),
     evaluation && training.has_success ?
         ["success", percent(evaluation.successes, evaluation.episodes), `of ${count(evaluation.episodes)} episodes`] :
         null,

@@ -209,9 +209,28 @@ class RecordReader {
     training.end["steps"] = fields.whole("steps");
     training.end["seconds"] = fields.number("seconds");
     training.end["kernels"] = fields.text("kernels");
+    if (fields.has("time")) training.end["time"] = time(fields);
     training.end["policy"] = training.policy;
     training.end["signs"] = Json(fields.texts("signs", kMostTerms));
     return read_evaluation(fields, training) && read_episodes(fields, training);
+  }
+
+  /// Where the time went. Older records do not have it.
+  Json time(Fields& fields) {
+    const Json* const value = fields.find("time");
+    if (!value->is<Json::Object>()) {
+      lines_.fail("`time` is no object");
+      return {};
+    }
+    Fields time(*value, lines_);
+    Json json{{"threads", time.whole("threads")},
+              {"steps", time.whole("steps")},
+              {"samples", time.whole("samples")}};
+    for (const char* name :
+         {"simulation_s", "inference_s", "learning_s", "evaluation_s", "waiting_s",
+          "inference_gflop", "learning_gflop"})
+      json[name] = time.number(name);
+    return json;
   }
 
   bool read_evaluation(Fields& fields, Training& training) {

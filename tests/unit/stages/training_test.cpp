@@ -23,7 +23,7 @@ const std::string kTrainingHead =
 const std::string kTrainingRow = R"({"seed":1,"steps":10,"return":-5.5})"
                                  "\n";
 const std::string kTrainingEnd =
-    R"({"seed":1,"ended":"success","steps":10,"seconds":2.5,"kernels":"avx2","policy":"p.safetensors","policy_hash":"0x1","evaluation":{"episodes":3,"successes":2,"return":-2,"lowest":-4,"highest":1,"steps":7,"terms":[-3,1],"saturated":0.1},"signs":[],"episodes":[["13835058055282163712",0,-4,7,1],["13835058055282163712",1,1,7,0],["13835058055282163713",2,-3,7,1]]})"
+    R"({"seed":1,"ended":"success","steps":10,"seconds":2.5,"kernels":"avx2","time":{"threads":2,"simulation_s":1,"inference_s":0.5,"learning_s":2,"evaluation_s":1,"waiting_s":0.5,"steps":10,"samples":20,"inference_gflop":1,"learning_gflop":6},"policy":"p.safetensors","policy_hash":"0x1","evaluation":{"episodes":3,"successes":2,"return":-2,"lowest":-4,"highest":1,"steps":7,"terms":[-3,1],"saturated":0.1},"signs":[],"episodes":[["13835058055282163712",0,-4,7,1],["13835058055282163712",1,1,7,0],["13835058055282163713",2,-3,7,1]]})"
     "\n";
 
 class Training : public testing::Test {

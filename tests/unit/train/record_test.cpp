@@ -106,6 +106,30 @@ TEST_F(TrainRecord, HasTheEpisodesOfTheLastEvaluation) {
   EXPECT_FALSE(end["signs"].empty()) << "no episode has succeeded";
 }
 
+TEST_F(TrainRecord, SaysWhereTheTimeWent) {
+  options_.settings.n_epochs = 3;
+  options_.settings.kl_stop_factor = 0.0F;  // all epochs
+  options_.threads = 2;
+  Training(options_, pendulum()).run(never);
+  const json end = lines().back(), &time = end["time"];
+  EXPECT_EQ(time["threads"], 2);
+  double sum_s = 0.0;
+  for (const char* name :
+       {"simulation_s", "inference_s", "learning_s", "evaluation_s", "waiting_s"}) {
+    const double part_s = time[name].get<double>();
+    // Waiting may be nothing; the rest is the work of threads, which none can exceed.
+    EXPECT_GE(part_s, 0.0) << name;
+    if (name != std::string("waiting_s")) EXPECT_GT(part_s, 0.0) << name;
+    sum_s += part_s;
+  }
+  EXPECT_GE(sum_s, 2.0 * end["seconds"].get<double>() * (1.0 - 1e-9));
+  EXPECT_EQ(time["steps"], end["steps"]);
+  EXPECT_EQ(time["samples"], 3 * end["steps"].get<std::uint64_t>());
+  // Actor 3-8-8-1 and critic 3-8-8-1: 113 numbers each.
+  EXPECT_DOUBLE_EQ(time["inference_gflop"].get<double>(), 2e-9 * 226 * time["steps"].get<double>());
+  EXPECT_DOUBLE_EQ(time["learning_gflop"].get<double>(), 6e-9 * 226 * time["samples"].get<double>());
+}
+
 TEST_F(TrainRecord, AResumedOneHasThePointsOfBefore) {
   options_.steps = 8192 * 3;
   options_.checkpoint = folder_.path("checkpoint");
