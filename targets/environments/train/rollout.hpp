@@ -11,11 +11,11 @@
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/hard_starts.hpp"
 #include "targets/environments/train/model.hpp"
+#include "targets/environments/train/observation_builder.hpp"
 #include "targets/environments/train/pace.hpp"
 #include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/recurrent/states.hpp"
 #include "targets/environments/train/seen.hpp"
-#include "targets/environments/train/sight.hpp"
 #include "targets/environments/train/spent.hpp"
 
 namespace eagerx::train {
@@ -106,7 +106,7 @@ class Rollout final : public Seen {
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
   HardEnvironments hard_;
   Rows rows_;                      // [count] of the last step
-  Sight sight_;                    // with what only the critic sees, [count][width]
+  ObservationBuilder sight_;       // with what only the critic sees, [count][width]
   std::vector<float> action_;      // [count][numbers]
   std::vector<double> return_;     // [count] of the episode so far
   std::vector<float> discounted_;  // [count] of the episode so far

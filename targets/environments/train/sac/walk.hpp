@@ -8,8 +8,8 @@
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/observation_builder.hpp"
 #include "targets/environments/train/sac/model.hpp"
-#include "targets/environments/train/sight.hpp"
 #include "targets/environments/train/spent.hpp"
 
 namespace eagerx::train::sac {
@@ -50,7 +50,7 @@ class Walk {
   std::size_t count_, numbers_;
   HardEnvironments hard_;
   Rows rows_;                             // [count] of the last step; [kLanes] of observations
-  Sight sight_;                           // with what only the critics see
+  ObservationBuilder sight_;              // with what only the critics see
   std::size_t width_;                     // of that
   std::vector<float> before_;             // [count][width]
   std::vector<float> squashed_, action_;  // [count][numbers] in -1…1; in their bounds
