@@ -49,7 +49,7 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
   done_.weights = model_.actor.parameters() + model_.critic.parameters();
   for (std::size_t part = 0; part < kParts; ++part) {
     if (part < own_.first || part >= own_.end) {
-      parts_.push_back(std::make_unique<Seen>(model_.critic.inputs()));
+      parts_.push_back(std::make_unique<RolloutStatistics>(model_.critic.inputs()));
       continue;
     }
     parts_.push_back(std::make_unique<Rollout>(settings_, library, head_, longest, part));

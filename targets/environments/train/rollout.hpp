@@ -15,7 +15,7 @@
 #include "targets/environments/train/pace.hpp"
 #include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/recurrent/states.hpp"
-#include "targets/environments/train/seen.hpp"
+#include "targets/environments/train/rollout_statistics.hpp"
 #include "targets/environments/train/spent.hpp"
 
 namespace eagerx::train {
@@ -35,7 +35,7 @@ struct Frozen {
 /// from is in sequences, of bptt_steps or without a memory of one step, sixteen beside each
 /// other, in order of time: those of a tile, or of a smaller one several in a row of time. So
 /// [packs] is [sequences / 16][steps of a sequence].
-class Rollout final : public Seen {
+class Rollout final : public RolloutStatistics {
  public:
   Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
           std::size_t part);
