@@ -308,7 +308,7 @@ std::string Ppo::checkpoint(const std::string& conditions, const std::string& in
 void Ppo::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
                   Progressed& progressed) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
-  pace.go_to(progressed.iteration, progressed.course);
+  pace.go_to(progressed.iteration, progressed.curriculum);
   // After a change of the task eras may be longer: then the rest of this one has new episodes.
   take_up(std::exchange(progressed.actions, {}));
 }

@@ -167,7 +167,7 @@ void Training::evaluate_at_last() {
 /// Nothing has changed if any of it throws.
 void Training::evaluate_all(CurvePoint& point) {
   const std::vector<client::Stage>& stages = library_.description().stages;
-  const std::size_t stage = progressed_.course.stage;
+  const std::size_t stage = progressed_.curriculum.stage;
   std::optional<Evaluation> in_stage;
   if (stage < stages.size()) in_stage = judge_.evaluate_in(stages[stage].name, *algorithm_);
   progressed_.succeeded = evaluate(point);
@@ -179,7 +179,7 @@ void Training::evaluate_all(CurvePoint& point) {
       in_stage->mean_return < stages[stage].mean_return)
     return;
   algorithm_->pace.end_era();
-  progressed_.course.go_on(algorithm_->pace.iteration, algorithm_->pace.era);
+  progressed_.curriculum.go_on(algorithm_->pace.iteration, algorithm_->pace.era);
   progressed_.recent.clear();  // of other episodes
   set_stage();
   if (ranks_.is_first()) showing_.tell_stage(progressed_.curve);
@@ -188,7 +188,7 @@ void Training::evaluate_all(CurvePoint& point) {
 /// A task may have fewer stages than when a checkpoint was written.
 void Training::set_stage() {
   const std::vector<client::Stage>& stages = library_.description().stages;
-  const std::size_t stage = progressed_.course.stage;
+  const std::size_t stage = progressed_.curriculum.stage;
   algorithm_->set_stage(stage < stages.size() ? stages[stage].name : std::string());
 }
 
@@ -232,7 +232,7 @@ CurvePoint Training::note(const Algorithm::Result& result) {
           algorithm_->deviation(),
           algorithm_->step_size(),
           result.divergence,
-          has_stages ? static_cast<double>(progressed_.course.stage) + 1.0 : kNothing};
+          has_stages ? static_cast<double>(progressed_.curriculum.stage) + 1.0 : kNothing};
 }
 
 Ended Training::ended(Ending ending) const {

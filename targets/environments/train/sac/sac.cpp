@@ -164,7 +164,7 @@ std::string Sac::checkpoint(const std::string& conditions, const std::string& in
 void Sac::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
                   Progressed& progressed) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
-  pace.go_to(progressed.iteration, progressed.course);
+  pace.go_to(progressed.iteration, progressed.curriculum);
 }
 
 void Sac::begin_from(const std::string& bytes, const std::string& name,
