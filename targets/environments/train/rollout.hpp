@@ -9,7 +9,7 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
-#include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/failure_replay.hpp"
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/observation_builder.hpp"
 #include "targets/environments/train/pace.hpp"
@@ -104,7 +104,7 @@ class Rollout final : public RolloutStatistics {
   std::uint32_t time_ = 0;             // steps since reset()
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
-  HardEnvironments hard_;
+  ReplayedEnvironments hard_;
   Rows rows_;                      // [count] of the last step
   ObservationBuilder sight_;       // with what only the critic sees, [count][width]
   std::vector<float> action_;      // [count][numbers]

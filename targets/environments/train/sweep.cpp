@@ -44,7 +44,7 @@ class Sweep {
     checked(library);
     std::string files = read_file(options.library);
     if (!options.from.empty()) files += read_file(options.from);
-    if (!options.hard_starts.empty()) files += read_file(options.hard_starts);
+    if (!options.failure_replay.empty()) files += read_file(options.failure_replay);
     for (const std::string& log : options.replay) files += read_file(log);
     const std::uint64_t hash = host::fnv1a(files);
     Options base = options;
@@ -201,7 +201,7 @@ void check_files_of_sweep(const Options& options) {
   if (!options.csv.empty()) claim_output(options.csv);
   check_writable(options.results);  // several sweeps may add rows to it
   const SweepResults known(options.results);
-  if (!options.hard_starts.empty()) read_file(options.hard_starts);
+  if (!options.failure_replay.empty()) read_file(options.failure_replay);
   const std::string learnt = options.from.empty() ? std::string() : read_file(options.from);
   for (const Case& one : options.cases) {
     try {

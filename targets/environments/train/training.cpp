@@ -10,7 +10,7 @@
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/export.hpp"
-#include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/failure_replay.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -19,17 +19,17 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 Settings settings_of(const Options& options, const Description& description) {
   Settings settings = options.settings;
-  if (!options.hard_starts.empty())
-    settings.hard_starts = std::make_shared<const HardStarts>(read_file(options.hard_starts),
-                                                              options.hard_starts, description);
+  if (!options.failure_replay.empty())
+    settings.failure_replay = std::make_shared<const FailureReplay>(
+        read_file(options.failure_replay), options.failure_replay, description);
   return settings;
 }
 
 /// All that the bits of a training depend on.
 std::string conditions_of(const Options& options, const Description& description) {
   std::string text = conditions(options.settings, description.hash);
-  if (!options.hard_starts.empty())
-    text += fmt::format("; failure-replay {:016x}", host::fnv1a(read_file(options.hard_starts)));
+  if (!options.failure_replay.empty())
+    text += fmt::format("; failure-replay {:016x}", host::fnv1a(read_file(options.failure_replay)));
   return text;
 }
 

@@ -7,7 +7,7 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
-#include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/failure_replay.hpp"
 #include "targets/environments/train/observation_builder.hpp"
 #include "targets/environments/train/sac/model.hpp"
 #include "targets/environments/train/spent.hpp"
@@ -48,7 +48,7 @@ class Walk {
   const Head head_;
   Environments environments_;
   std::size_t count_, numbers_;
-  HardEnvironments hard_;
+  ReplayedEnvironments hard_;
   Rows rows_;                             // [count] of the last step; [kLanes] of observations
   ObservationBuilder sight_;              // with what only the critics see
   std::size_t width_;                     // of that
