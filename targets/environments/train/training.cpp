@@ -35,8 +35,8 @@ std::string conditions_of(const Options& options, const Description& description
 
 }  // namespace
 
-Training::Training(const Options& options, const Library& library, Showing::SharedTable table,
-                   Ranks& ranks)
+Training::Training(const Options& options, const Library& library,
+                   ProgressReport::SharedTable table, Ranks& ranks)
     : options_(options),
       library_(library),
       kernels_(chosen_kernels(options.kernels)),
@@ -49,7 +49,7 @@ Training::Training(const Options& options, const Library& library, Showing::Shar
       judge_(options.settings, library, kernels_, team_, ranks),
       saving_(ranks.is_first() ? options.checkpoint : std::string(), options.checkpoint_every_s,
               [this] { return checkpoint(); }),
-      showing_(options, library.description(), begin(), std::move(table)) {}
+      report_(options, library.description(), begin(), std::move(table)) {}
 
 /// With a checkpoint, what another training has learnt, or logs. Returns the first step.
 std::uint64_t Training::begin() {
@@ -80,15 +80,15 @@ int Training::run(const Stop& stop) {
                options_.name.empty() ? "" : ": ", algorithm_->environments(),
                parts == 1 ? "" : fmt::format(" in {} parts", parts), algorithm_->stepping());
   }
-  showing_.open_events(progressed_.curve);
+  report_.open_events(progressed_.curve);
   const Ending ending = learn(stop);
-  showing_.finish();
+  report_.finish();
   const std::optional<Problem> unsaved = saving_.save();  // before what may take long, or fail
   evaluate_at_last();
   if (ranks_.is_first()) {
     if (!options_.output.empty()) write_policy(options_.output);
     write_curves();
-    if (!options_.output.empty()) showing_.record().end(ended(ending), last_);
+    if (!options_.output.empty()) report_.record().end(ended(ending), last_);
   }
   if (!options_.is_quiet)
     print((options_.name.empty() ? "" : options_.name + "\n") + summary(ended(ending), last_));
@@ -99,14 +99,14 @@ int Training::run(const Stop& stop) {
 
 /// With what a problem of the graph is hard to find without.
 void Training::tell_where(const Problem& problem) {
-  showing_.finish();
+  report_.finish();
   std::string saved;
   if (algorithm_->pace.iteration > first_iteration_ && saving_.is_wanted()) {
     const std::optional<Problem> unsaved = saving_.save();
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
   }
-  if (ranks_.is_first()) showing_.record().fail(options_.settings.seed, progressed_.curve, problem);
+  if (ranks_.is_first()) report_.record().fail(options_.settings.seed, progressed_.curve, problem);
   if (problem.code != kProblems && problem.code != kInterrupted) throw problem;
   throw Problem(problem.code,
                 fmt::format("{}\nnote: the training had made {} steps with `--seed {}`{}",
@@ -127,16 +127,16 @@ Ending Training::learn(const Stop& stop) {
 Ending Training::iterate(const Stop& stop) {
   while (!progressed_.succeeded) {
     if (judge_.is_due(progressed_.curve)) {
-      const double begin_s = showing_.seconds();
+      const double begin_s = report_.seconds();
       evaluate_all(progressed_.curve.back());
-      evaluating_s_ += showing_.seconds() - begin_s;
+      evaluating_s_ += report_.seconds() - begin_s;
       if (progressed_.succeeded) {
-        showing_.show(progressed_.curve, judge_.seen());
+        report_.show(progressed_.curve, judge_.seen());
         break;
       }
     }
     if (algorithm_->pace.iteration > first_iteration_)
-      showing_.show(progressed_.curve, judge_.seen());
+      report_.show(progressed_.curve, judge_.seen());
     if (steps() >= options_.steps) return Ending::steps;
     if (ranks_.is_any(static_cast<bool>(stop))) return Ending::interrupted;
     start_iteration();
@@ -151,16 +151,16 @@ bool Training::evaluate(CurvePoint& point) {
 
 /// The best policy; if none was evaluated yet, the last one.
 void Training::evaluate_at_last() {
-  const double begin_s = showing_.seconds();
+  const double begin_s = report_.seconds();
   constexpr double kLong = 1.0;  // s
   if (ranks_.is_first() && (evaluating_s_ > kLong || progressed_.best.parameters.empty()))
-    showing_.tell_last_evaluation(judge_.episodes_at_last());
+    report_.tell_last_evaluation(judge_.episodes_at_last());
   if (progressed_.best.parameters.empty()) {
     CurvePoint unused{};
     evaluate(unused);
   }
   last_ = judge_.evaluate_at_last(*algorithm_, progressed_.best);
-  evaluating_s_ += showing_.seconds() - begin_s;
+  evaluating_s_ += report_.seconds() - begin_s;
 }
 
 /// The graph as it is written says what success is; in a stage also how well it does there.
@@ -182,7 +182,7 @@ void Training::evaluate_all(CurvePoint& point) {
   progressed_.curriculum.go_on(algorithm_->pace.iteration, algorithm_->pace.era);
   progressed_.recent.clear();  // of other episodes
   set_stage();
-  if (ranks_.is_first()) showing_.tell_stage(progressed_.curve);
+  if (ranks_.is_first()) report_.tell_stage(progressed_.curve);
 }
 
 /// A task may have fewer stages than when a checkpoint was written.
@@ -196,7 +196,7 @@ void Training::start_iteration() {
   const bool begins_era = algorithm_->pace.since_era == 0;
   if (algorithm_->pace.iteration > first_iteration_) {
     const std::optional<Problem> problem = saving_.save_if_due(begins_era);
-    if (problem) showing_.warn(problem->what(), "and tries again");
+    if (problem) report_.warn(problem->what(), "and tries again");
   }
   if (begins_era) {
     algorithm_->begin_era();
@@ -243,7 +243,7 @@ Ended Training::ended(Ending ending) const {
           .curve = progressed_.curve,
           .kernels = kernels_.name,
           .steps = steps(),
-          .seconds = showing_.seconds(),
+          .seconds = report_.seconds(),
           .evaluating_seconds = evaluating_s_,
           .spent = spent,
           .done = algorithm_->done(),
@@ -270,7 +270,7 @@ void Training::write_policy(const std::string& path) const {
 
 void Training::write_curves() {
   const std::string& name = library_.description().graph;
-  showing_.write_table(progressed_.curve);
+  report_.write_table(progressed_.curve);
   if (!options_.curve.empty()) write_file(options_.curve, curve_svg(progressed_.curve, name));
 }
 

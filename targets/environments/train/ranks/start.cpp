@@ -75,7 +75,7 @@ int train_together(Ranks& ranks, const Options& options, const Interrupt& is_int
   std::optional<Training> training;
   const auto begin = [&] {
     library.emplace(options.library);
-    training.emplace(options, *library, Showing::SharedTable{}, ranks);
+    training.emplace(options, *library, ProgressReport::SharedTable{}, ranks);
   };
   together(
       ranks,
