@@ -14,9 +14,9 @@
 
 namespace eagerx::train::sac {
 
-class Walk {
+class Collector {
  public:
-  Walk(const train::Settings& settings, const Library& library, std::uint32_t longest);
+  Collector(const train::Settings& settings, const Library& library, std::uint32_t longest);
 
   std::string stepping() const { return environments_.stepping(); }
   /// All environments begin the first episode of `seed`.
