@@ -10,7 +10,7 @@
 #include <string>
 
 #include "targets/environments/train/client.hpp"
-#include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/failure_replay.hpp"
 #include "targets/environments/train/sweep_results.hpp"
 
 namespace {
@@ -40,7 +40,7 @@ void read_starts(const std::string& text) {
   Description description;
   description.states = {{.name = "pendulum.model_state", .dtype = "float32", .size = 2}};
   try {
-    const HardStarts starts(text, "fuzz", description);
+    const FailureReplay starts(text, "fuzz", description);
     require(starts.size() > 0 && starts.width() == 2);
     for (std::size_t i = 0; i < starts.size() * starts.width(); ++i)
       require(!std::isinf(starts.at(0)[i]));

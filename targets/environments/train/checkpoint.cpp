@@ -74,7 +74,7 @@ template <class Visitor, class SomeModel, class SomeProgress>
 void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.iteration);
   visitor(progressed.succeeded);
-  visitor(progressed.course);
+  visitor(progressed.curriculum);
   visitor(progressed.curve);
   visitor(progressed.recent);
   visitor(progressed.best.parameters);
@@ -177,7 +177,7 @@ void read_values(std::string_view values, const std::string& name, auto& model,
   const std::size_t best = progressed.best.parameters.size();
   const bool fits = sizes_of(model) == expected && progressed.recent.size() <= kRecent &&
                     progressed.curve.size() == progressed.iteration &&
-                    progressed.course.began <= progressed.iteration &&
+                    progressed.curriculum.began <= progressed.iteration &&
                     (best == 0 || best == deployed_size(model));
   if (!reader.complete || !fits)
     throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);

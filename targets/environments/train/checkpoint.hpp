@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "targets/environments/train/algorithm.hpp"
-#include "targets/environments/train/course.hpp"
+#include "targets/environments/train/curriculum.hpp"
 #include "targets/environments/train/curve.hpp"
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/sac/model.hpp"
@@ -41,7 +41,7 @@ inline constexpr std::size_t kRecent = 100;
 struct Progressed {
   std::uint32_t iteration = 0;
   bool succeeded = false;  // and so ended
-  Course course;
+  Curriculum curriculum;
   std::vector<CurvePoint> curve;
   std::vector<Episode> recent;  // the last ones that ended, at most kRecent
   Best best;

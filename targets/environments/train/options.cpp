@@ -80,7 +80,7 @@ std::vector<client::Setter> setters(Options& o) {
          o.cases.push_back({v, {}});
        }},
       {"--results", [&](Text v) { o.results = v; }},
-      {"--failure-replay", [&](Text v) { o.hard_starts = v; }},
+      {"--failure-replay", [&](Text v) { o.failure_replay = v; }},
       {"--from", [&](Text v) { o.from = v; }},
       {"--replay", [&](Text v) { o.replay.push_back(v); }},
       {"--csv", [&](Text v) { o.csv = v; }},

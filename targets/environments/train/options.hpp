@@ -21,7 +21,7 @@ struct Options {
   std::string library;
   std::string output = "policy.safetensors";
   std::string checkpoint, resume, from, csv, curve, record, tensorboard;  // empty: none
-  std::string hard_starts;            // the table of a campaign; empty: none
+  std::string failure_replay;         // the table of a campaign; empty: none
   std::string results = "sweep.csv";  // of a sweep
   std::string preset;                 // empty: none
   bool algorithm_given = false;       // by --algorithm

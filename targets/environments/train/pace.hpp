@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "targets/environments/train/client.hpp"
-#include "targets/environments/train/course.hpp"
+#include "targets/environments/train/curriculum.hpp"
 #include "targets/environments/train/settings.hpp"
 
 namespace eagerx::train {
@@ -48,12 +48,12 @@ struct Pace {
     since_era = 0;
     ++era;
   }
-  /// Where a training of this course is.
-  void go_to(std::uint32_t other, const Course& course = {}) {
+  /// Where a training of this curriculum is.
+  void go_to(std::uint32_t other, const Curriculum& curriculum = {}) {
     *this = Pace(least, most, era_steps);
-    while (iteration < std::min(other, course.began)) next();
+    while (iteration < std::min(other, curriculum.began)) next();
     since_era = 0;
-    era = course.eras;
+    era = curriculum.eras;
     while (iteration < other) next();
   }
 };

@@ -49,7 +49,7 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
   done_.weights = model_.actor.parameters() + model_.critic.parameters();
   for (std::size_t part = 0; part < kParts; ++part) {
     if (part < own_.first || part >= own_.end) {
-      parts_.push_back(std::make_unique<Seen>(model_.critic.inputs()));
+      parts_.push_back(std::make_unique<RolloutStatistics>(model_.critic.inputs()));
       continue;
     }
     parts_.push_back(std::make_unique<Rollout>(settings_, library, head_, longest, part));
@@ -308,7 +308,7 @@ std::string Ppo::checkpoint(const std::string& conditions, const std::string& in
 void Ppo::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
                   Progressed& progressed) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
-  pace.go_to(progressed.iteration, progressed.course);
+  pace.go_to(progressed.iteration, progressed.curriculum);
   // After a change of the task eras may be longer: then the rest of this one has new episodes.
   take_up(std::exchange(progressed.actions, {}));
 }

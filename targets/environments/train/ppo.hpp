@@ -86,7 +86,8 @@ class Ppo : public Algorithm {
   const environments::Share own_;  // parts of this rank
   const bool has_threads_;
   bool remembers_ = false;
-  std::vector<std::unique_ptr<Seen>> parts_;  // [kParts] rollouts, where they are of this rank
+  std::vector<std::unique_ptr<RolloutStatistics>>
+      parts_;  // [kParts] rollouts, where they are of this rank
   std::vector<std::unique_ptr<PpoLearner>> learners_;  // [own_] a part of a minibatch each
   GradientSum gradient_sum_;
   std::vector<float> precision_;  // [outputs] 1 / deviation of the actions

@@ -37,7 +37,7 @@ std::string head_of(const Options& options, const Description& description) {
   if (std::isfinite(wanted)) head["until_return"] = wanted;
   for (const auto& [name, path] : {std::pair("resume", &options.resume),
                                    {"from", &options.from},
-                                   {"failure_replay", &options.hard_starts}}) {
+                                   {"failure_replay", &options.failure_replay}}) {
     if (!path->empty()) head[name] = *path;
   }
   if (!options.replay.empty()) head["replay"] = options.replay;

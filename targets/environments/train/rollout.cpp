@@ -10,7 +10,8 @@
 namespace eagerx::train {
 Rollout::Rollout(const Settings& settings, const Library& library, const Head& head,
                  std::uint32_t longest, std::size_t part)
-    : Seen(library.description().observation_numbers() + library.description().critic_numbers()),
+    : RolloutStatistics(library.description().observation_numbers() +
+                        library.description().critic_numbers()),
       head_(head),
       environments_(library.functions(), static_cast<std::uint32_t>(settings.n_envs / kParts),
                     static_cast<std::uint32_t>(settings.n_envs / kParts * part), settings.seed,

@@ -9,13 +9,13 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
-#include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/failure_replay.hpp"
 #include "targets/environments/train/model.hpp"
+#include "targets/environments/train/observation_builder.hpp"
 #include "targets/environments/train/pace.hpp"
 #include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/recurrent/states.hpp"
-#include "targets/environments/train/seen.hpp"
-#include "targets/environments/train/sight.hpp"
+#include "targets/environments/train/rollout_statistics.hpp"
 #include "targets/environments/train/spent.hpp"
 
 namespace eagerx::train {
@@ -35,7 +35,7 @@ struct Frozen {
 /// from is in sequences, of bptt_steps or without a memory of one step, sixteen beside each
 /// other, in order of time: those of a tile, or of a smaller one several in a row of time. So
 /// [packs] is [sequences / 16][steps of a sequence].
-class Rollout final : public Seen {
+class Rollout final : public RolloutStatistics {
  public:
   Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
           std::size_t part);
@@ -104,9 +104,9 @@ class Rollout final : public Seen {
   std::uint32_t time_ = 0;             // steps since reset()
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
-  HardEnvironments hard_;
+  ReplayedEnvironments hard_;
   Rows rows_;                      // [count] of the last step
-  Sight sight_;                    // with what only the critic sees, [count][width]
+  ObservationBuilder sight_;       // with what only the critic sees, [count][width]
   std::vector<float> action_;      // [count][numbers]
   std::vector<double> return_;     // [count] of the episode so far
   std::vector<float> discounted_;  // [count] of the episode so far

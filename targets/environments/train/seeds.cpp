@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "targets/environments/client/intervals.hpp"
-#include "targets/environments/train/beside.hpp"
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/export.hpp"
+#include "targets/environments/train/parallel_runs.hpp"
 #include "targets/environments/train/training.hpp"
 
 namespace eagerx::train {
@@ -72,18 +72,18 @@ class Seeds {
   Seeds(const Options& options, const Library& library)
       : options_(options),
         library_(library),
-        beside_(beside(options, library, options.seeds)),
+        parallel_(parallel_runs(options, library, options.seeds)),
         all_(options.seeds),
         table_(options.csv),
         curves_(options.seeds),
         record_(options, library.description()) {}
 
   int run(const Interrupt& is_interrupted) {
-    if (!options_.is_quiet && beside_.at_once > 1)
-      fmt::print(stderr, "{} seeds at a time, with {} each\n", beside_.at_once,
-                 host::counted(beside_.threads, "thread"));
-    train_beside(options_.seeds, beside_.at_once, is_interrupted,
-                 [&](std::size_t i, const Stop& stop) { train(i, stop); });
+    if (!options_.is_quiet && parallel_.at_once > 1)
+      fmt::print(stderr, "{} seeds at a time, with {} each\n", parallel_.at_once,
+                 host::counted(parallel_.threads, "thread"));
+    train_in_parallel(options_.seeds, parallel_.at_once, is_interrupted,
+                      [&](std::size_t i, const Stop& stop) { train(i, stop); });
     std::erase_if(all_, [](const Trained& one) { return !one.is_done; });
     write();
     if (!options_.is_quiet) print(table_of(all_, library_.description().has_success));
@@ -93,7 +93,7 @@ class Seeds {
  private:
   void train(std::size_t i, const Stop& stop) {
     Options one = options_of(options_, options_.settings.seed + i);
-    one.threads = beside_.threads;
+    one.threads = parallel_.threads;
     if (!options_.is_quiet && !options_.resume.empty() && one.resume.empty())
       fmt::print(stderr, "{} begins: it has no checkpoint\n", one.name);
     const auto table = [&](const std::vector<CurvePoint>& curve) {
@@ -122,7 +122,7 @@ class Seeds {
 
   const Options& options_;
   const Library& library_;
-  const Beside beside_;
+  const ParallelRuns parallel_;
   std::mutex mutex_;                             // of
   std::vector<Trained> all_;                     // [seeds] that have ended
   CurveFile table_;                              // locks

@@ -14,7 +14,7 @@
 
 namespace eagerx::train {
 
-class HardStarts;
+class FailureReplay;
 
 /// The runtime's; tanh and relu are trained.
 using eagerx::Activation;
@@ -66,8 +66,8 @@ struct Settings {
   float ema_decay{};            // weight of the past after an iteration
   float ema_window_fraction{};  // of all iterations, later; 0: none
 
-  double failure_replay_fraction{};               // of the environments
-  std::shared_ptr<const HardStarts> hard_starts;  // of `--failure-replay`; nullptr: none
+  double failure_replay_fraction{};                     // of the environments
+  std::shared_ptr<const FailureReplay> failure_replay;  // of `--failure-replay`; nullptr: none
 
   std::size_t eval_interval{};  // iterations
   std::size_t n_eval_episodes{};

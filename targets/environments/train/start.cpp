@@ -98,7 +98,7 @@ void check_files(const Options& options) {
   if (!options.tensorboard.empty()) check_folder(options.tensorboard);
   if (!options.from.empty())
     check_begun_from(read_file(options.from), options.from, options.settings);
-  if (!options.hard_starts.empty()) read_file(options.hard_starts);
+  if (!options.failure_replay.empty()) read_file(options.failure_replay);
   for (const std::string& path : options.replay) read_file(path);
 }
 

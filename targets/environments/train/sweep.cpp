@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "targets/environments/train/beside.hpp"
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/export.hpp"
+#include "targets/environments/train/parallel_runs.hpp"
 #include "targets/environments/train/sweep_results.hpp"
 #include "targets/environments/train/sweep_table.hpp"
 #include "targets/environments/train/training.hpp"
@@ -44,7 +44,7 @@ class Sweep {
     checked(library);
     std::string files = read_file(options.library);
     if (!options.from.empty()) files += read_file(options.from);
-    if (!options.hard_starts.empty()) files += read_file(options.hard_starts);
+    if (!options.failure_replay.empty()) files += read_file(options.failure_replay);
     for (const std::string& log : options.replay) files += read_file(log);
     const std::uint64_t hash = host::fnv1a(files);
     Options base = options;
@@ -54,13 +54,13 @@ class Sweep {
     for (const Case& one : options.cases) {
       for (std::uint64_t i = 0; i < options.seeds; ++i) add_job(base, one, i, hash);
     }
-    beside_ = beside(options, library, todo_.size());
+    parallel_ = parallel_runs(options, library, todo_.size());
   }
 
   int run(const Interrupt& is_interrupted) {
     if (!options_.is_quiet) tell_beginning();
-    train_beside(todo_.size(), beside_.at_once, is_interrupted,
-                 [&](std::size_t i, const Stop& stop) { train(jobs_[todo_[i]], stop); });
+    train_in_parallel(todo_.size(), parallel_.at_once, is_interrupted,
+                      [&](std::size_t i, const Stop& stop) { train(jobs_[todo_[i]], stop); });
     if (!todo_.empty()) results_.write();  // what a full disk has left out
     const std::vector<SweepCase> cases = cases_now();
     if (!options_.csv.empty()) write_file(options_.csv, sweep_csv(cases));
@@ -102,14 +102,14 @@ class Sweep {
     fmt::print(stderr, "{}, {} each: {}", host::counted(options_.cases.size(), "setting"),
                host::counted(options_.seeds, "seed"), host::counted(jobs_.size(), "training"));
     if (done_ != 0) fmt::print(stderr, ", {} of them in `{}` already", done_, options_.results);
-    fmt::print(stderr, "; {} at a time\n", beside_.at_once);
+    fmt::print(stderr, "; {} at a time\n", parallel_.at_once);
   }
 
   void train(const Job& job, const Stop& stop) {
     Options options = job.options;
-    options.threads = beside_.at_once > 1 ? 1 : beside_.threads;
+    options.threads = parallel_.at_once > 1 ? 1 : parallel_.threads;
     const clockid_t clock =
-        beside_.at_once > 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID;
+        parallel_.at_once > 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID;
     const double begun_s = seconds_of(clock);
     SweepRow row = job.row;
     std::optional<Training> training;
@@ -186,7 +186,7 @@ class Sweep {
   SweepResults results_;
   std::vector<Job> jobs_;          // [cases][seeds]
   std::vector<std::size_t> todo_;  // which of them
-  Beside beside_{1, 1};
+  ParallelRuns parallel_{1, 1};
   std::mutex mutex_;  // of what stands below, and of results
   std::size_t done_ = 0;
   std::optional<SweepRow> best_;
@@ -201,7 +201,7 @@ void check_files_of_sweep(const Options& options) {
   if (!options.csv.empty()) claim_output(options.csv);
   check_writable(options.results);  // several sweeps may add rows to it
   const SweepResults known(options.results);
-  if (!options.hard_starts.empty()) read_file(options.hard_starts);
+  if (!options.failure_replay.empty()) read_file(options.failure_replay);
   const std::string learnt = options.from.empty() ? std::string() : read_file(options.from);
   for (const Case& one : options.cases) {
     try {

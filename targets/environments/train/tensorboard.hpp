@@ -28,9 +28,9 @@ Scalars scalars_of(const CurvePoint& point);
 /// Throws Problem if such a folder cannot be made. Changes nothing.
 void check_folder(const std::string& folder);
 
-/// A file in a folder. A resumed training writes its own anew, with the points that it has. Beside
-/// the curve of another one it is in a folder of its own, `run2`: TensorBoard takes all files of a
-/// folder for one curve.
+/// A file in a folder. A resumed training writes its own anew, with the points that it has.
+/// ParallelRuns the curve of another one it is in a folder of its own, `run2`: TensorBoard takes
+/// all files of a folder for one curve.
 class EventFile {
  public:
   /// Makes the folder and the file. Throws Problem if that is not possible.

@@ -10,7 +10,7 @@
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/export.hpp"
-#include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/failure_replay.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -19,24 +19,24 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 Settings settings_of(const Options& options, const Description& description) {
   Settings settings = options.settings;
-  if (!options.hard_starts.empty())
-    settings.hard_starts = std::make_shared<const HardStarts>(read_file(options.hard_starts),
-                                                              options.hard_starts, description);
+  if (!options.failure_replay.empty())
+    settings.failure_replay = std::make_shared<const FailureReplay>(
+        read_file(options.failure_replay), options.failure_replay, description);
   return settings;
 }
 
 /// All that the bits of a training depend on.
 std::string conditions_of(const Options& options, const Description& description) {
   std::string text = conditions(options.settings, description.hash);
-  if (!options.hard_starts.empty())
-    text += fmt::format("; failure-replay {:016x}", host::fnv1a(read_file(options.hard_starts)));
+  if (!options.failure_replay.empty())
+    text += fmt::format("; failure-replay {:016x}", host::fnv1a(read_file(options.failure_replay)));
   return text;
 }
 
 }  // namespace
 
-Training::Training(const Options& options, const Library& library, Showing::SharedTable table,
-                   Ranks& ranks)
+Training::Training(const Options& options, const Library& library,
+                   ProgressReport::SharedTable table, Ranks& ranks)
     : options_(options),
       library_(library),
       kernels_(chosen_kernels(options.kernels)),
@@ -49,7 +49,7 @@ Training::Training(const Options& options, const Library& library, Showing::Shar
       judge_(options.settings, library, kernels_, team_, ranks),
       saving_(ranks.is_first() ? options.checkpoint : std::string(), options.checkpoint_every_s,
               [this] { return checkpoint(); }),
-      showing_(options, library.description(), begin(), std::move(table)) {}
+      report_(options, library.description(), begin(), std::move(table)) {}
 
 /// With a checkpoint, what another training has learnt, or logs. Returns the first step.
 std::uint64_t Training::begin() {
@@ -80,15 +80,15 @@ int Training::run(const Stop& stop) {
                options_.name.empty() ? "" : ": ", algorithm_->environments(),
                parts == 1 ? "" : fmt::format(" in {} parts", parts), algorithm_->stepping());
   }
-  showing_.open_events(progressed_.curve);
+  report_.open_events(progressed_.curve);
   const Ending ending = learn(stop);
-  showing_.finish();
+  report_.finish();
   const std::optional<Problem> unsaved = saving_.save();  // before what may take long, or fail
   evaluate_at_last();
   if (ranks_.is_first()) {
     if (!options_.output.empty()) write_policy(options_.output);
     write_curves();
-    if (!options_.output.empty()) showing_.record().end(ended(ending), last_);
+    if (!options_.output.empty()) report_.record().end(ended(ending), last_);
   }
   if (!options_.is_quiet)
     print((options_.name.empty() ? "" : options_.name + "\n") + summary(ended(ending), last_));
@@ -99,14 +99,14 @@ int Training::run(const Stop& stop) {
 
 /// With what a problem of the graph is hard to find without.
 void Training::tell_where(const Problem& problem) {
-  showing_.finish();
+  report_.finish();
   std::string saved;
   if (algorithm_->pace.iteration > first_iteration_ && saving_.is_wanted()) {
     const std::optional<Problem> unsaved = saving_.save();
     saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
                     : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
   }
-  if (ranks_.is_first()) showing_.record().fail(options_.settings.seed, progressed_.curve, problem);
+  if (ranks_.is_first()) report_.record().fail(options_.settings.seed, progressed_.curve, problem);
   if (problem.code != kProblems && problem.code != kInterrupted) throw problem;
   throw Problem(problem.code,
                 fmt::format("{}\nnote: the training had made {} steps with `--seed {}`{}",
@@ -127,16 +127,16 @@ Ending Training::learn(const Stop& stop) {
 Ending Training::iterate(const Stop& stop) {
   while (!progressed_.succeeded) {
     if (judge_.is_due(progressed_.curve)) {
-      const double begin_s = showing_.seconds();
+      const double begin_s = report_.seconds();
       evaluate_all(progressed_.curve.back());
-      evaluating_s_ += showing_.seconds() - begin_s;
+      evaluating_s_ += report_.seconds() - begin_s;
       if (progressed_.succeeded) {
-        showing_.show(progressed_.curve, judge_.seen());
+        report_.show(progressed_.curve, judge_.seen());
         break;
       }
     }
     if (algorithm_->pace.iteration > first_iteration_)
-      showing_.show(progressed_.curve, judge_.seen());
+      report_.show(progressed_.curve, judge_.seen());
     if (steps() >= options_.steps) return Ending::steps;
     if (ranks_.is_any(static_cast<bool>(stop))) return Ending::interrupted;
     start_iteration();
@@ -151,23 +151,23 @@ bool Training::evaluate(CurvePoint& point) {
 
 /// The best policy; if none was evaluated yet, the last one.
 void Training::evaluate_at_last() {
-  const double begin_s = showing_.seconds();
+  const double begin_s = report_.seconds();
   constexpr double kLong = 1.0;  // s
   if (ranks_.is_first() && (evaluating_s_ > kLong || progressed_.best.parameters.empty()))
-    showing_.tell_last_evaluation(judge_.episodes_at_last());
+    report_.tell_last_evaluation(judge_.episodes_at_last());
   if (progressed_.best.parameters.empty()) {
     CurvePoint unused{};
     evaluate(unused);
   }
   last_ = judge_.evaluate_at_last(*algorithm_, progressed_.best);
-  evaluating_s_ += showing_.seconds() - begin_s;
+  evaluating_s_ += report_.seconds() - begin_s;
 }
 
 /// The graph as it is written says what success is; in a stage also how well it does there.
 /// Nothing has changed if any of it throws.
 void Training::evaluate_all(CurvePoint& point) {
   const std::vector<client::Stage>& stages = library_.description().stages;
-  const std::size_t stage = progressed_.course.stage;
+  const std::size_t stage = progressed_.curriculum.stage;
   std::optional<Evaluation> in_stage;
   if (stage < stages.size()) in_stage = judge_.evaluate_in(stages[stage].name, *algorithm_);
   progressed_.succeeded = evaluate(point);
@@ -179,16 +179,16 @@ void Training::evaluate_all(CurvePoint& point) {
       in_stage->mean_return < stages[stage].mean_return)
     return;
   algorithm_->pace.end_era();
-  progressed_.course.go_on(algorithm_->pace.iteration, algorithm_->pace.era);
+  progressed_.curriculum.go_on(algorithm_->pace.iteration, algorithm_->pace.era);
   progressed_.recent.clear();  // of other episodes
   set_stage();
-  if (ranks_.is_first()) showing_.tell_stage(progressed_.curve);
+  if (ranks_.is_first()) report_.tell_stage(progressed_.curve);
 }
 
 /// A task may have fewer stages than when a checkpoint was written.
 void Training::set_stage() {
   const std::vector<client::Stage>& stages = library_.description().stages;
-  const std::size_t stage = progressed_.course.stage;
+  const std::size_t stage = progressed_.curriculum.stage;
   algorithm_->set_stage(stage < stages.size() ? stages[stage].name : std::string());
 }
 
@@ -196,7 +196,7 @@ void Training::start_iteration() {
   const bool begins_era = algorithm_->pace.since_era == 0;
   if (algorithm_->pace.iteration > first_iteration_) {
     const std::optional<Problem> problem = saving_.save_if_due(begins_era);
-    if (problem) showing_.warn(problem->what(), "and tries again");
+    if (problem) report_.warn(problem->what(), "and tries again");
   }
   if (begins_era) {
     algorithm_->begin_era();
@@ -232,7 +232,7 @@ CurvePoint Training::note(const Algorithm::Result& result) {
           algorithm_->deviation(),
           algorithm_->step_size(),
           result.divergence,
-          has_stages ? static_cast<double>(progressed_.course.stage) + 1.0 : kNothing};
+          has_stages ? static_cast<double>(progressed_.curriculum.stage) + 1.0 : kNothing};
 }
 
 Ended Training::ended(Ending ending) const {
@@ -243,7 +243,7 @@ Ended Training::ended(Ending ending) const {
           .curve = progressed_.curve,
           .kernels = kernels_.name,
           .steps = steps(),
-          .seconds = showing_.seconds(),
+          .seconds = report_.seconds(),
           .evaluating_seconds = evaluating_s_,
           .spent = spent,
           .done = algorithm_->done(),
@@ -270,7 +270,7 @@ void Training::write_policy(const std::string& path) const {
 
 void Training::write_curves() {
   const std::string& name = library_.description().graph;
-  showing_.write_table(progressed_.curve);
+  report_.write_table(progressed_.curve);
   if (!options_.curve.empty()) write_file(options_.curve, curve_svg(progressed_.curve, name));
 }
 

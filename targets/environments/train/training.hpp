@@ -10,8 +10,8 @@
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/judge.hpp"
 #include "targets/environments/train/options.hpp"
+#include "targets/environments/train/progress_report.hpp"
 #include "targets/environments/train/saving.hpp"
-#include "targets/environments/train/showing.hpp"
 #include "targets/environments/train/start.hpp"
 #include "targets/environments/train/summary.hpp"
 
@@ -20,7 +20,7 @@ namespace eagerx::train {
 class Training {
  public:
   /// Throws Problem for a library that cannot be trained on, and a checkpoint of another training.
-  Training(const Options& options, const Library& library, Showing::SharedTable table = {},
+  Training(const Options& options, const Library& library, ProgressReport::SharedTable table = {},
            Ranks& ranks = environments::alone());
 
   /// Trains until the policy succeeds, the steps are used up, or it is to `stop`. Writes the
@@ -61,11 +61,11 @@ class Training {
   Judge judge_;
   Progressed progressed_;
   Evaluation last_;            // of the best policy, when all is over
-  double evaluating_s_ = 0.0;  // of showing_.seconds()
+  double evaluating_s_ = 0.0;  // of report_.seconds()
   Saving saving_;
   std::uint32_t first_iteration_ = 0;  // of this run
   bool goes_on_ = false;               // in the middle of an era
-  Showing showing_;
+  ProgressReport report_;
 };
 
 }  // namespace eagerx::train

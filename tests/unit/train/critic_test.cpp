@@ -8,7 +8,7 @@
 
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/client.hpp"
-#include "targets/environments/train/sight.hpp"
+#include "targets/environments/train/observation_builder.hpp"
 #include "targets/environments/train/training.hpp"
 #include "tests/unit/train/common.hpp"
 
@@ -57,7 +57,7 @@ TEST_F(TrainCritic, RowsHaveWhatItSees) {
   ASSERT_EQ(description.critic_numbers(), 2U);
   Rows rows(description, 2);
   rows.final_observation = rows.observation;
-  Sight sight(description, rows);
+  ObservationBuilder sight(description, rows);
   EXPECT_EQ(sight.width(), 5U);
   EXPECT_EQ(sight.actor_width(), 3U);
   Environments environments(with_critic().functions(), 2, 0, 1, 0, EAGERX_SAME_STEP);

@@ -53,13 +53,13 @@ TEST(TrainPace, AStageBeginsWithAnEraThatThereHasNotBeen) {
   pace.end_era();
   EXPECT_EQ(pace.era, 2U);
   EXPECT_EQ(pace.since_era, 0U);
-  Course course;
-  course.go_on(pace.iteration, pace.era);
-  EXPECT_EQ(course.stage, 1U);
-  pace.go_to(73, course);
+  Curriculum curriculum;
+  curriculum.go_on(pace.iteration, pace.era);
+  EXPECT_EQ(curriculum.stage, 1U);
+  pace.go_to(73, curriculum);
   EXPECT_EQ(pace.since_era, 32U);
   EXPECT_EQ(pace.era, 3U);
-  pace.go_to(104, course);  // at the end of an era
+  pace.go_to(104, curriculum);  // at the end of an era
   pace.end_era();
   EXPECT_EQ(pace.era, 4U) << "it has ended anyway";
 }

@@ -57,7 +57,7 @@ class StagesTogether : public testing::Test {
     result.output = path(name + ".safetensors");
     result.csv = path(name + ".csv");
     result.steps = steps(kind, kind.iterations);
-    if (kind.is_hard) result.hard_starts = hard_starts();
+    if (kind.is_hard) result.failure_replay = failure_replay();
     result.threads = 1;
     result.is_quiet = true;
     return result;
@@ -68,7 +68,7 @@ class StagesTogether : public testing::Test {
   }
 
   /// A table of a campaign with two runs that have failed.
-  std::string hard_starts() const {
+  std::string failure_replay() const {
     write_file(path("runs.csv"),
                "run,return,steps,success,terminated,truncated,state:pendulum.model_state[0],"
                "state:pendulum.model_state[1]\n1,-9,150,0,0,1,3,7.5\n2,-9,150,0,0,1,-2,-8.5\n");

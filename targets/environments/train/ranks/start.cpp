@@ -46,7 +46,7 @@ void give(Ranks& ranks, int argc, const char* const* argv, const Options& option
   check_shared(options, ranks.size());
   ranks.share(environments::words_of(argc, argv));
   for (const std::string* path :
-       {&options.library, &options.resume, &options.from, &options.hard_starts})
+       {&options.library, &options.resume, &options.from, &options.failure_replay})
     ranks.share(content_of(*path));
 }
 
@@ -62,7 +62,7 @@ Options take_job(Ranks& ranks) {
   options.library = received(ranks);
   options.resume = received(ranks);
   options.from = received(ranks);
-  options.hard_starts = received(ranks);
+  options.failure_replay = received(ranks);
   options.csv.clear();
   options.record.clear();
   options.tensorboard.clear();
@@ -75,7 +75,7 @@ int train_together(Ranks& ranks, const Options& options, const Interrupt& is_int
   std::optional<Training> training;
   const auto begin = [&] {
     library.emplace(options.library);
-    training.emplace(options, *library, Showing::SharedTable{}, ranks);
+    training.emplace(options, *library, ProgressReport::SharedTable{}, ranks);
   };
   together(
       ranks,

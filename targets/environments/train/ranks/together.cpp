@@ -59,7 +59,7 @@ std::vector<std::string> together(Ranks& ranks, const std::function<void()>& wor
   return all;
 }
 
-void share_seen(Ranks& ranks, const std::vector<std::unique_ptr<Seen>>& parts,
+void share_seen(Ranks& ranks, const std::vector<std::unique_ptr<RolloutStatistics>>& parts,
                 const std::function<void()>& work) {
   if (ranks.size() == 1) return work();
   const Share own = share_of(parts.size(), ranks.rank(), ranks.size());
@@ -69,7 +69,7 @@ void share_seen(Ranks& ranks, const std::vector<std::unique_ptr<Seen>>& parts,
   const auto all = together(ranks, work, [&] {
     Writer writer;
     for (std::size_t part = own.first; part < own.end; ++part) {
-      visit_seen(writer, *parts[part]);
+      visit_rollout(writer, *parts[part]);
       writer(behind(parts[part]->taken, known[part]));
     }
     return std::move(writer.bytes);
@@ -80,7 +80,7 @@ void share_seen(Ranks& ranks, const std::vector<std::unique_ptr<Seen>>& parts,
     Reader reader(all[rank]);
     std::vector<float> taken;
     for (std::size_t part = theirs.first; part < theirs.end; ++part) {
-      visit_seen(reader, *parts[part]);
+      visit_rollout(reader, *parts[part]);
       reader(taken);
       parts[part]->taken.insert(parts[part]->taken.end(), taken.begin(), taken.end());
     }

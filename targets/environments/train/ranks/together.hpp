@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "targets/environments/ranks/ranks.hpp"
-#include "targets/environments/train/seen.hpp"
+#include "targets/environments/train/rollout_statistics.hpp"
 
 namespace eagerx::train {
 
@@ -20,7 +20,7 @@ std::vector<std::string> together(Ranks& ranks, const std::function<void()>& wor
 
 /// Called by all ranks: each works on its share of `parts`, then all have what all have seen. One
 /// rank works, and that is all.
-void share_seen(Ranks& ranks, const std::vector<std::unique_ptr<Seen>>& parts,
+void share_seen(Ranks& ranks, const std::vector<std::unique_ptr<RolloutStatistics>>& parts,
                 const std::function<void()>& work);
 
 }  // namespace eagerx::train

@@ -31,20 +31,20 @@ Sac::Sac(const train::Settings& settings, const Library& library, const Kernels&
       deployed_(sac::deployed(settings_, model_)),
       kernels_(kernels),
       team_(team),
-      walk_(settings_, library, longest) {
+      collector_(settings_, library, longest) {
   const std::size_t tiles = settings.sac.batch_size / (kParts * kLanes);
   for (std::size_t part = 0; part < kParts; ++part)
     learners_.push_back(std::make_unique<Learner>(model_, tiles));
 }
 
 void Sac::set_stage(const std::string& name) {
-  walk_.set_stage(name);
+  collector_.set_stage(name);
 }
 
 void Sac::begin_era() {
-  walk_.reset(settings_.seed + (std::uint64_t{pace.era} << 32U));
+  collector_.reset(settings_.seed + (std::uint64_t{pace.era} << 32U));
   if (model_.observations.count == 0.0 && settings_.norm_obs)
-    model_.observations.add(walk_.observation_sums);
+    model_.observations.add(collector_.observation_sums);
 }
 
 void Sac::go_on() {
@@ -52,25 +52,26 @@ void Sac::go_on() {
   const std::size_t transitions = pace.since_era * environments();
   if (transitions > model_.memory.size()) return;
   for (std::size_t back = transitions; back > 0; back -= environments())
-    walk_.step_again(model_.memory, back - 1);
+    collector_.step_again(model_.memory, back - 1);
 }
 
 Algorithm::Result Sac::iterate() {
-  walk_.episodes.clear();
-  walk_.observation_sums.clear();
-  walk_.return_sums.clear();
+  collector_.episodes.clear();
+  collector_.observation_sums.clear();
+  collector_.return_sums.clear();
   const Normaliser normaliser(model_.observations);
   const std::uint64_t updates = model_.actor_adam.steps;
   for (std::size_t t = 0; t < settings_.sac.train_freq; ++t) {
     const bool is_random =
         !model_.was_taught && model_.memory.added < settings_.sac.learning_starts;
-    walk_.step(model_, normaliser, kernels_, is_random, static_cast<std::uint32_t>(pace.time + t));
+    collector_.step(model_, normaliser, kernels_, is_random,
+                    static_cast<std::uint32_t>(pace.time + t));
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
   }
   see();
   done_.steps += settings_.sac.train_freq * settings_.sac.n_envs;
   pace.next();
-  return {walk_.episodes, 0.0, model_.actor_adam.steps - updates};
+  return {collector_.episodes, 0.0, model_.actor_adam.steps - updates};
 }
 
 /// What the networks have learnt is of the scales of before: they change with them. Rewards have
@@ -82,8 +83,8 @@ void Sac::see() {
     model_.returns.forget_beyond(settings_.sac.norm_window_steps);
     model_.observations.forget_beyond(settings_.sac.norm_window_steps);
   }
-  model_.returns.add(walk_.return_sums);
-  if (settings_.norm_obs) model_.observations.add(walk_.observation_sums);
+  model_.returns.add(collector_.return_sums);
+  if (settings_.norm_obs) model_.observations.add(collector_.observation_sums);
   if (model_.actor_adam.steps == 0) return;
   const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
   const Network::Layer& last = model_.critic.layers().back();
@@ -147,7 +148,7 @@ void Sac::update(const Normaliser& normaliser) {
 }
 
 Spent Sac::spent() const {
-  Spent spent = walk_.spent;
+  Spent spent = collector_.spent;
   spent.learning_s += updating_s_ + std::accumulate(learning_s_.begin(), learning_s_.end(), 0.0);
   return spent;
 }
@@ -164,7 +165,7 @@ std::string Sac::checkpoint(const std::string& conditions, const std::string& in
 void Sac::restore(const std::string& bytes, const std::string& name, const std::string& conditions,
                   Progressed& progressed) {
   train::restore(bytes, name, conditions + critic_, model_, progressed);
-  pace.go_to(progressed.iteration, progressed.course);
+  pace.go_to(progressed.iteration, progressed.curriculum);
 }
 
 void Sac::begin_from(const std::string& bytes, const std::string& name,

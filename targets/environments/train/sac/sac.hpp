@@ -7,9 +7,9 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/sac/collector.hpp"
 #include "targets/environments/train/sac/learner.hpp"
 #include "targets/environments/train/sac/model.hpp"
-#include "targets/environments/train/sac/walk.hpp"
 
 namespace eagerx::train::sac {
 
@@ -22,7 +22,7 @@ class Sac : public Algorithm {
   const Model& model() const { return model_; }
 
   std::size_t environments() const override { return settings_.sac.n_envs; }
-  std::string stepping() const override { return walk_.stepping(); }
+  std::string stepping() const override { return collector_.stepping(); }
   void set_stage(const std::string& name) override;
   void begin_era() override;
   void remember_actions() override {}  // the memory has them
@@ -55,7 +55,7 @@ class Sac : public Algorithm {
   const Network deployed_;
   const Kernels& kernels_;
   Team& team_;
-  Walk walk_;
+  Collector collector_;
   std::vector<std::unique_ptr<Learner>> learners_;  // [kParts]
   double deviation_ = 0.0;
   std::vector<double> learning_s_ = std::vector<double>(kParts);  // of processor time

@@ -7,16 +7,16 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/client.hpp"
-#include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/failure_replay.hpp"
+#include "targets/environments/train/observation_builder.hpp"
 #include "targets/environments/train/sac/model.hpp"
-#include "targets/environments/train/sight.hpp"
 #include "targets/environments/train/spent.hpp"
 
 namespace eagerx::train::sac {
 
-class Walk {
+class Collector {
  public:
-  Walk(const train::Settings& settings, const Library& library, std::uint32_t longest);
+  Collector(const train::Settings& settings, const Library& library, std::uint32_t longest);
 
   std::string stepping() const { return environments_.stepping(); }
   /// All environments begin the first episode of `seed`.
@@ -48,9 +48,9 @@ class Walk {
   const Head head_;
   Environments environments_;
   std::size_t count_, numbers_;
-  HardEnvironments hard_;
+  ReplayedEnvironments hard_;
   Rows rows_;                             // [count] of the last step; [kLanes] of observations
-  Sight sight_;                           // with what only the critics see
+  ObservationBuilder sight_;              // with what only the critics see
   std::size_t width_;                     // of that
   std::vector<float> before_;             // [count][width]
   std::vector<float> squashed_, action_;  // [count][numbers] in -1…1; in their bounds

@@ -8,7 +8,7 @@ namespace eagerx::train {
 /// Each stage begins with an era of its own, so that all its episodes are of the stage, and a
 /// checkpoint in it needs nothing of those before. Without stages there is one, which began at
 /// once.
-struct Course {
+struct Curriculum {
   std::uint32_t stage = 0;  // of the task; behind the last one: the graph as it is written
   std::uint32_t began = 0;  // in this iteration
   std::uint32_t eras = 0;   // that had begun before it

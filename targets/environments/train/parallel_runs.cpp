@@ -1,4 +1,4 @@
-#include "targets/environments/train/beside.hpp"
+#include "targets/environments/train/parallel_runs.hpp"
 
 #include <algorithm>
 
@@ -6,15 +6,15 @@
 
 namespace eagerx::train {
 
-Beside beside(const Options& options, const Library& library, std::size_t count) {
+ParallelRuns parallel_runs(const Options& options, const Library& library, std::size_t count) {
   const unsigned threads = chosen_threads(options.threads);
   if (!library.description().has_threads) return {1, threads};
   const auto at_once = static_cast<unsigned>(std::clamp<std::size_t>(count, 1, threads));
   return {at_once, threads / at_once};
 }
 
-void train_beside(std::size_t count, unsigned at_once, const Interrupt& is_interrupted,
-                  const std::function<void(std::size_t, const Stop&)>& train) {
+void train_in_parallel(std::size_t count, unsigned at_once, const Interrupt& is_interrupted,
+                       const std::function<void(std::size_t, const Stop&)>& train) {
   Interrupt has_failed = false;
   const Stop stop(is_interrupted, has_failed);
   Team team(at_once, Team::Size::at_most);

@@ -9,11 +9,12 @@
 namespace eagerx::train {
 
 /// Of one of kParts parts, wherever it was stepped.
-struct Seen {
-  explicit Seen(std::size_t width) : observation_sums(width), return_sums(1), advantage_sums(1) {}
-  virtual ~Seen() = default;
-  Seen(const Seen&) = delete;
-  Seen& operator=(const Seen&) = delete;
+struct RolloutStatistics {
+  explicit RolloutStatistics(std::size_t width)
+      : observation_sums(width), return_sums(1), advantage_sums(1) {}
+  virtual ~RolloutStatistics() = default;
+  RolloutStatistics(const RolloutStatistics&) = delete;
+  RolloutStatistics& operator=(const RolloutStatistics&) = delete;
 
   Sums observation_sums, return_sums;
   Sums advantage_sums;            // [1]
@@ -24,8 +25,8 @@ struct Seen {
 };
 
 /// Calls `visitor` with all but the actions.
-template <class Visitor, class SomeSeen>
-void visit_seen(Visitor& visitor, SomeSeen& seen) {
+template <class Visitor, class SomeRollout>
+void visit_rollout(Visitor& visitor, SomeRollout& seen) {
   for (auto* sums : {&seen.observation_sums, &seen.return_sums, &seen.advantage_sums}) {
     visitor(sums->sum);
     visitor(sums->squares);

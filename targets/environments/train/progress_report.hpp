@@ -16,7 +16,7 @@
 
 namespace eagerx::train {
 
-class Showing {
+class ProgressReport {
  public:
   /// A table that several trainings write: where, and what it has so far with the curve of this
   /// one. And their record.
@@ -27,8 +27,8 @@ class Showing {
   };
 
   /// `first_step`: that the training begins with.
-  Showing(const Options& options, const Description& description, std::uint64_t first_step,
-          SharedTable table);
+  ProgressReport(const Options& options, const Description& description, std::uint64_t first_step,
+                 SharedTable table);
 
   /// A file of events has the points that a resumed training begins with, too.
   void open_events(const std::vector<CurvePoint>& curve);

@@ -1,4 +1,4 @@
-#include "targets/environments/train/showing.hpp"
+#include "targets/environments/train/progress_report.hpp"
 
 #include <fmt/format.h>
 
@@ -29,8 +29,8 @@ std::string reached(const CurvePoint& point) {
 
 }  // namespace
 
-Showing::Showing(const Options& options, const Description& description, std::uint64_t first_step,
-                 SharedTable table)
+ProgressReport::ProgressReport(const Options& options, const Description& description,
+                               std::uint64_t first_step, SharedTable table)
     : description_(description),
       seed_(options.settings.seed),
       folder_(options.tensorboard),
@@ -41,7 +41,7 @@ Showing::Showing(const Options& options, const Description& description, std::ui
       own_record_(options, description),
       record_(table.record != nullptr ? *table.record : own_record_) {}
 
-void Showing::open_events(const std::vector<CurvePoint>& curve) {
+void ProgressReport::open_events(const std::vector<CurvePoint>& curve) {
   if (folder_.empty()) return;
   events_.emplace(folder_, description_.graph, curve);
   if (events_->folder() == folder_) return;
@@ -50,16 +50,16 @@ void Showing::open_events(const std::vector<CurvePoint>& curve) {
              folder_, events_->folder());
 }
 
-void Showing::warn(const std::string& problem, const char* goes_on) {
+void ProgressReport::warn(const std::string& problem, const char* goes_on) {
   progress_.finish();
   fmt::print(stderr, "warning: {}; the training goes on {}\n", problem, goes_on);
 }
 
-void Showing::write_table(const std::vector<CurvePoint>& curve) {
+void ProgressReport::write_table(const std::vector<CurvePoint>& curve) {
   table_.write([&] { return table_text_(curve); });
 }
 
-void Showing::show(const std::vector<CurvePoint>& curve, const Evaluation& seen) {
+void ProgressReport::show(const std::vector<CurvePoint>& curve, const Evaluation& seen) {
   progress_.show(curve.back(), stage_of(curve));
   // A disk that is full now may have room in a second; at the end it is an error.
   // Trainings beside each other have begun at different times.
@@ -72,7 +72,7 @@ void Showing::show(const std::vector<CurvePoint>& curve, const Evaluation& seen)
 }
 
 /// "stage near: success 45 %"
-std::string Showing::stage_of(const std::vector<CurvePoint>& curve) const {
+std::string ProgressReport::stage_of(const std::vector<CurvePoint>& curve) const {
   if (std::isnan(curve.back().stage)) return {};
   std::string text = stage_name(description_, curve.back().stage);
   const auto seen = std::find_if(curve.rbegin(), curve.rend(), [&](const CurvePoint& point) {
@@ -82,19 +82,19 @@ std::string Showing::stage_of(const std::vector<CurvePoint>& curve) const {
   return text + ": " + reached(*seen);
 }
 
-void Showing::tell_stage(const std::vector<CurvePoint>& curve) {
+void ProgressReport::tell_stage(const std::vector<CurvePoint>& curve) {
   const CurvePoint& point = curve.back();
   progress_.begin_stage(fmt::format("{} is passed after {} steps with {}; {} begins",
                                     stage_name(description_, point.stage), rounded(point.steps),
                                     reached(point), stage_name(description_, point.stage + 1.0)));
 }
 
-void Showing::tell_last_evaluation(std::size_t episodes) {
+void ProgressReport::tell_last_evaluation(std::size_t episodes) {
   progress_.say(fmt::format("evaluating the best policy in {} other episodes",
                             rounded(static_cast<double>(episodes))));
 }
 
-void Showing::show_events(const CurvePoint& point, const Evaluation& seen) {
+void ProgressReport::show_events(const CurvePoint& point, const Evaluation& seen) {
   Scalars terms;
   for (std::size_t i = 0; !std::isnan(point.evaluation_return) && i < seen.terms.size(); ++i)
     terms.emplace_back("terms/" + description_.terms[i], seen.terms[i]);

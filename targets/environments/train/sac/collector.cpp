@@ -1,4 +1,4 @@
-#include "targets/environments/train/sac/walk.hpp"
+#include "targets/environments/train/sac/collector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace eagerx::train::sac {
 
-Walk::Walk(const train::Settings& settings, const Library& library, std::uint32_t longest)
+Collector::Collector(const train::Settings& settings, const Library& library, std::uint32_t longest)
     : observation_sums(library.description().observation_numbers() +
                        library.description().critic_numbers()),
       return_sums(1),
@@ -30,7 +30,7 @@ Walk::Walk(const train::Settings& settings, const Library& library, std::uint32_
   rows_.observation.resize(kLanes * sight_.actor_width());
 }
 
-void Walk::reset(std::uint64_t seed) {
+void Collector::reset(std::uint64_t seed) {
   hard_.reset(environments_, seed, rows_.observation.data());
   sight_.look(environments_);
   return_.assign(count_, 0.0);
@@ -39,13 +39,13 @@ void Walk::reset(std::uint64_t seed) {
   sum_observations();
 }
 
-Random Walk::noise(std::uint32_t time, std::size_t environment) const {
+Random Collector::noise(std::uint32_t time, std::size_t environment) const {
   return {{settings_.seed, static_cast<std::uint32_t>(environment), time},
           entity_id("train/noise")};
 }
 
-void Walk::act(const Model& model, const Normaliser& normaliser, const Kernels& kernels,
-               std::uint32_t time) {
+void Collector::act(const Model& model, const Normaliser& normaliser, const Kernels& kernels,
+                    std::uint32_t time) {
   row_.resize(model.actor.row());
   seen_.resize(width_);
   normaliser.load(sight_.now(), seen_.data());
@@ -62,8 +62,8 @@ void Walk::act(const Model& model, const Normaliser& normaliser, const Kernels& 
   }
 }
 
-void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kernels, bool is_random,
-                std::uint32_t time) {
+void Collector::step(Model& model, const Normaliser& normaliser, const Kernels& kernels,
+                     bool is_random, std::uint32_t time) {
   Stopwatch watch;
   if (!is_random) act(model, normaliser, kernels, time);
   for (std::size_t e = 0; e < count_ && is_random; ++e) {
@@ -81,7 +81,7 @@ void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kerne
   spent.learning_s += watch.lap();
 }
 
-void Walk::step_again(const Memory& memory, std::size_t back) {
+void Collector::step_again(const Memory& memory, std::size_t back) {
   for (std::size_t e = 0; e < count_; ++e) {
     std::copy_n(memory.last(back - e).action, numbers_, &squashed_[e * numbers_]);
   }
@@ -90,7 +90,7 @@ void Walk::step_again(const Memory& memory, std::size_t back) {
   hard_.set(environments_);
 }
 
-void Walk::step_environments() {
+void Collector::step_environments() {
   for (std::size_t i = 0; i < action_.size(); ++i)
     action_[i] = head_.scaled(i % numbers_, squashed_[i]);
   step_all(environments_, action_.data(), rows_);
@@ -99,7 +99,7 @@ void Walk::step_environments() {
 }
 
 /// Whether it was the last of the episode, whose return is then in `return_` for the last time.
-bool Walk::count_reward(std::size_t environment) {
+bool Collector::count_reward(std::size_t environment) {
   const std::size_t e = environment;
   const bool ended = rows_.ended(e);
   return_[e] += rows_.reward[e];
@@ -113,7 +113,7 @@ bool Walk::count_reward(std::size_t environment) {
   return true;
 }
 
-void Walk::settle(Model& model, std::size_t environment, std::uint32_t time) {
+void Collector::settle(Model& model, std::size_t environment, std::uint32_t time) {
   const std::size_t e = environment;
   const bool ended = count_reward(e);
   if (ended) episodes.back().step = time;
@@ -122,7 +122,7 @@ void Walk::settle(Model& model, std::size_t environment, std::uint32_t time) {
                     rows_.terminated[e] != 0 ? 0.0F : 1.0F});
 }
 
-void Walk::sum_observations() {
+void Collector::sum_observations() {
   for (std::size_t i = 0; i < count_ * width_; ++i) {
     if (!std::isfinite(sight_.now()[i])) {
       throw Problem(kProblems, "an observation is NaN or infinite",

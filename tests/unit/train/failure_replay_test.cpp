@@ -1,5 +1,5 @@
 // Episodes that begin where a campaign's runs have failed.
-#include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/failure_replay.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -28,28 +28,28 @@ std::string table() {
 
 std::string said(const std::string& text) {
   try {
-    const HardStarts starts(text, "runs.csv", pendulum().description());
+    const FailureReplay starts(text, "runs.csv", pendulum().description());
     return std::to_string(starts.size()) + " starts";
   } catch (const Problem& problem) {
     return problem.what();
   }
 }
 
-TEST(HardStarts, AreTheRunsThatFailed) {
-  const HardStarts starts(table(), "runs.csv", pendulum().description());
+TEST(FailureReplay, AreTheRunsThatFailed) {
+  const FailureReplay starts(table(), "runs.csv", pendulum().description());
   ASSERT_EQ(starts.size(), 2U);
   ASSERT_EQ(starts.width(), 2U);
   EXPECT_EQ(starts.at(0)[0], 3.0F);
   EXPECT_EQ(starts.at(1)[1], -8.5F);
 }
 
-TEST(HardStarts, WhatNobodyHasSetIsDrawn) {
-  const HardStarts starts(std::string(kRunsHead) + "1,-9,150,0,0,1,,7.5\n", "runs.csv",
-                          pendulum().description());
+TEST(FailureReplay, WhatNobodyHasSetIsDrawn) {
+  const FailureReplay starts(std::string(kRunsHead) + "1,-9,150,0,0,1,,7.5\n", "runs.csv",
+                             pendulum().description());
   EXPECT_TRUE(std::isnan(starts.at(0)[0]));
 }
 
-TEST(HardStarts, OtherFilesAreRefused) {
+TEST(FailureReplay, OtherFilesAreRefused) {
   EXPECT_EQ(said(table()), "2 starts");
   EXPECT_EQ(said(""), "`runs.csv` is no table of a campaign, or cut off");
   EXPECT_EQ(said("steps,return\n"), "`runs.csv` is no table of a campaign");
@@ -79,7 +79,7 @@ TEST(HardStarts, OtherFilesAreRefused) {
 std::vector<std::vector<float>> angles(const Settings& settings, int episodes) {
   constexpr std::uint32_t kCount = 8, kWidth = 3;
   Environments environments(pendulum().functions(), kCount, 0, 1, 0, EAGERX_SAME_STEP);
-  HardEnvironments hard(settings, pendulum(), 0, kCount);
+  ReplayedEnvironments hard(settings, pendulum(), 0, kCount);
   Rows rows(pendulum().description(), kCount);
   const std::vector<float> action(kCount);
   std::vector<std::vector<float>> result;
@@ -102,12 +102,12 @@ std::vector<std::vector<float>> angles(const Settings& settings, int episodes) {
   return result;
 }
 
-TEST(HardStarts, AShareOfTheEnvironmentsBeginsThere) {
+TEST(FailureReplay, AShareOfTheEnvironmentsBeginsThere) {
   Settings settings;
   settings.failure_replay_fraction = 0.25;
   const auto drawn = angles(settings, 6);
-  settings.hard_starts =
-      std::make_shared<const HardStarts>(table(), "runs.csv", pendulum().description());
+  settings.failure_replay =
+      std::make_shared<const FailureReplay>(table(), "runs.csv", pendulum().description());
   const auto hard = angles(settings, 6);
   std::set<float> of_hard;
   for (std::size_t episode = 0; episode < hard.size(); ++episode) {
@@ -134,7 +134,7 @@ class TrainHardStarts : public testing::TestWithParam<const char*> {
     result.settings.sac.learning_starts = 100;
     result.settings.n_eval_episodes = 10;
     result.output = path("policy.safetensors");
-    result.hard_starts = path("runs.csv");
+    result.failure_replay = path("runs.csv");
     const bool is_sac = result.settings.algorithm == "sac";
     result.steps = iterations * (is_sac ? 8U * 64U : kIteration);
     result.threads = 2;
@@ -160,7 +160,7 @@ TEST_P(TrainHardStarts, GoOnFromACheckpointAsOneTraining) {
   whole.resume = first.checkpoint;
   EXPECT_EQ(trained(whole), policy);
   whole.resume.clear();
-  whole.hard_starts.clear();
+  whole.failure_replay.clear();
   EXPECT_NE(trained(whole), policy);
 }
 

@@ -12,9 +12,9 @@ namespace eagerx::train {
 
 /// Puts together what the library writes into `rows`, which live longer. Where the critic sees
 /// nothing but observations, these are all.
-class Sight {
+class ObservationBuilder {
  public:
-  Sight(const Description& description, Rows& rows)
+  ObservationBuilder(const Description& description, Rows& rows)
       : observed_(description.observation_numbers()),
         seen_(description.critic_numbers()),
         rows_(rows),

@@ -14,11 +14,11 @@ namespace eagerx::train {
 struct Settings;
 
 /// The states that failed runs began with.
-class HardStarts {
+class FailureReplay {
  public:
   /// `text`: the table of `eagerx-gen campaign --csv`; `name`: of the file. Throws Problem if it is
   /// none, of a graph with other states, or has no run that failed.
-  HardStarts(std::string_view text, const std::string& name, const Description& description);
+  FailureReplay(std::string_view text, const std::string& name, const Description& description);
 
   std::size_t size() const { return width_ == 0 ? 0 : states_.size() / width_; }
   std::size_t width() const { return width_; }
@@ -32,11 +32,11 @@ class HardStarts {
 
 /// Of a batch of environments, those that begin at hard starts in each of their episodes: what is
 /// set of a state that the graph does not draw would stay in the next episode.
-class HardEnvironments {
+class ReplayedEnvironments {
  public:
   /// Numbers first … first + count - 1 of a training; `settings` say how many of them.
-  HardEnvironments(const Settings& settings, const Library& library, std::uint32_t first,
-                   std::uint32_t count);
+  ReplayedEnvironments(const Settings& settings, const Library& library, std::uint32_t first,
+                       std::uint32_t count);
 
   /// All begin the first episode of `seed`, also those that are not hard.
   void reset(Environments& environments, std::uint64_t seed, float* observation);
@@ -46,7 +46,7 @@ class HardEnvironments {
   void set(Environments& environments);
 
  private:
-  std::shared_ptr<const HardStarts> starts_;  // nullptr: none
+  std::shared_ptr<const FailureReplay> starts_;  // nullptr: none
   decltype(&eagerx_set_states) set_states_ = nullptr;
   std::uint32_t first_;
   std::uint64_t seed_ = 0;

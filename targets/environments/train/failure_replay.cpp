@@ -1,4 +1,4 @@
-#include "targets/environments/train/hard_starts.hpp"
+#include "targets/environments/train/failure_replay.hpp"
 
 #include <fmt/format.h>
 
@@ -46,8 +46,8 @@ bool read_cell(std::string_view cell, float& value) {
 
 }  // namespace
 
-HardStarts::HardStarts(std::string_view text, const std::string& name,
-                       const Description& description)
+FailureReplay::FailureReplay(std::string_view text, const std::string& name,
+                             const Description& description)
     : width_(client::column_names(description.states).size()) {
   const auto refuse = [&](const std::string& what) {
     throw Problem(kInputOutput, fmt::format("`{}` {}", name, what), kOwnTable);
@@ -77,9 +77,9 @@ HardStarts::HardStarts(std::string_view text, const std::string& name,
   if (states_.empty()) refuse("has no run that failed");
 }
 
-HardEnvironments::HardEnvironments(const Settings& settings, const Library& library,
-                                   std::uint32_t first, std::uint32_t count)
-    : starts_(settings.hard_starts), first_(first) {
+ReplayedEnvironments::ReplayedEnvironments(const Settings& settings, const Library& library,
+                                           std::uint32_t first, std::uint32_t count)
+    : starts_(settings.failure_replay), first_(first) {
   if (!starts_) return;
   set_states_ = library.find<decltype(&eagerx_set_states)>("eagerx_set_states");
   is_hard_.resize(count);
@@ -93,7 +93,8 @@ HardEnvironments::HardEnvironments(const Settings& settings, const Library& libr
   }
 }
 
-void HardEnvironments::reset(Environments& environments, std::uint64_t seed, float* observation) {
+void ReplayedEnvironments::reset(Environments& environments, std::uint64_t seed,
+                                 float* observation) {
   seed_ = seed;
   std::ranges::fill(episode_, 0U);
   const auto set_all = [&] {
@@ -105,7 +106,7 @@ void HardEnvironments::reset(Environments& environments, std::uint64_t seed, flo
   set_all();
 }
 
-void HardEnvironments::note(std::size_t environment) {
+void ReplayedEnvironments::note(std::size_t environment) {
   if (is_hard_.empty() || is_hard_[environment] == 0) return;
   is_noted_[environment] = 1;
   any_ = true;
@@ -118,7 +119,7 @@ void HardEnvironments::note(std::size_t environment) {
               &states_[environment * starts_->width()]);
 }
 
-void HardEnvironments::set(Environments& environments) {
+void ReplayedEnvironments::set(Environments& environments) {
   if (!any_) return;
   if (set_states_(environments.handle(), is_noted_.data(), states_.data()) != 0)
     throw Problem(kProblems, "a hard start is refused: " + environments.error());
