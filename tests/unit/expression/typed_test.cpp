@@ -25,7 +25,7 @@ const std::vector<ExpressionVariable>& variables() {
 /// The C++ of an expression, with the lines before it; or the message, its column and its help.
 std::string cpp(const std::string& text, ExpressionType type, double weight = 1.0) {
   Diagnostics diagnostics;
-  const auto expression = read_typed_expression(scalar(text), variables(), type, diagnostics);
+  const auto expression = read_typed_expression(scalar(text), variables(), type, {}, diagnostics);
   if (!expression) {
     EXPECT_EQ(diagnostics.error_count(), 1U) << text;
     const Diagnostic& problem = diagnostics.all().front();
@@ -219,7 +219,7 @@ TEST(TaskExpression, WhatChangesFromStepToStep) {
   Diagnostics diagnostics;
   const auto changes = [&](const char* text) {
     return varies(
-        *read_typed_expression(scalar(text), variables(), ExpressionType::number, diagnostics));
+        *read_typed_expression(scalar(text), variables(), ExpressionType::number, {}, diagnostics));
   };
   EXPECT_FALSE(changes("2 * pi + cos(1)"));
   EXPECT_TRUE(changes("time"));
