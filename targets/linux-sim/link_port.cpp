@@ -16,7 +16,7 @@
 #include <ctime>
 #include <memory>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 #include <targets/linux-sim/link_port.hpp>
 #include <utility>
 

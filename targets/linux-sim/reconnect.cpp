@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cstdio>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
 #include <runtime/host/base/number.hpp>
+#include <runtime/host/base/supervisor.hpp>
 #include <string_view>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/reconnect.hpp>

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 #include <targets/linux-sim/run_watch.hpp>
 
 namespace eagerx::linux_sim {

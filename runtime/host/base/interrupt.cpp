@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <ctime>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 
 namespace eagerx::host {
 

@@ -13,18 +13,18 @@ namespace eagerx::host {
 /// ends a program that gives no sign of life for too long, calls `take_over(context)` in its copy
 /// of the program as it was here, and ends. It is in a session of its own, and no signal but
 /// SIGKILL ends it. To be made before hardware is opened; there is one at a time.
-class Keeper {
+class Supervisor {
  public:
   /// Makes safe. False: it could not.
   using TakeOver = bool (*)(void*);
 
   /// nullptr: there is nothing to make safe. `most_silent_ns`: how long the program may give no
   /// sign of life, from the first one on; 0: for ever. It is noticed at most a sixteenth later.
-  Keeper(TakeOver take_over, void* context, std::int64_t most_silent_ns);
-  Keeper(const Keeper&) = delete;
-  Keeper& operator=(const Keeper&) = delete;
+  Supervisor(TakeOver take_over, void* context, std::int64_t most_silent_ns);
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
   /// All is safe: it is not needed any more.
-  ~Keeper();
+  ~Supervisor();
 
  private:
   pid_t process_ = -1;

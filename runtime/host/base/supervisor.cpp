@@ -16,7 +16,7 @@
 #include <cstring>
 #include <ctime>
 #include <new>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 
 namespace eagerx::host {
 namespace {
@@ -105,7 +105,7 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
   if (size > 0 && write(STDERR_FILENO, text.data(), static_cast<std::size_t>(size)) < 0) return;
 }
 
-[[noreturn]] void keep(int line, pid_t program, Keeper::TakeOver take_over, void* context,
+[[noreturn]] void keep(int line, pid_t program, Supervisor::TakeOver take_over, void* context,
                        std::int64_t most_silent_ns) {
   setsid();
   // Those that the program ends well after, and tells us.
@@ -129,7 +129,7 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
 
 }  // namespace
 
-Keeper::Keeper(TakeOver take_over, void* context, std::int64_t most_silent_ns) {
+Supervisor::Supervisor(TakeOver take_over, void* context, std::int64_t most_silent_ns) {
   if (take_over == nullptr) return;
   std::array<int, 2> ends{};
   const pid_t program = getpid();
@@ -153,7 +153,7 @@ Keeper::Keeper(TakeOver take_over, void* context, std::int64_t most_silent_ns) {
   if (process_ > 0) line_ = ends[1];
 }
 
-Keeper::~Keeper() {
+Supervisor::~Supervisor() {
   if (process_ > 0) {
     const char byte = 1;
     ssize_t written = 0;

@@ -1,6 +1,6 @@
-// runtime/host/base/keeper.hpp: a program that is killed, stopped or hangs is made safe by another
-// process.
-#include "runtime/host/base/keeper.hpp"
+// runtime/host/base/supervisor.hpp: a program that is killed, stopped or hangs is made safe by
+// another process.
+#include "runtime/host/base/supervisor.hpp"
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -32,8 +32,8 @@ class Kept : public ::testing::Test {
     if (program != 0) return;
     dup2(ends[1], STDERR_FILENO);
     {
-      const Keeper keeper([](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; },
-                          &ends[1], most_silent_ns);
+      const Supervisor keeper([](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; },
+                              &ends[1], most_silent_ns);
       life();
     }
     static_cast<void>(!write(ends[1], "e", 1));
