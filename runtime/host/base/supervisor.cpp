@@ -89,7 +89,7 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
   std::array<char, kLongest> text{};
   const int size = std::snprintf(
       text.data(), text.size(),
-      "error: the program gave no sign of life for %g s, as it was stopped or hangs, and was "
+      "error: the program sent no heartbeat for %g s, as it was stopped or hangs, and was "
       "killed: %s\n"
       "note: that was after step %" PRIu64 ", in episode %" PRIu64
       ", counted from 1; files are right up to a "
@@ -176,11 +176,11 @@ void add_one() {
 
 }  // namespace
 
-void say_alive() {
+void send_heartbeat() {
   if (signs != nullptr && signs->count.load(std::memory_order_relaxed) != 0) add_one();
 }
 
-void say_alive(std::uint64_t episode, std::uint64_t steps) {
+void send_heartbeat(std::uint64_t episode, std::uint64_t steps) {
   if (signs == nullptr) return;
   signs->episode.store(episode, std::memory_order_relaxed);
   signs->steps.store(steps, std::memory_order_relaxed);
@@ -190,7 +190,7 @@ void say_alive(std::uint64_t episode, std::uint64_t steps) {
 void say_asleep_until(std::int64_t ns) {
   if (signs == nullptr) return;
   signs->asleep_until_ns.store(ns, std::memory_order_relaxed);
-  say_alive();
+  send_heartbeat();
 }
 
 Resting::Resting() {
@@ -198,7 +198,7 @@ Resting::Resting() {
 }
 Resting::~Resting() {
   if (signs != nullptr) --signs->rests;
-  say_alive();
+  send_heartbeat();
 }
 
 }  // namespace eagerx::host

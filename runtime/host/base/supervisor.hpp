@@ -10,7 +10,7 @@ namespace eagerx::host {
 
 /// As long as it lives. What no handler of signals sees (SIGKILL, SIGSTOP, a loop without an end)
 /// leaves outputs as they were: an adapter holds its last voltage. The other process waits for it,
-/// ends a program that gives no sign of life for too long, calls `take_over(context)` in its copy
+/// ends a program that sends no heartbeat for too long, calls `take_over(context)` in its copy
 /// of the program as it was here, and ends. It is in a session of its own, and no signal but
 /// SIGKILL ends it. To be made before hardware is opened; there is one at a time.
 class Supervisor {
@@ -19,7 +19,7 @@ class Supervisor {
   using TakeOver = bool (*)(void*);
 
   /// nullptr: there is nothing to make safe. `most_silent_ns`: how long the program may give no
-  /// sign of life, from the first one on; 0: for ever. It is noticed at most a sixteenth later.
+  /// heartbeat, from the first one on; 0: for ever. It is noticed at most a sixteenth later.
   Supervisor(TakeOver take_over, void* context, std::int64_t most_silent_ns);
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
@@ -34,9 +34,9 @@ class Supervisor {
 // Signs of life, for the main thread. They cost a nanosecond, and nothing without a keeper.
 
 /// So many steps are done in so many episodes. The first of these signs begins the watch.
-void say_alive(std::uint64_t episodes, std::uint64_t steps);
+void send_heartbeat(std::uint64_t episodes, std::uint64_t steps);
 /// The program goes on.
-void say_alive();
+void send_heartbeat();
 /// It waits on purpose until then on CLOCK_MONOTONIC.
 void say_asleep_until(std::int64_t ns);
 

@@ -174,7 +174,7 @@ void PicturesOfRun::look_at_window() {
   const std::int64_t begin_ns = now_ns();
   bool waited = false;
   for (;;) {
-    host::say_alive();
+    host::send_heartbeat();
     const Wishes wishes = studio->window.wishes(paused_ ? kWaitMs : 0);
     ends_run_ = ends_run_ || wishes.ends;
     if (wishes.pauses) paused_ = !paused_;
