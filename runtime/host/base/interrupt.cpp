@@ -189,7 +189,7 @@ void stop_if_told() {
     sigaction(signal, nullptr, &before);
     set_default(signal);
     {
-      const Resting safely;
+      const WatchdogPause safely;
       raise(signal);  // here it stands still
     }
     sigaction(signal, &before, nullptr);

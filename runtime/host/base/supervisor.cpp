@@ -193,10 +193,10 @@ void say_asleep_until(std::int64_t ns) {
   send_heartbeat();
 }
 
-Resting::Resting() {
+WatchdogPause::WatchdogPause() {
   if (signs != nullptr) ++signs->rests;
 }
-Resting::~Resting() {
+WatchdogPause::~WatchdogPause() {
   if (signs != nullptr) --signs->rests;
   send_heartbeat();
 }

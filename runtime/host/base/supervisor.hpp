@@ -41,12 +41,12 @@ void send_heartbeat();
 void say_asleep_until(std::int64_t ns);
 
 /// As long as it lives, the program may stand still: it is safe.
-class Resting {
+class WatchdogPause {
  public:
-  Resting();
-  Resting(const Resting&) = delete;
-  Resting& operator=(const Resting&) = delete;
-  ~Resting();
+  WatchdogPause();
+  WatchdogPause(const WatchdogPause&) = delete;
+  WatchdogPause& operator=(const WatchdogPause&) = delete;
+  ~WatchdogPause();
 };
 
 }  // namespace eagerx::host

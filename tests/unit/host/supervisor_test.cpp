@@ -107,8 +107,8 @@ TEST_F(Kept, OneThatSleepsRestsOrHasNotBegunIsAlive) {
     say_asleep_until(std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec + 400 * kNsPerMs);
     usleep(350'000);
     send_heartbeat();
-    const Resting safely;
-    const Resting twice;
+    const WatchdogPause safely;
+    const WatchdogPause twice;
     usleep(300'000);
   });
   EXPECT_EQ(heard(kLongMs), "e");
