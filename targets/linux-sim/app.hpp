@@ -7,7 +7,7 @@
 #include <eagerx/math/rounding_check.hpp>
 #include <optional>
 #include <runtime/host/base/exhaustion.hpp>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 #include <string_view>
 #include <targets/common/csv.hpp>
 #include <targets/common/run.hpp>
@@ -143,7 +143,7 @@ class GraphWatch : public target::Watch<Graph> {
 
 /// What another process does with its copy of `program` if this one is killed; nullptr: nothing.
 template <class Program>
-host::Keeper::TakeOver how_to_take_over(const Program& program) {
+host::Supervisor::TakeOver how_to_take_over(const Program& program) {
   if constexpr (requires(Program & copy) { copy.take_over(); }) {
     if (target::is_real(program)) {
       return [](void* context) {
@@ -174,7 +174,7 @@ void run_program(Watch& watch, LinkOf<Graph>& link, Program& program) {
     }
   };
   link.connect(program);
-  const host::Keeper keeper(how_to_take_over(program), &program, Graph::kSafety.hang_ns);
+  const host::Supervisor keeper(how_to_take_over(program), &program, Graph::kSafety.hang_ns);
   target::warm_up(program);  // a library may need memory for it, and none afterwards
   const host::MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();

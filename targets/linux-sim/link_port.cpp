@@ -16,7 +16,7 @@
 #include <ctime>
 #include <memory>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 #include <targets/linux-sim/link_port.hpp>
 #include <utility>
 
@@ -349,7 +349,7 @@ std::size_t LinkPort::write_bytes(const std::uint8_t* bytes, std::size_t size,
       break;
     } else {
       constexpr std::uint64_t kLookNs = 50 * kNsPerMs;
-      host::say_alive();
+      host::send_heartbeat();
       wait(POLLOUT, std::min(until_ns, now_ns() + kLookNs));
     }
   }

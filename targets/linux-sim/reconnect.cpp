@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cstdio>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
 #include <runtime/host/base/number.hpp>
+#include <runtime/host/base/supervisor.hpp>
 #include <string_view>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/reconnect.hpp>
@@ -76,7 +76,7 @@ bool Reconnection::link_again(std::uint64_t steps) {
   static_cast<void>(find_parts(facts, options_, where_));  // as when they were connected
   note_losses(steps);
   host::make_safe_now();
-  const host::Resting safely;
+  const host::WatchdogPause safely;
   const std::uint64_t begun_ns = LinkPort::now_ns();
   if (!wait_for_parts(begun_ns + ns_of(options_.reconnect_s))) return false;
   for (std::size_t part = 0; part < facts.part_count; ++part)

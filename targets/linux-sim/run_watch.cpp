@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 #include <targets/linux-sim/run_watch.hpp>
 
 namespace eagerx::linux_sim {
@@ -34,7 +34,7 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
 
 bool RunWatch::go_on() {
   host::stop_if_told();
-  host::say_alive(episodes_, steps_);
+  host::send_heartbeat(episodes_, steps_);
   if (pictures_ != nullptr && pictures_->ends_run()) return false;
   return !(host::interrupted() || csv_.failed() || trace_.failed() || left_space());
 }

@@ -47,9 +47,9 @@ std::string mark_of(const std::string& folder, std::size_t which) {
 }
 
 /// The process that has the companions as its children, and ends them.
-class Keeper {
+class Supervisor {
  public:
-  Keeper(const std::vector<Companion>& companions, const std::string& folder, pid_t parent)
+  Supervisor(const std::vector<Companion>& companions, const std::string& folder, pid_t parent)
       : companions_(companions), folder_(folder), parent_(parent) {}
 
   [[noreturn]] void run() {
@@ -115,7 +115,7 @@ std::optional<CompanionProblem> start_companions(const std::vector<Companion>& c
                                                  const std::string& folder) {
   const pid_t parent = getpid();
   const pid_t keeper = fork();
-  if (keeper == 0) Keeper(companions, folder, parent).run();
+  if (keeper == 0) Supervisor(companions, folder, parent).run();
   std::size_t which = 0;
   bool has_ended = keeper < 0;
   for (int look = 0; keeper > 0 && look < kLooksToStart; ++look) {

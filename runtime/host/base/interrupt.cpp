@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <ctime>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 
 namespace eagerx::host {
 
@@ -173,7 +173,7 @@ void on_gone(bool (*f)(void*), void* context) {
 }
 
 bool ends_reset() {
-  say_alive();
+  send_heartbeat();
   return interrupted() || is_told_to_stop() || (gone != nullptr && gone(gone_context));
 }
 
@@ -182,14 +182,14 @@ bool is_told_to_stop() {
 }
 
 void stop_if_told() {
-  say_alive();
+  send_heartbeat();
   for (int signal = stop_signal.exchange(0); signal != 0; signal = stop_signal.exchange(0)) {
     make_safe_now();
     struct sigaction before {};
     sigaction(signal, nullptr, &before);
     set_default(signal);
     {
-      const Resting safely;
+      const WatchdogPause safely;
       raise(signal);  // here it stands still
     }
     sigaction(signal, &before, nullptr);

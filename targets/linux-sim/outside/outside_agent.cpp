@@ -12,8 +12,8 @@
 #include <limits>
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/json.hpp>
-#include <runtime/host/base/keeper.hpp>
 #include <runtime/host/base/number.hpp>
+#include <runtime/host/base/supervisor.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/options.hpp>

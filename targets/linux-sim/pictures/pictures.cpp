@@ -7,7 +7,7 @@
 #include <runtime/host/base/claim.hpp>
 #include <runtime/host/base/files.hpp>
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/film.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
@@ -174,7 +174,7 @@ void PicturesOfRun::look_at_window() {
   const std::int64_t begin_ns = now_ns();
   bool waited = false;
   for (;;) {
-    host::say_alive();
+    host::send_heartbeat();
     const Wishes wishes = studio->window.wishes(paused_ ? kWaitMs : 0);
     ends_run_ = ends_run_ || wishes.ends;
     if (wishes.pauses) paused_ = !paused_;

@@ -10,21 +10,21 @@ namespace eagerx::host {
 
 /// As long as it lives. What no handler of signals sees (SIGKILL, SIGSTOP, a loop without an end)
 /// leaves outputs as they were: an adapter holds its last voltage. The other process waits for it,
-/// ends a program that gives no sign of life for too long, calls `take_over(context)` in its copy
+/// ends a program that sends no heartbeat for too long, calls `take_over(context)` in its copy
 /// of the program as it was here, and ends. It is in a session of its own, and no signal but
 /// SIGKILL ends it. To be made before hardware is opened; there is one at a time.
-class Keeper {
+class Supervisor {
  public:
   /// Makes safe. False: it could not.
   using TakeOver = bool (*)(void*);
 
   /// nullptr: there is nothing to make safe. `most_silent_ns`: how long the program may give no
-  /// sign of life, from the first one on; 0: for ever. It is noticed at most a sixteenth later.
-  Keeper(TakeOver take_over, void* context, std::int64_t most_silent_ns);
-  Keeper(const Keeper&) = delete;
-  Keeper& operator=(const Keeper&) = delete;
+  /// heartbeat, from the first one on; 0: for ever. It is noticed at most a sixteenth later.
+  Supervisor(TakeOver take_over, void* context, std::int64_t most_silent_ns);
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
   /// All is safe: it is not needed any more.
-  ~Keeper();
+  ~Supervisor();
 
  private:
   pid_t process_ = -1;
@@ -34,19 +34,19 @@ class Keeper {
 // Signs of life, for the main thread. They cost a nanosecond, and nothing without a keeper.
 
 /// So many steps are done in so many episodes. The first of these signs begins the watch.
-void say_alive(std::uint64_t episodes, std::uint64_t steps);
+void send_heartbeat(std::uint64_t episodes, std::uint64_t steps);
 /// The program goes on.
-void say_alive();
+void send_heartbeat();
 /// It waits on purpose until then on CLOCK_MONOTONIC.
 void say_asleep_until(std::int64_t ns);
 
 /// As long as it lives, the program may stand still: it is safe.
-class Resting {
+class WatchdogPause {
  public:
-  Resting();
-  Resting(const Resting&) = delete;
-  Resting& operator=(const Resting&) = delete;
-  ~Resting();
+  WatchdogPause();
+  WatchdogPause(const WatchdogPause&) = delete;
+  WatchdogPause& operator=(const WatchdogPause&) = delete;
+  ~WatchdogPause();
 };
 
 }  // namespace eagerx::host

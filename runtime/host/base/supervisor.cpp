@@ -16,7 +16,7 @@
 #include <cstring>
 #include <ctime>
 #include <new>
-#include <runtime/host/base/keeper.hpp>
+#include <runtime/host/base/supervisor.hpp>
 
 namespace eagerx::host {
 namespace {
@@ -89,7 +89,7 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
   std::array<char, kLongest> text{};
   const int size = std::snprintf(
       text.data(), text.size(),
-      "error: the program gave no sign of life for %g s, as it was stopped or hangs, and was "
+      "error: the program sent no heartbeat for %g s, as it was stopped or hangs, and was "
       "killed: %s\n"
       "note: that was after step %" PRIu64 ", in episode %" PRIu64
       ", counted from 1; files are right up to a "
@@ -105,7 +105,7 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
   if (size > 0 && write(STDERR_FILENO, text.data(), static_cast<std::size_t>(size)) < 0) return;
 }
 
-[[noreturn]] void keep(int line, pid_t program, Keeper::TakeOver take_over, void* context,
+[[noreturn]] void keep(int line, pid_t program, Supervisor::TakeOver take_over, void* context,
                        std::int64_t most_silent_ns) {
   setsid();
   // Those that the program ends well after, and tells us.
@@ -129,7 +129,7 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
 
 }  // namespace
 
-Keeper::Keeper(TakeOver take_over, void* context, std::int64_t most_silent_ns) {
+Supervisor::Supervisor(TakeOver take_over, void* context, std::int64_t most_silent_ns) {
   if (take_over == nullptr) return;
   std::array<int, 2> ends{};
   const pid_t program = getpid();
@@ -153,7 +153,7 @@ Keeper::Keeper(TakeOver take_over, void* context, std::int64_t most_silent_ns) {
   if (process_ > 0) line_ = ends[1];
 }
 
-Keeper::~Keeper() {
+Supervisor::~Supervisor() {
   if (process_ > 0) {
     const char byte = 1;
     ssize_t written = 0;
@@ -176,11 +176,11 @@ void add_one() {
 
 }  // namespace
 
-void say_alive() {
+void send_heartbeat() {
   if (signs != nullptr && signs->count.load(std::memory_order_relaxed) != 0) add_one();
 }
 
-void say_alive(std::uint64_t episode, std::uint64_t steps) {
+void send_heartbeat(std::uint64_t episode, std::uint64_t steps) {
   if (signs == nullptr) return;
   signs->episode.store(episode, std::memory_order_relaxed);
   signs->steps.store(steps, std::memory_order_relaxed);
@@ -190,15 +190,15 @@ void say_alive(std::uint64_t episode, std::uint64_t steps) {
 void say_asleep_until(std::int64_t ns) {
   if (signs == nullptr) return;
   signs->asleep_until_ns.store(ns, std::memory_order_relaxed);
-  say_alive();
+  send_heartbeat();
 }
 
-Resting::Resting() {
+WatchdogPause::WatchdogPause() {
   if (signs != nullptr) ++signs->rests;
 }
-Resting::~Resting() {
+WatchdogPause::~WatchdogPause() {
   if (signs != nullptr) --signs->rests;
-  say_alive();
+  send_heartbeat();
 }
 
 }  // namespace eagerx::host

@@ -1,6 +1,6 @@
-// runtime/host/base/keeper.hpp: a program that is killed, stopped or hangs is made safe by another
-// process.
-#include "runtime/host/base/keeper.hpp"
+// runtime/host/base/supervisor.hpp: a program that is killed, stopped or hangs is made safe by
+// another process.
+#include "runtime/host/base/supervisor.hpp"
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -32,8 +32,8 @@ class Kept : public ::testing::Test {
     if (program != 0) return;
     dup2(ends[1], STDERR_FILENO);
     {
-      const Keeper keeper([](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; },
-                          &ends[1], most_silent_ns);
+      const Supervisor keeper([](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; },
+                              &ends[1], most_silent_ns);
       life();
     }
     static_cast<void>(!write(ends[1], "e", 1));
@@ -60,14 +60,14 @@ class Kept : public ::testing::Test {
 };
 
 TEST_F(Kept, OneThatEndsWellIsLeftAlone) {
-  start([] { say_alive(1, 1); });
+  start([] { send_heartbeat(1, 1); });
   EXPECT_EQ(heard(kLongMs), "e");
   EXPECT_EQ(end_of_program(), 0);
 }
 
 TEST_F(Kept, OneThatIsKilledIsMadeSafe) {
   start([] {
-    say_alive(1, 1);
+    send_heartbeat(1, 1);
     raise(SIGKILL);
   });
   EXPECT_EQ(heard(kLongMs), "s");
@@ -75,11 +75,11 @@ TEST_F(Kept, OneThatIsKilledIsMadeSafe) {
 
 TEST_F(Kept, OneThatIsStoppedIsEndedAndMadeSafe) {
   start([] {
-    say_alive(2, 34);
+    send_heartbeat(2, 34);
     raise(SIGSTOP);
   });
   const std::string text = heard(kLongMs);
-  EXPECT_TRUE(text.starts_with("serror: the program gave no sign of life for 0.1 s")) << text;
+  EXPECT_TRUE(text.starts_with("serror: the program sent no heartbeat for 0.1 s")) << text;
   EXPECT_NE(text.find("its hardware has the safe values now"), std::string::npos) << text;
   EXPECT_NE(text.find("after step 34, in episode 2"), std::string::npos) << text;
   EXPECT_NE(text.find("help: `heartbeat_timeout:`"), std::string::npos) << text;
@@ -88,7 +88,7 @@ TEST_F(Kept, OneThatIsStoppedIsEndedAndMadeSafe) {
 
 TEST_F(Kept, OneThatHangsIsEndedAndMadeSafe) {
   start([] {
-    say_alive(1, 1);
+    send_heartbeat(1, 1);
     const volatile bool hangs = true;
     while (hangs) {
     }
@@ -99,16 +99,16 @@ TEST_F(Kept, OneThatHangsIsEndedAndMadeSafe) {
 
 TEST_F(Kept, OneThatSleepsRestsOrHasNotBegunIsAlive) {
   start([] {
-    say_alive();  // nothing is driven before the first step
+    send_heartbeat();  // nothing is driven before the first step
     usleep(300'000);
-    say_alive(1, 1);
+    send_heartbeat(1, 1);
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC, &now);
     say_asleep_until(std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec + 400 * kNsPerMs);
     usleep(350'000);
-    say_alive();
-    const Resting safely;
-    const Resting twice;
+    send_heartbeat();
+    const WatchdogPause safely;
+    const WatchdogPause twice;
     usleep(300'000);
   });
   EXPECT_EQ(heard(kLongMs), "e");
@@ -118,7 +118,7 @@ TEST_F(Kept, OneThatSleepsRestsOrHasNotBegunIsAlive) {
 TEST_F(Kept, ZeroMeansForEver) {
   start(
       [] {
-        say_alive(1, 1);
+        send_heartbeat(1, 1);
         usleep(300'000);
       },
       0);
