@@ -60,7 +60,7 @@ class FakeProgram final : public GraphProgram {
   bool rounds_each_operation() const override { return true; }
   bool is_real() const override { return moves_hardware; }
   Pictures* pictures() const override { return nullptr; }
-  SplitLink* link(std::size_t /*part*/) const override { return nullptr; }
+  SplitLink* link(std::size_t /*part*/) override { return nullptr; }
   void run(Watch& /*watch*/, bool /*traced*/) override {}
   void list_counts(bool /*traced*/, CountListener& listener) const override {
     listener.count("a \"count\"", 3);

@@ -59,7 +59,7 @@ TEST(LinuxSimOptions, AgentFromAFile) {
 
 TEST(LinuxSimOptions, AgentInAnotherProcess) {
   const Options options = options_of({"--agent", "dds:7", "--agent-timeout", "0.5"});
-  EXPECT_EQ(options.agent, target::Agent::dds);
+  EXPECT_EQ(options.agent, kDdsAgent);
   EXPECT_EQ(options.agent_domain, 7U);
   EXPECT_EQ(options.agent_timeout_s, 0.5);
   EXPECT_EQ(agent_name(options), "dds");
