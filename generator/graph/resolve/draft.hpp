@@ -112,6 +112,10 @@ struct Draft {
   std::deque<EntitySpec> added = {};  // nodes that the graph file has not, as it would say them
   std::map<std::string, std::size_t, std::less<>> node_of_name = {};  // once all are there
 
+  /// nullptr: the graph has no engine, or one that is not known.
+  [[nodiscard]] const Entity* engine() const {
+    return spec.has_engine() ? nodes[Graph::kEngine].node.entity : nullptr;
+  }
   /// A node that no entity of the graph is: what the generator itself adds.
   [[nodiscard]] bool is_added(std::size_t node) const { return node == task || node == render; }
   /// Whether a node, or the object that an engine node is of, has such a problem.

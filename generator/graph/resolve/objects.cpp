@@ -108,7 +108,7 @@ class ObjectBuilder {
     node.node.config = resolve_config(draft_.library, entity, settings, spec.type.span,
                                       diagnostics(), draft_.safety);
     const References references = references_of(entity, settings);
-    const Entity& engine = *draft_.nodes[Graph::kEngine].node.entity;
+    const Entity& engine = *draft_.engine();
     if (!entity.works_on(engine))
       report_wrong_engine(entity, engine, spec.type.span, diagnostics());
     report_unknown(spec.inputs, entity.inputs, entity, "input", diagnostics());
@@ -383,7 +383,7 @@ class ObjectBuilder {
 }  // namespace
 
 void add_objects(Draft& draft) {
-  const Entity* engine = draft.nodes[Graph::kEngine].node.entity;
+  const Entity* engine = draft.engine();
   for (const auto& spec : draft.spec.objects) {
     const Entity* entity =
         find_entity(draft.library, spec.type, EntityKind::object, draft.diagnostics);
