@@ -54,6 +54,7 @@ std::string item(const BodyJoint& joint) {
   Item result;
   result.name("name", joint.name);
   if (joint.slides) result.member("kind", "JointKind::slider");
+  if (joint.is_fixed) result.member("kind", "JointKind::fixed");
   result.name("parent", joint.parent);
   result.name("child", joint.child);
   result.member("anchor", literal(joint.anchor));
@@ -63,8 +64,12 @@ std::string item(const BodyJoint& joint) {
   result.limit("max_torque", joint.limits.effort);
   if (joint.limits.damping > 0.0) result.member("damping", literal(joint.limits.damping));
   if (joint.limits.friction > 0.0) result.member("friction", literal(joint.limits.friction));
-  // Exporters write 0 where they know no limit.
-  if (joint.limits.velocity > 0.0) result.limit("max_velocity", joint.limits.velocity);
+  result.limit("max_velocity", joint.limits.velocity);
+  if (!joint.mimics.empty()) {
+    result.name("mimics", joint.mimics);
+    result.member("ratio", literal(joint.ratio));
+    if (joint.offset != 0.0) result.member("offset", literal(joint.offset));
+  }
   return result.text();
 }
 
@@ -89,11 +94,14 @@ std::string item(const Shape& shape) {
   result.name("name", shape.name);
   result.member("kind", kind_text(shape.kind));
   result.name("body", shape.body);
-  result.member("size", literal(shape.size));
+  const bool is_plane = shape.kind == models::ShapeKind::plane;
+  if (!is_plane) result.member("size", literal(shape.size));
   result.member("position", literal(shape.position));
+  if (is_plane) result.member("axis", literal(shape.normal));
   result.member("friction", "Io::Config::friction");
   result.member("bounce", "Io::Config::bounce");
-  if (shape.rotation != models::kNoRotation) result.member("rotation", literal(shape.rotation));
+  if (!is_plane && shape.rotation != models::kNoRotation)
+    result.member("rotation", literal(shape.rotation));
   return result.text();
 }
 
@@ -118,7 +126,7 @@ std::string list(const char* type, const char* name, const Items& items, const c
 
 std::string header_text(const Robot& robot) {
   std::string text = fmt::format(
-      R"(// A robot on OpenDynamicsEngine and MultibodyEngine, as {0} describes it.
+      R"(// A robot of rigid bodies, as {0} describes it.
 // Made by eagerx-urdf. Do not edit: change the description and convert it again.
 #pragma once
 

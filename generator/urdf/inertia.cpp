@@ -1,5 +1,8 @@
 #include "generator/urdf/inertia.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace eagerx::urdf {
 namespace {
 
@@ -47,6 +50,11 @@ MassAndInertia together(const std::vector<MassAndInertia>& parts) {
     all.products[2] += part.products[2] - part.mass * d[1] * d[2];
   }
   return all;
+}
+
+double ball_of_water(double mass) {
+  const double radius = std::cbrt(0.75 * mass / (std::numbers::pi * 1000.0));
+  return 0.4 * mass * radius * radius;
 }
 
 bool is_positive(const Vector3& inertia, const Vector3& products) {

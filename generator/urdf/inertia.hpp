@@ -20,6 +20,9 @@ MassAndInertia turned(const Inertial& inertial, const Frame& link);
 /// One body of all parts, by the theorem of Steiner.
 MassAndInertia together(const std::vector<MassAndInertia>& parts);
 
+/// What a ball of water of this mass has about each axis [kg·m²].
+double ball_of_water(double mass);
+
 /// Whether every axis has a positive inertia.
 bool is_positive(const Vector3& inertia, const Vector3& products);
 /// Whether besides none is larger than that of both other principal axes together, but for

@@ -9,11 +9,13 @@
 
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/pages.hpp"
+#include "generator/frontend/read/scalar.hpp"
 #include "generator/support/command_line/bugs.hpp"
 #include "generator/support/command_line/command_line.hpp"
 #include "generator/support/command_line/output.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/pages.hpp"
+#include "generator/urdf/meshes.hpp"
 #include "generator/urdf/robot.hpp"
 
 namespace {
@@ -22,8 +24,9 @@ namespace fs = std::filesystem;
 using eagerx::urdf::Base;
 
 struct Options {
-  std::string file, output;
+  std::string file, output, distance;
   eagerx::urdf::RobotOptions robot;
+  eagerx::urdf::MeshOptions meshes;
   bool json = false, quiet = false;
 };
 
@@ -33,6 +36,36 @@ bool is_id(const std::string& text) {
     if (!is_letter(c) && (c < '0' || c > '9')) return false;
   }
   return !text.empty() && is_letter(text[0]) && text != "Io";
+}
+
+constexpr double kUsualStep = 1e-3;  // [s]
+
+/// What the description does not say by itself.
+void say_more(const Options& options, const eagerx::urdf::Robot& robot) {
+  // A robot that was meant to stand on something falls.
+  if (options.robot.base == Base::by_mass && !robot.bodies.empty()) {
+    if (robot.bodies[0].is_free)
+      eagerx::gen::say("`{}` is free to move, as it has a mass: `--base fixed` fixes it\n",
+                       robot.base);
+    else
+      eagerx::gen::say("`{}` is fixed to the world, as it has no mass\n", robot.base);
+  }
+  if (robot.links > robot.bodies.size())
+    eagerx::gen::say("{} of {} links: `fixed` joints weld links together, or to the world\n",
+                     eagerx::gen::counted(robot.bodies.size(), "body", "bodies"), robot.links);
+  if (const auto quick = quickest_joint(robot); quick && quick->time_s < kUsualStep)
+    eagerx::gen::say(
+        "`{}` reaches {:.3g} rad/s or m/s in {:.2g} ms under its largest torque: longer steps do "
+        "not "
+        "follow it; is its inertia, or its `limit`, right?\n",
+        quick->name, quick->speed, 1e3 * quick->time_s);
+  if (!can_use_open_dynamics(robot))
+    eagerx::gen::say(
+        "for MultibodyEngine alone: OpenDynamicsEngine has no joints that mimic others\n");
+  if (!can_use_multibody(robot))
+    eagerx::gen::say(
+        "for OpenDynamicsEngine alone: MultibodyEngine has one free body, or joints on the "
+        "world, in each object\n");
 }
 
 void write(const Options& options, const eagerx::urdf::Robot& robot,
@@ -48,19 +81,19 @@ void write(const Options& options, const eagerx::urdf::Robot& robot,
                    eagerx::gen::counted(robot.bodies.size(), "body", "bodies"),
                    eagerx::gen::counted(robot.joints.size(), "joint"),
                    eagerx::gen::counted(robot.shapes.size(), "shape"), folder.string());
-  // A robot that was meant to stand on something falls.
-  if (options.robot.base == Base::by_inertia && !robot.bodies.empty() && robot.bodies[0].is_free)
-    eagerx::gen::say("`{}` is free to move, as it has an `inertial`: `--base fixed` fixes it\n",
-                     robot.bodies[0].name);
+  say_more(options, robot);
 }
 
 int convert(const Options& options) {
   eagerx::gen::SourceMap sources;
   eagerx::gen::Diagnostics diagnostics;
-  if (const auto description = eagerx::urdf::read_file(options.file, sources, diagnostics)) {
+  if (auto description = eagerx::urdf::read_file(options.file, sources, diagnostics)) {
+    resolve_meshes(*description, fs::path(options.file).parent_path().string(), options.meshes,
+                   diagnostics);
     const auto robot = eagerx::urdf::make_robot(*description, options.robot, diagnostics);
     if (robot) write(options, *robot, diagnostics);
   }
+  if (options.quiet) diagnostics.drop_notes();
   diagnostics.sort_by_place();
   if (options.json) {
     static_cast<void>(std::fputs(render_json(diagnostics, sources).c_str(), stderr));
@@ -78,13 +111,29 @@ eagerx::gen::CommandLine command_line(Options& options) {
   using eagerx::gen::choice;
   using eagerx::gen::flag;
   using eagerx::gen::text;
+  using eagerx::gen::texts;
   eagerx::gen::Argument id = text("--id", options.robot.id,
                                   "id of the object (default: made from the robot's name)", "NAME");
   id.check = [](const std::string& name) {
     return is_id(name) ? std::string() : name + " is not made of letters and digits";
   };
+  eagerx::gen::Argument distance = text(
+      "--distance", options.distance,
+      "how far spheres of `--collision spheres` may reach beyond a mesh (default: 0.01)", "METERS");
+  distance.check = [&options](const std::string& written) {
+    const auto value = eagerx::gen::parse_number(written);
+    if (!value || !(*value > 0.0)) return written + " is not a length above 0";
+    options.meshes.distance = *value;
+    return std::string();
+  };
   const auto set_base = [&options](const std::string& word) {
     options.robot.base = word == "fixed" ? Base::fixed : Base::free;
+  };
+  const auto set_shapes = [&options](const std::string& word) {
+    using eagerx::urdf::CollisionShapes;
+    options.meshes.shapes = word == "none"    ? CollisionShapes::none
+                            : word == "boxes" ? CollisionShapes::boxes
+                                              : CollisionShapes::spheres;
   };
   const auto set_form = [&options](const std::string& form) { options.json = form == "json"; };
   return {
@@ -99,8 +148,17 @@ eagerx::gen::CommandLine command_line(Options& options) {
                             choice(
                                 "--base", {"fixed", "free"},
                                 "fix the first link to the world or let it move (default: free if "
-                                "it has an `inertial`, else fixed)",
+                                "it, or what is fixed to it, has a mass)",
                                 set_base),
+                            choice("--collision", {"none", "boxes", "spheres"},
+                                   "nothing touches; boxes, or up to 16 spheres, around meshes "
+                                   "(default: the smallest of box, sphere, cylinder and capsule)",
+                                   set_shapes),
+                            std::move(distance),
+                            texts("--package", options.meshes.packages,
+                                  "where `package://` is looked for, besides the folders above the "
+                                  "file; several times",
+                                  "DIR"),
                             flag("--ground", options.robot.ground, "add the plane z = 0"),
                             choice("--diagnostics", {"text", "json"},
                                    "form of messages (default: text)", set_form),

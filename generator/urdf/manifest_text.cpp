@@ -7,6 +7,7 @@
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/quote/quote.hpp"
 #include "generator/urdf/robot.hpp"
+#include "models/engines/open_dynamics_engine/rigid_joints.hpp"
 
 namespace eagerx::urdf {
 namespace {
@@ -37,10 +38,14 @@ double high(const BodyJoint& joint) {
 /// The parts of a manifest, filled item by item.
 class Manifest {
  public:
-  explicit Manifest(const Robot& robot) : robot_(robot) {}
+  explicit Manifest(const Robot& robot) : robot_(robot) {
+    for (const BodyJoint& joint : robot.joints) {
+      if (joint.mimics.empty() && !joint.is_fixed) joints_.push_back(joint);
+    }
+  }
 
   std::string text() {
-    if (!robot_.joints.empty()) add_joints();
+    if (!joints_.empty()) add_joints();
     for (const Body& body : robot_.bodies) add_body(body);
     for (const Shape& shape : robot_.shapes) {
       if (!shape.body.empty()) add_contact(shape.name);
@@ -61,14 +66,12 @@ class Manifest {
  private:
   std::string names() const {
     std::string result;
-    for (const BodyJoint& joint : robot_.joints) result += (result.empty() ? "" : " ") + joint.name;
+    for (const BodyJoint& joint : joints_) result += (result.empty() ? "" : " ") + joint.name;
     return result;
   }
 
   /// A list in one text. With a blank in it, it is one without quotes, too.
-  std::string yaml_names() const {
-    return robot_.joints.size() == 1 ? gen::yaml_text(names()) : names();
-  }
+  std::string yaml_names() const { return joints_.size() == 1 ? gen::yaml_text(names()) : names(); }
 
   std::string head() const {
     return fmt::format(
@@ -81,11 +84,22 @@ description: |
   Links that fixed joints hold together are one body, called by the first of them. Poses are those of the centre of
   mass, turned as seen from the position in which all joints are at 0. An actuator that no connection names does
   nothing; name one of them.
-)",
+{6})",
         gen::in_json_string(robot_.file), robot_.id,
         gen::counted(robot_.bodies.size(), "body", "bodies"),
-        gen::counted(robot_.joints.size(), "joint", "joints"),
-        robot_.joints.empty() ? "none" : names(), gen::in_comment(robot_.file));
+        gen::counted(joints_.size(), "joint", "joints"), joints_.empty() ? "none" : names(),
+        gen::in_comment(robot_.file), followers());
+  }
+
+  std::string followers() const {
+    std::string text;
+    for (const BodyJoint& joint : robot_.joints) {
+      if (!joint.mimics.empty())
+        text += fmt::format("  `{}` follows `{}`: {} times its position, plus {}.\n", joint.name,
+                            joint.mimics, gen::double_literal(joint.ratio + 0.0),
+                            gen::double_literal(joint.offset + 0.0));
+    }
+    return text;
   }
 
   std::string config() const {
@@ -95,9 +109,9 @@ description: |
   friction: {type: float, default: 1.0, low: 0.0, about: "coefficient of friction of all its shapes; that of a contact is the product of both"}
   bounce: {type: float, default: 0.0, low: 0.0, high: 1.0, about: share of the normal speed that is left after a contact}
 )";
-    if (robot_.joints.empty()) return text;
+    if (joints_.empty()) return text;
     double most = 0.0;
-    for (const BodyJoint& joint : robot_.joints)
+    for (const BodyJoint& joint : joints_)
       most = std::max(most, or_else(joint.limits.effort, kAnything));
     return text +
            fmt::format(
@@ -127,14 +141,13 @@ description: |
   }
 
   std::string joint_space(const std::string& low, const std::string& high) const {
-    return fmt::format("{{dtype: float32, shape: [{}], low: {}, high: {}}}", robot_.joints.size(),
-                       low, high);
+    return fmt::format("{{dtype: float32, shape: [{}], low: {}, high: {}}}", joints_.size(), low,
+                       high);
   }
 
   void add_joints() {
     const std::string anything = joint_space("-999.0", "999.0");
-    const std::string config =
-        fmt::format("joints: {}, size: {}", yaml_names(), robot_.joints.size());
+    const std::string config = fmt::format("joints: {}, size: {}", yaml_names(), joints_.size());
     sensor("position", anything, "of all joints, in rad and m; not wrapped", "JointPositionSensor");
     configured(config);
     sensor("velocity", anything, "of all joints, in rad/s and m/s", "JointVelocitySensor");
@@ -144,9 +157,8 @@ description: |
     configured(config);
     const auto bounds = [&](auto&& number) {
       return joint_space(
-          fmt::format("[{}]",
-                      numbers(robot_.joints, [&](const BodyJoint& j) { return -number(j); })),
-          fmt::format("[{}]", numbers(robot_.joints, number)));
+          fmt::format("[{}]", numbers(joints_, [&](const BodyJoint& j) { return -number(j); })),
+          fmt::format("[{}]", numbers(joints_, number)));
     };
     actuator("torque", "JointTorqueActuator", "",
              bounds([](const BodyJoint& j) { return or_else(j.limits.effort, kAnything); }),
@@ -157,16 +169,15 @@ description: |
     actuator("position", "JointPositionActuator",
              ", stiffness: $(config stiffness), damping: $(config damping), "
              "max_torque: $(config max_torque)",
-             joint_space(fmt::format("[{}]", numbers(robot_.joints, low)),
-                         fmt::format("[{}]", numbers(robot_.joints, high))),
+             joint_space(fmt::format("[{}]", numbers(joints_, low)),
+                         fmt::format("[{}]", numbers(joints_, high))),
              "of all joints, in rad and m");
     const auto slow = [](const BodyJoint& j) { return std::min(j.limits.velocity, 1.0); };
     const auto slow_back = [](const BodyJoint& j) { return -std::min(j.limits.velocity, 1.0); };
     state("model_state",
           fmt::format("{{dtype: float32, shape: [{}], low: [{}, {}], high: [{}, {}]}}",
-                      2 * robot_.joints.size(), numbers(robot_.joints, low),
-                      numbers(robot_.joints, slow_back), numbers(robot_.joints, high),
-                      numbers(robot_.joints, slow)),
+                      2 * joints_.size(), numbers(joints_, low), numbers(joints_, slow_back),
+                      numbers(joints_, high), numbers(joints_, slow)),
           "positions of all joints in rad and m, then their velocities",
           fmt::format("JointState, config: {{joints: {}}}", yaml_names()));
   }
@@ -178,8 +189,7 @@ description: |
     nodes_ += fmt::format(
         "      {0}_actuator: {{type: {1}, rate: $(actuators {0} rate), config: {{joints: {2}, "
         "default_action: [{3}]{4}}}}}\n",
-        name, type, yaml_names(), numbers(robot_.joints, [](const BodyJoint&) { return 0.0; }),
-        config);
+        name, type, yaml_names(), numbers(joints_, [](const BodyJoint&) { return 0.0; }), config);
     connections_ += fmt::format("      - {{from: actuators.{0}, to: {0}_actuator.action}}\n", name);
   }
 
@@ -214,17 +224,9 @@ description: |
     configured("geometry: " + gen::yaml_text(shape));
   }
 
-  /// Of MultibodyEngine: one tree, on the world or of a free body.
-  bool is_one_tree() const {
-    const auto free = std::ranges::count_if(robot_.bodies, &Body::is_free);
-    const bool on_world = std::ranges::any_of(
-        robot_.joints, [](const BodyJoint& joint) { return joint.parent.empty(); });
-    return free + (on_world ? 1 : 0) == 1;
-  }
-
   std::string engines() const {
-    return "engines:\n" + engine("OpenDynamicsEngine", "") +
-           (is_one_tree() ? engine("MultibodyEngine", ", packs: true") : "");
+    return "engines:\n" + (can_use_open_dynamics(robot_) ? engine("OpenDynamicsEngine", "") : "") +
+           (can_use_multibody(robot_) ? engine("MultibodyEngine", ", vectorized: true") : "");
   }
   std::string engine(const char* name, const char* more) const {
     return fmt::format(
@@ -234,10 +236,44 @@ description: |
   }
 
   const Robot& robot_;
+  std::vector<BodyJoint> joints_;  // that move, without those that follow another one
   std::string sensors_, actuators_, states_, nodes_, connections_, engine_states_;
 };
 
 }  // namespace
+
+bool can_use_multibody(const Robot& robot) {
+  const auto free = std::ranges::count_if(robot.bodies, &Body::is_free);
+  const bool on_world = std::ranges::any_of(
+      robot.joints, [](const BodyJoint& joint) { return joint.parent.empty(); });
+  return free + (on_world ? 1 : 0) == 1;
+}
+
+bool can_use_open_dynamics(const Robot& robot) {
+  return std::ranges::all_of(robot.joints, &std::string::empty, &BodyJoint::mimics);
+}
+
+std::optional<QuickJoint> quickest_joint(const Robot& robot) {
+  std::optional<QuickJoint> result;
+  for (const BodyJoint& joint : robot.joints) {
+    const double speed = joint.limits.velocity, torque = joint.limits.effort;
+    if (joint.is_fixed || !std::isfinite(speed) || !std::isfinite(torque) || torque <= 0.0)
+      continue;
+    const auto child = std::ranges::find(robot.bodies, joint.child, &Body::name);
+    models::RigidJoint as_scene;
+    as_scene.kind = joint.slides ? models::JointKind::slider : models::JointKind::hinge;
+    as_scene.anchor = joint.anchor;
+    as_scene.axis = joint.axis;
+    const models::RigidBody body = {.name = "",
+                                    .mass = child->mass,
+                                    .inertia = child->inertia,
+                                    .position = child->position,
+                                    .products = child->products};
+    const double time_s = models::inertia_of_joint(as_scene, body) * speed / torque;
+    if (!result || time_s < result->time_s) result = QuickJoint{joint.name, time_s, speed};
+  }
+  return result;
+}
 
 std::string manifest_text(const Robot& robot) {
   return Manifest(robot).text();

@@ -25,6 +25,24 @@ Quaternion rotation_of(const Vector3& rpy) {
   return models::normalised(product(yaw, product(pitch, roll)));
 }
 
+/// Macros that have not been expanded: what xacro makes keeps the declaration of the prefix, and
+/// comments.
+bool is_xacro(std::string_view path, std::string_view text) {
+  if (path.ends_with(".xacro")) return true;
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+    if (text.substr(at).starts_with("<xacro:")) return true;
+    if (text.substr(at).starts_with("<!--")) at = text.find("-->", at);
+    if (at == std::string_view::npos) break;
+  }
+  return false;
+}
+
+/// A robot without a name is called like its file.
+std::string name_without(const std::string& path) {
+  const std::string stem = std::filesystem::path(path).stem().string();
+  return stem.substr(0, stem.find('.'));
+}
+
 class Reader {
  public:
   Reader(gen::FileId file, std::string_view text, gen::Diagnostics& diagnostics)
@@ -35,11 +53,10 @@ class Reader {
     pugi::xml_document document;
     const pugi::xml_node robot = xml_.parse(document);
     if (!robot) return result;
-    xml_.check(robot, {.attributes = {"name", "version"},
-                       .many = {"link", "joint"},
-                       .unseen = {"material"},
-                       .warned = {"gazebo", "transmission"}});
-    result.name = xml_.text(robot, "name");
+    xml_.check(
+        robot,
+        {.attributes = {"name", "version"}, .many = {"link", "joint"}, .unseen = {"material"}});
+    result.name = robot.attribute("name").value();
     result.place = xml_.span(robot);
     for (const pugi::xml_node element : robot.children("link")) {
       result.links.push_back(link(element));
@@ -52,6 +69,7 @@ class Reader {
     if (result.links.size() > kMaxItems || result.joints.size() > kMaxItems)
       xml_.error("E0851", result.place,
                  fmt::format("there are more than {} links or joints", kMaxItems));
+    xml_.report_left_out();
     return result;
   }
 
@@ -68,8 +86,7 @@ class Reader {
     xml_.check(element, {.attributes = {"name", "type"},
                          .once = {"inertial"},
                          .many = {"collision"},
-                         .unseen = {"visual"},
-                         .warned = {"gazebo"}});
+                         .unseen = {"visual"}});
     Link result;
     result.name = xml_.text(element, "name");
     result.place = xml_.span(element, "name");
@@ -79,6 +96,11 @@ class Reader {
     }
     for (const pugi::xml_node collision : element.children("collision"))
       result.collisions.push_back(this->collision(collision));
+    for (const pugi::xml_node visual : element.children("visual")) {
+      if (const pugi::xml_node file = visual.child("geometry").child("mesh"))
+        result.visuals.push_back(
+            {file.attribute("filename").value(), xml_.span(file, "filename"), {{1.0, 1.0, 1.0}}});
+    }
     return result;
   }
 
@@ -100,18 +122,17 @@ class Reader {
   }
 
   Collision collision(pugi::xml_node element) {
-    xml_.check(element, {.attributes = {"name"},
-                         .once = {"origin", "geometry"},
-                         .unseen = {"material"},
-                         .warned = {"verbose"}});
+    xml_.check(element,
+               {.attributes = {"name"}, .once = {"origin", "geometry"}, .unseen = {"material"}});
     Collision result;
     result.name = element.attribute("name").value();
     result.place = xml_.span(element);
     result.origin = origin(element);
     const pugi::xml_node geometry = xml_.child(element, "geometry");
     if (!geometry) return result;
-    xml_.check(geometry, {.many = {"box", "sphere", "cylinder", "capsule"}});
-    const auto is_element = [](pugi::xml_node node) { return node.type() == pugi::node_element; };
+    const auto is_element = [](pugi::xml_node node) {
+      return node.type() == pugi::node_element && std::string_view(node.name()) != "material";
+    };
     const pugi::xml_node shape = geometry.find_child(is_element);
     if (!shape) xml_.error("E0852", xml_.span(geometry), "`geometry` has no shape");
     for (pugi::xml_node other = shape.next_sibling(); other; other = other.next_sibling()) {
@@ -139,13 +160,33 @@ class Reader {
       result.kind = kind == "cylinder" ? models::ShapeKind::cylinder : models::ShapeKind::capsule;
       xml_.check(shape, {.attributes = {"radius", "length"}});
       result.size = {{xml_.positive(shape, "radius"), xml_.positive(shape, "length"), 0.0}};
+    } else if (kind == "plane") {  // of Bullet
+      result.kind = models::ShapeKind::plane;
+      xml_.check(shape, {.attributes = {"normal"}});
+      result.normal = xml_.direction(shape, "normal");
+    } else if (kind == "mesh") {
+      result.mesh = mesh(shape);
+    } else if (shape) {
+      xml_.error("E0851", xml_.span(shape),
+                 fmt::format("shapes of kind `{}` are not supported", kind))
+          .help = gen::did_you_mean(kind, {"box", "sphere", "cylinder", "capsule", "mesh"},
+                                    "use a `box`, `sphere`, `cylinder`, `capsule` or `mesh`");
     }
+  }
+
+  Mesh mesh(pugi::xml_node element) {
+    xml_.check(element, {.attributes = {"filename", "scale"}});
+    Mesh result;
+    result.file = xml_.text(element, "filename");
+    result.place = xml_.span(element, "filename");
+    result.scale = xml_.scale(element, "scale");
+    return result;
   }
 
   Joint joint(pugi::xml_node element) {
     xml_.check(element, {.attributes = {"name", "type"},
-                         .once = {"origin", "parent", "child", "axis", "limit", "dynamics"},
-                         .warned = {"calibration", "safety_controller"}});
+                         .once = {"origin", "parent", "child", "axis", "limit", "dynamics",
+                                  "joint_properties", "mimic"}});
     Joint result;
     result.name = xml_.text(element, "name");
     result.place = xml_.span(element, "name");
@@ -162,19 +203,27 @@ class Reader {
     if (result.type == JointType::fixed || result.type == JointType::floating) return result;
     set_axis(element.child("axis"), result);
     set_limits(element, result);
-    const pugi::xml_node dynamics = element.child("dynamics");
-    xml_.check(dynamics, {.attributes = {"damping", "friction"}});
-    result.damping = xml_.not_negative(dynamics, "damping", 0.0);
-    result.friction = xml_.not_negative(dynamics, "friction", 0.0);
+    for (const char* const name : {"dynamics", "joint_properties"}) {  // the second one until 2010
+      const pugi::xml_node dynamics = element.child(name);
+      if (!dynamics) continue;
+      xml_.check(dynamics, {.attributes = {"damping", "friction"}});
+      result.damping = xml_.not_negative(dynamics, "damping", 0.0);
+      result.friction = xml_.not_negative(dynamics, "friction", 0.0);
+    }
+    if (const pugi::xml_node mimic = element.child("mimic")) {
+      xml_.check(mimic, {.attributes = {"joint", "multiplier", "offset"}});
+      result.mimic = {xml_.text(mimic, "joint"), xml_.span(mimic, "joint"),
+                      xml_.number(mimic, "multiplier", 1.0), xml_.number(mimic, "offset", 0.0)};
+    }
     return result;
   }
 
   void set_type(pugi::xml_node element, Joint& result) {
-    static const std::map<std::string, JointType> kTypes = {{"fixed", JointType::fixed},
-                                                            {"revolute", JointType::revolute},
-                                                            {"continuous", JointType::continuous},
-                                                            {"prismatic", JointType::prismatic},
-                                                            {"floating", JointType::floating}};
+    static const std::map<std::string, JointType> kTypes = {
+        {"fixed", JointType::fixed},           {"revolute", JointType::revolute},
+        {"continuous", JointType::continuous}, {"prismatic", JointType::prismatic},
+        {"planar", JointType::planar},         {"spherical", JointType::spherical},
+        {"floating", JointType::floating}};
     const std::string type = xml_.text(element, "type");
     const auto known = kTypes.find(type);
     if (known != kTypes.end()) {
@@ -182,54 +231,48 @@ class Reader {
     } else if (!type.empty()) {
       auto& wrong = xml_.error("E0851", xml_.span(element, "type"),
                                fmt::format("joints of type `{}` are not supported", type));
-      wrong.help =
-          gen::did_you_mean(type, {"fixed", "revolute", "continuous", "prismatic", "floating"},
-                            "`fixed`, `revolute`, `continuous`, `prismatic` and `floating` are");
+      wrong.help = gen::did_you_mean(
+          type, {"fixed", "revolute", "continuous", "prismatic", "planar", "floating"},
+          "`fixed`, `revolute`, `continuous`, `prismatic`, `planar` and `floating` are");
     }
   }
 
   void set_axis(pugi::xml_node axis, Joint& result) {
     if (!axis) return;
     xml_.check(axis, {.attributes = {"xyz"}});
-    const Vector3 v = xml_.vector(axis, "xyz");
-    const double square = dot(v, v);
-    if (square == 1.0) {
-      result.axis = v;
-    } else if (square > 1e-12 && std::isfinite(square)) {
-      result.axis = (1.0 / std::sqrt(square)) * v;
-    } else if (!std::isnan(square)) {
-      xml_.error("E0853", xml_.span(axis, "xyz"), "an axis has a direction");
-    }
+    result.axis = xml_.direction(axis, "xyz");
   }
 
   void set_limits(pugi::xml_node element, Joint& result) {
-    const bool has_range = result.type != JointType::continuous;
-    const pugi::xml_node limit = has_range ? xml_.child(element, "limit") : element.child("limit");
-    if (!limit) return;
+    const bool has_range =
+        result.type == JointType::revolute || result.type == JointType::prismatic;
+    const pugi::xml_node limit = element.child("limit");
+    if (!limit) {
+      if (has_range) xml_.warning("E0852", result.place, "`joint` has no `limit`: it has no stops");
+      return;
+    }
     xml_.check(limit, {.attributes = {"lower", "upper", "effort", "velocity"}});
     constexpr double kUnlimited = std::numeric_limits<double>::infinity();
     result.effort = xml_.not_negative(limit, "effort", kUnlimited);
     result.velocity = xml_.not_negative(limit, "velocity", kUnlimited);
-    if (!has_range) return;
-    result.lower = xml_.number(limit, "lower", 0.0);
-    result.upper = xml_.number(limit, "upper", 0.0);
-    if (result.lower > result.upper) {
-      xml_.error("E0853", xml_.span(limit, "lower"), "`lower` is above `upper`");
-    } else if (result.type == JointType::revolute) {
-      result.lower = within_half_turn(limit, "lower", result.lower);
-      result.upper = within_half_turn(limit, "upper", result.upper);
+    // Exporters write 0 where they know no limit.
+    if (result.velocity == 0.0) {
+      result.velocity = kUnlimited;
+      if (result.effort == 0.0) result.effort = kUnlimited;
     }
+    if (has_range) set_stops(limit, result);
   }
 
-  /// The library knows stops within half a turn only. Written with a few digits, half a turn may be
-  /// a little more.
-  double within_half_turn(pugi::xml_node limit, const char* name, double value) {
-    constexpr double kRounding = 1e-3;
-    if (std::abs(value) <= std::numbers::pi) return value;
-    if (std::abs(value) > std::numbers::pi + kRounding)
-      xml_.error("E0851", xml_.span(limit, name), "stops beyond half a turn are not supported")
-          .help = "keep them within ±3.1416, or make the joint `continuous`";
-    return std::copysign(std::numbers::pi, value);
+  void set_stops(pugi::xml_node limit, Joint& result) {
+    constexpr double kNoStop = 1e3;  // rad or m: written for "none"
+    const double lower = xml_.number(limit, "lower", 0.0), upper = xml_.number(limit, "upper", 0.0);
+    if (lower > upper) {  // how Bullet writes it
+      xml_.warning("E0853", xml_.span(limit, "lower"),
+                   "`lower` is above `upper`: the joint has no stops");
+      return;
+    }
+    if (lower > -kNoStop) result.lower = lower;
+    if (upper < kNoStop) result.upper = upper;
   }
 
   Xml xml_;
@@ -244,14 +287,29 @@ std::optional<Description> read_text(const std::string& name, std::string text,
   Description result = Reader(file, sources.text(file), diagnostics).read();
   result.file = std::filesystem::path(name).filename().string();
   if (diagnostics.has_errors()) return std::nullopt;
+  if (result.name.empty()) {
+    result.name = name_without(name);
+    diagnostics.warning("E0852", result.place,
+                        fmt::format("`robot` has no `name`: it is called `{}`", result.name));
+  }
+  expand_joints(result);
   return result;
 }
 
 std::optional<Description> read_file(const std::string& path, gen::SourceMap& sources,
                                      gen::Diagnostics& diagnostics) {
   gen::LoadedFile file = gen::load_file(path, kMaxBytes);
-  if (file.status == gen::LoadedFile::Status::loaded)
-    return read_text(path, std::move(file.bytes), sources, diagnostics);
+  if (file.status == gen::LoadedFile::Status::loaded) {
+    if (!is_xacro(path, file.bytes))
+      return read_text(path, std::move(file.bytes), sources, diagnostics);
+    const gen::Span whole{sources.add(path, {}), 0, 0, 0};
+    auto text = expand_xacro(path, whole, diagnostics);
+    if (!text) return std::nullopt;
+    // Places are those of the expanded text.
+    auto result = read_text(path + " (expanded)", std::move(*text), sources, diagnostics);
+    if (result) result->file = std::filesystem::path(path).filename().string();
+    return result;
+  }
   const gen::Span place{sources.add(path, {}), 0, 0, 0};
   if (file.status == gen::LoadedFile::Status::too_large) {
     diagnostics.error("E0102", place, fmt::format("the file is larger than {} bytes", kMaxBytes));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -52,6 +54,7 @@ class Maker {
     if (diagnostics_.error_count() > before) return std::nullopt;
     name_robot();
     place_links(root);
+    share_stops();
     finish_bodies();
     if (diagnostics_.error_count() > before) return std::nullopt;
     robot_.ground = options_.ground;
@@ -63,26 +66,33 @@ class Maker {
     return diagnostics_.error(code, place, std::move(message));
   }
 
-  /// Names as they are in generated code, each only once.
+  /// Names as they are in generated code, each only once: of two that would be the same the later
+  /// one gets a number.
+  using Names = std::map<std::string, std::string>;
   template <class Items>
-  void index(const Items& items, const char* kind, std::map<std::string, std::size_t>& result) {
-    std::map<std::string, std::size_t> generated;
+  void index(const Items& items, const char* kind, std::map<std::string, std::size_t>& result,
+             Names& generated) {
+    std::set<std::string> taken;
     for (std::size_t i = 0; i < items.size(); ++i) {
-      result.emplace(items[i].name, i);
-      const auto [other, is_new] = generated.emplace(identifier(items[i].name), i);
-      if (is_new) continue;
-      auto& twice = error("E0854", items[i].place,
-                          fmt::format("there is another {} `{}`", kind, items[other->second].name));
-      twice.notes.push_back({"the first one", items[other->second].place, ""});
-      if (items[other->second].name != items[i].name)
-        twice.help = fmt::format("both would be called `{}`", other->first);
+      const auto [other, is_new] = result.emplace(items[i].name, i);
+      if (!is_new) {
+        error("E0854", items[i].place, fmt::format("there is another {} `{}`", kind, items[i].name))
+            .notes.push_back({"the first one", items[other->second].place, ""});
+        continue;
+      }
+      generated[items[i].name] = unique(identifier(items[i].name), taken);
     }
   }
 
+  static std::string unique(std::string name, std::set<std::string>& taken) {
+    std::string result = name;
+    for (int i = 2; !taken.insert(result).second; ++i) result = fmt::format("{}_{}", name, i);
+    return result;
+  }
+
   void index_links() {
-    index(from_.links, "link", links_);
-    std::map<std::string, std::size_t> joints;
-    index(from_.joints, "joint", joints);
+    index(from_.links, "link", links_, link_names_);
+    index(from_.joints, "joint", joints_, joint_names_);
   }
 
   std::size_t link(const std::string& name, gen::Span place) {
@@ -154,6 +164,8 @@ class Maker {
 
   void name_robot() {
     robot_.file = from_.file;
+    robot_.links = static_cast<std::size_t>(
+        std::ranges::count_if(from_.links, [](const Link& item) { return !item.is_made; }));
     robot_.id = options_.id.empty() ? gen::camel(identifier(from_.name)) : options_.id;
     if (robot_.id.empty() || (robot_.id[0] >= '0' && robot_.id[0] <= '9') || robot_.id == "Io")
       robot_.id.insert(0, "Robot");
@@ -171,10 +183,10 @@ class Maker {
   /// All links, parents first, joints of a link in the order of the file.
   void place_links(std::size_t root) {
     const Link& first = from_.links[root];
-    robot_.base = identifier(first.name);
+    robot_.base = link_names_.at(first.name);
     const bool is_fixed =
-        options_.base == Base::fixed || (options_.base == Base::by_inertia && !first.inertial);
-    std::vector<Placed> open = {{root, {}, is_fixed ? kNone : new_body(first, true)}};
+        options_.base == Base::fixed || (options_.base == Base::by_mass && !has_free_base(root));
+    std::vector<Placed> open = {{root, {}, is_fixed ? kNone : new_body(first, {}, true)}};
     while (!open.empty()) {
       Placed now = open.back();
       open.pop_back();
@@ -185,10 +197,30 @@ class Maker {
     }
   }
 
-  std::size_t new_body(const Link& link, bool is_free) {
-    robot_.bodies.push_back({.name = identifier(link.name), .place = link.place});
+  /// Whether the first link can move by itself: ROS recommends one without mass, to which the one
+  /// with mass is fixed. `world` is where it says.
+  bool has_free_base(std::size_t root) const {
+    const Link& first = from_.links[root];
+    if (!first.inertial && (first.name == "world" || first.name == "map" || first.name == "odom"))
+      return false;
+    std::vector<std::size_t> open = {root};
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      if (from_.links[i].inertial && from_.links[i].inertial->mass > 0.0) return true;
+      for (const std::size_t j : joints_from_[i]) {
+        if (from_.joints[j].type == JointType::fixed)
+          open.push_back(links_.at(from_.joints[j].child));
+      }
+    }
+    return false;
+  }
+
+  std::size_t new_body(const Link& link, const Vector3& place, bool is_free) {
+    robot_.bodies.push_back({.name = link_names_.at(link.name), .place = link.place});
     robot_.bodies.back().is_free = is_free;
     parts_.emplace_back();
+    places_.push_back(place);
     return robot_.bodies.size() - 1;
   }
 
@@ -211,11 +243,14 @@ class Maker {
       ++count;
       const Frame frame = now.frame * collision.origin;
       std::string name = identifier(collision.name);
-      if (name.empty()) name = identifier(link.name) + (count > 1 ? fmt::format("_{}", count) : "");
-      if (!shape_names_.insert(name).second)
-        error("E0854", collision.place, fmt::format("there is another collision `{}`", name));
+      if (name.empty())
+        name = link_names_.at(link.name) + (count > 1 ? fmt::format("_{}", count) : "");
+      name = unique(std::move(name), shape_names_);
       robot_.shapes.push_back({std::move(name), collision.kind, body_name(now.body), collision.size,
-                               frame.position, frame.rotation});
+                               frame.position, frame.rotation,
+                               rotate(frame.rotation, collision.normal)});
+      if (collision.kind == models::ShapeKind::plane && now.body != kNone)
+        error("E0851", collision.place, "a plane is part of the world: it cannot move");
       bodies_of_shapes_.push_back(now.body);
     }
   }
@@ -225,22 +260,77 @@ class Maker {
     if (joint.type == JointType::fixed) return;
     const Link& link = from_.links[now.link];
     const std::size_t parent = now.body;
-    now.body = new_body(link, joint.type == JointType::floating);
+    now.body = new_body(link, now.frame.position, joint.type == JointType::floating);
     if (joint.type == JointType::floating) {
       if (parent != kNone)
-        error("E0851", joint.place, "only joints with the world can be `floating`").help =
-            "without a joint a body cannot know of another one";
+        diagnostics_.warning("E0851", joint.place,
+                             fmt::format("`{}` is `floating`: nothing holds its child, which only "
+                                         "OpenDynamicsEngine can simulate",
+                                         joint.name));
       return;
     }
     BodyJoint result;
-    result.name = identifier(joint.name);
+    result.name = joint_names_.at(joint.name);
     result.slides = joint.type == JointType::prismatic;
     result.parent = body_name(parent);
     result.child = body_name(now.body);
     result.anchor = now.frame.position;
     result.axis = rotate(now.frame.rotation, joint.axis);
     result.limits = joint;
+    if (joint.mimic) follow_another(joint, result);
     robot_.joints.push_back(std::move(result));
+  }
+
+  /// What a joint follows may follow another one.
+  void follow_another(const Joint& joint, BodyJoint& result) {
+    const Joint* at = &joint;
+    double ratio = 1.0, offset = 0.0;
+    for (std::size_t steps = 0; at->mimic && steps <= from_.joints.size(); ++steps) {
+      const auto leader = joints_.find(at->mimic->joint);
+      if (leader == joints_.end()) {
+        error("E0859", at->mimic->place, fmt::format("there is no joint `{}`", at->mimic->joint))
+            .help = gen::did_you_mean(at->mimic->joint, names_of_joints());
+        return;
+      }
+      offset += ratio * at->mimic->offset;
+      ratio *= at->mimic->ratio;
+      at = &from_.joints[leader->second];
+    }
+    if (at->mimic) {
+      error("E0859", joint.mimic->place, fmt::format("`{}` mimics itself", joint.name));
+      return;
+    }
+    if (at->type == JointType::fixed || at->type == JointType::floating) {
+      error("E0859", joint.mimic->place,
+            fmt::format("`{}` does not turn or slide, so that nothing can mimic it", at->name));
+      return;
+    }
+    result.mimics = joint_names_.at(at->name);
+    result.ratio = ratio;
+    result.offset = offset;
+  }
+  std::vector<std::string> names_of_joints() const {
+    std::vector<std::string> names;
+    for (const Joint& joint : from_.joints) names.push_back(joint.name);
+    return names;
+  }
+
+  /// A joint that follows another one has no stops and no actuator; where its stops are tighter,
+  /// the other one gets them.
+  void share_stops() {
+    for (BodyJoint& joint : robot_.joints) {
+      if (joint.mimics.empty()) continue;
+      for (BodyJoint& leader : robot_.joints) {
+        if (leader.name != joint.mimics || joint.ratio == 0.0) continue;
+        double low = (joint.limits.lower - joint.offset) / joint.ratio;
+        double high = (joint.limits.upper - joint.offset) / joint.ratio;
+        if (low > high) std::swap(low, high);
+        low = std::max(low, leader.limits.lower), high = std::min(high, leader.limits.upper);
+        if (low < high) leader.limits.lower = low, leader.limits.upper = high;
+      }
+      joint.limits.lower = -std::numeric_limits<double>::infinity();
+      joint.limits.upper = joint.limits.effort = joint.limits.velocity = -joint.limits.lower;
+    }
   }
 
   void finish_bodies() {
@@ -248,12 +338,13 @@ class Maker {
       Body& body = robot_.bodies[b];
       const MassAndInertia all = together(parts_[b]);
       body.mass = all.mass;
-      body.position = all.centre;
+      body.position = all.mass > 0.0 ? all.centre : places_[b];
       body.inertia = all.inertia;
       body.products = all.products;
-      check(body);
     }
-    if (robot_.bodies.empty()) error("E0855", from_.place, "nothing of the robot can move");
+    if (robot_.bodies.empty()) add_scenery();
+    give_masses();
+    for (Body& body : robot_.bodies) check(body);
     // Shapes of a body are placed from its centre of mass.
     for (std::size_t g = 0; g < robot_.shapes.size(); ++g) {
       const std::size_t body = bodies_of_shapes_[g];
@@ -262,19 +353,74 @@ class Maker {
     }
   }
 
-  void check(const Body& body) {
-    if (!(body.mass > 0.0)) {
-      error("E0856", body.place, fmt::format("`{}` can move, but has no mass", body.name)).help =
-          "give the link an `inertial`, or make its joint `fixed`";
-    } else if (!is_positive(body.inertia, body.products)) {
-      error("E0856", body.place,
-            fmt::format("no body has the inertia of `{}`: it is not positive definite", body.name))
+  /// A table, a floor: shapes of the world, and one body that stands for them, as every object has
+  /// one.
+  void add_scenery() {
+    if (robot_.shapes.empty()) {
+      error("E0855", from_.place, "nothing of the robot can move, and nothing can be touched");
+      return;
+    }
+    robot_.bodies.push_back(
+        {.name = robot_.base, .place = from_.place, .mass = 1.0, .inertia = {{1.0, 1.0, 1.0}}});
+    BodyJoint joint;
+    joint.name = "to_world";
+    joint.is_fixed = true;
+    joint.child = robot_.base;
+    joint.axis = {{0.0, 0.0, 1.0}};
+    robot_.joints.push_back(std::move(joint));
+    diagnostics_.note(from_.place, "nothing of it can move: its shapes are part of the world");
+  }
+
+  /// Bodies without mass, such as frames on a joint, get a little of it.
+  void give_masses() {
+    constexpr double kShare = 1e-3;
+    double total = 0.0;
+    for (const Body& body : robot_.bodies) total += body.mass;
+    std::string names;
+    std::size_t count = 0;
+    gen::Span place;
+    for (Body& body : robot_.bodies) {
+      if (body.mass > 0.0) continue;
+      if (!(total > 0.0)) {
+        error("E0856", body.place, "nothing of the robot that can move has a mass").help =
+            "give links an `inertial`";
+        return;
+      }
+      body.mass = kShare * total;
+      const double moment = std::max(ball_of_water(body.mass), body.mass * 0.05 * 0.05);
+      body.inertia = {{moment, moment, moment}};
+      body.products = {};
+      if (count++ == 0) place = body.place;
+      names += fmt::format("{}`{}`", names.empty() ? "" : ", ", body.name);
+    }
+    if (count == 0) return;
+    diagnostics_
+        .warning(
+            "E0856", place,
+            fmt::format("can move, but {} no mass: {}; {} {:.3g} kg, 1/1000 of the robot's mass",
+                        count == 1 ? "has" : "have", names, count == 1 ? "it gets" : "each gets",
+                        kShare * total))
+        .help = "give the link an `inertial`, or make its joint `fixed`";
+  }
+
+  void check(Body& body) {
+    if (!(body.mass > 0.0)) return;
+    if (!is_positive(body.inertia, body.products)) {
+      const double moment = ball_of_water(body.mass);
+      body.inertia = {{moment, moment, moment}};
+      body.products = {};
+      diagnostics_
+          .warning("E0856", body.place,
+                   fmt::format(
+                       "no body has the inertia of `{}`: it is not positive definite; it gets that "
+                       "of a ball of water of its mass, {:.3g} kg·m²",
+                       body.name, moment))
           .help = "its principal moments are larger than 0; check the signs of ixy, ixz, iyz";
     } else if (!is_of_a_body(body.inertia, body.products)) {
-      diagnostics_.warning(
-          "E0856", body.place,
-          fmt::format("no body has the inertia of `{}`: one moment is larger than both others",
-                      body.name));
+      diagnostics_.warning("E0856", body.place,
+                           fmt::format("no body has the inertia of `{}`: one moment is larger than "
+                                       "both others; it is used as it is",
+                                       body.name));
     }
   }
 
@@ -282,10 +428,12 @@ class Maker {
   const RobotOptions& options_;
   gen::Diagnostics& diagnostics_;
   Robot robot_;
-  std::map<std::string, std::size_t> links_;
+  std::map<std::string, std::size_t> links_, joints_;
+  Names link_names_, joint_names_;
   std::vector<std::vector<std::size_t>> joints_from_;
   std::vector<std::size_t> joint_to_;
   std::vector<std::vector<MassAndInertia>> parts_;
+  std::vector<Vector3> places_;  // of the first link of each body
   std::vector<std::size_t> bodies_of_shapes_;
   std::set<std::string> shape_names_;
 };

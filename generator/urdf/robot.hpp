@@ -9,12 +9,12 @@
 
 namespace eagerx::urdf {
 
-enum class Base : std::uint8_t { by_inertia, fixed, free };
+enum class Base : std::uint8_t { by_mass, fixed, free };
 
 struct RobotOptions {
-  std::string id;                // of the object; empty: from the robot's name
-  Base base = Base::by_inertia;  // the first link belongs to the world if it has no `inertial`
-  bool ground = false;           // add the plane z = 0 of the world
+  std::string id;             // of the object; empty: from the robot's name
+  Base base = Base::by_mass;  // the first link, with what is fixed to it, is free if it has a mass
+  bool ground = false;        // add the plane z = 0 of the world
 };
 
 /// Links that fixed joints hold together, as one body. Fields as in RigidBody.
@@ -30,11 +30,14 @@ struct Body {
 /// Fields as in RigidJoint.
 struct BodyJoint {
   std::string name;
-  bool slides = false;  // else it turns
-  std::string parent;   // empty: the world
+  bool slides = false;    // else it turns
+  bool is_fixed = false;  // else it moves
+  std::string parent;     // empty: the world
   std::string child;
   Vector3 anchor{}, axis{};
-  Joint limits;  // of the description
+  Joint limits;        // of the description
+  std::string mimics;  // a joint that this one follows: ratio · its position + offset
+  double ratio = 1.0, offset = 0.0;
 };
 
 /// Fields as in RigidGeometry.
@@ -44,23 +47,40 @@ struct Shape {
   std::string body;  // empty: the world
   Vector3 size{}, position{};
   Quaternion rotation{};
+  Vector3 normal{};  // of a plane
 };
 
 /// All names are made of letters, digits and `_`.
 struct Robot {
   std::string file;
-  std::string id;    // "TwoLinkArm"
-  std::string name;  // "two_link_arm"
-  std::string base;  // the first link
+  std::string id;         // "TwoLinkArm"
+  std::string name;       // "two_link_arm"
+  std::string base;       // the first link
+  std::size_t links = 0;  // of the description
   std::vector<Body> bodies;
   std::vector<BodyJoint> joints;  // parents first
   std::vector<Shape> shapes;
   bool ground = false;
 };
 
-/// Problems: E0854 (names), E0855 (the links are no tree), E0856 (masses that no body has).
+/// Problems: E0854 (names), E0855 (the links are no tree), E0856 (masses that no body has), E0859
+/// (`mimic`).
 std::optional<Robot> make_robot(const Description& description, const RobotOptions& options,
                                 gen::Diagnostics& diagnostics);
+
+/// One tree, on the world or of a free body.
+bool can_use_multibody(const Robot& robot);
+/// No joint follows another one.
+bool can_use_open_dynamics(const Robot& robot);
+
+/// The joint that reaches its limit of speed first from rest, under its largest torque, as far as
+/// the body that it moves says.
+struct QuickJoint {
+  std::string name;
+  double time_s = 0.0;
+  double speed = 0.0;  // [rad/s, m/s]
+};
+std::optional<QuickJoint> quickest_joint(const Robot& robot);
 
 /// The object's header and its manifest.
 std::string header_text(const Robot& robot);

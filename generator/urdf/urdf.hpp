@@ -34,12 +34,21 @@ struct Inertial {
   Vector3 products{};  // Ixy, Ixz, Iyz
 };
 
+/// A file of triangles.
+struct Mesh {
+  std::string file;  // as the description writes it
+  gen::Span place;
+  Vector3 scale{{1.0, 1.0, 1.0}};
+};
+
 struct Collision {
   std::string name;  // may be empty
   gen::Span place;
   Frame origin;  // in the link's frame
   models::ShapeKind kind = models::ShapeKind::sphere;
-  Vector3 size{};  // as RigidGeometry has it
+  Vector3 size{};            // as RigidGeometry has it
+  Vector3 normal{};          // of a plane
+  std::optional<Mesh> mesh;  // until resolve_meshes()
 };
 
 struct Link {
@@ -48,9 +57,27 @@ struct Link {
   std::optional<Inertial> inertial;
   gen::Span inertial_place;
   std::vector<Collision> collisions;
+  std::vector<Mesh> visuals;
+  bool is_made = false;  // by expand_joints()
 };
 
-enum class JointType : std::uint8_t { fixed, revolute, continuous, prismatic, floating };
+enum class JointType : std::uint8_t {
+  fixed,
+  revolute,
+  continuous,
+  prismatic,
+  floating,
+  planar,    // until expand_joints()
+  spherical  // of Bullet; until expand_joints()
+};
+
+/// The position is ratio · (position of `joint`) + offset.
+struct Mimic {
+  std::string joint;
+  gen::Span place;
+  double ratio = 1.0;
+  double offset = 0.0;  // [rad, m]
+};
 
 /// Angles in rad, lengths in m, torques in N·m (revolute, continuous) or N (prismatic).
 struct Joint {
@@ -66,6 +93,7 @@ struct Joint {
   double effort = std::numeric_limits<double>::infinity();    // largest torque
   double velocity = std::numeric_limits<double>::infinity();  // largest, in magnitude
   double damping = 0.0, friction = 0.0;
+  std::optional<Mimic> mimic;
 };
 
 struct Description {
@@ -77,13 +105,22 @@ struct Description {
 };
 
 /// Reads what this library can simulate of URDF (http://wiki.ros.org/urdf/XML), by its own rules:
-/// an element that would change the motion and is not known is an error, one that would not is left
-/// out; with a warning unless it is only seen. Problems: E0101 to E0103, E0850 (no XML), E0851 (not
-/// supported), E0852 (missing), E0853 (not the number it should be), E0854 (names).
+/// an element that would change the motion and is not known is an error, those of other tools are
+/// left out with a note. Files of xacro are expanded by the program `xacro`. Problems: E0101 to
+/// E0103, E0850 (no XML), E0851 (not supported), E0852 (missing), E0853 (not the number it should
+/// be), E0854 (names).
 std::optional<Description> read_file(const std::string& path, gen::SourceMap& sources,
                                      gen::Diagnostics& diagnostics);
 /// The same of a text.
 std::optional<Description> read_text(const std::string& name, std::string text,
                                      gen::SourceMap& sources, gen::Diagnostics& diagnostics);
+
+/// Planar and spherical joints become sliders and hinges, with links between them that have no
+/// mass.
+void expand_joints(Description& description);
+
+/// The text that the program `xacro` makes of a file. Problem: E0857.
+std::optional<std::string> expand_xacro(const std::string& path, gen::Span place,
+                                        gen::Diagnostics& diagnostics);
 
 }  // namespace eagerx::urdf

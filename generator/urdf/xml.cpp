@@ -16,6 +16,7 @@ namespace {
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::string_view kBlanks = " \t\n\r";
+constexpr std::string_view kBetweenNumbers = " \t\n\r,";
 
 bool contains(Names names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
@@ -23,10 +24,10 @@ bool contains(Names names, std::string_view name) {
 
 std::vector<std::string_view> words(std::string_view text) {
   std::vector<std::string_view> result;
-  for (std::size_t at = text.find_first_not_of(kBlanks); at != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
+  for (std::size_t at = text.find_first_not_of(kBetweenNumbers); at != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kBetweenNumbers, at), text.size());
     result.push_back(text.substr(at, end - at));
-    at = text.find_first_not_of(kBlanks, end);
+    at = text.find_first_not_of(kBetweenNumbers, end);
   }
   return result;
 }
@@ -36,6 +37,43 @@ std::optional<double> finite_number(std::string_view text) {
   // -0 is 0: nobody means anything by it.
   return value && std::isfinite(*value) ? std::optional(*value + 0.0) : std::nullopt;
 }
+
+/// Elements of other tools that do not change what is simulated here: pictures, controllers,
+/// simulators' own parameters.
+constexpr std::string_view kHarmless[] = {"actuator",
+                                          "audio_source",
+                                          "bullet",
+                                          "calibration",
+                                          "capability",
+                                          "collision_checking",
+                                          "contact",
+                                          "gazebo",
+                                          "kinematic",
+                                          "material",
+                                          "mujoco",
+                                          "ros2_control",
+                                          "self_collision_checking",
+                                          "safety_controller",
+                                          "self_filter",
+                                          "sensor",
+                                          "surface",
+                                          "transmission",
+                                          "user-data",
+                                          "velocity",
+                                          "verbose",
+                                          "visual"};
+/// Prefixes of other tools' elements.
+constexpr std::string_view kForeign[] = {"drake:", "sensor:", "interface:", "controller:"};
+
+bool is_harmless(std::string_view name) {
+  const auto begins = [name](std::string_view prefix) { return name.starts_with(prefix); };
+  return std::ranges::find(kHarmless, name) != std::end(kHarmless) ||
+         std::ranges::any_of(kForeign, begins);
+}
+
+/// Elements that would change the motion.
+constexpr std::string_view kRefused[] = {"deformable", "reduced_deformable", "loop_joint",
+                                         "drake:loop_joint", "drake:linear_bushing_rpy"};
 
 std::string choices(const Contents& contents) {
   std::string result;
@@ -47,8 +85,9 @@ std::string choices(const Contents& contents) {
 }
 
 gen::Help help_for(std::string_view name, const Contents& contents) {
-  if (name.starts_with("xacro:")) return "run `xacro FILE > robot.urdf` first";
-  if (name == "mesh") return "use a `box`, `sphere`, `cylinder` or `capsule`";
+  if (name.starts_with("xacro:")) return "name the file `….urdf.xacro`: then `xacro` expands it";
+  if (name.ends_with("deformable")) return "only rigid bodies can be simulated";
+  if (name.find("loop") != std::string_view::npos) return "joints must make a tree";
   std::vector<std::string> candidates;
   for (const Names names : {contents.once, contents.many})
     candidates.insert(candidates.end(), names.begin(), names.end());
@@ -123,10 +162,15 @@ void Xml::check_attributes(pugi::xml_node element, const Contents& contents) {
     const std::string_view name = attribute.name();
     if (name.starts_with("xmlns")) continue;
     if (!contains(contents.attributes, name)) {
-      auto& wrong = error("E0851", span(element, attribute.name()),
-                          fmt::format("`{}` has no attribute `{}`", element.name(), name));
-      wrong.help =
-          gen::did_you_mean(name, {contents.attributes.begin(), contents.attributes.end()});
+      const std::vector<std::string> known{contents.attributes.begin(), contents.attributes.end()};
+      if (gen::nearest(name, known).empty()) {
+        leave_out(fmt::format("`{}` of `{}`", name, element.name()),
+                  span(element, attribute.name()), false);
+      } else {
+        error("E0851", span(element, attribute.name()),
+              fmt::format("`{}` has no attribute `{}`", element.name(), name))
+            .help = gen::did_you_mean(name, known);
+      }
     } else if (std::ranges::find(seen, name) != seen.end()) {
       error("E0854", span(element, attribute.name()),
             fmt::format("`{}` has `{}` twice", element.name(), name));
@@ -138,14 +182,47 @@ void Xml::check_attributes(pugi::xml_node element, const Contents& contents) {
 void Xml::check_child(pugi::xml_node element, pugi::xml_node child, const Contents& contents) {
   const std::string_view name = child.name();
   if (contains(contents.many, name) || contains(contents.unseen, name)) return;
-  if (contains(contents.warned, name)) {
-    diagnostics_.warning("E0851", span(child), fmt::format("`{}` is left out", name));
-  } else if (!contains(contents.once, name)) {
-    error("E0851", span(child), fmt::format("`{}` in `{}` is not supported", name, element.name()))
-        .help = help_for(name, contents);
-  } else if (element.child(child.name()) != child) {
-    error("E0854", span(child), fmt::format("`{}` has `{}` twice", element.name(), name));
+  if (contains(contents.once, name)) {
+    if (element.child(child.name()) != child)
+      error("E0854", span(child), fmt::format("`{}` has `{}` twice", element.name(), name));
+    return;
   }
+  std::vector<std::string> known;
+  for (const Names names : {contents.once, contents.many})
+    known.insert(known.end(), names.begin(), names.end());
+  const bool is_refused =
+      name.starts_with("xacro:") || std::ranges::find(kRefused, name) != std::end(kRefused);
+  if (!is_refused && (is_harmless(name) || gen::nearest(name, known).empty())) {
+    leave_out(is_harmless(name) ? fmt::format("`{}`", name)
+                                : fmt::format("`{}` in `{}`", name, element.name()),
+              span(child), is_harmless(name));
+    return;
+  }
+  error("E0851", span(child), fmt::format("`{}` in `{}` is not supported", name, element.name()))
+      .help = help_for(name, contents);
+}
+
+void Xml::leave_out(std::string name, gen::Span place, bool is_harmless) {
+  LeftOut& item = (is_harmless ? harmless_ : unknown_)[std::move(name)];
+  if (item.count++ == 0) item.first = place;
+}
+
+std::string Xml::list(const LeftOutItems& items) {
+  std::string text;
+  for (const auto& [name, item] : items) {
+    text += (text.empty() ? "" : ", ") + name;
+    if (item.count > 1) text += fmt::format(" ({} times)", item.count);
+  }
+  return text;
+}
+
+void Xml::report_left_out() {
+  if (!harmless_.empty())
+    diagnostics_.note(harmless_.begin()->second.first,
+                      "left out, as it does not change the motion: " + list(harmless_));
+  if (!unknown_.empty())
+    diagnostics_.warning("E0851", unknown_.begin()->second.first,
+                         "unknown, and left out: " + list(unknown_));
 }
 
 pugi::xml_node Xml::child(pugi::xml_node element, const char* name) {
@@ -189,16 +266,37 @@ models::Vector3 Xml::vector(pugi::xml_node element, const char* attribute,
   const std::string_view written = element.attribute(attribute).value();
   const auto list = words(written);
   models::Vector3 result{{kNoNumber, kNoNumber, kNoNumber}};
-  bool is_right = list.size() == 3;
+  bool is_right = list.size() >= 3;
   for (std::size_t i = 0; is_right && i < 3; ++i) {
     const auto value = finite_number(list[i]);
     is_right = value.has_value();
     result[i] = value.value_or(kNoNumber);
   }
+  if (is_right && list.size() > 3)
+    warning("E0853", span(element, attribute),
+            fmt::format("`{}` has {} numbers: the first three are read", attribute, list.size()));
   if (!is_right)
     error("E0853", span(element, attribute),
           fmt::format("`{}` has to be three numbers, not `{}`", attribute, written));
   return result;
+}
+
+models::Vector3 Xml::direction(pugi::xml_node element, const char* attribute) {
+  const models::Vector3 v = vector(element, attribute);
+  const double square = dot(v, v);
+  if (square == 1.0) return v;
+  if (square > 1e-12 && std::isfinite(square)) return (1.0 / std::sqrt(square)) * v;
+  if (!std::isnan(square))
+    error("E0853", span(element, attribute),
+          fmt::format("`{}` has to have a direction", attribute));
+  return {{kNoNumber, kNoNumber, kNoNumber}};
+}
+
+models::Vector3 Xml::scale(pugi::xml_node element, const char* attribute) {
+  if (words(element.attribute(attribute).value()).size() != 1)
+    return vector(element, attribute, models::Vector3{{1.0, 1.0, 1.0}});
+  const double all = number(element, attribute);
+  return {{all, all, all}};
 }
 
 double Xml::positive(pugi::xml_node element, const char* attribute) {

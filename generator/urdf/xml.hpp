@@ -1,7 +1,9 @@
 // XML with places, and strict about what is written.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -20,10 +22,10 @@ struct Contents {
   Names once = {};    // elements
   Names many = {};    // elements that may be there several times
   Names unseen = {};  // elements that do not change the motion
-  Names warned = {};  // elements that are left out with a warning
 };
 
-/// Reads one file. Everything that is wrong becomes a diagnostic with its place.
+/// Reads one file. Everything that is wrong becomes a diagnostic with its place. Elements and
+/// attributes of other tools are left out; a name close to a known one is taken for a mistake.
 class Xml {
  public:
   Xml(gen::FileId file, std::string_view text, gen::Diagnostics& diagnostics)
@@ -35,8 +37,11 @@ class Xml {
   [[nodiscard]] gen::Span span(pugi::xml_node element) const;
   [[nodiscard]] gen::Span span(pugi::xml_node element, const char* attribute) const;
 
-  /// Everything in the element is one of `contents`, and not too often.
+  /// Everything in the element is one of `contents`, and not too often, or of another tool.
   void check(pugi::xml_node element, const Contents& contents);
+  /// Reports what check() left out: one note of what is known not to change the motion, one warning
+  /// (E0851) of the rest.
+  void report_left_out();
 
   /// An element inside that has to be there (E0852).
   pugi::xml_node child(pugi::xml_node element, const char* name);
@@ -48,10 +53,17 @@ class Xml {
   /// The same of three numbers with blanks between them.
   models::Vector3 vector(pugi::xml_node element, const char* attribute,
                          std::optional<models::Vector3> fallback = std::nullopt);
+  /// Three numbers as a vector of length 1 (E0853).
+  models::Vector3 direction(pugi::xml_node element, const char* attribute);
+  /// Three numbers, or one for all three; 1 without the attribute.
+  models::Vector3 scale(pugi::xml_node element, const char* attribute);
   /// A number that has to be positive (E0853), or at least not negative.
   double positive(pugi::xml_node element, const char* attribute);
   double not_negative(pugi::xml_node element, const char* attribute, double fallback);
 
+  gen::Diagnostic& warning(const char* code, gen::Span span, std::string message) {
+    return diagnostics_.warning(code, span, std::move(message));
+  }
   gen::Diagnostic& error(const char* code, gen::Span span, std::string message) {
     return diagnostics_.error(code, span, std::move(message));
   }
@@ -59,9 +71,18 @@ class Xml {
  private:
   void check_attributes(pugi::xml_node element, const Contents& contents);
   void check_child(pugi::xml_node element, pugi::xml_node child, const Contents& contents);
+  void leave_out(std::string name, gen::Span place, bool is_harmless);
   bool is_missing(pugi::xml_node element, const char* attribute, bool optional);
   [[nodiscard]] std::size_t offset_of(pugi::xml_node element) const;
 
+  struct LeftOut {
+    std::size_t count = 0;
+    gen::Span first;
+  };
+  using LeftOutItems = std::map<std::string, LeftOut>;
+  static std::string list(const LeftOutItems& items);
+
+  LeftOutItems harmless_, unknown_;
   gen::Locator locator_;
   gen::Diagnostics& diagnostics_;
 };

@@ -11,6 +11,7 @@
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/time.hpp>
 #include <type_traits>
 
 namespace eagerx::models {
@@ -47,50 +48,6 @@ constexpr Real seconds_at(const AnyTick& tick) {
   for (int k = 0; k < lanes<Real>; ++k)
     set_lane(result, k, Rate::template seconds<LaneOf<Real>>(tick.in_lane(k)));
   return result;
-}
-
-/// A time since the reset, in whole seconds and the rest: [0, 1) s.
-template <class Lane>
-struct ExactTime {
-  std::int64_t whole_s;
-  Lane rest_s;
-};
-
-/// The time of tick `n` of `Rate`; the rest is rounded once, however long the program runs.
-template <class Rate, class Lane>
-constexpr ExactTime<Lane> exact_time(Seq n) {
-  constexpr Seq kNum = Rate::num;
-  const Seq parts = n * Rate::den;  // of 1/kNum s
-  return {static_cast<std::int64_t>(parts / kNum),
-          static_cast<Lane>(parts % kNum) / static_cast<Lane>(kNum)};
-}
-
-/// A frequency, with the turns of a second in units of 2^-64, where whole turns drop out.
-template <class Lane>
-struct ExactFrequency {
-  Lane hz;
-  std::uint64_t turns_per_second;
-};
-template <class Lane, class Number>
-constexpr ExactFrequency<Lane> exact_frequency(Number hz) {
-  constexpr auto kScale = static_cast<Number>(18446744073709551616.0);  // 2^64
-  const Number fraction = hz - eagerx::floor(hz);
-  // That of a tiny negative frequency is 1 when it is rounded.
-  const bool below = fraction < Number(1);
-  return {static_cast<Lane>(hz),
-          below ? static_cast<std::uint64_t>(fraction * kScale) : std::uint64_t{0}};
-}
-
-/// The fraction of frequency·t in [0, 1]: exact for whole seconds, and with the roundings of
-/// frequency·(a second) for the rest, however long the program runs.
-template <class Lane>
-constexpr Lane turns_of(const ExactFrequency<Lane>& frequency, const ExactTime<Lane>& t) {
-  constexpr int kDigits = sizeof(Lane) == 4 ? 24 : 53;
-  const std::uint64_t turned = frequency.turns_per_second * static_cast<std::uint64_t>(t.whole_s);
-  const Lane of_whole =
-      static_cast<Lane>(turned >> (64 - kDigits)) / static_cast<Lane>(std::uint64_t{1} << kDigits);
-  const Lane sum = of_whole + frequency.hz * t.rest_s;
-  return sum - eagerx::floor(sum);
 }
 
 /// A sum that does not stall: what a long sum rounds away is kept, and added with the next term.

@@ -360,7 +360,7 @@ template <class Word, std::size_t N, class LanesPart, class Part>
 [[gnu::always_inline]] inline void check_lane() {
   static_assert(std::is_trivially_copyable_v<Part> && std::is_trivially_destructible_v<LanesPart>);
   static_assert(sizeof(LanesPart) == N * sizeof(Part) && sizeof(Part) % sizeof(Word) == 0,
-                "an entity whose manifest says `packs: true` has members of type Real, "
+                "an entity whose manifest says `vectorized: true` has members of type Real, "
                 "CountOf<Real>, and arrays of these: others would not be one in each lane");
 }
 template <class Word, std::size_t N, class LanesPart, class Part>

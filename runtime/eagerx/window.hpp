@@ -71,6 +71,13 @@ class Window {
   constexpr Real sent_s(std::uint32_t i) const {
     return SourceRate::template seconds<Real>(seq(i));
   }
+  /// Seconds from message `i` to message `j` by the same times. Unlike a difference of two
+  /// sent_s(), it keeps its digits however long the program runs.
+  template <class Real>
+  constexpr Real between_s(std::uint32_t i, std::uint32_t j) const {
+    return i <= j ? SourceRate::template seconds<Real>(seq(j) - seq(i))
+                  : -SourceRate::template seconds<Real>(seq(i) - seq(j));
+  }
 
  private:
   struct Size {

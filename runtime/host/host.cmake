@@ -13,7 +13,7 @@ find_package(Threads REQUIRED)
 # For programs and for shared libraries.
 eagerx_compiled_library(
   eagerx_base UNITY
-  SOURCES ${eagerx_host_folder}/base/exhaustion.cpp ${eagerx_host_folder}/base/files.cpp ${eagerx_host_folder}/base/handover.cpp
+  SOURCES ${eagerx_host_folder}/base/claim.cpp ${eagerx_host_folder}/base/exhaustion.cpp ${eagerx_host_folder}/base/files.cpp ${eagerx_host_folder}/base/handover.cpp
           ${eagerx_host_folder}/base/interrupt.cpp ${eagerx_host_folder}/base/json.cpp
           ${eagerx_host_folder}/base/keeper.cpp
           ${eagerx_host_folder}/base/nearest.cpp ${eagerx_host_folder}/base/team.cpp ${eagerx_host_folder}/base/text_file.cpp

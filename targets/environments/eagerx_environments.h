@@ -69,7 +69,7 @@ uint32_t eagerx_version(void);
 
 /* JSON, valid as long as the library is loaded:
    {"version": 5, "generator": "0.9", "graph": "pendulum_swing_up", "engine": "OdeEngine", "hash": "0x…", "rate_hz": 30,
-    "isa": "avx512", "lanes": 64,            of packs; else 1 and "why_no_lanes"
+    "isa": "avx512", "lanes": 64,            if vectorized; else 1 and "why_no_lanes"
     "observations": [{"name": "angle", "shape": [2], "dtype": "float32", "window": 1, "low": […], "high": […],
                       "first": 0}, …],   in the order of the columns; `first`: column of the first number; a window of
                                          w > 1 messages is the shape's first number; bounds that are infinite: null
@@ -162,8 +162,8 @@ uint64_t eagerx_hash(eagerx_environments* environments, uint32_t environment);
 int eagerx_picture(eagerx_environments* environments, uint32_t environment, uint32_t width, uint32_t height,
                    uint8_t* pixels);
 
-/* How they are stepped, and what made that slower: "in packs of 64 (avx512)", "one by one: `imu` (ImuSensor) has no `packs:
-   true` in its manifest …", "one by one: 1 environment is too few for packs". Valid until the next call with
+/* How they are stepped, and what made that slower: "vectorized: 64 lanes (avx512)", "one by one: `imu` (ImuSensor) has no
+   `vectorized: true` in its manifest …", "one by one: 1 environment is too few for SIMD lanes". Valid until the next call with
    these environments. Null: eagerx_error() says why. */
 const char* eagerx_stepping(eagerx_environments* environments);
 

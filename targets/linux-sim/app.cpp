@@ -7,6 +7,7 @@
 #include <runtime/host/base/number.hpp>
 #include <string>
 #include <targets/linux-sim/action_file.hpp>
+#include <targets/linux-sim/channel_names.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/faults.hpp>
 #include <targets/linux-sim/fields.hpp>
@@ -35,6 +36,10 @@ int fail(const std::string& text, int exit_code) {
 
 void say_note(const std::string& text) {
   std::fputs(("note: " + text + "\n").c_str(), stderr);
+}
+
+void say_other_spelling(const std::string& written, const std::string& name) {
+  say_note("`" + written + "` is `" + name + "` here");
 }
 
 namespace {
@@ -120,8 +125,9 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
 }
 
 /// Everything behind the command line.
-int run_with(const Options& options, GraphProgram& program) {
+int run_with(const Options& given, GraphProgram& program) {
   const GraphFacts& facts = program.facts();
+  const Options options = with_channels_named(given, facts);
   const bool is_split = facts.is_split();
   const Fields fields(program);
   StateSettings settings(fields.states);

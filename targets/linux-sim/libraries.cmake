@@ -8,7 +8,7 @@ function(eagerx_linux_sim_libraries)
   set(options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
   if(NOT TARGET eagerx_linux_sim)
     set(names
-        action_file app describe faults files float_environment identify keys link_port link_tcp measures option_table options
+        action_file app channel_names describe faults files float_environment identify keys link_port link_tcp measures option_table options
         pacer progress reconnect recorder replay_log run_watch session spaces split state_record state_settings summary table_writer
         task_record)
     list(APPEND names outside/outside_agent outside/outside_rows)

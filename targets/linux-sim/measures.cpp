@@ -5,6 +5,7 @@
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/measures.hpp>
+#include <targets/linux-sim/say.hpp>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -87,7 +88,8 @@ std::string Measures::read(const char* option, const std::string& written, expre
   };
   formula.text = written;
   expression::Text text(formula.text);
-  const auto typed = expression::read_typed(text, {names, expression::NameForm::port, {}}, type);
+  const auto typed = expression::read_typed(
+      text, {names, expression::NameForm::port, {}, say_other_spelling}, type);
   const std::string problem = "error: `" + std::string(option) + " \"" + written + "\"`, ";
   if (typed) {
     const std::string what = formula.calculation.prepare(*typed, place_of);

@@ -151,7 +151,7 @@ first row. A first row with the names of the columns and lines that begin with #
 Outputs are files on a disk, none of them an input; what is in them stays until the run has begun.
 Ctrl-C, and every other signal that would end the program but SIGKILL, ends the run after the current step, or after the
 current slot of a reset that waits for something, with files complete and the summary; a second Ctrl-C more than a second
-later ends it at once. Ctrl-Z makes actuators safe first. After SIGKILL, and if a program is stopped or hangs (`hang:` of
+later ends it at once. Ctrl-Z makes actuators safe first. After SIGKILL, and if a program is stopped or hangs (`heartbeat_timeout:` of
 `safety:`), another process makes them safe.
 
 Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test, diverged from the log, out of a space

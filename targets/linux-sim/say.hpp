@@ -11,4 +11,7 @@ int fail(const std::string& text, int exit_code);
 /// Prints a note on the standard error; the program goes on.
 void say_note(const std::string& text);
 
+/// Notes that a name was accepted, and how it is spelled.
+void say_other_spelling(const std::string& written, const std::string& name);
+
 }  // namespace eagerx::linux_sim

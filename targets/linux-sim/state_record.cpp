@@ -55,7 +55,7 @@ void StateRecord::trace(host::TextFile& out, std::uint32_t episode) const {
     out.text("# state ");
     out.number(episode);
     out.text(" ");
-    out.text(states_[i].id);
+    out.text(states_[i].name);
     values(out, i, " ");
     out.text("\n");
   }
@@ -70,7 +70,7 @@ void StateRecord::trace_set(host::TextFile& out, std::uint32_t episode, Seq step
     out.text(" ");
     out.number(step);
     out.text(" ");
-    out.text(states_[i].id);
+    out.text(states_[i].name);
     values(out, i, " ");
     out.text("\n");
   }
@@ -136,7 +136,8 @@ bool take(const std::string& name, const std::vector<std::string>& values,
           const std::vector<Field>& states, StateRow row) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     const MessageType& type = states[i].type;
-    if (name != states[i].id || values.size() != type.size) continue;
+    // Logs of 0.2 have the id.
+    if ((name != states[i].name && name != states[i].id) || values.size() != type.size) continue;
     std::vector<std::byte> message(type.bytes);
     return with_scalar(type.scalar, [&](auto zero) {
       auto* const elements = reinterpret_cast<decltype(zero)*>(message.data());

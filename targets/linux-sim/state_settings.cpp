@@ -175,7 +175,7 @@ std::string StateSettings::read(const std::vector<std::string>& texts) {
     const std::string* const spelled =
         found == known.end() ? host::spelled_otherwise(setting->name, known) : nullptr;
     if (spelled != nullptr) {
-      say_note("`" + setting->name + "` is `" + *spelled + "` here");
+      say_other_spelling(setting->name, *spelled);
       setting->name = *spelled;
       found = known.begin() + (spelled - known.data());
     }

@@ -19,7 +19,7 @@ export const curveBox =
 /** Return over steps of what trains, of its table as it grows. */
 export function drawCurve(run) {
   const {columns, rows} = run;
-  const lines = [curveOf(columns, rows, ["return"]), curveOf(columns, rows, ["evaluation_return"])];
+  const lines = [curveOf(columns, rows, ["return"]), curveOf(columns, rows, ["eval_return"])];
   curveBox.hidden = run.kind !== "train" || lines.every((line) => !line.length);
   if (curveBox.hidden) return;
   const width = curveBox.clientWidth - 8, height = 140, context = prepare(curveCanvas, width, height);

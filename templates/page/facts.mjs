@@ -145,6 +145,6 @@ export function makeFactsView(panel) {
   if (data.info.why_no_packs)
     panel.append(card(
         "Many environments at once",
-        el("p", {}, `They run one by one, not in packs of SIMD lanes: ${data.info.why_no_packs}.`)));
+        el("p", {}, `They run one by one, not vectorized: ${data.info.why_no_packs}.`)));
   return {shown() {}, resized() {}};
 }

@@ -37,7 +37,7 @@ function trainingCard(training) {
   ];
   const told = [
     ["algorithm", training.algorithm], ["seed", best.seed], ["until the return is", training.until_return],
-    ["goes on from", training.resume], ["began with", training.from], ["hard starts", training.hard_starts],
+    ["goes on from", training.resume], ["began with", training.from], ["failure replay", training.failure_replay],
     ["stages", training.stages?.join(", ")], ["learnt from logs", training.replay?.join(", ")], ["policy", best.policy],
     ["kernels", best.kernels]
   ];

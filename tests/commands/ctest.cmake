@@ -10,3 +10,7 @@ add_test(NAME commands_at_once COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_L
 add_test(NAME commands_kept_library COMMAND ${CMAKE_CURRENT_LIST_DIR}/kept_library)
 # READMEs say of commands and options what the help says.
 add_test(NAME commands_documented COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/documented ${PROJECT_BINARY_DIR})
+# Former names in files and on command lines, and what `fix` makes of them.
+add_test(NAME commands_renamed COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/renamed ${PROJECT_BINARY_DIR})
+# Packs of environments for this processor alone.
+add_test(NAME commands_instruction_sets COMMAND ${CMAKE_CURRENT_LIST_DIR}/instruction_sets ${PROJECT_BINARY_DIR})

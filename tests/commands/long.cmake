@@ -9,7 +9,15 @@ if(NOT EAGERX_SANITIZE) # a library that is opened by programs without sanitizer
   # Links, devices, FIFOs, files of others in the place of every output.
   add_test(NAME commands_every_kind COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/every_kind ${PROJECT_BINARY_DIR}
                                             $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
+  # Two programs with one output.
+  add_test(NAME commands_two_writers COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/two_writers ${PROJECT_BINARY_DIR}
+                                             $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
 endif()
 add_test(NAME commands_at_once_all COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/at_once ${PROJECT_BINARY_DIR} --all)
 # No output on an input or on another output, in any command.
 add_test(NAME commands_one_file COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_file ${PROJECT_BINARY_DIR})
+# The work of a check grows with the number of problems, not with its square.
+find_program(VALGRIND valgrind)
+if(VALGRIND AND NOT EAGERX_SANITIZE)
+  add_test(NAME commands_linear COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/linear ${PROJECT_BINARY_DIR})
+endif()

@@ -25,7 +25,7 @@ OUTPUTS = {
     ("train", "--curve"): TRAIN,
     ("train", "--tensorboard"): TRAIN,
     ("train", "--record"): TRAIN,
-    ("train", "--results"): [*TRAIN, "--case", "least_deviation=0.2"],
+    ("train", "--results"): [*TRAIN, "--case", "min_std=0.2"],
     ("train", "--build"): [*GENERATOR, "train", SWING, "--quiet"],
     ("campaign", "--csv"): CAMPAIGN,
     ("campaign", "--checkpoint"): CAMPAIGN,

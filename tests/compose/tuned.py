@@ -57,7 +57,7 @@ def run(env, trace=None):
 def main():
     library = eagerx_gen.load(FOLDER / "tuned.yaml", progress=False)
     expect(library.description["tunable"] == ["controller.kp", "half.gain", "target.amplitude"], "what is tunable")
-    expect(library.description["lanes"] > 1 and "why_no_lanes" not in library.description, "a graph with `tunable:` runs in packs")
+    expect(library.description["lanes"] > 1 and "why_no_lanes" not in library.description, "a graph with `tunable:` runs vectorized")
     wanted = hash_of("--seed", "3", "--set", "controller.kp=1", "--set", "controller.kp=3.5@40", "--set", "target.amplitude=0.25@70")
     env = eagerx_gen.make(library, progress=False)
     expect_problem(eagerx_gen.Error, "nothing has begun", env.set, {"controller.kp": 1.0})
@@ -71,7 +71,7 @@ def main():
     expect_problem(ValueError, "parameters is 3, not a dict", env.set, 3)
 
     envs = eagerx_gen.make(library, num_envs=101, progress=False)
-    expect("in packs of " in envs.environments.stepping(), envs.environments.stepping())
+    expect("vectorized: " in envs.environments.stepping(), envs.environments.stepping())
     envs.reset(seed=3, options={"states": {"controller.kp": 1.0}})
     chosen = np.arange(101) % 7 == 0
     for step in range(STEPS):

@@ -15,8 +15,8 @@ namespace {
 
 using namespace eagerx::train;  // NOLINT(google-build-using-namespace): a fuzzer, not a library
 
-constexpr const char* kConditions = "graph 0, seed 1, layers 3, discount 0.99";
-constexpr const char* kInterface = "observations angle[2], actions voltage[1], layers 3";
+constexpr const char* kConditions = "graph 0, seed 1, net_arch 3, gamma 0.99";
+constexpr const char* kInterface = "observations angle[2], actions voltage[1], net_arch 3";
 
 void require(bool holds) {
   if (!holds) std::abort();
@@ -29,8 +29,8 @@ SomeModel first() {
   description.actions.push_back(
       {.name = "voltage", .dtype = "float32", .low = {-1.0}, .high = {1.0}});
   Settings settings;
-  settings.layers = {3};
-  settings.sac.memory = 3;
+  settings.net_arch = {3};
+  settings.sac.buffer_size = 3;
   return {settings, 2, Head(description)};
 }
 

@@ -50,6 +50,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "\n" +
       text);
   read(std::string(kSweepHeader) + "\n" + text);
-  read("seed,steps,return,success,evaluation_return\n" + text);
+  read("seed,steps,return,success_rate,eval_return\n" + text);
   return 0;
 }

@@ -128,9 +128,9 @@ class Entities:
         for made in entity.get("made_for", []):
             parts = [self.link(page, part) for part in dict.fromkeys(p["type"] for p in made.get("nodes", []))]
             states = [self.link(page, part) for part in dict.fromkeys(p["type"] for p in made.get("states", []))]
-            rows.append((self.link(page, made["engine"]), "yes" if made["packs"] else "no", self.header(page, entity, made.get("model")),
+            rows.append((self.link(page, made["engine"]), "yes" if made["vectorized"] else "no", self.header(page, entity, made.get("model")),
                          ", ".join(parts), ", ".join(states), self.about(page, made.get("summary", ""))))
-        return table(("engine", "packs", "model", "engine nodes", "engine states", "note"), rows)
+        return table(("engine", "vectorized", "model", "engine nodes", "engine states", "note"), rows)
 
     def header(self, page, entity, cpp):
         if not cpp or not cpp.get("header"):
@@ -143,8 +143,8 @@ class Entities:
     def facts(self, page, entity):
         rows = [("kind", escape(entity["kind"]))]
         if entity["kind"] not in ("object", "target", "engine state") and "composite" not in entity:
-            rows.append(("packs of SIMD lanes", {True: "yes", False: "no, one lane after the other"}.get(
-                entity["packs"], "with some parameters")))
+            rows.append(("vectorized (SIMD lanes)", {True: "yes", False: "no, one lane after the other"}.get(
+                entity["vectorized"], "with some parameters")))
         for name, title in (("engines", "works on"), ("runs", "runs what is made for")):
             if name in entity:
                 rows.append((title, ", ".join(self.link(page, each) for each in entity[name])))

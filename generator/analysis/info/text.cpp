@@ -90,13 +90,13 @@ std::string plan_text(const PlanInfo& report) {
 std::string packs_text(const Plan& plan) {
   const std::string reason = why_no_packs(plan);
   if (!reason.empty())
-    return fmt::format("\nmany environments at once run one by one, no packs: {}\n", reason);
+    return fmt::format("\nmany environments at once run one by one, not vectorized: {}\n", reason);
   std::vector<std::string> by_lane;
   for (const auto& node : plan.graph->nodes) {
     if (!node.drawn && runs_lane_by_lane(node))
       by_lane.push_back(fmt::format("`{}` ({})", node.name, node.entity->id.value));
   }
-  return fmt::format("\nmany environments at once run in packs of SIMD lanes{}{}\n",
+  return fmt::format("\nmany environments at once run vectorized, in SIMD lanes{}{}\n",
                      by_lane.empty() ? "" : ", one lane after the other: ", join(by_lane, ", "));
 }
 

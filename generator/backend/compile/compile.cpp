@@ -205,7 +205,7 @@ class CompileCheck {
     return true;
   }
 
-  /// The program over packs of numbers, if the target has one.
+  /// The program over SIMD vectors, if the target has one.
   void compile_packs() {
     const std::string header = plan_.graph->name + "/packs/program.hpp";
     if (!ranges::contains(files_, header, &GeneratedFile::path)) return;
@@ -221,11 +221,11 @@ class CompileCheck {
       return message.text.find(word) != std::string::npos;
     };
     if (says("Mask<") && says("'bool'"))  // names of templates over some lines
-      message.text = "a choice by a number, which each environment of a pack has another of";
+      message.text = "a choice by a number, which differs between the lanes of a vector";
     report(message).help =
-        "its manifest says `packs: true`: then `Io::Real` is a pack of numbers, one of each "
+        "its manifest says `vectorized: true`: then `Io::Real` is a SIMD vector, one lane of each "
         "environment. `eagerx::select(a > b, x, y)` is for `if` and `? :`. Without "
-        "`packs: true` environments run one by one";
+        "`vectorized: true` environments run one by one";
   }
 
   void look_for_calls() {

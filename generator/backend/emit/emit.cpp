@@ -115,7 +115,7 @@ class Emitter {
     add_rendered(path, (fs::path(options_.templates) / template_file).string(), std::move(view));
   }
 
-  /// The program once more, over packs of numbers.
+  /// The program once more, over SIMD vectors.
   void add_packs(const std::string& folder, const fs::path& here) {
     Plan plan = plan_;
     plan.schedule = schedule_of_packs(plan_);

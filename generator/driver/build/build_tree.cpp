@@ -43,6 +43,20 @@ std::string toolchain_of(const Run& run, const GenerateOptions& options, const T
   return (fs::path(run.root) / "toolchains" / target.toolchain).string();
 }
 
+/// Besides plain ones, packs of environments are for these instructions. Its name is part of the
+/// command that configures a tree, so another machine compiles its own. Empty where packs are
+/// plain.
+std::string widest_instruction_set() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return "avx512";
+  return __builtin_cpu_supports("avx2") ? "avx2" : "plain";
+#else
+  return {};
+#endif
+}
+
 }  // namespace
 
 std::string folder_of(const Run& run, const Target& target) {
@@ -57,6 +71,8 @@ Tree tree_of(const Run& run, const GenerateOptions& options, const Target& targe
              const std::string& folder, bool several) {
   Tree tree{folder, folder + (several ? "/build-" + target.id.value : "/build"), {}, {}};
   if (several) tree.settings.emplace_back("EAGERX_TARGET", target.id.value);
+  if (options.for_this_machine && !widest_instruction_set().empty())
+    tree.settings.emplace_back("EAGERX_INSTRUCTION_SETS", widest_instruction_set());
   if (!target.toolchain.empty()) tree.toolchain = toolchain_of(run, options, target, folder);
   if (is_own(run, target) && !is_standalone(options)) {
     const fs::path own = absolute_path(folder_of(run, target)).lexically_normal();

@@ -40,16 +40,6 @@ FormatPtr package_format() {
         "what the build system has of that name; `x_*`: all that begin with x_"}});
 }
 
-std::vector<std::string> names_of_packages(const Run& run) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder_of_packages(run), error)) {
-    if (fs::exists(entry.path() / kPackageFile, error)) names.push_back(entry.path().filename());
-  }
-  std::ranges::sort(names);
-  return names;
-}
-
 std::map<std::string, std::string> places_at(const YamlValue& yaml, std::string_view key) {
   std::map<std::string, std::string> places;
   if (const YamlValue* given = yaml.find(key)) {
@@ -107,6 +97,16 @@ std::string with_name(std::string path, const std::string& name) {
 
 }  // namespace
 
+std::vector<std::string> names_of_packages(const Run& run) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_of_packages(run), error)) {
+    if (fs::exists(entry.path() / kPackageFile, error)) names.push_back(entry.path().filename());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 std::vector<Package> read_packages(Run& run, const GenerateOptions& options) {
   const std::vector<std::string> known = names_of_packages(run);
   std::vector<Package> packages;
@@ -159,7 +159,9 @@ void check_for_packages(Run& run, const GenerateOptions& options) {
         .help =
         "write a graph without `engine:` whose actions are the measurements and whose observations "
         "go to the hardware, with the policy as a node: `eagerx-gen explain E0503` has one; "
-        "without `--library` a package runs an episode of this graph";
+        "`--of NAME` cuts a controller out of this graph for it; without `--library` a package "
+        "runs "
+        "an episode of this graph";
     return;
   }
   for (const auto& name : options.packages) {

@@ -22,6 +22,9 @@ struct Package {
   std::vector<std::string> taken;              // names that a graph cannot have
 };
 
+/// Those there are, by name.
+std::vector<std::string> names_of_packages(const Run& run);
+
 /// Those that the command line names. Problems: E0502 there is none, E02xx its package.yaml is
 /// wrong.
 std::vector<Package> read_packages(Run& run, const GenerateOptions& options);

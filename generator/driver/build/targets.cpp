@@ -8,6 +8,7 @@
 
 #include "generator/backend/languages/layout.hpp"
 #include "generator/driver/build/build_tree.hpp"
+#include "generator/driver/build/packages.hpp"
 #include "generator/frontend/read/text.hpp"
 #include "generator/graph/resolve/needs.hpp"
 #include "generator/support/diagnostics/join.hpp"
@@ -148,6 +149,28 @@ void check_filled(Run& run, const Target& target) {
   problem.help = "targets/README.md of eagerx-gen explains them under \"Add a board\"";
 }
 
+/// Boards by their family (`stm32`), and other build systems, which are packages (`arduino`).
+Help help_with_target(const Run& run, const std::string& wanted,
+                      const std::vector<std::string>& known) {
+  const auto names = [&](const std::string& word) {
+    return wanted.size() >= 3 && (word.starts_with(wanted) || wanted.starts_with(word));
+  };
+  const std::string system = wanted.starts_with("esp32") ? "esp-idf"
+                             : wanted == "teensy" || wanted == "pico" || wanted == "rp2040"
+                                 ? "arduino"
+                                 : wanted;
+  for (const std::string& package : names_of_packages(run)) {
+    if (system == package || names(package))
+      return fmt::format("it is a package: `eagerx-gen generate GRAPH.yaml --package {}`", package);
+  }
+  std::vector<std::string> family;
+  for (const std::string& id : known)
+    if (names(id)) family.push_back(fmt::format("`{}`", id));
+  if (family.empty()) return suggestion(wanted, known);
+  return fmt::format("did you mean {}? A board of your own: `eagerx-gen new board NAME`",
+                     join(family, " or "));
+}
+
 }  // namespace
 
 std::vector<const Target*> find_targets(Run& run, const GraphOptions& options) {
@@ -163,7 +186,7 @@ std::vector<const Target*> find_targets(Run& run, const GraphOptions& options) {
     for (const auto& [id, target] : run.library.all_targets())
       if (target.language.empty()) known.push_back(id);
     run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", wanted)).help =
-        suggestion(wanted, known);
+        help_with_target(run, wanted, known);
   }
   for (std::size_t part = 0; run.graph->placement && part < run.graph->placement->parts.size();
        ++part) {

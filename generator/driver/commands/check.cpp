@@ -13,6 +13,7 @@
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/judge.hpp"
 #include "generator/driver/commands/manifest_check.hpp"
+#include "generator/driver/commands/train_file.hpp"
 #include "generator/driver/pipeline/check_variants.hpp"
 #include "generator/graph/resolve/needs.hpp"
 #include "generator/support/diagnostics/join.hpp"
@@ -42,13 +43,17 @@ struct CheckOptions : GraphOptions {
   bool compile = false;  // also the code of entities
 };
 
-/// Without a graph.
-int perform_manifest(const CheckOptions& options) {
+/// Of a manifest, or settings of a training; nullopt if the file is a graph.
+std::optional<int> perform_other(const CheckOptions& options) {
   Run run;
   const auto file = load_yaml_file(options.graph, run.sources, run.diagnostics);
-  if (file) {
-    const std::string text = run.sources.text(*file);
-    check_manifest(run, options, options.graph, text);
+  const std::string text = file ? run.sources.text(*file) : std::string();
+  if (is_manifest(options.graph)) {
+    if (file) check_manifest(run, options, options.graph, text);
+  } else if (is_train_file(text)) {
+    check_train_file(run, options.graph, text);
+  } else {
+    return std::nullopt;
   }
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) say("{}: no problems\n", options.graph);
@@ -56,7 +61,7 @@ int perform_manifest(const CheckOptions& options) {
 }
 
 int perform(const CheckOptions& options) {
-  if (is_manifest(options.graph)) return perform_manifest(options);
+  if (const auto code = perform_other(options)) return *code;
   Run run;
   const std::string output = options.compile ? "/" : "";  // the compiler gets whole paths
   const auto targets = make(run, options) ? judged_targets(run, options, output) : std::nullopt;
@@ -85,6 +90,7 @@ Command table(CheckOptions& options) {
       .examples = {{"look for problems", "eagerx-gen check pendulum.yaml"},
                    {"a manifest, without a graph that uses it",
                     "eagerx-gen check my_models/gain/manifest.yaml"},
+                   {"settings of a training, or a sweep", "eagerx-gen check settings.yaml"},
                    {"also the code of the entities", "eagerx-gen check pendulum.yaml --compile"},
                    {"with entities of your own, messages as JSON",
                     "eagerx-gen check pendulum.yaml --path my_models --diagnostics json"}},

@@ -12,6 +12,7 @@
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/pipeline/paths.hpp"
+#include "generator/frontend/library/other_names.hpp"
 #include "generator/support/diagnostics/diagnostics.hpp"
 #include "generator/support/files/uri.hpp"
 #include "generator/support/json/json.hpp"
@@ -70,9 +71,11 @@ int not_there(const Json& words, const std::string& word) {
   std::vector<std::string> known;
   for (const auto& [name, page] : *words.as<Json::Object>()) known.push_back(name);
   const std::string near = nearest(word, known);
+  const std::string other = meant_by_other_name(word, known);
   complain("error: the reference has no page for `{}`\nhelp: {}\n", word,
-           near.empty() ? "`eagerx-gen docs` opens it at its beginning, with a search"
-                        : fmt::format("did you mean `{}`?", near));
+           !near.empty()    ? fmt::format("did you mean `{}`?", near)
+           : !other.empty() ? other
+                            : "`eagerx-gen docs` opens it at its beginning, with a search");
   return kWrongUsage;
 }
 

@@ -20,6 +20,8 @@ struct Helper {
   std::function<int(const ProcessResult& checked)> explain = {};
   /// Whether the checker also takes `--describes` with description_of() the graph.
   bool looks_at_graph = false;
+  /// Whether processes on other machines work with the library, too.
+  bool is_shared = false;
 };
 
 /// A graph whose library of environments is made, in the folder `output`, for such a program.

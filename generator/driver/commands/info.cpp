@@ -13,6 +13,7 @@
 #include "generator/driver/commands/entity_json.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/frontend/compose/flat_text.hpp"
+#include "generator/frontend/library/other_names.hpp"
 #include "generator/frontend/spec/schema.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
@@ -240,20 +241,10 @@ int graph_info(InfoOptions options) {
   return finish(run, options);
 }
 
-/// "did you mean `PidController`?" for `PID`: those that have it in their names, whatever the case.
-std::string names_with(std::string_view word, const std::vector<std::string>& known) {
-  constexpr std::size_t kShortest = 2, kMost = 8;
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-  };
-  std::vector<std::string> found;
-  for (const std::string& name : known) {
-    if (word.size() >= kShortest && !std::ranges::search(name, word, same).empty())
-      found.push_back(fmt::format("`{}`", name));
-  }
-  if (found.empty() || found.size() > kMost) return "`eagerx-gen info` lists what there is";
-  return fmt::format("did you mean {}?", join(found, " or "));
+/// "did you mean `PidController`?" for `PID`.
+std::string help_with_entity(std::string_view word, const std::vector<std::string>& known) {
+  const std::string meant = meant_by_other_name(word, known);
+  return meant.empty() ? "`eagerx-gen info` lists what there is" : meant;
 }
 
 int perform(const InfoOptions& options) {
@@ -295,7 +286,7 @@ int perform(const InfoOptions& options) {
   for (const auto& [id, entity] : run.library.all_entities()) known.push_back(id);
   for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
   run.diagnostics.error("E0303", {}, fmt::format("unknown entity or target `{}`", options.entity))
-      .help = did_you_mean(options.entity, known, names_with(options.entity, known));
+      .help = did_you_mean(options.entity, known, help_with_entity(options.entity, known));
   return finish(run, options);
 }
 

@@ -53,8 +53,9 @@ int become_in_ranks(const std::string& name, const GenerateOptions& options,
   if (const int code = words(all); code != kDone) return code;
   const std::string& program = rank.size > 1 ? shared : name;
   const bool looks_at_graph = options.purpose == Purpose::campaign;
-  return become_with_environments({program.c_str(), name.c_str(), explain, looks_at_graph}, options,
-                                  std::move(all));
+  return become_with_environments(
+      {program.c_str(), name.c_str(), explain, looks_at_graph, rank.size > 1}, options,
+      std::move(all));
 }
 
 }  // namespace eagerx::gen

@@ -29,6 +29,13 @@ void spare_own_files(const std::vector<std::string>& words) {
   }
 }
 
+/// `--quiet` is for all that is printed: the build's lines, and the program's. A board has no
+/// summary.
+void pass_quiet(const Target& target, std::vector<std::string>& words) {
+  if (!target.is_board() && std::ranges::find(words, "--quiet") == words.end())
+    words.emplace_back("--quiet");
+}
+
 int perform(const RunOptions& options) {
   spare_own_files(options.of_program);
   Run run;
@@ -40,6 +47,7 @@ int perform(const RunOptions& options) {
                        start_parts(run, *programs, words);
   code = std::max(finish(run, options), code);
   if (!started || code != kDone) return code;
+  if (options.quiet) pass_quiet(*programs->back().target, words);
   return become_built(run, programs->back(), words);
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <runtime/host/base/renamed.hpp>
+
 #include "generator/frontend/library/schema.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/read/tree.hpp"
@@ -9,6 +11,7 @@
 #include "generator/frontend/spec/schema.hpp"
 #include "generator/support/command_line/command_line.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "targets/environments/options/train_presets.hpp"
 #include "targets/environments/options/train_settings.hpp"
 
 namespace eagerx::gen {
@@ -62,21 +65,17 @@ FormatPtr setting_format(const SettingRow& row) {
   return bounded(format::number("a number"), row);
 }
 
-namespace {
-
-const Format& settings_format() {
+const Format& train_settings_format() {
   static const FormatPtr whole = [] {
     std::vector<Field> fields;
     for (const SettingRow& row : kTrainSettings)
       fields.push_back({.name = row.name,
                         .format = setting_format(row),
                         .about = fmt::format("{} (default: {})", row.about, value_of(row))});
-    return format::record("settings of a training", std::move(fields));
+    return format::record(std::string(host::kTrainSettings), std::move(fields));
   }();
   return *whole;
 }
-
-}  // namespace
 
 std::string setting_word(const YamlValue& value) {
   if (value.is_sequence()) {
@@ -102,7 +101,8 @@ std::optional<std::vector<std::string>> read_train_settings(const std::string& p
                                                             Diagnostics& diagnostics,
                                                             SettingPlaces& places) {
   const YamlValue yaml = read_yaml_file(path, sources, diagnostics);
-  if (diagnostics.has_errors() || !check(yaml, settings_format(), diagnostics)) return std::nullopt;
+  if (diagnostics.has_errors() || !check(yaml, train_settings_format(), diagnostics))
+    return std::nullopt;
   const YamlValue* layers = yaml.find("layers");
   if (layers != nullptr && !check_layers(*layers, diagnostics)) return std::nullopt;
   std::vector<std::string> words;
@@ -114,22 +114,38 @@ std::optional<std::vector<std::string>> read_train_settings(const std::string& p
   return words;
 }
 
+namespace {
+
+std::string presets_text() {
+  std::string text =
+      "\nPresets, with `--preset NAME`; settings of files and options override them:\n";
+  for (const eagerx::options::Preset& preset : eagerx::options::kTrainPresets)
+    text += fmt::format("\n  {}, {}\n    {}\n    measured: {}\n    {}\n", preset.name,
+                        preset.algorithm, preset.about, preset.measured, preset.values);
+  return text;
+}
+
+}  // namespace
+
 std::string train_settings_text() {
   std::string text =
       "`eagerx-gen train GRAPH.yaml --settings FILE.yaml`, or one of them with `--setting\n"
-      "NAME=VALUE`, which comes after the file. What was used stands in the checkpoint and in\n"
-      "the policy's file. For editors: `eagerx-gen schema --train-settings`.\n"
-      "`--sweep FILE.yaml` tries several values of some: see the README of the trainer.\n\n";
+      "NAME=VALUE`, which is applied after the file. The checkpoint and the policy file contain\n"
+      "all settings. For editors: `eagerx-gen schema --train-settings`. `--sweep FILE.yaml`\n"
+      "tries several values: see the README of the trainer. Names are those of\n"
+      "Stable-Baselines3 for what means the same there; a line says how it writes a value, or\n"
+      "what differs. `eagerx-gen fix FILE.yaml` replaces former names in a file.\n\n";
   for (const SettingRow& row : kTrainSettings) {
     text +=
         fmt::format("{}: {}\n    {}\n    {}{}\n", row.name, value_of(row), row.about, range_of(row),
                     *row.algorithm == '\0' ? "" : fmt::format("; {} only", row.algorithm));
+    if (*row.sb3 != '\0') text += fmt::format("    Stable-Baselines3: {}\n", row.sb3);
   }
-  return text;
+  return text + presets_text();
 }
 
 std::string train_settings_schema() {
-  return schema_text(schema_of(settings_format()), "eagerx-gen train settings",
+  return schema_text(schema_of(train_settings_format()), "eagerx-gen train settings",
                      "eagerx-gen/train-settings.schema.json");
 }
 

@@ -21,6 +21,8 @@ std::optional<std::vector<std::string>> read_train_settings(const std::string& p
                                                             Diagnostics& diagnostics,
                                                             SettingPlaces& places);
 
+/// What a file of settings may contain.
+const Format& train_settings_format();
 /// What the value of a setting may look like, but for check_layers().
 FormatPtr setting_format(const eagerx::options::Setting& row);
 /// Reports a list that is too long (E0204). True if it is not.

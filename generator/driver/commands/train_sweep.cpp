@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <runtime/host/base/renamed.hpp>
 
 #include "generator/driver/commands/train_settings.hpp"
 #include "generator/frontend/library/schema.hpp"
@@ -65,7 +66,9 @@ FormatPtr swept_format(const SettingRow& row) {
   return format::one_of(std::move(what), std::move(options));
 }
 
-const Format& sweep_format() {
+}  // namespace
+
+const Format& train_sweep_format() {
   static const FormatPtr whole = [] {
     std::vector<Field> settings;
     for (const SettingRow& row : eagerx::options::kTrainSettings)
@@ -74,7 +77,7 @@ const Format& sweep_format() {
     return format::record(
         "a sweep",
         {{.name = "settings",
-          .format = format::record("settings of a sweep", std::move(settings)),
+          .format = format::record(std::string(host::kTrainSettings), std::move(settings)),
           .required = true,
           .about = "one value, a list of values, or a range of each"},
          {.name = "seeds",
@@ -89,6 +92,8 @@ const Format& sweep_format() {
   }();
   return *whole;
 }
+
+namespace {
 
 class Reader {
  public:
@@ -266,7 +271,8 @@ std::optional<std::vector<std::string>> read_train_sweep(const std::string& path
                                                          Diagnostics& diagnostics,
                                                          SettingPlaces& places) {
   const YamlValue yaml = read_yaml_file(path, sources, diagnostics);
-  if (diagnostics.has_errors() || !check(yaml, sweep_format(), diagnostics)) return std::nullopt;
+  if (diagnostics.has_errors() || !check(yaml, train_sweep_format(), diagnostics))
+    return std::nullopt;
   std::vector<std::string> words;
   for (std::string& one : Reader(yaml, diagnostics, places).cases()) {
     words.emplace_back("--case");
@@ -281,7 +287,7 @@ std::optional<std::vector<std::string>> read_train_sweep(const std::string& path
 }
 
 std::string train_sweep_schema() {
-  return schema_text(schema_of(sweep_format()), "eagerx-gen train sweep",
+  return schema_text(schema_of(train_sweep_format()), "eagerx-gen train sweep",
                      "eagerx-gen/train-sweep.schema.json");
 }
 

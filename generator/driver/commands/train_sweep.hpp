@@ -18,6 +18,9 @@ std::optional<std::vector<std::string>> read_train_sweep(const std::string& path
                                                          Diagnostics& diagnostics,
                                                          SettingPlaces& places);
 
+/// What a file of a sweep may contain.
+const Format& train_sweep_format();
+
 /// What `eagerx-gen schema --train-sweep` prints.
 std::string train_sweep_schema();
 

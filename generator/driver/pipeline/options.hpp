@@ -54,6 +54,7 @@ struct GenerateOptions : GraphOptions {
   std::vector<std::string> packages;  // kinds of packages that the output is to be as well
   bool library = false;               // headers for a main loop of one's own, no program
   bool standalone = false;            // the output has all headers it needs
+  bool for_this_machine = false;      // packs of environments for its processor alone
 
   /// What is cut out of a graph is always a library.
   [[nodiscard]] bool makes_library() const { return library || !of.empty(); }

@@ -31,12 +31,6 @@ Span span_of(const YamlValue& yaml, std::size_t place, const std::string& word) 
   return span;
 }
 
-/// What a task does with a name that it does not know.
-std::string input_to_name(const std::string& name) {
-  if (name.find('.') == std::string::npos) return {};
-  return fmt::format("give it a name under `inputs:`: `x: {}`", name);
-}
-
 }  // namespace
 
 ExpressionNumber exact_number(const Expression& number) {
@@ -58,9 +52,9 @@ bool report_problem(const ExpressionText& text, const YamlValue& yaml, const cha
 
 std::optional<TypedExpression> read_typed_expression(
     const YamlValue& yaml, const std::vector<ExpressionVariable>& variables, ExpressionType wanted,
-    Diagnostics& diagnostics) {
+    const std::function<std::string(const std::string&)>& help, Diagnostics& diagnostics) {
   ExpressionText text(yaml.text);
-  const expression::Names names{variables, NameForm::plain, input_to_name};
+  const expression::Names names{variables, NameForm::plain, help};
   auto typed = expression::read_typed(text, names, wanted);
   return report_problem(text, yaml, "E0339", diagnostics) ? std::nullopt : std::move(typed);
 }

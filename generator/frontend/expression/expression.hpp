@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <runtime/host/expression/typed.hpp>
 #include <variant>
@@ -31,10 +32,10 @@ ExpressionNumber exact_number(const Expression& number);
 bool report_problem(const ExpressionText& text, const YamlValue& yaml, const char* code,
                     Diagnostics& diagnostics);
 
-/// An expression of a task with the type that is wanted. Problems, at their place in the text:
-/// E0339. nullopt then.
+/// An expression of a task with the type that is wanted; `help` says what to do about a name that
+/// is no variable, or nothing. Problems, at their place in the text: E0339. nullopt then.
 std::optional<TypedExpression> read_typed_expression(
     const YamlValue& text, const std::vector<ExpressionVariable>& variables, ExpressionType wanted,
-    Diagnostics& diagnostics);
+    const std::function<std::string(const std::string&)>& help, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

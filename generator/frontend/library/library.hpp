@@ -93,7 +93,7 @@ struct ObjectEngine {
   std::vector<ConnectionSpec> connections;
   std::vector<EntitySpec> states;  // name = the object's state, type = an engine state
   std::vector<NodeState> node_states;
-  bool packs = false;        // whether the model also calculates with packs of numbers
+  bool packs = false;        // whether the model also calculates with SIMD vectors
   std::string include_root;  // folder that the model's include is relative to
 };
 
@@ -123,7 +123,7 @@ struct Entity {
   std::vector<std::string> counts;  // nodes: what for_each_count() counts
   std::vector<std::string> moves;   // engine states: what they set that changes in an episode
   std::string pack_registers;       // engines: of a pack of numbers; empty: the runtime's choice
-  Condition packs;  // where its class also calculates with packs of numbers; empty: nowhere
+  Condition packs;  // where its class also calculates with SIMD vectors; empty: nowhere
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs
   std::optional<Spanned<std::string>> family;  // the family of boards it needs
@@ -161,10 +161,10 @@ struct Target {
   std::string language;  // of a part's program that is not of C++; empty: C++
   std::vector<std::pair<std::string, std::string>> yours;  // as `partner`, written once
   std::string cmake, toolchain;
-  bool packs = false;                 // whether it also takes the program over packs of numbers
-  std::string system;                 // its operating system; empty: none
-  std::string family;                 // the family of boards it is of; empty: none
-  std::optional<std::uint32_t> baud;  // of its serial port, if that can send telemetry
+  bool packs = false;                      // whether it also takes the program over SIMD vectors
+  std::string system;                      // its operating system; empty: none
+  std::string family;                      // the family of boards it is of; empty: none
+  std::optional<std::uint32_t> baud;       // of its serial port, if that can send telemetry
   std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
   std::vector<std::pair<std::string, std::string>> facts;  // for people: clock_hz, flash, run, …
   std::vector<std::string> run;

@@ -137,12 +137,12 @@ Fields python() {
 
 /// Of what ticks or converts; a reset runs alone.
 Fields packs() {
-  return {{"packs",
+  return {{"vectorized",
            format::one_of("true, false or a condition",
                           {format::boolean(), format::text("a condition")}),
            false,
-           "whether its class also calculates with packs of numbers, or the condition under which "
-           "it does (default: false)"}};
+           "whether its class also calculates with SIMD vectors, one lane an environment, or the "
+           "condition under which it does (default: false)"}};
 }
 
 Fields config() {
@@ -185,9 +185,9 @@ Fields implementation() {
        format::record("a model", {{"header", header_format(), true, "header beside the manifest"},
                                   {"class", format::text("a C++ class template"), true,
                                    "what the engine simulates"},
-                                  {"packs", format::boolean(), false,
-                                   "whether it also calculates with packs of numbers (default: "
-                                   "false)"}}),
+                                  {"vectorized", format::boolean(), false,
+                                   "whether it also calculates with SIMD vectors, one lane an "
+                                   "environment (default: false)"}}),
        true, "what the engine simulates"},
       {"nodes", engine_nodes_format(), false, "engine nodes"},
       {"connections", connections_format(), false,
@@ -245,8 +245,8 @@ FormatPtr target_format() {
                "the part"},
               {"yours", templates_format(), false,
                "with `language`: files that are written once, and then the user's"},
-              {"packs", format::boolean(), false,
-               "whether the program over packs of numbers is made, too (default: false)"},
+              {"vectorized", format::boolean(), false,
+               "whether the vectorized program is generated, too (default: false)"},
               {"cmake", format::path("a CMake file", true), false,
                "the CMake file that defines eagerx_configure_target"},
               {"toolchain", format::file_name("a toolchain file"), false, "in toolchains/"},
@@ -323,9 +323,9 @@ const Format* manifest_format(std::string_view kind) {
                      common("engine") + cpp() + packs() + config() + states() +
                          Fields{{"runs", texts(), false,
                                  "other engines whose implementations of objects it can run"},
-                                {"pack_registers", format::integer("a whole number", 1, 8), false,
-                                 "registers of a pack; large models are fastest with 1 "
-                                 "(default: 4, of small ones the fastest)"},
+                                {"simd_registers", format::integer("a whole number", 1, 8), false,
+                                 "registers of a SIMD vector; large models are fastest with 1 "
+                                 "(default: 4, fastest for small models)"},
                                 {"asynchronous", format::boolean(), false,
                                  "whether its class has a clock, now_ns(), for `sync: false`"},
                                 {"simulator",

@@ -11,6 +11,7 @@
 #include "generator/frontend/read/quantity.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/read/slips.hpp"
+#include "generator/frontend/spec/foreign_words.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
@@ -101,12 +102,29 @@ class Reader {
   }
 
  private:
+  /// What to write for `thirty` or `yes`.
+  [[nodiscard]] Help help_with_word(const YamlValue& yaml) const {
+    using Type = Parameter::Type;
+    if (!yaml.is_scalar() || yaml.is_null() || yaml.quoted) return {};
+    const Type type = parameter_.type;
+    if (type == Type::boolean) {
+      const std::string truth(foreign_truth(yaml.text));
+      return truth.empty() ? Help() : write_instead(truth);
+    }
+    if (type == Type::integer || type == Type::integers)
+      return parse_number(yaml.text) ? "" : "write it in digits, such as `30`";
+    if (type == Type::number || type == Type::numbers)
+      return parse_number(yaml.text) ? "" : "write it in digits, such as `30` or `1.5`";
+    return {};
+  }
+
   /// What to write for a number in the way of another language, or with a unit.
   [[nodiscard]] Help help_with_number(const YamlValue& yaml) const {
     if (const auto foreign = yaml.is_scalar() ? foreign_number(yaml.text) : std::nullopt)
       return foreign->help;
     const Unit* unit = find_unit(parameter_.unit);
-    if (unit == nullptr || !yaml.is_scalar() || take_unit_off(yaml.text).unit.empty()) return {};
+    if (unit == nullptr || !yaml.is_scalar() || take_unit_off(yaml.text).unit.empty())
+      return help_with_word(yaml);
     const std::string right = with_right_unit(yaml.text, unit->quantity);
     return right.empty() ? Help(fmt::format("its unit is {}", unit->name)) : write_instead(right);
   }

@@ -1,6 +1,7 @@
 // An entity by its id, and how an object is made on an engine.
 #include <fmt/format.h>
 
+#include "generator/frontend/library/other_names.hpp"
 #include "generator/frontend/parameters/config.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/join.hpp"
@@ -41,9 +42,12 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
     return nullptr;
   }
   const std::string near = nearest(id.value, known);
+  const std::string other = meant_by_other_name(id.value, known);
   constexpr std::size_t kMostListed = 8;
   if (!near.empty()) {
     problem.help = meaning(near);
+  } else if (!other.empty()) {
+    problem.help = other;
   } else if (!known.empty() && known.size() <= kMostListed) {
     problem.help =
         fmt::format("there is {}; folders of your own are given with `library:` or `--path`",

@@ -27,6 +27,17 @@ std::optional<std::string> with_decimal_point(std::string_view text) {
   return parse_number(number) ? std::optional(result) : std::nullopt;
 }
 
+/// "50" for "1/0.02", "100/3" for "1/0.03".
+std::optional<std::string> decimal_quotient(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const auto above = Rational::parse(text.substr(0, slash));
+  const auto below = Rational::parse(text.substr(slash + 1));
+  if (!above || !below || *below == Rational()) return std::nullopt;
+  const Rational quotient = *above / *below;
+  return quotient.overflowed() ? std::nullopt : std::optional(quotient.to_string());
+}
+
 std::optional<ForeignNumber> foreign_number(std::string_view text) {
   const auto meant = [](std::string number, std::string_view why) {
     Help help = write_instead(number, fmt::format(": {}", why));
@@ -35,6 +46,8 @@ std::optional<ForeignNumber> foreign_number(std::string_view text) {
   if (auto point = with_decimal_point(text))
     return meant(std::move(*point), "a number has a decimal point");
   if (parse_number(text)) return std::nullopt;
+  if (auto quotient = decimal_quotient(text))
+    return meant(std::move(*quotient), "a number is written out");
   if (text.starts_with("0x")) {
     const auto value = parse_whole(text);
     if (!value) return std::nullopt;

@@ -1,6 +1,7 @@
 // A tree against its table, with every problem in plain words.
 #include <fmt/format.h>
 
+#include <runtime/host/base/renamed.hpp>
 #include <set>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "generator/frontend/read/rational.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/read/slips.hpp"
+#include "generator/frontend/spec/foreign_words.hpp"
 #include "generator/frontend/spec/format.hpp"
 #include "generator/frontend/spec/format_scalar.hpp"
 #include "generator/frontend/spec/misplaced.hpp"
@@ -36,27 +38,43 @@ const Field* missing_field(const YamlValue& yaml, const Format& format) {
   return missing == format.fields.end() ? nullptr : &*missing;
 }
 
-/// `pendlum: {states: …}` beside `pendulum: {type: …}`, as a variant that mistypes a name makes it:
-/// whether entry `i` has been reported as such.
-bool report_meant_neighbour(const YamlValue& yaml, std::size_t i, const Format& format,
-                            Diagnostics& diagnostics) {
-  const YamlValue::Entry& entry = yaml.entries[i];
-  const Field* missing = missing_field(entry.value, *format.item);
-  if (missing == nullptr) return false;
-  std::vector<std::string> whole;
-  for (const auto& other : yaml.entries)
-    if (other.value.is_map() && missing_field(other.value, *format.item) == nullptr)
-      whole.push_back(other.key);
-  if (nearest(entry.key, whole).empty()) return false;
-  Diagnostic& problem = report_missing(*missing, entry.key_span, *format.item, diagnostics);
-  problem.help = did_you_mean_or(entry.key, whole, problem.help);
-  return true;
-}
+/// `pendlum: {states: …}` beside `pendulum: {type: …}`, as a variant that mistypes a name makes it.
+class Neighbours {
+ public:
+  Neighbours(const YamlValue& map, const Format& format) : map_(map), format_(format) {}
+
+  /// Whether `entry` has been reported as such.
+  bool report(const YamlValue::Entry& entry, Diagnostics& diagnostics) {
+    const Field* missing = missing_field(entry.value, *format_.item);
+    // Each comparison with all is a scan: for many, it takes a time that grows with their square.
+    if (missing == nullptr || ++compared_ > kMostCompared) return false;
+    if (compared_ == 1) gather();
+    if (nearest(entry.key, whole_).empty()) return false;
+    Diagnostic& problem = report_missing(*missing, entry.key_span, *format_.item, diagnostics);
+    problem.help = did_you_mean_or(entry.key, whole_, problem.help);
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kMostCompared = 100;  // more helps are not read
+
+  void gather() {
+    for (const auto& other : map_.entries)
+      if (other.value.is_map() && missing_field(other.value, *format_.item) == nullptr)
+        whole_.push_back(other.key);
+  }
+
+  const YamlValue& map_;
+  const Format& format_;
+  std::vector<std::string> whole_ = {};  // names of entries that miss nothing
+  std::size_t compared_ = 0;
+};
 
 bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   if (yaml.is_null()) return true;  // `config:` with nothing behind it
   if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
   bool good = true;
+  Neighbours neighbours(yaml, format);
   for (std::size_t i = 0; i < yaml.entries.size(); ++i) {
     const auto& entry = yaml.entries[i];
     const bool bare = i + 1 < yaml.entries.size() && entry.value.is_null();
@@ -67,7 +85,7 @@ bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnos
       i += outside;
       continue;
     }
-    if (report_meant_neighbour(yaml, i, format, diagnostics)) {
+    if (neighbours.report(entry, diagnostics)) {
       good = false;
       continue;
     }
@@ -102,12 +120,31 @@ bool is_empty_record(const YamlValue& yaml, const Format& format) {
   return yaml.is_null() && ranges::none_of(format.fields, &Field::required);
 }
 
+/// Reports a former name of a key. Returns the key's name now; empty if it is none.
+std::string report_renamed_key(const YamlValue& yaml, const YamlValue::Entry& entry,
+                               const Format& format, Diagnostics& diagnostics) {
+  std::string now(host::new_name(format.what, entry.key));
+  const Field* const field = find_named(format.fields, now);
+  if (field == nullptr) return {};
+  Diagnostic& problem = diagnostics.error(
+      "E0201", entry.key_span, fmt::format("unknown key `{}` in {}", entry.key, format.what));
+  if (yaml.find(now) != nullptr) {
+    problem.help = fmt::format("leave it out: it is now called `{}`, which is also here", now);
+  } else {
+    problem.help = {host::help_for_renamed(format.what, entry.key), change_to(now)};
+  }
+  check(entry.value, *field->format, diagnostics);
+  return now;
+}
+
 /// Returns the key that was meant; empty if nobody can say. `told`: the helps for misplaced keys of
 /// the record so far; several that belong to one place are one mistake.
 std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Format& format,
                                const std::vector<std::string>& known, std::set<std::string>& told,
                                Diagnostics& diagnostics) {
   const YamlValue::Entry& entry = yaml.entries[i];
+  if (std::string now = report_renamed_key(yaml, entry, format, diagnostics); !now.empty())
+    return now;
   const auto report = [&](Help help) {
     diagnostics
         .error("E0201", entry.key_span,
@@ -130,6 +167,7 @@ std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Forma
     if (told.insert(misplaced).second) report(misplaced);
     return {};
   }
+  if (near.empty()) near = foreign_word(entry.key, known);
   report(near.empty() ? Help(fmt::format("{} has the keys {}", format.what, join(known, ", ")))
                       : meaning(near));
   return near;
@@ -227,9 +265,12 @@ bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics
     case Format::Kind::one_of:
       for (const auto& option : format.options) {
         if (!takes(yaml, *option)) continue;
-        return option->kind == Format::Kind::keyword
-                   ? check_keyword(yaml, *option, format.what, diagnostics)
-                   : check(yaml, *option, diagnostics);
+        const bool is_word = option->kind == Format::Kind::keyword;
+        if (is_word && yaml.is_scalar() && !contains(option->keywords, yaml.text) &&
+            report_word_for_key(yaml, format, diagnostics))
+          return false;
+        return is_word ? check_keyword(yaml, *option, format.what, diagnostics)
+                       : check(yaml, *option, diagnostics);
       }
       return wrong_type(yaml, format, diagnostics);
   }

@@ -6,6 +6,7 @@
 #include "generator/frontend/read/rational.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/read/slips.hpp"
+#include "generator/frontend/spec/foreign_words.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/frontend/spec/slips.hpp"
 #include "generator/support/diagnostics/join.hpp"
@@ -76,7 +77,15 @@ bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagno
     problem.help = {"quotes make it a text: leave them out", change_to(yaml.text)};
   if (problem.help.empty()) problem.help = other_form(yaml, format);
   if (!yaml.is_scalar() || yaml.quoted) return false;
-  if (const auto foreign = foreign_number(yaml.text)) {
+  const auto is_truth = [](const Format& one) { return one.kind == Format::Kind::boolean; };
+  const bool takes_truth =
+      is_truth(format) ||
+      (format.kind == Format::Kind::one_of &&
+       ranges::any_of(format.options, [&](const FormatPtr& each) { return is_truth(*each); }));
+  const std::string truth(takes_truth ? foreign_truth(yaml.text) : "");
+  if (!truth.empty()) {
+    problem.help = write_instead(truth);
+  } else if (const auto foreign = foreign_number(yaml.text)) {
     problem.help = foreign->help;
   } else if (const auto glued = mapping ? glued_key(yaml.text) : std::nullopt) {
     problem.help = glued->help;
@@ -147,8 +156,15 @@ bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagno
     begin = end + 1;
   }
   if (good && parts >= 2 && parts <= 3) return true;
-  diagnostics.error("E0205", yaml.span, fmt::format("{} is not a port", describe(yaml))).help =
-      fmt::format("write {}", format.what);
+  auto& problem =
+      diagnostics.error("E0205", yaml.span, fmt::format("{} is not a port", describe(yaml)));
+  problem.help = fmt::format("write {}", format.what);
+  // As traces spell it: node/output.
+  const std::size_t slash = yaml.text.rfind('/');
+  if (!good || parts != 1 || slash == std::string::npos) return false;
+  std::string port = yaml.text;
+  port[slash] = '.';
+  problem.help = write_instead(port);
   return false;
 }
 
@@ -167,12 +183,31 @@ bool check_path(const YamlValue& yaml, const Format& format, Diagnostics& diagno
   return false;
 }
 
+bool report_word_for_key(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  for (const FormatPtr& option : format.options) {
+    if (option->kind != Format::Kind::record) continue;
+    const std::vector<std::string> keys = names_of(option->fields);
+    const std::string key = contains(keys, yaml.text) ? yaml.text : foreign_word(yaml.text, keys);
+    if (key.empty()) continue;
+    const Format& value = *find_named(option->fields, key)->format;
+    const bool is_map = value.kind == Format::Kind::record || value.kind == Format::Kind::map;
+    diagnostics.error("E0204", yaml.span, fmt::format("{} is not a choice here", describe(yaml)))
+        .help = fmt::format("write `{{{}: {}}}`", key, is_map ? mapping_text(value) : "…");
+    return true;
+  }
+  return false;
+}
+
 bool check_keyword(const YamlValue& yaml, const Format& format, const std::string& otherwise,
                    Diagnostics& diagnostics) {
   if (!yaml.is_scalar()) return wrong_type(yaml, format, diagnostics);
   if (contains(format.keywords, yaml.text)) return true;
   auto& problem =
       diagnostics.error("E0204", yaml.span, fmt::format("{} is not a choice here", describe(yaml)));
+  if (const std::string meant = foreign_word(yaml.text, format.keywords); !meant.empty()) {
+    problem.help = write_instead(meant);
+    return false;
+  }
   problem.help = did_you_mean(yaml.text, format.keywords,
                               otherwise.empty() ? fmt::format("choose one of {}", format.what)
                                                 : fmt::format("write {}", otherwise));

@@ -15,6 +15,9 @@ bool check_scalar_name(const YamlValue& yaml, const Format& format, Diagnostics&
 bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
 /// Names of files and ids of targets go into paths, into CMake and into C++.
 bool check_path(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
+/// Reports a word that is a key of a mapping that `format` takes, too (E0204): `gaussian` is
+/// `{normal: {…}}`. False: it is none.
+bool report_word_for_key(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
 /// `otherwise`: what may be written instead of a keyword.
 bool check_keyword(const YamlValue& yaml, const Format& format, const std::string& otherwise,
                    Diagnostics& diagnostics);

@@ -4,10 +4,15 @@
 namespace eagerx::gen {
 
 const std::vector<SafetyDefault>& safety_defaults() {
-  static const std::vector<SafetyDefault> kDefaults = {
-      {"late", "1"},      {"max_lateness", "0"},  {"missed", "2"},          {"recover", "3"},
-      {"limits", "clip"}, {"not_finite", "safe"}, {"link_timeout", "0.01"}, {"hang", "0.5"},
-      {"nodes", "reset"}};
+  static const std::vector<SafetyDefault> kDefaults = {{"late", "1"},
+                                                       {"max_lateness", "0"},
+                                                       {"missed", "2"},
+                                                       {"recover", "3"},
+                                                       {"limits", "clip"},
+                                                       {"not_finite", "safe"},
+                                                       {"link_timeout", "0.01"},
+                                                       {"heartbeat_timeout", "0.5"},
+                                                       {"nodes", "reset"}};
   return kDefaults;
 }
 
@@ -86,9 +91,9 @@ FormatPtr safety_format() {
         "instants in a row (default safe)"},
        {"link_timeout", time, false,
         "longest time that a link may take to answer, in seconds (default 0.01)"},
-       {"hang", time, false,
-        "how many seconds a program for Linux that drives real hardware may give no sign of life "
-        "before another process kills it and applies the safe values; 0: for ever (default 0.5)"}});
+       {"heartbeat_timeout", time, false,
+        "seconds without a heartbeat of a program for Linux that drives real hardware after which "
+        "another process kills it and applies the safe values; 0: never (default 0.5)"}});
 }
 
 }  // namespace eagerx::gen

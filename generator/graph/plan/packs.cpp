@@ -23,8 +23,8 @@ std::size_t steps_in_phases(const Plan& plan, const Schedule& schedule) {
 
 /// Of an entity that does not run in packs.
 const char* without_packs(const Entity& entity) {
-  return entity.packs.empty() ? "has no `packs: true` in its manifest"
-                              : "has packs under a condition, which does not hold";
+  return entity.packs.empty() ? "has no `vectorized: true` in its manifest"
+                              : "is vectorized under a condition, which does not hold";
 }
 
 std::string why_not(const GraphNode& node, bool by_lane_too) {
@@ -38,7 +38,8 @@ std::string why_not(const GraphNode& node, bool by_lane_too) {
   };
   const auto of = [](const std::optional<Processor>& processor, const std::string& where) {
     return fmt::format(
-        "the processor of `{}` ({}) has no `packs: true` in its manifest, or its condition does "
+        "the processor of `{}` ({}) has no `vectorized: true` in its manifest, or its condition "
+        "does "
         "not hold",
         where, processor->names());
   };
@@ -219,7 +220,7 @@ std::string why_no_packs(const Plan& plan) {
   }
   for (const auto& item : graph.objects) {
     if (!item.implementation->packs)
-      return fmt::format("the `model:` of `{}` ({}) has no `packs: true` in its manifest",
+      return fmt::format("the `model:` of `{}` ({}) has no `vectorized: true` in its manifest",
                          item.name, item.entity->id.value);
   }
   if (std::string reason = why_not_in_time(plan); !reason.empty()) return reason;

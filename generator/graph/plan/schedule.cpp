@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -125,21 +126,39 @@ std::optional<std::vector<Rational>> fitting_rates(const Rates& nodes,
   return std::nullopt;
 }
 
-/// What to write in place of one of two rates, or of both.
-std::string mend_of(const GraphNode& first, const GraphNode& second,
-                    const std::vector<Rational>& rates) {
-  for (const Rates& nodes : {Rates{&second}, Rates{&first}, Rates{&first, &second}}) {
+/// The rates to write instead of those of the first of `choices` for which there are any.
+std::string help_of(const std::vector<Rates>& choices, const std::vector<Rational>& rates) {
+  for (const Rates& nodes : choices) {
     const auto near = fitting_rates(nodes, rates);
     if (!near) continue;
-    std::string text;
+    std::vector<std::string> texts;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      text += fmt::format("{}{} Hz for `{}`", i == 0 ? "" : " and ", (*near)[i].to_string(),
-                          nodes[i]->name);
+      texts.push_back(fmt::format("{} Hz for `{}`", (*near)[i].to_string(), nodes[i]->name));
     return fmt::format("write {} that {}: {}",
                        nodes.size() == 1 ? "a rate near it" : "rates near them",
-                       nodes.size() == 1 ? "fits" : "fit", text);
+                       nodes.size() == 1 ? "fits" : "fit", join(texts, " and "));
   }
-  return "write rates with fewer digits";
+  return "write rates with common factors, such as multiples of 10 Hz, and with few digits";
+}
+
+/// Nodes whose rates have no grid with those of all others. The others are chosen one by one, each
+/// time the rate with which the grid stays coarsest.
+Rates misfits_of(Rates nodes) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<Rational> kept;
+  const auto grid_with = [&kept](const GraphNode* node) {
+    std::vector<Rational> all = kept;
+    all.push_back(node->rate_hz);
+    const Rational grid = grid_of(all);
+    return grid.overflowed() ? kNone : grid.to_double();
+  };
+  while (!nodes.empty()) {
+    const auto best = std::ranges::min_element(nodes, {}, grid_with);
+    if (grid_with(*best) == kNone) break;
+    kept.push_back((*best)->rate_hz);
+    nodes.erase(best);
+  }
+  return nodes;
 }
 
 /// The two nodes whose rates fit worst, so that they or they with others have no grid.
@@ -161,6 +180,30 @@ std::pair<const GraphNode*, const GraphNode*> worst_pair(const Rates& nodes) {
   return worst;
 }
 
+void refuse_pair(const GraphNode& first, const GraphNode& second,
+                 const std::vector<Rational>& rates, Diagnostics& diagnostics) {
+  auto& problem = diagnostics.error(
+      "E0402", second.span,
+      fmt::format("`{}` at {} Hz and `{}` at {} Hz tick together too rarely to be counted",
+                  first.name, first.rate_hz.to_string(), second.name, second.rate_hz.to_string()));
+  problem.notes.push_back({fmt::format("`{}` is here", first.name), first.span, ""});
+  problem.help = help_of({{&second}, {&first}, {&first, &second}}, rates);
+}
+
+/// Every two rates fit, but not all of them.
+void refuse_misfits(const Rates& misfits, const std::vector<Rational>& rates,
+                    Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const GraphNode* node : misfits)
+    names.push_back(fmt::format("`{}` at {} Hz", node->name, node->rate_hz.to_string()));
+  auto& problem = diagnostics.error(
+      "E0402", misfits.front()->span,
+      fmt::format("the {} rates of the graph have too few common factors: with {}, too, all tick "
+                  "together only after more than 2^63 instants; without {} they can be counted",
+                  rates.size(), join(names, ", "), names.size() == 1 ? "it" : "them"));
+  problem.help = help_of({misfits}, rates);
+}
+
 std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) {
   Rates nodes;  // one of each rate
   std::vector<Rational> rates;
@@ -172,13 +215,12 @@ std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) 
   const Rational grid = grid_of(rates);
   if (!grid.overflowed()) return grid;
   const auto [first, second] = worst_pair(nodes);
-  auto& problem = diagnostics.error(
-      "E0402", second->span,
-      fmt::format("`{}` at {} Hz and `{}` at {} Hz tick together too rarely to be counted",
-                  first->name, first->rate_hz.to_string(), second->name,
-                  second->rate_hz.to_string()));
-  problem.notes.push_back({fmt::format("`{}` is here", first->name), first->span, ""});
-  problem.help = mend_of(*first, *second, rates);
+  const Rates misfits = misfits_of(nodes);
+  if (misfits.empty() || grid_of({first->rate_hz, second->rate_hz}).overflowed()) {
+    refuse_pair(*first, *second, rates, diagnostics);
+  } else {
+    refuse_misfits(misfits, rates, diagnostics);
+  }
   return std::nullopt;
 }
 

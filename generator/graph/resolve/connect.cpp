@@ -1,6 +1,7 @@
 // The user's connections: names to ports, each input once, nothing left open.
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 #include <utility>
 
@@ -33,7 +34,7 @@ std::optional<std::size_t> find_node(const Draft& draft, const std::string& name
 /// The ports that a name stands for; several inputs when an actuator feeds several engine nodes.
 /// Says nothing when there are none.
 std::vector<PortIndex> find_ports(const Draft& draft, const PortName& port, Side side) {
-  if (const DraftObject* object = find_named(draft.objects, port.owner)) {
+  if (const DraftObject* object = draft.find_object(port.owner)) {
     const char* section = side == Side::from ? "sensors" : "actuators";
     if (!port.section.empty() && port.section != section) return {};
     if (side == Side::from) {
@@ -64,7 +65,15 @@ std::vector<PortIndex> find_ports(const Draft& draft, const PortName& port, Side
 
 class Connector {
  public:
-  explicit Connector(Draft& draft) : draft_(draft), unknown_(draft) {}
+  explicit Connector(Draft& draft) : draft_(draft), unknown_(draft) {
+    // A scan for each broken connection would take a time that grows with the square of the graph.
+    for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
+      if (const auto object = draft.nodes[n].node.object)
+        engine_nodes_of_[draft.objects[*object].name].push_back(n);
+    }
+    for (const ConnectionSpec& connection : draft.spec.connections)
+      sender_of_.try_emplace(connection.to.value, connection.from.value);
+  }
 
   void run() {
     for (const auto& connection : draft_.spec.connections) {
@@ -105,7 +114,7 @@ class Connector {
   /// Reports a port that does not exist; returns the owner that was meant.
   std::string report(const PortName& port, const Spanned<std::string>& text, Side side) {
     if (draft_.doubtful.contains(port.owner)) return port.owner;
-    if (const DraftObject* object = find_named(draft_.objects, port.owner)) {
+    if (const DraftObject* object = draft_.find_object(port.owner)) {
       report_port_of_object(*object, port, text, side);
       return port.owner;
     }
@@ -185,11 +194,8 @@ class Connector {
 
   /// What may be meant in place of what takes messages: "; what it gets is `smooth.filtered`".
   [[nodiscard]] std::string sender_to(std::string_view port) const {
-    for (const ConnectionSpec& connection : draft_.spec.connections) {
-      if (connection.to.value == port)
-        return fmt::format("; what it gets is `{}`", connection.from.value);
-    }
-    return "";
+    const auto found = sender_of_.find(port);
+    return found == sender_of_.end() ? "" : fmt::format("; what it gets is `{}`", found->second);
   }
 
   void report_unknown_port(const PortName& port, const Spanned<std::string>& text, Side side,
@@ -245,14 +251,16 @@ class Connector {
   /// A connection to `owner` is wrong, so its open ports on that side are not a second mistake.
   void excuse(const std::string& owner, Side side) {
     if (owner.empty()) return;
-    const auto owning = find_node(draft_, owner, side);
-    for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
-      const DraftNode& node = draft_.nodes[n];
-      const bool object = node.node.object && draft_.objects[*node.node.object].name == owner;
-      if (!object && owning != n) continue;
-      const std::size_t count = side == Side::from ? node.outputs.size() : node.inputs.size();
-      for (std::size_t i = 0; i < count; ++i) excused_.insert({side, n, i});
-    }
+    if (const auto node = find_node(draft_, owner, side)) excuse_node(*node, side);
+    const auto found = engine_nodes_of_.find(owner);
+    if (found == engine_nodes_of_.end()) return;
+    for (const std::size_t node : found->second) excuse_node(node, side);
+  }
+
+  void excuse_node(std::size_t n, Side side) {
+    const DraftNode& node = draft_.nodes[n];
+    const std::size_t count = side == Side::from ? node.outputs.size() : node.inputs.size();
+    for (std::size_t i = 0; i < count; ++i) excused_.insert({side, n, i});
   }
 
   void connect(const ConnectionSpec& connection, const PortIndex& source, const PortIndex& sink) {
@@ -285,14 +293,14 @@ class Connector {
   /// The sensor at the beginning of the connection, if it is one, without a section.
   std::string sensor_of(const ConnectionSpec& connection) const {
     const PortName port = parse_port(connection.from.value);
-    const DraftObject* object = find_named(draft_.objects, port.owner);
+    const DraftObject* object = draft_.find_object(port.owner);
     return object == nullptr ? std::string() : object->sensors.at(port.name).written;
   }
 
   /// What the sensor at the beginning of the connection offers, if it is one.
   ConnectionSettings delay_of_sensor(const ConnectionSpec& connection) {
     const PortName port = parse_port(connection.from.value);
-    const DraftObject* object = find_named(draft_.objects, port.owner);
+    const DraftObject* object = draft_.find_object(port.owner);
     if (object == nullptr) return {};
     const auto found = object->delays.find(port.name);
     return found == object->delays.end() ? ConnectionSettings() : found->second;
@@ -337,6 +345,8 @@ class Connector {
   Draft& draft_;
   std::set<End> excused_;  // not open: in use, or the subject of another message
   UnknownOwners unknown_;
+  std::map<std::string, std::vector<std::size_t>, std::less<>> engine_nodes_of_;  // by object
+  std::map<std::string_view, std::string_view> sender_of_;  // by what takes its messages
 };
 
 }  // namespace
@@ -357,7 +367,7 @@ std::optional<PartialSpace> declared_space(const Draft& draft, const std::string
   }
   // An actuator that nothing is connected to.
   const EntitySpec* spec = find_named(draft.spec.objects, port.owner);
-  const DraftObject* object = find_named(draft.objects, port.owner);
+  const DraftObject* object = draft.find_object(port.owner);
   const PortManifest* actuator = object != nullptr && object->entity != nullptr
                                      ? object->entity->actuator(port.name)
                                      : nullptr;

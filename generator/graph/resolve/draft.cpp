@@ -59,6 +59,16 @@ DraftOutput* DraftNode::output(std::string_view name) {
   return find_named(outputs, name);
 }
 
+void Draft::add_object(DraftObject object) {
+  object_of_name.try_emplace(object.name, objects.size());
+  objects.push_back(std::move(object));
+}
+
+const DraftObject* Draft::find_object(std::string_view name) const {
+  const auto found = object_of_name.find(name);
+  return found == object_of_name.end() ? nullptr : &objects[found->second];
+}
+
 bool Draft::is_doubtful(const DraftNode& node) const {
   return doubtful.contains(node.node.object ? objects[*node.node.object].name : node.node.name);
 }

@@ -111,6 +111,7 @@ struct Draft {
   std::optional<std::size_t> render = {};
   std::deque<EntitySpec> added = {};  // nodes that the graph file has not, as it would say them
   std::map<std::string, std::size_t, std::less<>> node_of_name = {};  // once all are there
+  std::map<std::string, std::size_t, std::less<>> object_of_name = {};
 
   /// nullptr: the graph has no engine, or one that is not known.
   [[nodiscard]] const Entity* engine() const {
@@ -118,6 +119,9 @@ struct Draft {
   }
   /// A node that no entity of the graph is: what the generator itself adds.
   [[nodiscard]] bool is_added(std::size_t node) const { return node == task || node == render; }
+  void add_object(DraftObject object);
+  /// nullptr: there is none of this name.
+  [[nodiscard]] const DraftObject* find_object(std::string_view name) const;
   /// Whether a node, or the object that an engine node is of, has such a problem.
   [[nodiscard]] bool is_doubtful(const DraftNode& node) const;
 };

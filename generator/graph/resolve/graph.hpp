@@ -185,7 +185,7 @@ struct Safety {
   std::uint32_t late = 1, missed = 2, recover = 3;  // instants in a row
   Rational max_lateness_s;                          // a period of the environment if none is given
   Rational link_timeout_s;
-  Rational hang_s;                           // 0: for ever
+  Rational heartbeat_timeout_s;              // 0: never
   bool clips = true;                         // actions outside of their space
   bool holds = false;                        // the action before one that is not finite
   std::vector<std::vector<double>> actions;  // of the environment, a value for each element
@@ -356,7 +356,7 @@ struct Graph {
   }
 };
 
-/// Whether the classes of these also calculate with packs of numbers, as their manifests say for
+/// Whether the classes of these also calculate with SIMD vectors, as their manifests say for
 /// these parameters.
 bool runs_in_packs(const GraphNode& node);
 bool runs_in_packs(const Processor& processor);

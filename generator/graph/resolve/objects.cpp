@@ -2,6 +2,7 @@
 // remains but its states and its simulator.
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 
 #include "generator/graph/resolve/draft.hpp"
@@ -11,13 +12,36 @@
 namespace eagerx::gen {
 namespace {
 
+/// Names of the ports of objects that connections name, by object.
+struct ConnectedOfObject {
+  std::set<std::string> sensors, actuators;
+};
+using ConnectedPorts = std::map<std::string, ConnectedOfObject, std::less<>>;
+
+/// Gathered once: a scan for each object would take a time that grows with the square of the graph.
+ConnectedPorts connected_ports(const std::vector<ConnectionSpec>& connections) {
+  ConnectedPorts result;
+  for (const auto& connection : connections) {
+    const PortName from = parse_port(connection.from.value);
+    if (from.section.empty() || from.section == "sensors")
+      result[from.owner].sensors.insert(from.name);
+    const PortName to = parse_port(connection.to.value);
+    if (to.section.empty() || to.section == "actuators") result[to.owner].actuators.insert(to.name);
+  }
+  return result;
+}
+
 /// Builds one object. Its engine nodes are drafted on their own first, pruned, and then moved to
 /// the graph.
 class ObjectBuilder {
  public:
   ObjectBuilder(Draft& draft, const EntitySpec& spec, const Entity& entity,
-                const ObjectEngine& implementation)
-      : draft_(draft), spec_(spec), entity_(entity), implementation_(implementation) {}
+                const ObjectEngine& implementation, const ConnectedPorts& connected)
+      : draft_(draft),
+        spec_(spec),
+        entity_(entity),
+        implementation_(implementation),
+        connected_(connected) {}
 
   void build() {
     const std::size_t errors_before = diagnostics().error_count();
@@ -56,15 +80,9 @@ class ObjectBuilder {
 
   /// Sensors and actuators in use: the connected ones and the listed ones.
   void select() {
-    const auto note = [&](const Spanned<std::string>& text, std::string_view section,
-                          std::set<std::string>& into) {
-      const PortName port = parse_port(text.value);
-      if (port.owner != spec_.name.value) return;
-      if (port.section.empty() || port.section == section) into.insert(port.name);
-    };
-    for (const auto& connection : draft_.spec.connections) {
-      note(connection.from, "sensors", sensors_);
-      note(connection.to, "actuators", actuators_);
+    if (const auto found = connected_.find(spec_.name.value); found != connected_.end()) {
+      sensors_ = found->second.sensors;
+      actuators_ = found->second.actuators;
     }
     for (const auto& item : spec_.sensors.value_or(std::vector<ComponentSpec>()))
       sensors_.insert(item.name.value);
@@ -358,7 +376,7 @@ class ObjectBuilder {
       }
       draft_.nodes.push_back(std::move(nodes_[i]));
     }
-    draft_.objects.push_back(std::move(object));
+    draft_.add_object(std::move(object));
   }
 
   struct Outside {  // an actuator and the port it stands for
@@ -371,6 +389,7 @@ class ObjectBuilder {
   const Entity& entity_;
   const ObjectEngine& implementation_;
   References references_;
+  const ConnectedPorts& connected_;
   std::set<std::string> sensors_, actuators_;
   std::vector<DraftNode> nodes_;
   std::vector<InnerLink> links_;
@@ -383,6 +402,7 @@ class ObjectBuilder {
 }  // namespace
 
 void add_objects(Draft& draft) {
+  const ConnectedPorts connected = connected_ports(draft.spec.connections);
   const Entity* engine = draft.engine();
   for (const auto& spec : draft.spec.objects) {
     const Entity* entity =
@@ -399,10 +419,10 @@ void add_objects(Draft& draft) {
     draft.graph.objects.push_back(std::move(object));
     if (implementation != nullptr) {
       const MakingPorts making(draft, spec.name.value);
-      ObjectBuilder(draft, spec, *entity, *implementation).build();
+      ObjectBuilder(draft, spec, *entity, *implementation, connected).build();
     } else {
       draft.doubtful.insert(spec.name.value);
-      draft.objects.push_back({spec.name.value, entity, {}, {}, {}});
+      draft.add_object({spec.name.value, entity, {}, {}, {}});
     }
   }
 }

@@ -166,7 +166,7 @@ class Placer {
       put(Graph::kEnvironment, part, item);
       return;
     }
-    const bool simulated = name == "engine" || find_named(draft_.objects, name) != nullptr;
+    const bool simulated = name == "engine" || draft_.find_object(name) != nullptr;
     if (simulated) {
       draft_.diagnostics
           .error("E0332", item.name.span, fmt::format("`{}` cannot be placed on a board", name))

@@ -134,7 +134,7 @@ void resolve_safety(Draft& draft) {
       report_unknown_names(draft.spec.safety->actuators, *actuators, "actuator",
                            "no object has actuators", draft.diagnostics);
     }
-    for (const char* key : {"max_lateness", "link_timeout", "hang"})
+    for (const char* key : {"max_lateness", "link_timeout", "heartbeat_timeout"})
       check_time(key, draft.safety.at({"safety", key}), draft.diagnostics);
   }
   if (draft.graph.nodes.empty()) return;  // something was wrong before
@@ -153,7 +153,7 @@ void resolve_safety(Draft& draft) {
   const Rational lateness = Rational::parse(text("max_lateness")).value_or(Rational());
   safety.max_lateness_s = lateness == Rational() ? Rational(1) / environment.rate_hz : lateness;
   safety.link_timeout_s = Rational::parse(text("link_timeout")).value_or(Rational());
-  safety.hang_s = Rational::parse(text("hang")).value_or(Rational());
+  safety.heartbeat_timeout_s = Rational::parse(text("heartbeat_timeout")).value_or(Rational());
   for (const auto& action : environment.outputs) safety.actions.push_back(zero_in(action.space));
   resolve_safe_outputs(draft);
   if (!draft.spec.safety) return;

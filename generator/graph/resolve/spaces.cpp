@@ -81,13 +81,26 @@ class SpaceResolver {
     const std::string port = *declared.like;
     declared.like.reset();
     if (const auto base = declared_space(draft_, port)) {
+      const Span like = declared.like_span;
       declared = overlay(*base, declared);
+      if (!declared.dtype || !declared.shape) report_no_space(action.name, port, like);
       return;
     }
     if (draft_.doubtful.contains(parse_port(port).owner)) return;
     diagnostics()
         .error("E0309", declared.like_span, fmt::format("`{}` is not an input of this graph", port))
         .help = suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");
+  }
+
+  /// Inputs of most nodes take any space, and so does a composite's port that leads to one.
+  void report_no_space(const std::string& action, const std::string& port, Span like) {
+    diagnostics()
+        .error("E0312", like,
+               fmt::format("`{}` takes any space, so `{}` gets none from it", port, action))
+        .help = fmt::format(
+        "write it: `{}: {{space: {{dtype: float32, shape: [1], low: …, high: …}}}}`, or `like:` "
+        "with an actuator of an object",
+        action);
   }
 
   const DraftInput* first_sink(std::size_t action) const {

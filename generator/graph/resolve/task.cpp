@@ -99,8 +99,28 @@ class TaskResolver {
  private:
   void add(std::vector<TaskExpression>& to, const Spanned<std::string>& name, const YamlValue& text,
            ExpressionType type, double weight = 1.0) {
-    auto value = read_typed_expression(text, variables_, type, draft_.diagnostics);
+    const auto help = [this](const std::string& unknown) { return help_with(unknown); };
+    auto value = read_typed_expression(text, variables_, type, help, draft_.diagnostics);
     if (value) to.push_back({name.value, text.text, std::move(*value), weight, name.span});
+  }
+
+  /// What to write for a port in an expression, which knows the names under `inputs:` only. Empty
+  /// if `unknown` is none.
+  [[nodiscard]] std::string help_with(const std::string& unknown) const {
+    const auto is_meant = [&](const std::string& port) {
+      return port == unknown || parse_port(port).name == unknown;
+    };
+    for (const TaskInputSpec& input : draft_.spec.task->inputs) {
+      if (is_meant(input.from.value))
+        return fmt::format("`{}` is `{}` here", input.from.value, input.name.value);
+    }
+    for (const ConnectionSpec& connection : draft_.spec.connections) {
+      if (parse_port(connection.from.value).name == unknown)
+        return fmt::format("give it a name under `inputs:`: `{}: {}`", unknown,
+                           connection.from.value);
+    }
+    if (unknown.find('.') == std::string::npos) return {};
+    return fmt::format("give it a name under `inputs:`: `x: {}`", unknown);
   }
 
   void add_conditions(std::vector<TaskExpression>& to,

@@ -26,11 +26,10 @@ const EntitySpec* declaration(const GraphSpec& spec, std::string_view name) {
 }  // namespace
 
 std::string UnknownOwners::add(const PortName& port, Span span, std::vector<std::string> known) {
-  const auto same =
-      ranges::find_if(unknown_, [&](const Unknown& each) { return each.owner == port.owner; });
-  if (same != unknown_.end()) {
-    same->places.push_back({port.name, span});
-    return same->near;
+  const auto [same, is_new] = index_of_.try_emplace(port.owner, unknown_.size());
+  if (!is_new) {
+    unknown_[same->second].places.push_back({port.name, span});
+    return unknown_[same->second].near;
   }
   if (!helps()) known.clear();
   const std::size_t elements = elements_of(port.owner, known);
@@ -41,7 +40,7 @@ std::string UnknownOwners::add(const PortName& port, Span span, std::vector<std:
 
 void UnknownOwners::report() {
   for (const Unknown& each : unknown_) {
-    const EntitySpec* declared = declaration(draft_.spec, each.near);
+    const EntitySpec* declared = each.near.empty() ? nullptr : declaration(draft_.spec, each.near);
     if (each.places.size() > 1 && declared != nullptr && !is_used(each.near)) {
       report_declared(each, declared->name.span);
       continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,7 @@ class UnknownOwners {
 
   Draft& draft_;
   std::vector<Unknown> unknown_;
+  std::map<std::string, std::size_t> index_of_;  // in `unknown_`, by owner
   std::size_t helped_ = 0;
 };
 

@@ -226,6 +226,12 @@ float function_of(Function::Kind kind, float x) {
       return eagerx::abs(x);
     case Function::Kind::above_zero:
       return x > 0.0F ? 1.0F : 0.0F;
+    case Function::Kind::round_to_even:
+      return eagerx::round_to_even(x);
+    case Function::Kind::floor:
+      return eagerx::floor(x);
+    case Function::Kind::ceil:
+      return eagerx::ceil(x);
     case Function::Kind::sqrt:
       break;
   }
@@ -243,6 +249,12 @@ double function_of(Function::Kind kind, double x) {
       return std::fabs(x);
     case Function::Kind::above_zero:
       return x > 0.0 ? 1.0 : 0.0;
+    case Function::Kind::round_to_even:
+      return eagerx::round_to_even(x);
+    case Function::Kind::floor:
+      return std::floor(x);
+    case Function::Kind::ceil:
+      return std::ceil(x);
     case Function::Kind::sqrt:
       break;
   }

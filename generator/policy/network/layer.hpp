@@ -100,7 +100,17 @@ struct Combination {
 const char* to_string(Combination::Operation operation);
 /// f(x), number by number. No weights. `above_zero`: 1 where x > 0, else 0.
 struct Function {
-  enum class Kind : std::uint8_t { sin, cos, exp, abs, sqrt, above_zero };
+  enum class Kind : std::uint8_t {
+    sin,
+    cos,
+    exp,
+    abs,
+    sqrt,
+    above_zero,
+    round_to_even,
+    floor,
+    ceil,
+  };
   Kind kind = Kind::sin;
   bool operator==(const Function&) const = default;
 };

@@ -64,7 +64,8 @@ const char* to_string(Combination::Operation operation) {
 }
 
 const char* to_string(Function::Kind kind) {
-  constexpr std::array kNames = {"sin", "cos", "exp", "abs", "sqrt", "above_zero"};
+  constexpr std::array kNames = {"sin",        "cos",           "exp",   "abs", "sqrt",
+                                 "above_zero", "round_to_even", "floor", "ceil"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 

@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <runtime/host/base/renamed.hpp>
 
 #include "generator/support/diagnostics/diagnostics.hpp"
 #include "generator/support/diagnostics/join.hpp"
@@ -56,8 +57,11 @@ std::string too_much(const CLI::App& reached, const std::string& typed,
   const std::string word = first.substr(0, first.find('='));
   if (!word.starts_with('-'))
     return message(fmt::format("`{}` is one argument too many for `{}`", word, typed), otherwise);
-  return message(fmt::format("`{}` has no option `{}`", typed, word),
-                 did_you_mean(word, names_of_options(reached), otherwise));
+  const std::string renamed =
+      host::help_for_renamed(fmt::format("options of {}", reached.get_name()), word);
+  return message(
+      fmt::format("`{}` has no option `{}`", typed, word),
+      renamed.empty() ? did_you_mean(word, names_of_options(reached), otherwise) : Help(renamed));
 }
 
 }  // namespace

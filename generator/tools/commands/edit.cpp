@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/commands/manifest_check.hpp"
+#include "generator/driver/commands/train_file.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/frontend/outline/fixes.hpp"
 #include "generator/frontend/outline/lines.hpp"
@@ -39,13 +41,19 @@ std::optional<std::string> text_of_file(Run& run, const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-/// What `check` finds in this text of the file.
+/// What `check` finds in this text of the file: a graph, a manifest or settings of a training.
 std::unique_ptr<Run> check_of(const EditOptions& options, const std::string& text) {
-  GraphOptions graph;
-  static_cast<LibraryOptions&>(graph) = options;
-  graph.graph = options.graph;
   auto run = std::make_unique<Run>();
-  check_text(*run, graph, text);
+  if (is_manifest(options.graph)) {
+    check_manifest(*run, options, options.graph, text);
+  } else if (is_train_file(text)) {
+    check_train_file(*run, options.graph, text);
+  } else {
+    GraphOptions graph;
+    static_cast<LibraryOptions&>(graph) = options;
+    graph.graph = options.graph;
+    check_text(*run, graph, text);
+  }
   return run;
 }
 
@@ -160,9 +168,12 @@ Arguments common(EditOptions& options) {
 
 Command fix_table(EditOptions& options) {
   return {.name = "fix",
-          .about = "apply what the help of errors says, where it is a change of the graph's text",
+          .about =
+              "apply what the help of errors says, where it is a change of the file's text: of a "
+              "graph, a manifest or settings of a training",
           .examples = {{"look first", "eagerx-gen fix pendulum.yaml --dry-run"},
-                       {"change the file", "eagerx-gen fix pendulum.yaml"}},
+                       {"change the file", "eagerx-gen fix pendulum.yaml"},
+                       {"former names of settings", "eagerx-gen fix settings.yaml"}},
           .arguments = joined({common(options), diagnostics(options)}),
           .run = [&options] { return perform_fix(options); }};
 }

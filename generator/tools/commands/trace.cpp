@@ -96,18 +96,21 @@ Command table(PlotOptions& options) {
                            "the picture to write, .svg, or - for the terminal", "FILE"))),
       [](const std::string& path) { return path == "-" || path.ends_with(".svg"); },
       "is neither .svg nor -");
-  return {.name = "plot",
-          .about = "draw channels of a log over time",
-          .examples = {{"a picture", "eagerx-gen plot run.log theta voltage -o run.svg"},
-                       {"in the terminal", "eagerx-gen plot run.log theta -o -"}},
-          .arguments =
-              {required(reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
-               required(texts("channel", options.channels,
-                              "channels: their names, or a part such as theta", "CHANNEL")),
-               std::move(output),
-               whole("--episode", options.episode, "only this episode, from 0", 0, kLastEpisode),
-               quiet(options)},
-          .run = [&options] { return perform(options); }};
+  return {
+      .name = "plot",
+      .about = "draw channels of a log over time",
+      .examples = {{"a picture", "eagerx-gen plot run.log theta voltage -o run.svg"},
+                   {"in the terminal", "eagerx-gen plot run.log theta -o -"}},
+      .arguments =
+          {required(reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
+           required(texts("channel", options.channels,
+                          "channels: their names, or a part such as theta; one element: pose[3]; "
+                          "several in one plot: theta,goal",
+                          "CHANNEL")),
+           std::move(output),
+           whole("--episode", options.episode, "only this episode, from 0", 0, kLastEpisode),
+           quiet(options)},
+      .run = [&options] { return perform(options); }};
 }
 
 }  // namespace

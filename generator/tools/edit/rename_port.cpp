@@ -161,7 +161,7 @@ class OwnManifest {
         declared(entry.value);
       } else if (entry.key == "requires") {
         each_scalar(entry.value, [&](Bytes place) { add_words(place); });
-      } else if (entry.key == "packs") {
+      } else if (entry.key == "vectorized") {
         add_words(entry.value.place);
       } else if (entry.key == "engines" || entry.key == "connections" || entry.key == "nodes") {
         implementation(entry.value);

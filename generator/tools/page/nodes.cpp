@@ -321,7 +321,7 @@ class Nodes {
               {"recover", safety.recover},
               {"max_lateness", time_json(safety.max_lateness_s)},
               {"link_timeout", time_json(safety.link_timeout_s)},
-              {"hang", time_json(safety.hang_s)},
+              {"heartbeat_timeout", time_json(safety.heartbeat_timeout_s)},
               {"clips", safety.clips},
               {"holds", safety.holds},
               {"line", line_of(safety.span)},

@@ -1,5 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <runtime/host/base/nearest.hpp>
+#include <runtime/host/base/number.hpp>
 
 #include "generator/support/diagnostics/diagnostics.hpp"
 #include "generator/tools/trace/plot.hpp"
@@ -9,24 +13,6 @@ namespace eagerx::gen {
 namespace {
 
 using trace_log::Log;
-
-/// Parts between slashes.
-std::vector<std::string> parts_of(const std::string& name) {
-  std::vector<std::string> parts(1);
-  for (const char c : name) {
-    if (c == '/')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
-bool has_parts(const std::string& channel, const std::vector<std::string>& wanted) {
-  const std::vector<std::string> parts = parts_of(channel);
-  // std::ranges' answers with a view, which clang 14 does not compile with GCC 12's library.
-  return std::search(parts.begin(), parts.end(), wanted.begin(), wanted.end()) != parts.end();
-}
 
 std::string list_of(const std::vector<std::string>& names) {
   std::string text;
@@ -38,18 +24,14 @@ std::string list_of(const std::vector<std::string>& names) {
 
 std::optional<std::uint32_t> channel_named(const Log& log, const std::string& name,
                                            std::string& problem) {
-  if (const auto exact = log.channel(name)) return exact;
-  std::vector<std::uint32_t> fitting;
-  std::vector<std::string> names, all;
-  for (std::uint32_t c = 0; c < log.channels.size(); ++c) {
-    all.push_back(log.channels[c].name);
-    if (!has_parts(all.back(), parts_of(name))) continue;
-    fitting.push_back(c);
-    names.push_back(all.back());
-  }
-  if (fitting.size() == 1) return fitting.front();
+  std::vector<std::string> all;
+  for (const auto& channel : log.channels) all.push_back(channel.name);
+  if (const std::string* const meant = host::name_meant(name, all))
+    return static_cast<std::uint32_t>(meant - all.data());
+  std::vector<std::string> fitting;
+  for (const std::string* const each : host::with_parts_of(name, all)) fitting.push_back(*each);
   if (!fitting.empty()) {
-    problem = "`" + name + "` may be " + list_of(names);
+    problem = "`" + name + "` may be " + list_of(fitting);
     return std::nullopt;
   }
   problem = "there is no channel `" + name + "` in `" + log.path + "`";
@@ -61,7 +43,9 @@ std::optional<std::uint32_t> channel_named(const Log& log, const std::string& na
 PlotPanel panel_of(const Log& log, std::uint32_t channel, std::optional<std::uint32_t> episode) {
   const Timeline timeline = timeline_of(log);
   const auto& of = log.channels[channel];
-  PlotPanel panel{of.name, of.size, {}};
+  PlotPanel panel{of.name, of.size, {}, {}};
+  for (std::uint64_t k = 0; of.size > 1 && k < of.size; ++k)
+    panel.names.push_back(fmt::format("[{}]", k));
   std::size_t first = 0;  // line of the episode's element 0
   for (std::size_t i = 0; i < log.rows.size(); ++i) {
     const auto& row = log.rows[i];
@@ -76,6 +60,69 @@ PlotPanel panel_of(const Log& log, std::uint32_t channel, std::optional<std::uin
       panel.lines[first + k].time_s.push_back(static_cast<double>(timeline.in_episode_ns[i]) / 1e9);
       panel.lines[first + k].value.push_back(value);
     }
+  }
+  return panel;
+}
+
+namespace {
+
+/// A channel, or one element of it.
+std::optional<PlotPanel> one_named(const Log& log, const std::string& name,
+                                   std::optional<std::uint32_t> episode, std::string& problem) {
+  const std::size_t bracket = name.ends_with(']') ? name.rfind('[') : std::string::npos;
+  const std::string whole = name.substr(0, bracket);
+  const auto channel = channel_named(log, whole, problem);
+  if (!channel) return std::nullopt;
+  PlotPanel panel = panel_of(log, *channel, episode);
+  if (bracket == std::string::npos) return panel;
+  std::uint64_t element = 0;
+  const bool is_number =
+      host::read_number(name.substr(bracket + 1, name.size() - bracket - 2), element);
+  if (!is_number || element >= panel.elements) {
+    problem = fmt::format(
+        "`{}` has no element `{}`\nhelp: its elements are {}[0]{}", panel.title,
+        name.substr(bracket), panel.title,
+        panel.elements == 1 ? "" : fmt::format(" to {}[{}]", panel.title, panel.elements - 1));
+    return std::nullopt;
+  }
+  std::erase_if(panel.lines, [&](const PlotLine& line) { return line.element != element; });
+  for (PlotLine& line : panel.lines) line.element = 0;
+  panel.title += name.substr(bracket);
+  panel.elements = 1;
+  panel.names.clear();
+  return panel;
+}
+
+/// `added` into the panel of those before it.
+void lay_over(PlotPanel added, PlotPanel& panel) {
+  const auto name_all = [](PlotPanel& one) {
+    for (std::string& name : one.names) name = one.title + name;
+    if (one.names.empty()) one.names = {one.title};
+  };
+  name_all(added);
+  for (PlotLine& line : added.lines) {
+    line.element += panel.elements;
+    panel.lines.push_back(std::move(line));
+  }
+  panel.elements += added.elements;
+  panel.title += (panel.title.empty() ? "" : ", ") + added.title;
+  panel.names.insert(panel.names.end(), added.names.begin(), added.names.end());
+}
+
+}  // namespace
+
+std::optional<PlotPanel> panel_named(const Log& log, const std::string& name,
+                                     std::optional<std::uint32_t> episode, std::string& problem) {
+  std::optional<PlotPanel> panel;
+  std::size_t begin = 0;
+  while (begin <= name.size()) {
+    const std::size_t end = std::min(name.find(',', begin), name.size());
+    auto one = one_named(log, name.substr(begin, end - begin), episode, problem);
+    if (!one) return std::nullopt;
+    begin = end + 1;
+    if (!panel && end == name.size()) return one;
+    if (!panel) panel.emplace(PlotPanel{"", 0, {}, {}});
+    lay_over(std::move(*one), *panel);
   }
   return panel;
 }

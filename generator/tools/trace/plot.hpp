@@ -16,10 +16,11 @@ struct PlotLine {
   std::vector<double> time_s, value;  // of the same length; time in the episode
 };
 
-/// A channel, with all its lines.
+/// A channel with all its lines, one element of it, or several channels over each other.
 struct PlotPanel {
   std::string title;
-  std::uint64_t elements = 1;
+  std::uint64_t elements = 1;           // of all channels
+  std::vector<std::string> names = {};  // of each element, in the legend; empty: one without
   std::vector<PlotLine> lines;
 };
 
@@ -31,6 +32,11 @@ std::optional<std::uint32_t> channel_named(const trace_log::Log& log, const std:
 /// `episode`: only this one; without: all.
 PlotPanel panel_of(const trace_log::Log& log, std::uint32_t channel,
                    std::optional<std::uint32_t> episode);
+
+/// What `name` means: a channel, one element of it (`pose[3]`), or several with commas, in one
+/// panel. nullopt: as channel_named().
+std::optional<PlotPanel> panel_named(const trace_log::Log& log, const std::string& name,
+                                     std::optional<std::uint32_t> episode, std::string& problem);
 
 /// Panels below each other, with the same time. Long lines are thinned to the least and the
 /// greatest value of each column of pixels. The same bytes on every machine.

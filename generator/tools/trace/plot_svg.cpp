@@ -10,11 +10,15 @@ namespace eagerx::gen {
 namespace {
 
 constexpr int kWidth = 760, kLeft = 70, kRight = 690, kTitle = 36;
-constexpr int kPanel = 150, kAbove = 24, kBottom = 40;  // a panel with its title, and the time
+// A panel with its title and legend, and the time.
+constexpr int kPanel = 150, kAbove = 24, kBottom = 40, kLegendRow = 16;
+constexpr std::size_t kMostInLegend = 17;
 constexpr std::size_t kColours = 6;
 // Okabe and Ito's colours, which people with colour blindness tell apart; brighter on dark paper.
 constexpr std::array<const char*, kColours> kLight = {"#0072b2", "#d55e00", "#009e73",
                                                       "#cc79a7", "#a07800", "#56b4e9"};
+// From the seventh element on, dashes tell lines of one colour apart.
+constexpr std::array<const char*, 3> kDashes = {"", "6 3", "2 2"};
 constexpr std::array<const char*, kColours> kDark = {"#56b4e9", "#f0904d", "#3fd6a8",
                                                      "#e6a5c8", "#e8c33f", "#9fd6f7"};
 
@@ -45,14 +49,19 @@ class Plot {
       : panels_(panels), time_(time_range(panels)) {}
 
   std::string draw(const std::string& title) {
-    const int height = kTitle + kPanel * static_cast<int>(panels_.size()) + kBottom;
+    int height = kTitle + kBottom;
+    for (const PlotPanel& each : panels_) height += kPanel + kLegendRow * rows_of_legend(each);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
         "viewBox=\"0 0 {0} {1}\">\n{2}<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
         kWidth, height, style());
     text += label(kLeft, 22, "start", title, "name");
-    for (std::size_t p = 0; p < panels_.size(); ++p)
-      text += panel(panels_[p], kTitle + kPanel * static_cast<int>(p));
+    int top = kTitle;
+    for (const PlotPanel& each : panels_) {
+      const int rows = rows_of_legend(each);
+      text += panel(each, top, top + kLegendRow * rows);
+      top += kPanel + kLegendRow * rows;
+    }
     const int bottom = height - kBottom;
     for (const PlotMark& mark : marks_of(time_, 8))
       text += label(x(mark.value), bottom + 18, "middle", mark.text, "");
@@ -62,11 +71,12 @@ class Plot {
  private:
   double x(double time_s) const { return kLeft + (kRight - kLeft) * time_.share(time_s); }
 
-  std::string panel(const PlotPanel& panel, int top) const {
+  /// Of the plot, which begins at `top`, below the title at `title` and the legend.
+  std::string panel(const PlotPanel& panel, int title, int top) const {
     const PlotRange range = value_range(panel);
     const double from = top + kAbove, to = top + kPanel - 6;
     const auto y = [&](double value) { return to - (to - from) * range.share(value); };
-    std::string text = label(kLeft, top + 16, "start", panel.title, "name");
+    std::string text = label(kLeft, title + 16, "start", panel.title, "name");
     for (const PlotMark& mark : marks_of(range, 4)) {
       text +=
           fmt::format("<path class=\"grid\" d=\"M{} {:.1f}H{}\"/>\n", kLeft, y(mark.value), kRight);
@@ -76,7 +86,7 @@ class Plot {
       text += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n", x(mark.value),
                           from, to);
     for (const PlotLine& line : panel.lines) text += curve(line, panel, y);
-    return text + legend(panel, top + 16);
+    return text + legend(panel, title + 16);
   }
 
   template <class Y>
@@ -87,18 +97,58 @@ class Plot {
     if (points.empty()) return {};
     points.pop_back();
     const bool many = panel.lines.size() > panel.elements;
-    return fmt::format("<polyline class=\"line l{}\"{} points=\"{}\"/>\n", line.element % kColours,
+    return fmt::format("<polyline class=\"line l{}\"{}{} points=\"{}\"/>\n",
+                       line.element % kColours, dash_of(line.element),
                        many ? " stroke-opacity=\"0.6\"" : "", points);
   }
 
-  /// Which element has which colour.
-  static std::string legend(const PlotPanel& panel, double y) {
-    if (panel.elements == 1) return {};
+  static std::string dash_of(std::uint64_t element) {
+    const char* const dash = kDashes[element / kColours % kDashes.size()];
+    return *dash == 0 ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash);
+  }
+
+  /// Places of the entries of a legend, from the left, in rows below the title.
+  struct Entry {
+    double x;
+    int row;
     std::string text;
-    const std::uint64_t shown = std::min<std::uint64_t>(panel.elements, kColours);
-    for (std::uint64_t i = 0; i < shown; ++i)
-      text += label(kRight - 30.0 * static_cast<double>(shown - 1 - i), y, "end",
-                    fmt::format("[{}]", i), fmt::format("t{}", i));
+  };
+  static std::vector<Entry> entries_of(const PlotPanel& panel) {
+    constexpr double kSample = 26, kCharacter = 6.7, kBetween = 12;
+    std::vector<Entry> entries;
+    const std::size_t shown = std::min(panel.names.size(), kMostInLegend);
+    double at = kLeft;
+    int row = 1;
+    for (std::size_t i = 0; i < shown; ++i) {
+      std::string text = panel.names[i];
+      if (i + 1 == shown && panel.names.size() > shown)
+        text += fmt::format(" and {} more", panel.names.size() - shown);
+      const double width = kSample + kCharacter * static_cast<double>(text.size());
+      if (at > kLeft && at + width > kRight) {
+        at = kLeft;
+        ++row;
+      }
+      entries.push_back({at, row, std::move(text)});
+      at += width + kBetween;
+    }
+    return entries;
+  }
+  static int rows_of_legend(const PlotPanel& panel) {
+    const std::vector<Entry> entries = entries_of(panel);
+    return entries.empty() ? 0 : entries.back().row;
+  }
+
+  /// Which element has which colour and dashes.
+  static std::string legend(const PlotPanel& panel, double title) {
+    std::string text;
+    std::uint64_t element = 0;
+    for (const Entry& entry : entries_of(panel)) {
+      const double y = title + kLegendRow * entry.row;
+      text += fmt::format("<path class=\"line l{}\"{} d=\"M{:.1f} {:.1f}h20\"/>\n",
+                          element % kColours, dash_of(element), entry.x, y - 4);
+      text += label(entry.x + 26, y, "start", entry.text, "");
+      ++element;
+    }
     return text;
   }
 

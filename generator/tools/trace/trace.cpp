@@ -33,8 +33,8 @@ std::vector<PlotPanel> panels_of(const Log& log, const PlotRequest& request, std
   }
   for (const auto& name : request.channels) {
     std::string why;
-    if (const auto channel = channel_named(log, name, why))
-      panels.push_back(panel_of(log, *channel, request.episode));
+    if (auto panel = panel_named(log, name, request.episode, why))
+      panels.push_back(std::move(*panel));
     else
       problem += (problem.empty() ? "error: " : "\nerror: ") + why;
   }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <runtime/host/base/cells.hpp>
 #include <runtime/host/base/number.hpp>
+#include <runtime/host/base/renamed.hpp>
 
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
@@ -28,7 +29,7 @@ constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 class CurveReader {
  public:
   CurveReader(std::string_view header, TrainingLines& lines)
-      : names_(cells_of(header)), lines_(lines) {}
+      : names_(with_new_names(cells_of(header))), lines_(lines) {}
 
   std::optional<TrainingRecord> read() {
     while (const auto line = lines_.next()) {
@@ -47,6 +48,13 @@ class CurveReader {
   }
 
  private:
+  static std::vector<std::string_view> with_new_names(std::vector<std::string_view> names) {
+    for (std::string_view& name : names) {
+      const std::string_view now = host::new_name(host::kCurveColumns, name);
+      if (!now.empty()) name = now;
+    }
+    return names;
+  }
   [[nodiscard]] std::size_t place_of(std::string_view name) const {
     const auto found = ranges::find(names_, name);
     return found == names_.end() ? kNowhere : static_cast<std::size_t>(found - names_.begin());

@@ -146,8 +146,8 @@ Json curve_charts(const std::vector<LearningCurve>& curves, const std::vector<st
   constexpr const char* kEvaluated = "evaluation, without noise";
   constexpr const char* kInStage = "in its stage, without noise";
   for (const auto& [name, unit, noisy, evaluated, in_stage] :
-       {std::tuple("Return", "", "return", "evaluation_return", "stage_return"),
-        std::tuple("Success", "%", "success", "evaluation_success", "stage_success")}) {
+       {std::tuple("Return", "", "return", "eval_return", "stage_return"),
+        std::tuple("Success", "%", "success_rate", "eval_success_rate", "stage_success_rate")}) {
     Chart chart(curves, name, unit);
     chart.add_column(kNoisy, noisy);
     chart.add_column(kEvaluated, evaluated, 1);
@@ -162,9 +162,9 @@ Json curve_charts(const std::vector<LearningCurve>& curves, const std::vector<st
   of_terms.put(charts);
   for (const auto& [name, column] :
        {std::pair("Stage of the task, from 1", "stage"),
-        {"Divergence of an iteration", "divergence"},
-        {"Learning rate", "step_size"},
-        {"Deviation of the actions, whose range is −1 to 1", "deviation"}}) {
+        {"KL divergence of an iteration", "approx_kl"},
+        {"Learning rate", "learning_rate"},
+        {"Standard deviation of the actions, whose range is −1 to 1", "std"}}) {
     Chart chart(curves, name, "");
     chart.add_column(name, column);
     chart.put(charts);

@@ -13,8 +13,8 @@ namespace eagerx::gen {
 
 /// Columns of a curve besides `steps`, as `train --csv` and `train --record` call them.
 inline constexpr std::array<std::string_view, 10> kCurveColumns = {
-    "return",     "success", "evaluation_return", "evaluation_success", "deviation", "step_size",
-    "divergence", "stage",   "stage_return",      "stage_success"};
+    "return",        "success_rate", "eval_return", "eval_success_rate", "std",
+    "learning_rate", "approx_kl",    "stage",       "stage_return",      "stage_success_rate"};
 
 /// Of a file; a page of more says nothing.
 inline constexpr std::size_t kMostTrainings = 1000;

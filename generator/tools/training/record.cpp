@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <runtime/host/base/number.hpp>
+#include <runtime/host/base/renamed.hpp>
 #include <utility>
 
 #include "generator/support/diagnostics/search.hpp"
@@ -119,9 +120,10 @@ class RecordReader {
                  {"has_success", truth_of(head.find("has_success")).value_or(false)},
                  {"terms", Json(terms_)}};
     if (head.has("until_return")) page_["until_return"] = head.number("until_return");
-    for (const char* name : {"resume", "from", "hard_starts"}) {
+    for (const char* name : {"resume", "from", "failure_replay"}) {
       if (head.has(name)) page_[name] = head.text(name);
     }
+    if (head.has("hard_starts")) page_["failure_replay"] = head.text("hard_starts");  // former name
     if (head.has("stages")) page_["stages"] = Json(head.texts("stages", kMostTerms));
     if (head.has("replay")) page_["replay"] = Json(head.texts("replay", kMostTerms));
     return !lines_.has_failed();
@@ -159,9 +161,12 @@ class RecordReader {
     numbers_ += 1 + curve.columns.size() + curve.terms.size();
     if (numbers_ > kMostNumbers) return lines_.fail("there are more numbers than may be");
     curve.steps.push_back(steps);
-    for (std::size_t i = 0; i < kCurveColumns.size(); ++i)
-      curve.columns.at(i).push_back(
-          fields.has(kCurveColumns.at(i)) ? fields.number(kCurveColumns.at(i)) : kNothing);
+    for (std::size_t i = 0; i < kCurveColumns.size(); ++i) {
+      const std::string_view now = kCurveColumns.at(i);
+      const std::string_view before = host::former_name(host::kCurveColumns, now);
+      const std::string_view name = fields.has(now) || before.empty() ? now : before;
+      curve.columns.at(i).push_back(fields.has(name) ? fields.number(name) : kNothing);
+    }
     for (auto& term : curve.terms) term.push_back(kNothing);
     if (!fields.has("terms")) return !lines_.has_failed();
     const auto terms = numbers(fields, "terms");

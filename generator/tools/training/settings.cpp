@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <runtime/host/base/number.hpp>
+#include <runtime/host/base/renamed.hpp>
 #include <string>
 
 #include "generator/support/diagnostics/search.hpp"
@@ -33,7 +34,9 @@ Json settings_json(std::string_view text, std::string_view algorithm) {
     const std::string_view part = without_blanks(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
     const std::size_t blank = std::min(part.find(' '), part.size());
-    const std::string_view name = part.substr(0, blank);
+    const std::string_view written = part.substr(0, blank);
+    const std::string_view now = host::new_name(host::kTrainSettings, written);
+    const std::string_view name = now.empty() ? written : now;
     const std::string_view value = without_blanks(part.substr(blank));
     const SettingRow* const row = ranges::find(kTrainSettings, name, &SettingRow::name);
     const bool is_known = row != std::end(kTrainSettings);

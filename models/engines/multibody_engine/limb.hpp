@@ -13,70 +13,10 @@
 #include <models/engines/multibody_engine/constants.hpp>
 #include <models/engines/multibody_engine/contact.hpp>
 #include <models/engines/multibody_engine/joint_torques.hpp>
+#include <models/engines/multibody_engine/moving.hpp>
 #include <models/engines/multibody_engine/spatial.hpp>
 
 namespace eagerx::models::multibody {
-
-/// A link or the base. Vectors are in the axes of the world.
-template <class Real>
-struct Moving {
-  Mat<Real> axes;
-  Vec<Real> arm;   // of its joint from the parent's
-  Vec<Real> at;    // of its joint from the base's reference point
-  Vec<Real> axis;  // of its joint
-  Vec<Real> velocity, spin;
-  // With all accelerations of joints and base 0, upwards in free fall: the acceleration without
-  // gravity.
-  Vec<Real> acceleration, spin_acceleration;
-  Real mass;         // of all links that hang on it, as what follows
-  Vec<Real> moment;  // mass times place of the centre
-  Sym<Real> inertia;
-  Vec<Real> force, torque;  // that this motion takes
-};
-
-/// Mass, moment and inertia of a body more, `scale` times as heavy as its model.
-template <class Part, class Real>
-[[gnu::always_inline]] inline void add_body(std::size_t k, const Real& scale, Moving<Real>& to) {
-  using Known1 = typename Part::template Inertia<1>;
-  using Known2 = typename Part::template Inertia<2>;
-  using Known3 = typename Part::template Inertia<3>;
-  to.mass += value<Real, typename Part::template Inertia<0>>(k) * scale;
-  to.moment = to.moment + turned_by<Known1, Known2, Known3>(k, to.axes) * scale;
-  to.inertia = to.inertia + inertia_turned_by<Part::template Inertia>(k, to.axes) * scale;
-}
-template <class Real>
-[[gnu::always_inline]] inline void forget_mass(Moving<Real>& link) {
-  const Real zero(LaneOf<Real>(0));
-  link.mass = zero;
-  link.moment = all(zero);
-  link.inertia = {zero, zero, zero, zero, zero, zero};
-}
-/// Newton's and Euler's equations.
-template <class Real>
-[[gnu::always_inline]] inline void set_forces(Moving<Real>& link) {
-  const Vec<Real>&w = link.spin, &al = link.spin_acceleration, &h = link.moment;
-  link.force = link.acceleration * link.mass + cross(al, h) + cross(w, cross(w, h));
-  link.torque = link.inertia * al + cross(w, link.inertia * w) + cross(h, link.acceleration);
-}
-
-/// The parallel axes' theorem: what hangs on `link` hangs on `to`, too.
-template <class Real>
-[[gnu::always_inline]] inline void hand_on(const Moving<Real>& link, Moving<Real>& to) {
-  const Vec<Real>& r = link.arm;
-  const Vec<Real> s = link.moment + link.moment + r * link.mass;
-  const Real half(LaneOf<Real>(0.5));
-  const Real xx = s.x * r.x, yy = s.y * r.y, zz = s.z * r.z;
-  to.inertia.xx += link.inertia.xx + (yy + zz);
-  to.inertia.yy += link.inertia.yy + (xx + zz);
-  to.inertia.zz += link.inertia.zz + (xx + yy);
-  to.inertia.xy += link.inertia.xy - half * (s.x * r.y + s.y * r.x);
-  to.inertia.xz += link.inertia.xz - half * (s.x * r.z + s.z * r.x);
-  to.inertia.yz += link.inertia.yz - half * (s.y * r.z + s.z * r.y);
-  to.moment = to.moment + link.moment + r * link.mass;
-  to.mass += link.mass;
-  to.torque = to.torque + link.torque + cross(r, link.force);
-  to.force = to.force + link.force;
-}
 
 /// What is kept of a limb until the base is known.
 template <class Real, std::size_t n, std::size_t P>
@@ -246,6 +186,36 @@ class Limb {
           point.weighted[d][i] = row[i] * record.inverse[i];
           *free[d] += step * (point.weighted[d][i] * record.rhs[i]);
         }
+      });
+    });
+  }
+
+  /// L⁻ᵀ·row of any row over the limb's links, but for what the base's factors do.
+  [[gnu::always_inline]] static void reduce(const Record& record, Real* row, Real (&row_base)[6]) {
+    unrolled<n>([&](auto back) __attribute__((always_inline)) {
+      constexpr std::size_t i = n - 1 - back;
+      each_above<i>([&](auto up) __attribute__((always_inline)) {
+        row[up] -= record.lower[i][up] * row[i];
+      });
+      if constexpr (kFloating) {
+        unrolled<6>([&](auto b) __attribute__((always_inline)) {
+          row_base[b] -= record.to_base[i][b] * row[i];
+        });
+      }
+    });
+  }
+
+  /// L⁻¹ of what D⁻¹ has been applied to, from the base to the tips.
+  [[gnu::always_inline]] static void substitute(const Record& record, const Real (&base)[6],
+                                                Real (&along)[n]) {
+    unrolled<n>([&](auto j) __attribute__((always_inline)) {
+      if constexpr (kFloating) {
+        unrolled<6>([&](auto b) __attribute__((always_inline)) {
+          along[j] -= record.to_base[j][b] * base[b];
+        });
+      }
+      each_above<j>([&](auto i) __attribute__((always_inline)) {
+        along[j] -= record.lower[j][i] * along[i];
       });
     });
   }

@@ -26,6 +26,8 @@ struct MultibodyChecks {
                 "MultibodyEngine: joints must make a tree, with parents before their children");
   static_assert(multibody::has_only_trees_of_hinges<Model>(),
                 "MultibodyEngine: joints are hinges, sliders and fixed ones");
+  static_assert(multibody::has_leaders<Model>(),
+                "MultibodyEngine: `mimics` names a hinge or slider that mimics none itself");
   static_assert(multibody::count_free<Model>() <= 1,
                 "MultibodyEngine: one body of an object may be free; more of them are objects of "
                 "their own");
@@ -251,6 +253,7 @@ class MultibodySimulator {
 
   // ---- for the engine
   void begin_episode() {
+    multibody::follow_leaders<Model>(state_);
     for (auto& force : state_.force) force = multibody::all(zero());
     for (auto& drive : state_.drive) drive.applied = zero();
     before_ = state_;

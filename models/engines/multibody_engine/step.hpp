@@ -4,40 +4,32 @@
 #include <cstddef>
 #include <eagerx/math.hpp>
 #include <models/engines/multibody_engine/contact.hpp>
+#include <models/engines/multibody_engine/impulses.hpp>
 #include <models/engines/multibody_engine/limb.hpp>
+#include <models/engines/multibody_engine/mimic.hpp>
 #include <models/engines/multibody_engine/state.hpp>
-#include <utility>
 
 namespace eagerx::models::multibody {
 
 template <class Model>
-inline constexpr bool kFloats = count_free<Model>() == 1;
+class Step : public Impulses<Model> {
+  using Base = Impulses<Model>;
+  using Base::each_group, Base::kGroups, Base::kMimicking;
+  template <std::size_t g>
+  using LimbOf = typename Base::template LimbOf<g>;
 
-/// Records of the limbs of group g, and of all groups.
-template <class Model, std::size_t g>
-struct GroupRecords {
-  typename Limb<Model, g, kFloats<Model>>::Record limb[GroupOf<Model, g>::kCount];
-};
-template <class Model, class Groups>
-struct Records;
-template <class Model, std::size_t... g>
-struct Records<Model, std::index_sequence<g...>> : GroupRecords<Model, g>... {};
-
-template <class Model>
-class Step {
  public:
   using Real = typename Model::Real;
   using Lane = LaneOf<Real>;
   using State = multibody::State<Model>;
   using Settings = ContactSettings<Lane>;
   static constexpr bool kFloating = kFloats<Model>;
-  static constexpr std::size_t kGroups = kTree<Model>.group_count;
   static constexpr std::size_t kLimbPoints = kTree<Model>.limb_points;
   static constexpr std::size_t kBasePoints = kFloating ? State::kPoints - kLimbPoints : 0;
   static constexpr bool kBaseSolved = State::kLinks == 0;
 
   Step(State& state, const Settings& settings, const Real& height)
-      : state_(state), settings_(settings), height_(height) {}
+      : Base(state, settings), height_(height) {}
 
   /// Velocities, then positions.
   [[gnu::always_inline]] void advance(int sweeps) {
@@ -50,29 +42,17 @@ class Step {
     start_base();
     each_group([&](auto g) __attribute__((always_inline)) { make_equations<g>(); });
     if constexpr (kFloating) finish_base();
-    if constexpr (kHasSolved) solve_contacts(sweeps);
+    if constexpr (kHasSolved || kMimicking) solve_impulses(sweeps);
     if constexpr (kFloating) accelerate_base();
     each_group([&](auto g) __attribute__((always_inline)) { accelerate_limbs<g>(); });
     if constexpr (kBasePoints > 0 && !kBaseSolved) keep_base_forces();
+    if constexpr (Base::kHasFastest) this->limit_speeds();
   }
-
-  Real acceleration[at_least_one(State::kLinks)];
-  Real base_acceleration[6];  // linear, angular
 
  private:
   using Points = PointTable<Model>;
-  template <std::size_t g>
-  using LimbOf = Limb<Model, g, kFloating>;
   static constexpr bool kHasSolved = kBaseSolved ? kBasePoints > 0 : kLimbPoints > 0;
 
-  template <class F>
-  [[gnu::always_inline]] static void each_group(const F& f) {
-    unrolled<kGroups>(f);
-  }
-  template <std::size_t g>
-  [[gnu::always_inline]] auto& records() {
-    return static_cast<GroupRecords<Model, g>&>(records_).limb;
-  }
   static constexpr bool is_solved(std::size_t g, std::size_t link) {
     const Group& group = kTree<Model>.groups[g];
     for (std::size_t p = 0; p < group.points; ++p) {
@@ -85,29 +65,29 @@ class Step {
   [[gnu::noinline]] void start_base() {
     const Real zero(Lane(0)), one(Lane(1));
     base_.at = base_.arm = all(zero);
-    base_.acceleration = state_.gravity * Real(Lane(-1));
+    base_.acceleration = this->state_.gravity * Real(Lane(-1));
     base_.spin_acceleration = all(zero);
     forget_mass(base_);
     base_.force = base_.torque = all(zero);
     if constexpr (kFloating) {
-      base_.axes = matrix(state_.rotation);
-      base_.velocity = state_.velocity;
-      base_.spin = state_.spin;
+      base_.axes = matrix(this->state_.rotation);
+      base_.velocity = this->state_.velocity;
+      base_.spin = this->state_.spin;
       unrolled<bodies_on<Model>(kNone)>([&](auto part) __attribute__((always_inline)) {
         using Part = typename BaseOf<Model>::template Part<part>;
-        add_body<Part>(0, state_.mass_scale[Part::body(0)], base_);
+        add_body<Part>(0, this->state_.mass_scale[Part::body(0)], base_);
       });
-      state_.shift_base(base_);
+      this->state_.shift_base(base_);
       set_forces(base_);
-      if (state_.is_pushed()) {
+      if (this->state_.is_pushed()) {
         unrolled<bodies_on<Model>(kNone)>([&](auto part) __attribute__((always_inline)) {
-          state_.push_body(BaseOf<Model>::template Part<part>::body(0), base_);
+          this->state_.push_body(BaseOf<Model>::template Part<part>::body(0), base_);
         });
       }
-      for (auto& row : equation_.a) {
+      for (auto& row : this->equation_.a) {
         for (auto& element : row) element = zero;
       }
-      for (auto& element : equation_.rhs) element = zero;
+      for (auto& element : this->equation_.rhs) element = zero;
     } else {
       base_.axes = {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
       base_.velocity = base_.spin = all(zero);
@@ -118,15 +98,15 @@ class Step {
   /// and large on boards.
   template <std::size_t g>
   [[gnu::noinline]] void make_equations() {
-    auto& records = this->records<g>();
+    auto& records = this->template records<g>();
 #pragma GCC unroll 1
     for (std::size_t k = 0; k < GroupOf<Model, g>::kCount; ++k) {
       LimbOf<g> limb;
       auto& record = records[k];
-      limb.move(k, base_, state_);
-      limb.gather(k, state_, settings_.dt, base_, record);
+      limb.move(k, base_, this->state_);
+      limb.gather(k, this->state_, this->settings_.dt, base_, record);
       add_points<g, false>(k, limb, record);
-      limb.eliminate(equation_, record);
+      limb.eliminate(this->equation_, record);
       add_points<g, true>(k, limb, record);
     }
   }
@@ -144,12 +124,13 @@ class Step {
           const auto offset = [index](const auto& axes) __attribute__((always_inline)) {
             return Points::offset(index, axes);
           };
-          point.motion = limb.template point_motion<j>(offset, height_, state_.gravity);
+          point.motion = limb.template point_motion<j>(offset, height_, this->state_.gravity);
           if constexpr (kSolved) {
-            limb.template set_rows<j>(point, settings_.dt, record);
+            limb.template set_rows<j>(point, this->settings_.dt, record);
           } else {
-            set_compliant(settings_, Points::friction(state_, index), state_.force[index].z, point);
-            limb.template add_compliant<j>(point, equation_, record);
+            set_compliant(this->settings_, Points::friction(this->state_, index),
+                          this->state_.force[index].z, point);
+            limb.template add_compliant<j>(point, this->equation_, record);
           }
         }
       }
@@ -158,7 +139,7 @@ class Step {
 
   [[gnu::noinline]] void finish_base() {
     add_base_points();
-    auto& a = equation_.a;
+    auto& a = this->equation_.a;
     const Real& m = base_.mass;
     const Vec<Real>& h = base_.moment;
     const Sym<Real>& i = base_.inertia;
@@ -170,21 +151,23 @@ class Step {
     a[4][3] += i.xy, a[5][3] += i.xz, a[5][4] += i.yz;
     const Real needed[6] = {base_.force.x,  base_.force.y,  base_.force.z,
                             base_.torque.x, base_.torque.y, base_.torque.z};
-    unrolled<6>([&](auto j) __attribute__((always_inline)) { equation_.rhs[j] -= needed[j]; });
+    unrolled<6>([&](auto j)
+                    __attribute__((always_inline)) { this->equation_.rhs[j] -= needed[j]; });
     factor_base();
   }
   /// LᵀDL as of limbs, from the angular end; L in place of A.
   [[gnu::always_inline]] void factor_base() {
-    auto& a = equation_.a;
+    auto& a = this->equation_.a;
     unrolled<6>([&](auto back) __attribute__((always_inline)) {
       constexpr std::size_t j = 5 - back;
-      base_inverse_[j] = Real(Lane(1)) / a[j][j];
+      this->base_inverse_[j] = Real(Lane(1)) / a[j][j];
       unrolled<j>([&](auto i) __attribute__((always_inline)) {
-        const Real l = a[j][i] * base_inverse_[j];
+        const Real l = a[j][i] * this->base_inverse_[j];
         unrolled<i + 1>([&](auto up) __attribute__((always_inline)) { a[i][up] -= l * a[j][up]; });
-        equation_.rhs[i] -= l * equation_.rhs[j];
+        this->equation_.rhs[i] -= l * this->equation_.rhs[j];
       });
-      unrolled<j>([&](auto i) __attribute__((always_inline)) { a[j][i] *= base_inverse_[j]; });
+      unrolled<j>([&](auto i)
+                      __attribute__((always_inline)) { a[j][i] *= this->base_inverse_[j]; });
     });
   }
 
@@ -200,11 +183,12 @@ class Step {
                       .depth = -(height_ + d.z)};
       if constexpr (kBaseSolved) {
         set_base_rows(d, point.row_base);
-        point.free = point.motion.velocity + point.motion.bias * Real(settings_.dt);
+        point.free = point.motion.velocity + point.motion.bias * Real(this->settings_.dt);
       } else {
-        set_compliant(settings_, Points::friction(state_, index), state_.force[index].z, point);
-        equation_.add_impedance(d, point.impedance);
-        equation_.add_force(d, point.force - scaled(point.impedance, point.motion.bias));
+        set_compliant(this->settings_, Points::friction(this->state_, index),
+                      this->state_.force[index].z, point);
+        this->equation_.add_impedance(d, point.impedance);
+        this->equation_.add_force(d, point.force - scaled(point.impedance, point.motion.bias));
       }
     }
   }
@@ -219,7 +203,7 @@ class Step {
         f(base_points_[p], kLimbPoints + p, static_cast<Real*>(nullptr));
     }
     each_group([&](auto g) __attribute__((always_inline)) {
-      auto& records = this->records<g>();
+      auto& records = this->template records<g>();
 #pragma GCC unroll 1
       for (std::size_t k = 0; k < GroupOf<Model, g>::kCount; ++k) {
         auto& record = records[k];
@@ -237,41 +221,46 @@ class Step {
 
   /// Projected Gauss-Seidel on the velocities of the end of the step, from the last step's
   /// impulses.
-  [[gnu::noinline]] void solve_contacts(int sweeps) {
-    const Real zero(Lane(0)), dt(settings_.dt), per_step(Lane(1) / settings_.dt);
-    for (auto& element : base_pushed_) element = zero;
+  [[gnu::noinline]] void solve_impulses(int sweeps) {
+    const Real zero(Lane(0)), dt(this->settings_.dt), per_step(Lane(1) / this->settings_.dt);
+    for (auto& element : this->base_pushed_) element = zero;
     each_group([&](auto g) __attribute__((always_inline)) {
-      for (auto& record : this->records<g>()) {
+      for (auto& record : this->template records<g>()) {
         for (auto& element : record.pushed) element = zero;
       }
     });
     each_solved([&]<std::size_t n>(PointRecord<Real, n> & point, std::size_t index, Real * links)
                     __attribute__((always_inline)) {
                       if constexpr (kFloating) finish_base_rows(point);
-                      finish_rows<Real, n, kFloating>(settings_, point);
+                      finish_rows<Real, n, kFloating>(this->settings_, point);
                       if constexpr (Points::kBounces)
-                        let_bounce(settings_, Points::bounce(index), point);
-                      Vec<Real>& impulse = state_.force[index];
+                        let_bounce(this->settings_, Points::bounce(index), point);
+                      Vec<Real>& impulse = this->state_.force[index];
                       impulse = impulse * dt;
-                      push<Real, n, kFloating>(point, impulse, links, base_pushed_);
+                      push<Real, n, kFloating>(point, impulse, links, this->base_pushed_);
                     });
+    if constexpr (kMimicking) {
+      this->make_mimic_rows();
+      this->solve_mimics();
+    }
 #pragma GCC unroll 1
-    for (int i = 0; i < sweeps; ++i) {
-      each_solved([&]<std::size_t n>(PointRecord<Real, n> & point, std::size_t index, Real * links)
-                      __attribute__((always_inline)) {
-                        sweep<Real, n, kFloating>(point, Points::friction(state_, index),
-                                                  state_.force[index], links, base_pushed_);
-                      });
+    for (int i = 0; kHasSolved && i < sweeps; ++i) {
+      each_solved([&]<std::size_t n>(PointRecord<Real, n> & point, std::size_t index,
+                                     Real * links) __attribute__((always_inline)) {
+        sweep<Real, n, kFloating>(point, Points::friction(this->state_, index),
+                                  this->state_.force[index], links, this->base_pushed_);
+      });
+      if constexpr (kMimicking) this->solve_mimics();
     }
     each_solved([&]<std::size_t n>(PointRecord<Real, n>&, std::size_t index, Real*) __attribute__((
-        always_inline)) { state_.force[index] = state_.force[index] * per_step; });
+        always_inline)) { this->state_.force[index] = this->state_.force[index] * per_step; });
     if constexpr (kFloating) {
       unrolled<6>([&](auto j) __attribute__((always_inline)) {
-        equation_.rhs[j] += base_pushed_[j] * per_step;
+        this->equation_.rhs[j] += this->base_pushed_[j] * per_step;
       });
     }
     each_group([&](auto g) __attribute__((always_inline)) {
-      for (auto& record : this->records<g>()) {
+      for (auto& record : this->template records<g>()) {
         unrolled<LimbOf<g>::n>([&](auto j) __attribute__((always_inline)) {
           record.rhs[j] += record.pushed[j] * per_step;
         });
@@ -282,15 +271,16 @@ class Step {
   template <std::size_t n>
   [[gnu::always_inline]] void finish_base_rows(PointRecord<Real, n>& point) {
     Real* const free[3] = {&point.free.x, &point.free.y, &point.free.z};
-    const Real dt(settings_.dt);
+    const Real dt(this->settings_.dt);
     unrolled<3>([&](auto d) __attribute__((always_inline)) {
       Real(&row)[6] = point.row_base[d];
       unrolled<6>([&](auto back) __attribute__((always_inline)) {
         constexpr std::size_t j = 5 - back;
-        unrolled<j>([&](auto i)
-                        __attribute__((always_inline)) { row[i] -= equation_.a[j][i] * row[j]; });
-        point.weighted_base[d][j] = row[j] * base_inverse_[j];
-        *free[d] += dt * (point.weighted_base[d][j] * equation_.rhs[j]);
+        unrolled<j>([&](auto i) __attribute__((always_inline)) {
+          row[i] -= this->equation_.a[j][i] * row[j];
+        });
+        point.weighted_base[d][j] = row[j] * this->base_inverse_[j];
+        *free[d] += dt * (point.weighted_base[d][j] * this->equation_.rhs[j]);
       });
     });
   }
@@ -298,16 +288,16 @@ class Step {
   // ---- accelerations
   [[gnu::always_inline]] void accelerate_base() {
     unrolled<6>([&](auto j) __attribute__((always_inline)) {
-      Real sum = equation_.rhs[j] * base_inverse_[j];
+      Real sum = this->equation_.rhs[j] * this->base_inverse_[j];
       unrolled<j>([&](auto i) __attribute__((always_inline)) {
-        sum -= equation_.a[j][i] * base_acceleration[i];
+        sum -= this->equation_.a[j][i] * this->base_acceleration[i];
       });
-      base_acceleration[j] = sum;
+      this->base_acceleration[j] = sum;
     });
   }
   template <std::size_t g>
   [[gnu::noinline]] void accelerate_limbs() {
-    auto& records = this->records<g>();
+    auto& records = this->template records<g>();
 #pragma GCC unroll 1
     for (std::size_t k = 0; k < GroupOf<Model, g>::kCount; ++k) {
       auto& record = records[k];
@@ -316,7 +306,7 @@ class Step {
         Real sum = record.rhs[j] * record.inverse[j];
         if constexpr (kFloating) {
           unrolled<6>([&](auto b) __attribute__((always_inline)) {
-            sum -= record.to_base[j][b] * base_acceleration[b];
+            sum -= record.to_base[j][b] * this->base_acceleration[b];
           });
         }
         LimbOf<g>::template each_above<j>([&](auto i) __attribute__((always_inline)) {
@@ -324,9 +314,9 @@ class Step {
         });
         along[j] = sum;
         const std::size_t index = GroupOf<Model, g>::index(k, j);
-        acceleration[index] = sum;
-        state_.drive[index].applied =
-            record.drive[j].now - Real(settings_.dt) * record.drive[j].slope * sum;
+        this->acceleration[index] = sum;
+        this->state_.drive[index].applied =
+            record.drive[j].now - Real(this->settings_.dt) * record.drive[j].slope * sum;
       });
       keep_limb_forces<g>(k, record, along);
     }
@@ -346,7 +336,7 @@ class Step {
           LimbOf<g>::template each_carrier<j>([&](auto i) __attribute__((always_inline)) {
             a = a + point.jacobian[i] * along[i];
           });
-          keep_force(point, a, state_.force[GroupOf<Model, g>::point(k, p)]);
+          keep_force(point, a, this->state_.force[GroupOf<Model, g>::point(k, p)]);
         }
       }
     });
@@ -356,12 +346,14 @@ class Step {
     for (std::size_t p = 0; p < kBasePoints; ++p) {
       const auto& point = base_points_[p];
       keep_force(point, point.motion.bias + of_base(point.motion.at),
-                 state_.force[kLimbPoints + p]);
+                 this->state_.force[kLimbPoints + p]);
     }
   }
   [[gnu::always_inline]] Vec<Real> of_base(const Vec<Real>& at) const {
-    const Vec<Real> turn{base_acceleration[3], base_acceleration[4], base_acceleration[5]};
-    return Vec<Real>{base_acceleration[0], base_acceleration[1], base_acceleration[2]} +
+    const Vec<Real> turn{this->base_acceleration[3], this->base_acceleration[4],
+                         this->base_acceleration[5]};
+    return Vec<Real>{this->base_acceleration[0], this->base_acceleration[1],
+                     this->base_acceleration[2]} +
            cross(turn, at);
   }
   template <std::size_t n>
@@ -372,27 +364,23 @@ class Step {
   }
 
   [[gnu::always_inline]] void move() {
-    const Real dt(settings_.dt);
+    const Real dt(this->settings_.dt);
     for (std::size_t j = 0; j < State::kLinks; ++j) {
-      state_.v[j] += dt * acceleration[j];
-      state_.q[j] += dt * state_.v[j];
+      this->state_.v[j] += dt * this->acceleration[j];
+      this->state_.q[j] += dt * this->state_.v[j];
     }
+    follow_leaders<Model>(this->state_);
     if constexpr (kFloating) {
-      const Real* const a = base_acceleration;
-      state_.velocity = state_.velocity + Vec<Real>{a[0], a[1], a[2]} * dt;
-      state_.spin = state_.spin + Vec<Real>{a[3], a[4], a[5]} * dt;
-      state_.position = state_.position + state_.velocity * dt;
-      state_.rotation = turned(state_.rotation, state_.spin, settings_.dt);
+      const Real* const a = this->base_acceleration;
+      this->state_.velocity = this->state_.velocity + Vec<Real>{a[0], a[1], a[2]} * dt;
+      this->state_.spin = this->state_.spin + Vec<Real>{a[3], a[4], a[5]} * dt;
+      this->state_.position = this->state_.position + this->state_.velocity * dt;
+      this->state_.rotation = turned(this->state_.rotation, this->state_.spin, this->settings_.dt);
     }
   }
 
-  State& state_;
-  const Settings settings_;
   const Real height_;  // of the base's reference point above the plane
   Moving<Real> base_;
-  BaseEquation<Real> equation_;
-  Real base_inverse_[6], base_pushed_[6];
-  Records<Model, std::make_index_sequence<kGroups>> records_;
   PointRecord<Real, 0> base_points_[at_least_one(kBasePoints)];
 };
 

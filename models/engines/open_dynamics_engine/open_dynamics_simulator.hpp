@@ -10,6 +10,7 @@
 #include <models/engines/open_dynamics_engine/rigid_parts.hpp>
 #include <models/engines/open_dynamics_engine/rigid_world.hpp>
 #include <models/engines/open_dynamics_engine/scene.hpp>
+#include <models/engines/open_dynamics_engine/servo_constraint.hpp>
 
 namespace eagerx::models {
 
@@ -31,6 +32,8 @@ class OpenDynamicsSimulator {
       "OpenDynamicsEngine: a joint or geometry of the model names a body that it does not have");
   static_assert(scene::is_tree<Model>(),
                 "OpenDynamicsEngine: joints must make a tree, with parents before their children");
+  static_assert(!scene::has_mimics<Model>(),
+                "OpenDynamicsEngine: no joint mimics another one; MultibodyEngine can do it");
 
   static constexpr std::size_t inputs() {
     if constexpr (requires { Model::kInputs; }) return Model::kInputs;
@@ -53,6 +56,8 @@ class OpenDynamicsSimulator {
     for (std::size_t g = 0; g < kGeometries; ++g) create_shape(g, space);
     shapes_.begin = shape_.data();
     shapes_.count = kGeometries;
+    shapes_.simulator = this;
+    shapes_.fastest = fastest_joint;
     if constexpr (requires { Model::kTouchesItself; })
       shapes_.touch_each_other = Model::kTouchesItself;
   }
@@ -82,7 +87,7 @@ class OpenDynamicsSimulator {
     torque_ = {};
     servo_ = {};
     reconfigure();
-    for (std::size_t b = 0; b < kBodies; ++b) set_state(b, reference_state(b));
+    for (std::size_t b = 0; b < kBodies; ++b) place_body(body_[b], reference_state(b));
     place();
   }
 
@@ -181,16 +186,7 @@ class OpenDynamicsSimulator {
   double joint_velocity(std::size_t joint, std::size_t axis = 0) const {
     return coordinates(joint).velocity[axis];
   }
-  RigidState state(std::size_t body) const {
-    const dReal* p = dBodyGetPosition(body_[body]);
-    const dReal* q = dBodyGetQuaternion(body_[body]);
-    const dReal* v = dBodyGetLinearVel(body_[body]);
-    const dReal* w = dBodyGetAngularVel(body_[body]);
-    return {{{p[0], p[1], p[2]}},
-            {{q[0], q[1], q[2], q[3]}},
-            {{v[0], v[1], v[2]}},
-            {{w[0], w[1], w[2]}}};
-  }
+  RigidState state(std::size_t body) const { return state_of(body_[body]); }
   /// Position and quaternion of a body; velocity and angular velocity.
   Pose pose(std::size_t body) const {
     const auto [p, q, v, w] = state(body);
@@ -234,7 +230,7 @@ class OpenDynamicsSimulator {
     std::array<JointCoordinates, kJoints> at{};
     for (std::size_t b = 0; b < kBodies; ++b) before[b] = state(b);
     for (std::size_t j = 0; j < kJoints; ++j)
-      at[j] = joint_wanted_[j] ? finite(wanted_joint_[j]) : present(j);
+      at[j] = joint_wanted_[j] ? finite_coordinates(wanted_joint_[j]) : present(j);
     if (reconfigured_) configure();
     for (std::size_t b = 0; b < kBodies; ++b) after[b] = wanted_state(b, before[b]);
     for (std::size_t j = 0; j < kJoints; ++j) {
@@ -242,7 +238,7 @@ class OpenDynamicsSimulator {
       after[child] =
           child_state(frame(j), parent(j, after), at[j], parent(j, before), before[child]);
     }
-    for (std::size_t b = 0; b < kBodies; ++b) set_state(b, after[b]);
+    for (std::size_t b = 0; b < kBodies; ++b) place_body(body_[b], after[b]);
     for (std::size_t j = 0; j < kJoints; ++j) count_turns(j, at[j].position[0]);
     for (std::size_t b = 0; b < kBodies; ++b) velocity_before_[b] = after[b].velocity;
     joint_wanted_ = {};
@@ -263,6 +259,9 @@ class OpenDynamicsSimulator {
       dBodyAddForce(body_[b], f[0], f[1], f[2]);
     }
     for (std::size_t j = 0; j < kJoints; ++j) {
+      if (HingeStops::are_switched(Model::kJoints[j]))
+        HingeStops::update(joint_[j], Model::kJoints[j], joint_position(j));
+      if (hold_by_constraint(j)) continue;
       const double applied = actuator_torque(j);
       const double torque = applied - damping_torque(j, applied);
       if (torque != 0.0) apply_torque(j, torque);
@@ -271,6 +270,7 @@ class OpenDynamicsSimulator {
   void after_step() {
     for (std::size_t j = 0; j < kJoints; ++j) {
       if (Model::kJoints[j].kind == JointKind::hinge) follow_turns(j);
+      if (constraint_[j].holds()) torque_[j] = constraint_[j].torque_at(joint_velocity(j));
     }
   }
 
@@ -292,12 +292,19 @@ class OpenDynamicsSimulator {
     if constexpr (requires { Model::kOrigin; }) return Model::kOrigin;
     return {};
   }
-  static double finite(double value) { return eagerx::isfinite(value) ? value : 0.0; }
-  static JointCoordinates finite(JointCoordinates at) {
-    for (double& value : at.position) value = finite(value);
-    for (double& value : at.velocity) value = finite(value);
-    return at;
+  /// For messages; one whose speed is not a number is the fastest.
+  static const char* fastest_joint(const void* simulator, double& speed) {
+    const char* name = "";
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      const double its =
+          eagerx::abs(static_cast<const OpenDynamicsSimulator*>(simulator)->joint_velocity(j));
+      if (its <= speed || speed != speed) continue;
+      speed = its;
+      name = Model::kJoints[j].name;
+    }
+    return name;
   }
+  static double finite(double value) { return eagerx::isfinite(value) ? value : 0.0; }
 
   dBodyID parent_body(std::size_t joint) const {
     return kParent[joint] < kBodies ? body_[kParent[joint]] : nullptr;
@@ -341,22 +348,11 @@ class OpenDynamicsSimulator {
     return now;
   }
 
-  void set_state(std::size_t b, const RigidState& to) {
-    const dQuaternion q = {to.rotation[0], to.rotation[1], to.rotation[2], to.rotation[3]};
-    dBodySetPosition(body_[b], to.position[0], to.position[1], to.position[2]);
-    dBodySetQuaternion(body_[b], q);
-    dBodySetLinearVel(body_[b], to.velocity[0], to.velocity[1], to.velocity[2]);
-    const Vector3& w = to.angular_velocity;
-    dBodySetAngularVel(body_[b], w[0], w[1], w[2]);
-    dBodySetForce(body_[b], 0, 0, 0);
-    dBodySetTorque(body_[b], 0, 0, 0);
-  }
-
   /// The model's masses and anchors. The library takes anchors in the pose of the moment, which has
   /// to be that of reference.
   void configure() {
     if constexpr (requires { Model::configure(*this); }) Model::configure(*this);
-    for (std::size_t b = 0; b < kBodies; ++b) set_state(b, reference_state(b));
+    for (std::size_t b = 0; b < kBodies; ++b) place_body(body_[b], reference_state(b));
     for (std::size_t j = 0; j < kJoints; ++j)
       anchor_joint(joint_[j], Model::kJoints[j], origin() + anchor_[j]);
     reconfigured_ = false;
@@ -373,33 +369,39 @@ class OpenDynamicsSimulator {
   double damping_torque(std::size_t j, double applied) {
     const RigidJoint& of = Model::kJoints[j];
     if (!(of.damping > 0.0)) return 0.0;
-    if (has_motor_[j]) return of.damping * joint_velocity(j);
-    const double inertia = inertia_of_joint(of, Model::kBodies[kChild[j]]);
+    const double inertia = joint_inertia(j);
+    // A torque of the step's beginning must not turn the joint around.
+    if (has_motor_[j] && step_s_ * of.damping <= inertia) return of.damping * joint_velocity(j);
     const double v = velocity_after(of, inertia, joint_velocity(j), applied, step_s_);
+    if (has_motor_[j]) return of.damping * v;
     set_joint_parameter(joint_[j], of.kind, dParamFMax, of.friction + of.damping * eagerx::abs(v));
     return 0.0;
+  }
+
+  bool hold_by_constraint(std::size_t j) {
+    const RigidJoint& of = Model::kJoints[j];
+    if (degrees_of_freedom(of.kind) != 1) return false;
+    return constraint_[j].hold(
+        joint_[j], of, has_motor_[j] ? JointServo{} : scaled(servo_[j], factors_[j]),
+        factors_[j].strength,
+        {joint_position(j), joint_velocity(j), joint_inertia(j), step_s_, dWorldGetCFM(world_)});
+  }
+  static constexpr double joint_inertia(std::size_t j) {
+    return inertia_of_joint(Model::kJoints[j], Model::kBodies[kChild[j]]);
   }
   static bool is_factor(double value) { return value >= 0.0 && eagerx::isfinite(value); }
 
   double actuator_torque(std::size_t j) {
     const JointServo servo = scaled(servo_[j], factors_[j]);
-    if (servo.max_torque > 0.0) torque_[j] = servo.torque(joint_position(j), joint_velocity(j));
+    if (servo.max_torque > 0.0)
+      torque_[j] = servo_torque(
+          servo, {joint_position(j), joint_velocity(j), joint_inertia(j), step_s_, 0.0});
     return torque_[j] * factors_[j].strength;
   }
 
   void apply_torque(std::size_t j, double torque) {
     const Vector3 axis = rotate(parent_state(j).rotation, Model::kJoints[j].axis);
-    const Vector3 t = torque * axis;
-    const dBodyID child = body_[kChild[j]];
-    const dBodyID parent = parent_body(j);
-    if (Model::kJoints[j].kind == JointKind::hinge) {
-      dBodyAddTorque(child, t[0], t[1], t[2]);
-      if (parent != nullptr) dBodyAddTorque(parent, -t[0], -t[1], -t[2]);
-    } else if (Model::kJoints[j].kind == JointKind::slider) {
-      const dReal* at = dBodyGetPosition(child);
-      dBodyAddForce(child, t[0], t[1], t[2]);
-      if (parent != nullptr) dBodyAddForceAtPos(parent, -t[0], -t[1], -t[2], at[0], at[1], at[2]);
-    }
+    push_apart(Model::kJoints[j].kind, torque * axis, body_[kChild[j]], parent_body(j));
   }
 
   /// f(cosine, sine) of half the angle of a hinge.
@@ -421,7 +423,6 @@ class OpenDynamicsSimulator {
   }
 
   static constexpr double kLeast = 1e-12;
-
   dWorldID world_ = nullptr;
   std::array<dBodyID, kBodies> body_{};
   std::array<dJointID, kJoints> joint_{};
@@ -434,6 +435,7 @@ class OpenDynamicsSimulator {
   std::array<JointServo, kJoints> servo_{};
   std::array<ActuatorFactors, kJoints> factors_{};
   std::array<bool, kJoints> has_motor_{};
+  std::array<ServoConstraint, kJoints> constraint_{};
   std::array<TurnCounter, kJoints> turns_{};
   std::array<Vector3, kBodies> velocity_before_{};  // at the engine's last tick
   double per_period_ = 0.0, step_s_ = 0.0;

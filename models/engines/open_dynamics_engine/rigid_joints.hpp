@@ -23,6 +23,13 @@ struct JointCoordinates {
   std::array<double, 2> velocity{};
 };
 
+/// What is not finite as 0.
+constexpr JointCoordinates finite_coordinates(JointCoordinates at) {
+  for (double& value : at.position) value = eagerx::isfinite(value) ? value : 0.0;
+  for (double& value : at.velocity) value = eagerx::isfinite(value) ? value : 0.0;
+  return at;
+}
+
 constexpr std::size_t degrees_of_freedom(JointKind kind) {
   if (kind == JointKind::universal) return 2;
   return kind == JointKind::hinge || kind == JointKind::slider ? 1 : 0;

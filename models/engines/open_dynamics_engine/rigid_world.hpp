@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <models/engines/open_dynamics_engine/library_faults.hpp>
 #include <models/engines/open_dynamics_engine/rotation.hpp>
 #include <mutex>
 
@@ -30,6 +31,9 @@ struct RigidShapes {
   std::size_t count = 0;
   bool touch_each_other = false;
   RigidShapes* next = nullptr;
+  // The object, and what names its fastest joint.
+  const void* simulator = nullptr;
+  const char* (*fastest)(const void* simulator, double& speed) = nullptr;
 };
 
 struct RigidWorldSettings {
@@ -117,12 +121,14 @@ class RigidWorld {
   /// The generator of quick_step begins again.
   void begin_episode() {
     seed_ = 0;
+    steps_ = 0;
     for_each_shape([](RigidShape& shape) { shape.force = {}; });
   }
 
   /// One step, with the forces that were added to the bodies.
   void step() {
     use_library();
+    StepUnderWay::of_thread() = {first_, fastest_joint, ++steps_};
     for_each_shape([](RigidShape& shape) { shape.force = {}; });
     collide();
     advance();
@@ -136,7 +142,10 @@ class RigidWorld {
   /// The library is set up once in a process, and stays; it has memory for each thread that calls
   /// it.
   static void use_library() {
-    static const bool is_set_up = dInitODE2(0) != 0;
+    static const bool is_set_up = [] {
+      tell_why_it_stops();
+      return dInitODE2(0) != 0;
+    }();
     struct OfThread {
       bool exists = is_set_up && dAllocateODEDataForThread(~0U) != 0;
       ~OfThread() {
@@ -145,6 +154,20 @@ class RigidWorld {
     };
     thread_local const OfThread memory;
     static_cast<void>(memory.exists);
+  }
+
+  static const char* fastest_joint(const void* objects, double& speed) {
+    const char* name = "";
+    speed = -1.0;
+    for (auto object = static_cast<const RigidShapes*>(objects); object != nullptr;
+         object = object->next) {
+      double its = -1.0;
+      const char* const joint = object->fastest(object->simulator, its);
+      if (its <= speed) continue;  // what is not a number is the fastest
+      speed = its;
+      name = joint;
+    }
+    return name;
   }
 
   template <class F>
@@ -286,6 +309,7 @@ class RigidWorld {
   RigidShapes* first_ = nullptr;
   std::size_t count_ = 0;
   std::size_t watched_ = 0;
+  std::uint64_t steps_ = 0;  // of the episode
   std::array<Pair, MaxContacts> shapes_{};
   std::array<dJointFeedback, MaxContacts> feedback_{};
   unsigned long seed_ = 0;  // NOLINT(google-runtime-int): what dRandSetSeed takes

@@ -39,7 +39,7 @@ struct RigidJoint {
   Vector3 anchor{};               // a point of the joint in the reference pose
   Vector3 axis{{0.0, 1.0, 0.0}};  // of length 1
   Vector3 axis2{{0.0, 0.0, 1.0}};
-  // Of hinge (within ±π) and slider: where the joint stops.
+  // Of hinge and slider: where the joint stops.
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   // Of hinge and slider, too.
@@ -49,6 +49,10 @@ struct RigidJoint {
   // Of hinge and slider on MultibodyEngine; OpenDynamicsEngine has neither.
   double armature = 0.0;  // inertia of the motor, times the square of its gear ratio [kg·m², kg]
   double max_velocity = std::numeric_limits<double>::infinity();  // [rad/s, m/s]
+  // The name of a hinge or slider, which mimics none itself, on MultibodyEngine:
+  // position = ratio · (position of that one) + offset.
+  const char* mimics = "";
+  double ratio = 1.0, offset = 0.0;  // [rad, m]
 };
 
 enum class ShapeKind : std::uint8_t {
@@ -167,6 +171,15 @@ constexpr bool is_tree() {
     if (*joint.parent != '\0') is_parent[find(Model::kBodies, joint.parent)] = true;
   }
   return true;
+}
+
+/// Whether a joint follows another one.
+template <class Model>
+constexpr bool has_mimics() {
+  for (const auto& joint : Model::kJoints) {
+    if (*joint.mimics != '\0') return true;
+  }
+  return false;
 }
 
 /// Whether a joint holds the body.

@@ -10,7 +10,8 @@ namespace eagerx::models {
 
 /// y[n] = p + (1 − α)·(measured − p) with p = y[n − 1] + T·derivative and α = τ/(τ + T), element by
 /// element. The first finite `measured` is y. A derivative that is not finite or has not come
-/// counts as 0; without a finite `measured`, y is p.
+/// counts as 0; without a finite `measured`, y is p. An overflow leaves y at `measured`, or as it
+/// was. The sums are compensated: neither a slow turn nor a small correction is lost.
 template <class Io>
 class ComplementaryFilter {
  public:
@@ -29,14 +30,17 @@ class ComplementaryFilter {
       const Real derivative = newest<Real>(in.derivative, i);
       const auto right = eagerx::isfinite(measured);
       const Real speed = select(eagerx::isfinite(derivative), derivative, Real(0));
-      const Real predicted = y_[i] + Real(kPeriod) * speed;
-      const Real error = within_turn(measured - predicted, kTurn);
-      const Real corrected = within_turn(predicted + Real(kCorrection) * error, kTurn);
+      const auto predicted = y_[i].plus(Real(kPeriod) * speed);
+      const Real error = within_turn(measured - predicted.value, kTurn);
+      const auto corrected = predicted.plus(Real(kCorrection) * error);
       const auto first = has_measured_[i] == Real(0);
-      const Real after = select(right, select(first, measured, corrected), predicted);
-      y_[i] = within_turn(after, kTurn);
+      const Real after = select(right, corrected.value, predicted.value);
+      const auto good = eagerx::isfinite(after) && !(right && first);
+      const Real instead = select(right, measured, y_[i].value);
+      const Real rest = select(right, corrected.rest, predicted.rest);
+      y_[i] = {within_turn(select(good, after, instead), kTurn), select(good, rest, Real(0))};
       has_measured_[i] = select(right, Real(1), has_measured_[i]);
-      put(out.y, i, y_[i]);
+      put(out.y, i, y_[i].value);
     }
   }
 
@@ -50,7 +54,7 @@ class ComplementaryFilter {
       constant<Real>(Io::Rate::period_s / (kTimeConstant + Io::Rate::period_s));
   static constexpr auto kTurn = constant<Real>(Io::Config::turn);
 
-  std::array<Real, kSize> y_{};
+  std::array<CompensatedSum<Real>, kSize> y_{};
   std::array<Real, kSize> has_measured_{};  // 1 after the first
 };
 

@@ -9,7 +9,8 @@
 namespace eagerx::models {
 
 /// y is how often the signal came to `threshold` or above from below, since the reset, element by
-/// element; with `modulo` m above 0 it goes from m − 1 to 0. NaN and what has not come are below.
+/// element, however many there are; with `modulo` m above 0 it goes from m − 1 to 0. NaN and what
+/// has not come are below.
 template <class Io>
 class Counter {
  public:
@@ -23,13 +24,15 @@ class Counter {
     for (std::size_t i = 0; i < kSize; ++i) {
       const Real x = newest<Real>(in.signal, i, nan);
       const Real is_above = select(x >= Real(kThreshold), Real(1), Real(0));
-      count_[i] += is_above * (Real(1) - was_above_[i]);
+      count_[i] = count_[i].plus(is_above * (Real(1) - was_above_[i]));
       if constexpr (Io::Config::modulo > 0) {
         constexpr auto kModulo = constant<Real>(static_cast<double>(Io::Config::modulo));
-        count_[i] = select(count_[i] >= Real(kModulo), Real(0), count_[i]);
+        // The rest counts: a float of 2^24 or more has no ones.
+        const auto full = (count_[i].value - Real(kModulo)) + count_[i].rest >= Real(0);
+        count_[i] = {select(full, Real(0), count_[i].value), select(full, Real(0), count_[i].rest)};
       }
       was_above_[i] = is_above;
-      put(out.y, i, count_[i]);
+      put(out.y, i, count_[i].value);
     }
   }
 
@@ -38,7 +41,7 @@ class Counter {
   static constexpr std::size_t kSize = elements_of<decltype(Io::Outputs::y)>;
   static constexpr auto kThreshold = constant<Real>(Io::Config::threshold);
 
-  std::array<Real, kSize> count_{};
+  std::array<CompensatedSum<Real>, kSize> count_{};
   std::array<Real, kSize> was_above_{};
 };
 

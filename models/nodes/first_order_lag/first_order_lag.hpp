@@ -10,8 +10,8 @@
 namespace eagerx::models {
 
 /// 1/(τ·s + 1) for a signal that is constant between ticks: y += (1 − exp(−T/τ))·(signal − y),
-/// element by element; for τ = 0, y is the signal. A signal that is not finite or has not come
-/// leaves y as it is. A reset may set τ.
+/// element by element; for τ = 0, y is the signal. A signal that is not finite, has not
+/// come or makes y overflow leaves y as it is. A reset may set τ.
 template <class Io>
 class FirstOrderLag {
  public:
@@ -32,7 +32,7 @@ class FirstOrderLag {
       const Real x = newest<Real>(in.signal, i, nan);
       const Real gain = gain_[i].value;
       const auto moved = y_[i].plus(gain * (x - y_[i].value));
-      const auto right = eagerx::isfinite(x);
+      const auto right = eagerx::isfinite(x) && eagerx::isfinite(moved.value);
       const auto passes = gain == Real(1);
       y_[i] = {select(right, select(passes, x, moved.value), y_[i].value),
                select(right, select(passes, Real(0), moved.rest), y_[i].rest)};

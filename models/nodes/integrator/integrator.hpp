@@ -16,8 +16,8 @@ enum class IntegrationMethod : std::uint8_t { forward, backward, trapezoidal };
 ///   forward      y[n] = s[n − 1], s[n] = clamp(s[n − 1] + T·x[n])
 ///   backward     y[n] = clamp(y[n − 1] + T·x[n])
 ///   trapezoidal  y[n] = clamp(y[n − 1] + T/2·(x[n] + x[n − 1]))
-/// The state itself is limited, so nothing winds up. A signal that is not finite or has not come
-/// adds nothing.
+/// The state itself is limited, so nothing winds up. A signal that is not finite, has not come or
+/// makes the sum overflow adds nothing.
 template <class Io>
 class Integrator {
  public:
@@ -40,10 +40,10 @@ class Integrator {
       const Real x = select(eagerx::isfinite(signal), signal, Real(0));
       const Real before = value_[i].value;
       if constexpr (kMethod == IntegrationMethod::trapezoidal) {
-        value_[i] = limited(i, value_[i].plus(Real(kHalf) * (x + last_[i])));
+        add(i, Real(kHalf) * (x + last_[i]));
         last_[i] = x;
       } else {
-        value_[i] = limited(i, value_[i].plus(Real(kPeriod) * x));
+        add(i, Real(kPeriod) * x);
       }
       put(out.y, i, kMethod == IntegrationMethod::forward ? before : value_[i].value);
     }
@@ -64,8 +64,12 @@ class Integrator {
   static_assert(in_order(Io::Config::low, Io::Config::high),
                 "Integrator: `low` is not above `high`");
 
-  static CompensatedSum<Real> limited(std::size_t i, const CompensatedSum<Real>& sum) {
-    return sum.within(each<Real>(kLow, i), each<Real>(kHigh, i));
+  void add(std::size_t i, const Real& x) {
+    const auto sum = value_[i].plus(x);
+    const auto limited = sum.within(each<Real>(kLow, i), each<Real>(kHigh, i));
+    const auto good = eagerx::isfinite(sum.value);
+    value_[i] = {select(good, limited.value, value_[i].value),
+                 select(good, limited.rest, value_[i].rest)};
   }
 
   std::array<CompensatedSum<Real>, kSize> value_{};

@@ -11,7 +11,7 @@ namespace eagerx::models {
 
 /// x := A·x + B·u, P := A·P·Aᵀ + Q, then for each element of measured, one after the other,
 /// k = P·cᵀ/(c·P·cᵀ + r), x += k·(measured − c·x), P −= k·c·P. Elements that are not finite or have
-/// not come correct nothing.
+/// not come correct nothing. If x or P is not finite, both begin anew.
 template <class Io>
 class KalmanFilter {
  public:
@@ -29,9 +29,12 @@ class KalmanFilter {
       for (std::size_t k = 0; k < kOrder; ++k) c[k] = Real(Model::kC[i * kOrder + k]);
       const auto gain = p_.update(c, each<Real>(kR, i), Model::is_measured(in, i));
       const Real innovation = model_.innovation(in, i);
-      for (std::size_t k = 0; k < kOrder; ++k) model_.x[k] += gain[k] * innovation;
+      for (std::size_t k = 0; k < kOrder; ++k) model_.x.add(k, gain[k] * innovation);
     }
-    for (std::size_t i = 0; i < kOrder; ++i) put(out.x, i, model_.x[i]);
+    const TruthOf<Real> lost = !(model_.x.is_finite() && p_.is_finite());
+    change_where<Real>(lost, model_, [&] { model_.begin(); });
+    change_where<Real>(lost, p_, [&] { p_.reset(kP); });
+    for (std::size_t i = 0; i < kOrder; ++i) put(out.x, i, model_.x.x[i].value);
   }
 
  private:

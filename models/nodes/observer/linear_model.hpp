@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <models/nodes/action_limits/per_element.hpp>
 #include <models/nodes/block.hpp>
+#include <models/nodes/observer/linear_states.hpp>
 
 namespace eagerx::models {
 
@@ -16,6 +17,7 @@ struct LinearModel {
   static constexpr auto kOrder = static_cast<std::size_t>(Io::Config::order);
   static constexpr std::size_t kMeasured = elements_of<decltype(Inputs::measured)>;
   static constexpr auto kA = constants<Real>(Io::Config::a);
+  static constexpr auto kIncrements = constants<Real>(increments_of<kOrder>(Io::Config::a));
   static constexpr auto kB = constants<Real>(Io::Config::b);
   static constexpr auto kC = constants<Real>(Io::Config::c);
   static constexpr auto kInitial = constants<Real>(Io::Config::initial);
@@ -26,18 +28,19 @@ struct LinearModel {
 
   template <class States>
   void reset(const States& states) {
-    for (std::size_t i = 0; i < kOrder; ++i) {
-      x[i] = each<Real>(kInitial, i);
-      if constexpr (requires { states.x; }) {
-        if (states.x) x[i] = static_cast<Real>(element(*states.x, i));
-      }
+    begin();
+    if constexpr (requires { states.x; }) {
+      for (std::size_t i = 0; states.x && i < kOrder; ++i)
+        x.set(i, static_cast<Real>(element(*states.x, i)));
     }
+  }
+  void begin() {
+    for (std::size_t i = 0; i < kOrder; ++i) x.set(i, each<Real>(kInitial, i));
   }
 
   /// A u that is not finite or has not come counts as 0.
   void predict(const Inputs& in) {
-    std::array<Real, kOrder> next;
-    for (std::size_t i = 0; i < kOrder; ++i) next[i] = row_times<Real>(kA, i, x);
+    std::array<Real, kOrder> drive{};
     if constexpr (requires { in.u; }) {
       std::array<Real, elements_of<decltype(in.u)>> u;
       static_assert(kB.size() == kOrder * u.size(),
@@ -46,9 +49,9 @@ struct LinearModel {
         const Real input = newest<Real>(in.u, i);
         u[i] = select(eagerx::isfinite(input), input, Real(0));
       }
-      for (std::size_t i = 0; i < kOrder; ++i) next[i] += row_times<Real>(kB, i, u);
+      for (std::size_t i = 0; i < kOrder; ++i) drive[i] = row_times<Real>(kB, i, u);
     }
-    x = next;
+    x.advance(Io::Config::a, kIncrements, drive);
   }
 
   /// Whether element `i` of measured is there and finite.
@@ -58,11 +61,11 @@ struct LinearModel {
   }
   /// measured − C·x of element `i`; 0 where nothing is measured.
   Real innovation(const Inputs& in, std::size_t i) const {
-    const Real difference = newest<Real>(in.measured, i) - row_times<Real>(kC, i, x);
+    const Real difference = newest<Real>(in.measured, i) - row_times<Real>(kC, i, x.values());
     return select(is_measured(in, i), difference, Real(0));
   }
 
-  std::array<Real, kOrder> x{};
+  LinearStates<Real, kOrder> x{};
 };
 
 }  // namespace eagerx::models

@@ -9,7 +9,8 @@
 namespace eagerx::models {
 
 /// p = A·x + B·u, then x := p + gain·(measured − C·p); at the first tick p is the initial x. An
-/// element of measured that is not finite or has not come corrects nothing.
+/// element of measured that is not finite or has not come corrects nothing. An x that overflows
+/// begins anew.
 template <class Io>
 class Observer {
  public:
@@ -29,9 +30,10 @@ class Observer {
       innovation[i] = model_.innovation(in, i);
     }
     for (std::size_t i = 0; i < Model::kOrder; ++i) {
-      model_.x[i] += row_times<Real>(gain_.or_constants(kGain), i, innovation);
-      put(out.x, i, model_.x[i]);
+      model_.x.add(i, row_times<Real>(gain_.or_constants(kGain), i, innovation));
     }
+    change_where<Real>(!model_.x.is_finite(), model_, [&] { model_.begin(); });
+    for (std::size_t i = 0; i < Model::kOrder; ++i) put(out.x, i, model_.x.x[i].value);
   }
 
  private:

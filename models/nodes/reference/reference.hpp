@@ -1,6 +1,7 @@
 // Test signals: step, ramp, sine, chirp, and recorded ones.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/rate.hpp>
@@ -65,17 +66,16 @@ class Reference {
 
   /// Before `start` whole_s is below 0.
   static ExactTime<Lane> since_start(Seq n) {
-    constexpr auto kWholeStart = static_cast<std::int64_t>(Config::start);
-    constexpr auto kRestStart = static_cast<Lane>(Config::start - static_cast<double>(kWholeStart));
+    constexpr auto kExactStart = exact_seconds<Lane>(Config::start);
     ExactTime<Lane> t = exact_time<typename Io::Rate, Lane>(n);
-    t.whole_s -= kWholeStart;
-    t.rest_s -= kRestStart;
+    t.whole_s -= kExactStart.whole_s;
+    t.rest_s -= kExactStart.rest_s;
     if (t.rest_s < Lane(0)) return {t.whole_s - 1, t.rest_s + Lane(1)};
     return t;
   }
 
   Lane shape(const ExactTime<Lane>& t, [[maybe_unused]] int k) const {
-    [[maybe_unused]] const Lane seconds = static_cast<Lane>(t.whole_s) + t.rest_s;
+    [[maybe_unused]] const Lane seconds = seconds_of(t);
     if constexpr (Config::shape == ReferenceShape::step) {
       return Lane(1);
     } else if constexpr (Config::shape == ReferenceShape::ramp) {
@@ -83,7 +83,7 @@ class Reference {
     } else if constexpr (Config::shape == ReferenceShape::sine) {
       return wave(turns_of(frequency(k), t));
     } else if constexpr (Config::shape == ReferenceShape::table) {
-      return between_points(seconds);
+      return between_points(t);
     } else {
       return wave(chirp(t, seconds, k));
     }
@@ -102,32 +102,61 @@ class Reference {
   /// f·t + (f1 − f)·t²/(2·duration), and after `duration` what it is there and f1·(t − duration).
   [[nodiscard]] Lane chirp(const ExactTime<Lane>& t, Lane seconds, int k) const {
     const ExactFrequency<Lane> exact = frequency(k);
-    const Lane f = exact.hz;
-    const auto risen = [&](Lane sweep) {
-      return (kEndFrequency - f) * (sweep / (Lane(2) * kDuration)) * sweep;
-    };
-    if (seconds < kDuration) return turns_of(exact, t) + risen(seconds);
-    // f·D + (f1 − f)·D/2 − f1·D = (f − f1)·D/2
-    const Lane behind = (f - kEndFrequency) * (kDuration / Lane(2));
     constexpr auto kEnd = exact_frequency<Lane>(Config::end_frequency);
-    return turns_of(kEnd, t) + (behind - eagerx::floor(behind));
+    if (seconds < kDuration) return turns_of(exact, t) + risen(growth(k), t);
+    return turns_of(kEnd, t) + fraction_of<Lane>(behind(k));
+  }
+  /// c = (f1 − f)/(2·duration) in turns/s². In double: it is multiplied with the square of a time.
+  [[nodiscard]] double growth([[maybe_unused]] int k) const {
+    if constexpr (requires(States s) { s.frequency; }) {
+      const auto f = static_cast<double>(lane(frequency_.or_constant(kFrequency), k));
+      return (Config::end_frequency - f) * (0.5 / Config::duration);
+    } else {
+      return (Config::end_frequency - Config::frequency) * (0.5 / Config::duration);
+    }
+  }
+  /// The fraction of f·D + (f1 − f)·D/2 − f1·D = (f − f1)·D/2, in units of 2^-64.
+  [[nodiscard]] std::uint64_t behind(int k) const {
+    if constexpr (requires(States s) { s.frequency; }) {
+      return fixed_turns(-growth(k) * (Config::duration * Config::duration));
+    } else {
+      constexpr auto kBehind =
+          fixed_turns((Config::frequency - Config::end_frequency) * (Config::duration / 2.0));
+      return kBehind;
+    }
+  }
+  /// c·(w + r)² = c·w² + (2·c·w + c·r)·r with w whole seconds: whole turns of c·w² drop out.
+  static Lane risen(double c, const ExactTime<Lane>& t) {
+    const auto whole_s = static_cast<std::uint64_t>(t.whole_s);
+    const std::uint64_t of_whole = fixed_turns(c) * whole_s * whole_s;
+    const auto slope = static_cast<Lane>(c);
+    const Lane rest =
+        (Lane(2) * slope * static_cast<Lane>(t.whole_s) + slope * t.rest_s) * t.rest_s;
+    const Lane sum = fraction_of<Lane>(of_whole) + rest;
+    return sum - eagerx::floor(sum);
   }
 
   static constexpr std::size_t kPoints = Config::times.size();
-  static constexpr auto kTimes = constants<Real>(Config::times);
+  static constexpr auto kTimes = [] {
+    std::array<ExactTime<Lane>, kPoints> times{};
+    for (std::size_t k = 0; k < kPoints; ++k) times[k] = exact_seconds<Lane>(Config::times[k]);
+    return times;
+  }();
   static constexpr auto kValues = constants<Real>(Config::values);
 
-  static Lane between_points(Lane t) {
-    if (t < kTimes[0]) return kValues[0];
+  static Lane between_points(const ExactTime<Lane>& t) {
+    const auto is_before = [&](std::size_t k) { return seconds_between(kTimes[k], t) < Lane(0); };
+    if (is_before(0)) return kValues[0];
     std::size_t before = 0;
     std::size_t after = kPoints;
     while (after - before > 1) {  // the logarithm of kPoints times
       const std::size_t middle = before + (after - before) / 2;
-      (t < kTimes[middle] ? after : before) = middle;
+      (is_before(middle) ? after : before) = middle;
     }
     if (Config::interpolation == Interpolation::previous || after == kPoints)
       return kValues[before];
-    const Lane share = (t - kTimes[before]) / (kTimes[after] - kTimes[before]);
+    const Lane share =
+        seconds_between(kTimes[before], t) / seconds_between(kTimes[before], kTimes[after]);
     return kValues[before] + share * (kValues[after] - kValues[before]);
   }
   /// `turns` without whole ones first: the sine of a large number is the less exact.

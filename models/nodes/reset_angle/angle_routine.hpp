@@ -1,20 +1,20 @@
 // How the reset nodes of EAGERx's pendulums bring an angle about.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <eagerx/math.hpp>
 #include <eagerx/rate.hpp>
+#include <models/nodes/block.hpp>
 #include <models/processors/normalize_angle/normalize_angle.hpp>
 #include <numbers>
 
 namespace eagerx::models {
 
-/// A PID controller in differences, as EAGERx's tutorials have it:
+/// The PID controller that EAGERx's tutorials have in differences,
 ///   u ← u + F₀·e_k + F₁·e_{k−1} + F₂·e_{k−2},  u = 0 at a reset
 ///   F = [kp + ki·dt + kd/dt, −kp − 2·kd/dt, kd/dt]
-/// with one and two terms at the first two calls. Nothing limits u here.
-/// Source: eagerx_tutorials, pendulum/pid.py.
+/// with one and two terms at the first two calls, as the sum that this is: u = kp·e_k + ki·dt·Σe +
+/// kd/dt·(e_k − e_{k−1}), whose roundings do not add up. Nothing limits u here. An error that is
+/// not finite leaves u as it is. Source: eagerx_tutorials, pendulum/pid.py.
 template <class Real>
 class DifferencePid {
  public:
@@ -23,23 +23,22 @@ class DifferencePid {
   };
 
   void reset() {
-    errors_ = {};
-    count_ = 0;
+    sum_ = {};
+    last_ = {};
     u_ = {};
   }
 
   Real next(const Gains& gains, Real dt, Real error) {
-    errors_ = {error, errors_[0], errors_[1]};
-    if (count_ < errors_.size()) ++count_;
-    const std::array<Real, 3> factors = {gains.kp + gains.ki * dt + gains.kd / dt,
-                                         -gains.kp - Real(2) * gains.kd / dt, gains.kd / dt};
-    for (std::size_t i = 0; i < count_; ++i) u_ += factors[i] * errors_[i];
+    if (!eagerx::isfinite(error)) return u_;
+    sum_ = sum_.plus(error);
+    u_ = gains.kp * error + gains.ki * dt * sum_.value + gains.kd / dt * (error - last_);
+    last_ = error;
     return u_;
   }
 
  private:
-  std::array<Real, 3> errors_{};  // newest first
-  std::size_t count_ = 0;
+  CompensatedSum<Real> sum_{};  // of errors
+  Real last_{};
   Real u_{};
 };
 

@@ -6,21 +6,21 @@
 #include <eagerx/rate.hpp>
 #include <models/nodes/action_limits/per_element.hpp>
 #include <models/nodes/block.hpp>
+#include <models/nodes/observer/linear_states.hpp>
 
 namespace eagerx::models {
 
 /// y = C·x + D·u, then x := A·x + B·u, with u the signal. The last finite signal takes the place of
-/// one that is not finite; before the first it is 0.
+/// one that is not finite; before the first it is 0. An x that overflows begins anew.
 template <class Io>
 class StateSpace {
  public:
   void reset(const typename Io::States& states) {
     held_ = {};
-    for (std::size_t i = 0; i < kOrder; ++i) {
-      x_[i] = each<Real>(kInitial, i);
-      if constexpr (requires { states.x; }) {
-        if (states.x) x_[i] = static_cast<Real>(element(*states.x, i));
-      }
+    begin();
+    if constexpr (requires { states.x; }) {
+      for (std::size_t i = 0; states.x && i < kOrder; ++i)
+        x_.set(i, static_cast<Real>(element(*states.x, i)));
     }
   }
 
@@ -29,24 +29,30 @@ class StateSpace {
     for (std::size_t i = 0; i < kInputs; ++i) {
       u[i] = held_[i](newest<Real>(in.signal, i, held_[i].last));
     }
+    const auto x = x_.values();
     for (std::size_t i = 0; i < kOutputs; ++i) {
-      Real y = row_times<Real>(kC, i, x_);
+      Real y = row_times<Real>(kC, i, x);
       if constexpr (kD.size() == kOutputs * kInputs) y += row_times<Real>(kD, i, u);
       put(out.y, i, y);
     }
-    std::array<Real, kOrder> next;
-    for (std::size_t i = 0; i < kOrder; ++i) {
-      next[i] = row_times<Real>(kA, i, x_) + row_times<Real>(kB, i, u);
-    }
-    x_ = next;
+    std::array<Real, kOrder> drive;
+    for (std::size_t i = 0; i < kOrder; ++i) drive[i] = row_times<Real>(kB, i, u);
+    x_.advance(Io::Config::a, kIncrements, drive);
+    change_where<Real>(!x_.is_finite(), x_, [&] { begin(); });
   }
 
  private:
   using Real = typename Io::Real;
+
+  void begin() {
+    for (std::size_t i = 0; i < kOrder; ++i) x_.set(i, each<Real>(kInitial, i));
+  }
+
   static constexpr auto kOrder = static_cast<std::size_t>(Io::Config::order);
   static constexpr std::size_t kInputs = elements_of<decltype(Io::Inputs::signal)>;
   static constexpr std::size_t kOutputs = elements_of<decltype(Io::Outputs::y)>;
   static constexpr auto kA = constants<Real>(Io::Config::a);
+  static constexpr auto kIncrements = constants<Real>(increments_of<kOrder>(Io::Config::a));
   static constexpr auto kB = constants<Real>(Io::Config::b);
   static constexpr auto kC = constants<Real>(Io::Config::c);
   static constexpr auto kD = constants<Real>(Io::Config::d);
@@ -61,7 +67,7 @@ class StateSpace {
   static_assert(is_one_or_each(kInitial, kOrder),
                 "StateSpace: `initial` has one value, or one for each state");
 
-  std::array<Real, kOrder> x_{};
+  LinearStates<Real, kOrder> x_{};
   std::array<Held<Real>, kInputs> held_{};
 };
 

@@ -18,6 +18,13 @@ template <class R>
 
 }  // namespace detail
 
+/// To the nearest integer, halves to the even one (IEEE 754's roundTiesToEven). Exact; keeps the
+/// sign of zero.
+template <Floating R>
+constexpr R round_to_even(R x) {
+  return copysign(detail::round_magnitude_to_even(x), x);
+}
+
 /// Towards zero. Exact; keeps the sign of zero.
 template <Floating R>
 constexpr R trunc(R x) {

@@ -94,6 +94,18 @@ template <class R, std::size_t N>
 inline void sqrt(const R (&x)[N], R (&y)[N]) {
   for (std::size_t i = 0; i < N; ++i) y[i] = eagerx::sqrt(x[i]);
 }
+template <class R, std::size_t N>
+inline void round_to_even(const R (&x)[N], R (&y)[N]) {
+  for (std::size_t i = 0; i < N; ++i) y[i] = eagerx::round_to_even(x[i]);
+}
+template <class R, std::size_t N>
+inline void floor(const R (&x)[N], R (&y)[N]) {
+  for (std::size_t i = 0; i < N; ++i) y[i] = eagerx::floor(x[i]);
+}
+template <class R, std::size_t N>
+inline void ceil(const R (&x)[N], R (&y)[N]) {
+  for (std::size_t i = 0; i < N; ++i) y[i] = eagerx::ceil(x[i]);
+}
 /// 1 where x > 0, else 0.
 template <class R, std::size_t N>
 inline void above_zero(const R (&x)[N], R (&y)[N]) {

@@ -32,18 +32,6 @@ int write_all(int file, std::string_view bytes) {
   return 0;
 }
 
-/// The name behind all links, where there may be nothing yet.
-std::string behind_links(fs::path path) {
-  constexpr int kMostLinks = 40;  // as Linux follows them
-  std::error_code none;
-  for (int i = 0; i < kMostLinks; ++i) {
-    const fs::path next = fs::read_symlink(path, none);
-    if (none) break;
-    path = next.is_absolute() ? next : path.parent_path() / next;
-  }
-  return path.string();
-}
-
 bool is_same(const std::string& path, const struct stat& status) {
   struct stat found {};
   return lstat(path.c_str(), &found) == 0 && found.st_dev == status.st_dev &&
@@ -96,6 +84,18 @@ bool keep_owner(int file, const struct stat& replaced) {
 }
 
 }  // namespace
+
+std::string behind_links(const std::string& of) {
+  fs::path path(of);
+  constexpr int kMostLinks = 40;  // as Linux follows them
+  std::error_code none;
+  for (int i = 0; i < kMostLinks; ++i) {
+    const fs::path next = fs::read_symlink(path, none);
+    if (none) break;
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path.string();
+}
 
 bool takes_output(const struct stat& status) {
   constexpr mode_t kAnyWrites = S_IWUSR | S_IWGRP | S_IWOTH;

@@ -59,6 +59,9 @@ class Draft {
 /// Removes the drafts of `path` that killed programs left behind. A Draft does so itself.
 void remove_left_drafts(const std::string& path);
 
+/// The name behind all links, where there may be nothing yet.
+std::string behind_links(const std::string& path);
+
 /// What a Draft of `path` meets. Changes nothing, and opens no device and no FIFO.
 [[nodiscard]] int problem_of_output(const std::string& path);
 

@@ -94,7 +94,8 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
       "note: that was after step %" PRIu64 ", in episode %" PRIu64
       ", counted from 1; files are right up to a "
       "second before\n"
-      "help: `hang:` of the graph's `safety:` says how long that may be. Ctrl-Z stops a program "
+      "help: `heartbeat_timeout:` of the graph's `safety:` says how long that may be. Ctrl-Z stops "
+      "a program "
       "safely, which SIGSTOP and debuggers do not\n",
       static_cast<double>(most_silent_ns) / static_cast<double>(kSecondNs),
       is_safe ? "its hardware has the safe values now"

@@ -102,6 +102,29 @@ const std::string* spelled_otherwise(std::string_view name, const std::vector<st
   return found;
 }
 
+std::vector<const std::string*> with_parts_of(std::string_view name,
+                                              const std::vector<std::string>& known) {
+  const auto framed = [](std::string_view text) {
+    std::string result = "/" + std::string(text) + "/";
+    std::replace(result.begin(), result.end(), '.', '/');
+    return result;
+  };
+  std::vector<const std::string*> found;
+  const std::string wanted = framed(name);
+  for (const std::string& each : known) {
+    if (framed(each).find(wanted) != std::string::npos) found.push_back(&each);
+  }
+  return found;
+}
+
+const std::string* name_meant(std::string_view name, const std::vector<std::string>& known) {
+  const auto exact = std::find(known.begin(), known.end(), name);
+  if (exact != known.end()) return &*exact;
+  if (const std::string* const spelled = spelled_otherwise(name, known)) return spelled;
+  const std::vector<const std::string*> found = with_parts_of(name, known);
+  return found.size() == 1 ? found.front() : nullptr;
+}
+
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
   const std::string near = nearest_name(name, known);
   return near.empty() ? near : "did you mean `" + near + "`?";

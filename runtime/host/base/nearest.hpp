@@ -16,6 +16,15 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 /// `robot/body.mass`. Null if there is none, or more than one.
 const std::string* spelled_otherwise(std::string_view name, const std::vector<std::string>& known);
 
+/// All of them that have the parts of `name` in their order, where `/` and `.` separate parts:
+/// `body/mass` and `robot.body` are in `robot/body.mass`.
+std::vector<const std::string*> with_parts_of(std::string_view name,
+                                              const std::vector<std::string>& known);
+
+/// The one that `name` means: itself, spelled with other separators, or the only one with its
+/// parts. Null if there is none, or more than one.
+const std::string* name_meant(std::string_view name, const std::vector<std::string>& known);
+
 /// "did you mean `…`?" with it, or empty.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 /// The same, or "there is A, B, C"; empty if nothing is known.

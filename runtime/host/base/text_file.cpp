@@ -12,6 +12,7 @@
 #include <cstring>
 #include <ctime>
 #include <runtime/host/base/background.hpp>
+#include <runtime/host/base/claim.hpp>
 #include <runtime/host/base/files.hpp>
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/text_file.hpp>
@@ -71,7 +72,8 @@ bool TextFile::open(const std::string& path, Writing writing) {
     return false;
   }
   replaces_ = status.st_size > 0;
-  if (is_new) made_ = path;
+  path_ = path;
+  made_ = is_new;
   return true;
 }
 
@@ -119,7 +121,10 @@ bool TextFile::reserve() {
   struct stat mine {};
   if (fstat(descriptor_, &mine) != 0 || !S_ISREG(mine.st_mode)) return true;
   reserved_ = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
-  return reserved_ || errno != EWOULDBLOCK;  // some file systems have no locks
+  if (!reserved_ && errno == EWOULDBLOCK) return false;  // some file systems have no locks
+  if (path_.empty() || !is_claimed(path_)) return true;
+  let_go();
+  return false;
 }
 
 /// Said, because a process that fork() made may still have the descriptor.
@@ -145,10 +150,10 @@ void TextFile::discard() {
   stop();
   struct stat mine {
   }, its{};
-  const bool is_ours = !made_.empty() && fstat(descriptor_, &mine) == 0 && mine.st_size == 0 &&
-                       lstat(made_.c_str(), &its) == 0 && mine.st_dev == its.st_dev &&
+  const bool is_ours = made_ && fstat(descriptor_, &mine) == 0 && mine.st_size == 0 &&
+                       lstat(path_.c_str(), &its) == 0 && mine.st_dev == its.st_dev &&
                        mine.st_ino == its.st_ino;
-  if (is_ours) unlink(made_.c_str());
+  if (is_ours) unlink(path_.c_str());
   let_go();
   if (owns_) ::close(descriptor_);
   descriptor_ = -1;

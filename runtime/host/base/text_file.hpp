@@ -60,8 +60,8 @@ class TextFile {
   bool is_same_file(const TextFile& other) const;
   /// Whether `path` is the file of a disk that this writes into, by whatever name.
   bool is_same_file(const std::string& path) const;
-  /// Keeps everybody else who asks so from this file of a disk, in this process and in others,
-  /// until close() or discard(). False if somebody was first.
+  /// Keeps everybody else who asks so, or claims it (claim.hpp), from this file of a disk, in this
+  /// process and in others, until close() or discard(). False if somebody was first.
   bool reserve();
   /// Writes what is left. False if anything was lost; see error().
   bool close();
@@ -124,7 +124,8 @@ class TextFile {
   bool owns_ = false;      // closes the descriptor
   bool reserved_ = false;  // for this one alone
   bool replaces_ = false;  // something that is still in the file
-  std::string made_;       // the path of a file that was not there before
+  std::string path_;       // of what open() opened by its name
+  bool made_ = false;      // it was not there before
   Writing writing_ = Writing::direct;
   std::size_t most_at_once_ = 0;
   std::atomic<int> error_ = 0;

@@ -15,11 +15,21 @@ class Grammar {
 
   std::optional<Expression> read() {
     Expression all = disjunction();
-    if (!text_.at_end()) text_.fail(text_.place(), "expected the end, found " + text_.next());
+    if (!text_.at_end())
+      text_.fail(text_.place(), "expected the end, found " + text_.next(), foreign_operator());
     return text_.good() ? std::optional(std::move(all)) : std::nullopt;
   }
 
  private:
+  /// What to write for the operator of another language that comes next; empty without one.
+  std::string foreign_operator() {
+    if (text_.peek('*')) return "write a power as `x^2`";
+    if (text_.peek('&')) return "write `and`: `x > 0 and y > 0`";
+    if (text_.peek('|')) return "write `or`: `x > 0 or y > 0`";
+    if (text_.peek('!')) return "write `not`: `not x > 0`";
+    return {};
+  }
+
   static Expression of(Tree op, std::size_t begin, std::vector<Expression> operands) {
     Expression result;
     result.op = op;
@@ -159,8 +169,7 @@ class Grammar {
       return number(std::move(digits), begin);
     std::string word = names_ == NameForm::port ? text_.take_port_name() : text_.take_dotted_name();
     if (word.empty()) {
-      text_.fail(begin, "expected a value, found " + text_.next(),
-                 text_.peek('*') ? "write a power as `x^2`" : "");
+      text_.fail(begin, "expected a value, found " + text_.next(), foreign_operator());
       return {};
     }
     if (text_.peek('(')) return call(std::move(word), begin);

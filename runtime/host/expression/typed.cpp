@@ -135,7 +135,7 @@ class Typer {
       return result;
     }
     result.op = Op::variable;
-    const auto found = std::ranges::find(names_.variables, tree.text, &Variable::name);
+    const auto found = find(tree.text);
     if (found == names_.variables.end()) {
       report_unknown(tree);
       return {};
@@ -146,12 +146,27 @@ class Typer {
     return result;
   }
 
+  std::vector<Variable>::const_iterator find(const std::string& name) const {
+    const auto found = std::ranges::find(names_.variables, name, &Variable::name);
+    if (found != names_.variables.end() || !names_.note) return found;
+    const std::vector<std::string> known = known_names();
+    const std::string* const spelled = host::spelled_otherwise(name, known);
+    if (spelled == nullptr) return found;
+    names_.note(name, *spelled);
+    return names_.variables.begin() + (spelled - known.data());
+  }
+
+  [[nodiscard]] std::vector<std::string> known_names() const {
+    std::vector<std::string> known;
+    for (const Variable& variable : names_.variables) known.push_back(variable.name);
+    return known;
+  }
+
   void report_unknown(const Expression& tree) {
     std::string help = names_.help ? names_.help(tree.text) : std::string();
     std::string message = "unknown name " + quoted(tree.text);
     if (!help.empty()) return fail(tree.begin, std::move(message), std::move(help));
-    std::vector<std::string> known;
-    for (const Variable& variable : names_.variables) known.push_back(variable.name);
+    std::vector<std::string> known = known_names();
     known.insert(known.end(), {"time", "pi"});
     text_.fail_unknown(tree.begin, std::move(message), tree.text, known);
   }

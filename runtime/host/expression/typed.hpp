@@ -89,7 +89,9 @@ std::span<const Function> functions();
 struct Names {
   const std::vector<Variable>& variables;
   NameForm form = NameForm::plain;
-  std::function<std::string(const std::string& name)> help;  // empty: what there is
+  std::function<std::string(const std::string& name)> help{};  // empty: what there is
+  /// If set, names with other separators (`.`, `/`) are accepted, and it receives both spellings.
+  std::function<void(const std::string& written, const std::string& name)> note{};
 };
 
 /// The whole text as an expression of the type that is wanted: one number, or one truth. nullopt

@@ -13,7 +13,7 @@ namespace eagerx::environments {
 namespace {
 
 std::string name_of(UsedPacks packs) {
-  return "packs of " + std::to_string(packs.lanes) + " (" + packs.isa + ")";
+  return std::to_string(packs.lanes) + " lanes (" + packs.isa + ")";
 }
 
 }  // namespace
@@ -73,12 +73,12 @@ std::string stepping_text(UsedPacks used, UsedPacks widest, std::uint32_t enviro
   const std::string one_by_one = "one by one: ";
   if (!graph_has_none.empty()) return one_by_one + graph_has_none;
   if (draws) return one_by_one + "their pictures are wanted";
-  if (widest.lanes == 0) return one_by_one + "EAGERX_PACKS or this processor allows no packs";
+  if (widest.lanes == 0) return one_by_one + "EAGERX_PACKS or this processor allows no SIMD lanes";
   const std::string few = std::to_string(environments) +
                           (environments == 1 ? " environment is" : " environments are") +
                           " too few for ";
-  if (used.lanes == 0) return one_by_one + few + "packs";
-  const std::string packs = "in " + name_of(used);
+  if (used.lanes == 0) return one_by_one + few + "SIMD lanes";
+  const std::string packs = "vectorized: " + name_of(used);
   return used.lanes == widest.lanes ? packs : packs + "; " + few + name_of(widest);
 }
 

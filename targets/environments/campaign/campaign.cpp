@@ -204,7 +204,7 @@ int run_campaign(const Options& options, const client::Library& library, Ranks& 
 
 void check_files(const Options& options) {
   for (const std::string& path : {options.csv, options.checkpoint}) {
-    if (!path.empty()) client::check_writable(path);
+    if (!path.empty()) client::claim_output(path);
   }
   if (!options.checkpoint.empty()) refuse_full(options.checkpoint);
   if (!options.resume.empty()) client::read_file(options.resume);

@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <runtime/host/base/files.hpp>
 #include <string_view>
+#include <thread>
 
 #include "targets/environments/campaign/record.hpp"
 #include "targets/environments/client/files.hpp"
@@ -22,6 +24,18 @@ using client::kInputOutput;
 using client::Problem;
 
 constexpr std::string_view kTitle = "eagerx-gen campaign 1 ";
+
+/// The file is claimed, so another program has its lock only for as long as it takes to see that.
+bool is_locked(int file) {
+  using namespace std::chrono_literals;
+  constexpr int kTries = 200;
+  for (int i = 0; i < kTries; ++i) {
+    // Some file systems have no locks.
+    if (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
+    std::this_thread::sleep_for(10ms);
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -63,8 +77,7 @@ void Journal::open(int flags) {
   struct stat status {};
   if (file_ < 0 || fstat(file_, &status) != 0) refuse(errno);
   if (!host::takes_output(status)) refuse(S_ISREG(status.st_mode) ? EACCES : EINVAL);
-  if (S_ISREG(status.st_mode) && flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    refuse(EWOULDBLOCK);
+  if (S_ISREG(status.st_mode) && !is_locked(file_)) refuse(EWOULDBLOCK);
   if (fcntl(file_, F_SETFL, 0) != 0) refuse(errno);
 }
 

@@ -1,6 +1,7 @@
 #include "targets/environments/client/command_line.hpp"
 
 #include <algorithm>
+#include <runtime/host/base/renamed.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -30,7 +31,9 @@ bool take(const CommandLine& line, int argc, const char* const* argv, int& i) {
   const std::string name = word.substr(0, equals);
   const auto option = std::ranges::find_if(
       line.options, [&](const Option& other) { return is_called(other, name); });
-  if (option == line.options.end()) refuse("there is no option `" + word + "`");
+  if (option == line.options.end())
+    throw Problem(kUsage, "there is no option `" + word + "`",
+                  host::help_for_renamed(std::string("options of ") + line.command, name));
   const bool has_value = equals != std::string::npos;
   if (*option->row.value == '\0') {
     if (has_value) refuse("`" + name + "` takes no value");

@@ -6,6 +6,7 @@
 #include <deque>
 #include <filesystem>
 #include <fstream>
+#include <runtime/host/base/claim.hpp>
 #include <runtime/host/base/files.hpp>
 #include <sstream>
 
@@ -49,6 +50,11 @@ void check_writable(const std::string& path) {
   if (path.empty()) fail("write", path, "it has no name");
   if (fs::is_directory(path, error)) fail("write", path, "it is a folder");
   check(host::problem_of_output(path), path);
+}
+
+void claim_output(const std::string& path) {
+  check_writable(path);
+  check(host::claim_output(path), path);
 }
 
 std::string read_file(const std::string& path) {

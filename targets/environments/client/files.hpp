@@ -22,6 +22,9 @@ void print(std::string_view text);
 /// Throws Problem if write_file() could not write here. Changes nothing.
 void check_writable(const std::string& path);
 
+/// The same if another program writes the file. No other one claims it until this process ends.
+void claim_output(const std::string& path);
+
 /// Throws Problem if it cannot be read.
 std::string read_file(const std::string& path);
 

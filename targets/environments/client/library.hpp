@@ -43,7 +43,7 @@ class Environments {
   void set_stage(const std::string& name);
   /// What the critic of a training sees, as eagerx_critic() says it.
   void critic(float* rows, float* final_rows);
-  /// How they are stepped, and what made that slower: "in packs of 64 (avx512)".
+  /// How they are stepped, and what made that slower: "vectorized: 64 lanes (avx512)".
   std::string stepping() const;
   /// Why the last call of this thread was not as it should be.
   std::string error() const { return library_.error(); }

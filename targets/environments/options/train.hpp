@@ -32,9 +32,13 @@ inline constexpr Row kTrain[] = {
      .about = "how many threads; the policy is the same for any number (default: one for each "
               "core)"},
     {.names = "--hidden", .value = "N,N", .about = "widths of the hidden layers (default: 64,64)"},
-    {.names = "--discount",
+    {.names = "--gamma",
      .value = "X",
      .about = "weight of a reward one step later (default: 0.99)"},
+    {.names = "--preset",
+     .value = "NAME",
+     .about = "settings for a kind of task, which files and other options override; `eagerx-gen "
+              "help train-settings` lists them"},
     {.names = "--setting",
      .value = "NAME=VALUE",
      .about = "one setting; `eagerx-gen help train-settings` lists them",
@@ -59,11 +63,11 @@ inline constexpr Row kTrain[] = {
               "repeated",
      .use = Use::reads,
      .repeated = true},
-    {.names = "--hard-starts",
+    {.names = "--failure-replay",
      .value = "FILE",
      .about =
          "let a share of the episodes begin where runs of a campaign have failed, by the table "
-         "that its --csv wrote; `hard_share` is a setting",
+         "that its --csv wrote; `failure_replay_fraction` is a setting",
      .use = Use::reads},
     {.names = "--results",
      .value = "FILE",

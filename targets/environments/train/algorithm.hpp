@@ -7,6 +7,7 @@
 
 #include "targets/environments/train/network.hpp"
 #include "targets/environments/train/pace.hpp"
+#include "targets/environments/train/spent.hpp"
 #include "targets/environments/train/statistics.hpp"
 
 namespace eagerx::train {
@@ -66,6 +67,9 @@ class Algorithm {
   virtual double deviation() const = 0;
   /// Of Adam.
   virtual double step_size() const = 0;
+  /// By this process, since it has begun.
+  virtual Spent spent() const = 0;
+  virtual Done done() const = 0;
 
   /// The bytes of a checkpoint. See checkpoint.hpp.
   virtual std::string checkpoint(const std::string& conditions, const std::string& interface,

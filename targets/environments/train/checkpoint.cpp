@@ -105,7 +105,8 @@ std::string_view next_line(std::string_view bytes, std::size_t& position) {
 }
 
 struct Parts {
-  std::string_view conditions, interface, values;
+  std::string conditions, interface;
+  std::string_view values;
 };
 
 Parts parts_of(std::string_view bytes, const std::string& name) {
@@ -115,8 +116,8 @@ Parts parts_of(std::string_view bytes, const std::string& name) {
     throw Problem(kInputOutput, "`" + name + "` was written by another version", kOwnFile);
   std::size_t position = kFirstLine.size();
   Parts parts;
-  parts.conditions = next_line(bytes, position);
-  parts.interface = next_line(bytes, position);
+  parts.conditions = with_new_names(next_line(bytes, position));
+  parts.interface = with_new_names(next_line(bytes, position));
   const std::string_view hash = next_line(bytes, position);
   parts.values = bytes.substr(position);
   if (hash != fmt::format("{:016x}", host::fnv1a(parts.values)))
@@ -140,13 +141,13 @@ Parts parts_of(std::string_view bytes, const std::string& name) {
 
 [[noreturn]] void refuse_begun_from(const std::string& name, const std::vector<Difference>& all) {
   refuse(fmt::format("`{}` is of other networks: ", name), all,
-         "give the same algorithm, layers and activation, and a graph with the same "
+         "give the same algorithm, net_arch and activation_fn, and a graph with the same "
          "observations and actions");
 }
 
 /// Those that need no library to be known.
 std::vector<Difference> of_settings(std::vector<Difference> all) {
-  constexpr std::string_view kOfLibrary[] = {"graph", "critic", "hard-starts", "observations",
+  constexpr std::string_view kOfLibrary[] = {"graph", "critic", "failure-replay", "observations",
                                              "actions"};
   std::erase_if(all, [&](const Difference& one) {
     return std::ranges::find(kOfLibrary, one.name) != std::end(kOfLibrary);
@@ -228,14 +229,14 @@ std::string conditions(const Settings& settings, const std::string& contract_has
 }
 
 std::string interface_of(const Settings& settings, const Description& description) {
-  std::string memory;
-  if (settings.memory != Memory::none)
-    memory = fmt::format("; memory {} {}", settings.memory == Memory::gru ? "gru" : "lstm",
-                         settings.memory_units);
-  return fmt::format("algorithm {}; observations {}; actions {}; layers {}; activation {}{}",
+  std::string rnn;
+  if (settings.rnn != Memory::none)
+    rnn = fmt::format("; rnn {} {}", settings.rnn == Memory::gru ? "gru" : "lstm",
+                      settings.rnn_hidden_size);
+  return fmt::format("algorithm {}; observations {}; actions {}; net_arch {}; activation_fn {}{}",
                      settings.algorithm, names_and_sizes(description.observations),
-                     names_and_sizes(description.actions), fmt::join(settings.layers, ","),
-                     settings.activation == Activation::relu ? "relu" : "tanh", memory);
+                     names_and_sizes(description.actions), fmt::join(settings.net_arch, ","),
+                     settings.activation_fn == Activation::relu ? "relu" : "tanh", rnn);
 }
 
 std::string critic_of(const Description& description) {

@@ -14,6 +14,7 @@
 namespace eagerx::train {
 
 using client::check_writable;
+using client::claim_output;
 using client::Description;
 using client::Environments;
 using client::ExitCode;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string_view>
 
 namespace eagerx::train {
@@ -15,7 +16,7 @@ std::string cell(double x) {
 
 /// The plane of the picture in its units.
 struct Plane {
-  static constexpr double kLeft = 70, kRight = 570, kTop = 40, kBottom = 300;
+  static constexpr double kLeft = 70, kRight = 570, kTop = 66, kBottom = 300;
   double last_step, low, high;
 
   double x(double steps) const { return kLeft + (kRight - kLeft) * steps / last_step; }
@@ -63,6 +64,31 @@ double spacing(double span) {
   return 10.0 * power;
 }
 
+/// "0", "50 k", "1.5 M"
+std::string steps_text(double steps) {
+  constexpr double kMillion = 1e6, kThousand = 1e3;
+  if (steps >= kMillion) return fmt::format("{:g} M", steps / kMillion);
+  if (steps >= kThousand) return fmt::format("{:g} k", steps / kThousand);
+  return fmt::format("{:g}", steps);
+}
+
+/// What the colours mean, in a row below the title.
+struct Meaning {
+  const char* colour;
+  const char* text;
+};
+std::string legend(std::initializer_list<Meaning> meanings) {
+  std::string text;
+  double x = Plane::kLeft;
+  for (const auto& [colour, meaning] : meanings) {
+    text +=
+        fmt::format("<path stroke=\"{}\" stroke-width=\"2\" d=\"M{:.1f} 38h18\"/>\n", colour, x);
+    text += label(x + 22, 42, "start", meaning);
+    x += 34 + 6.1 * static_cast<double>(std::string_view(meaning).size());
+  }
+  return text;
+}
+
 std::string grid(const Plane& plane) {
   std::string text;
   const double rise = spacing(plane.high - plane.low);
@@ -74,15 +100,14 @@ std::string grid(const Plane& plane) {
   }
   const double stride = spacing(plane.last_step);
   for (double steps = 0; steps <= plane.last_step; steps += stride) {
-    text += label(plane.x(steps), Plane::kBottom + 18, "middle", fmt::format("{:g}", steps / 1e6));
+    text += label(plane.x(steps), Plane::kBottom + 18, "middle", steps_text(steps));
   }
   return text;
 }
 
 constexpr std::string_view kColumns =
-    "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence,"
-    "stage,"
-    "stage_success,stage_return";
+    "steps,return,success_rate,eval_return,eval_success_rate,std,learning_rate,approx_kl,stage,"
+    "stage_success_rate,stage_return";
 
 std::string row_of(const CurvePoint& point) {
   return fmt::format("{:.0f},{},{},{},{},{},{},{},{},{},{}\n", point.steps, cell(point.mean_return),
@@ -117,7 +142,10 @@ std::string head(const Plane& plane, const Plane& share, const std::string& titl
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"360\" viewBox=\"0 0 640 "
       "360\" font-family=\"sans-serif\" font-size=\"12\">\n"
       "<rect width=\"640\" height=\"360\" fill=\"white\"/>\n";
-  text += label(320, 22, "middle", title) + grid(plane);
+  text += label(320, 20, "middle", title) + grid(plane);
+  text += label((Plane::kLeft + Plane::kRight) / 2.0, 350, "middle", "steps");
+  text += label(Plane::kLeft - 6, Plane::kTop - 8, "end", "return");
+  text += label(Plane::kRight + 6, Plane::kTop - 8, "start", "success");
   for (const int percent : {0, 50, 100}) {
     text += label(Plane::kRight + 6, share.y(percent / 100.0) + 4, "start",
                   fmt::format("{} %", percent));
@@ -203,9 +231,10 @@ std::string curve_svg(const std::vector<CurvePoint>& points, const std::string& 
          line(points, share, "#393", [](const CurvePoint& p) { return p.evaluation_success; }) +
          line(points, plane, "#9bd", [](const CurvePoint& p) { return p.mean_return; }) +
          line(points, plane, "#057", [](const CurvePoint& p) { return p.evaluation_return; }) +
-         label(320, 350, "middle",
-               "million steps; blue: return, green: success, of the last 100 episodes (dark: "
-               "evaluation without noise)") +
+         legend({{"#9bd", "return, training"},
+                 {"#057", "return, evaluation"},
+                 {"#9c9", "success, training"},
+                 {"#393", "success, evaluation"}}) +
          "</svg>\n";
 }
 
@@ -217,10 +246,9 @@ std::string curves_svg(const std::vector<std::vector<CurvePoint>>& trainings,
       band_of(trainings, [](const CurvePoint& p) { return p.evaluation_success; });
   const auto returns = band_of(trainings, [](const CurvePoint& p) { return p.evaluation_return; });
   return head(plane, share, title) + band(successes, share, "#393") + band(returns, plane, "#057") +
-         label(320, 350, "middle",
-               fmt::format("million steps; evaluation without noise, {} seeds: mean, least and "
-                           "most; blue: return, green: success",
-                           trainings.size())) +
+         legend({{"#057", "return, evaluation"}, {"#393", "success, evaluation"}}) +
+         label(Plane::kRight, 42, "end",
+               fmt::format("mean, least and most of {} seeds", trainings.size())) +
          "</svg>\n";
 }
 

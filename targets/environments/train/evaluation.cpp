@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "targets/environments/train/bytes.hpp"
+#include "targets/environments/train/spent.hpp"
 
 namespace eagerx::train {
 
@@ -147,6 +149,11 @@ Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
     parts_.push_back(std::make_unique<Part>(library, static_cast<std::uint32_t>(first),
                                             static_cast<std::uint32_t>(count), longest));
   }
+  spent_s_.resize(parts_.size());
+}
+
+double Evaluator::spent_s() const {
+  return std::accumulate(spent_s_.begin(), spent_s_.end(), 0.0);
 }
 
 Evaluator::~Evaluator() = default;
@@ -167,7 +174,9 @@ Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed, const Statis
   const auto own = share_of(ranks_.rank(), some);
   const auto work = [&](std::size_t i) {
     const std::size_t part = own.first + i;
+    const Stopwatch watch;
     results_[part] = parts_[part - own_.first]->run(kernels_, policy, seed, observations, stage);
+    spent_s_[i] += watch.seconds();
   };
   const auto all = together(
       ranks_,

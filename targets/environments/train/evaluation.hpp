@@ -62,6 +62,9 @@ class Evaluator {
   Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations,
                  const std::string& stage, environments::Share some);
 
+  /// Processor time of all runs of this process.
+  double spent_s() const;
+
  private:
   struct Episode;
   struct Result;  // of a part
@@ -79,6 +82,7 @@ class Evaluator {
   environments::Share own_;                   // parts of this rank
   std::vector<std::unique_ptr<Part>> parts_;  // [own_]
   std::vector<Result> results_;               // of all parts
+  std::vector<double> spent_s_;               // [own_]
 };
 
 }  // namespace eagerx::train

@@ -87,8 +87,9 @@ HardEnvironments::HardEnvironments(const Settings& settings, const Library& libr
   episode_.resize(count);
   states_.resize(count * starts_->width());
   for (std::uint32_t e = 0; e < count; ++e) {
-    const double before = settings.hard_share * static_cast<double>(first + e);
-    is_hard_[e] = std::floor(before + settings.hard_share) > std::floor(before) ? 1 : 0;
+    const double before = settings.failure_replay_fraction * static_cast<double>(first + e);
+    is_hard_[e] =
+        std::floor(before + settings.failure_replay_fraction) > std::floor(before) ? 1 : 0;
   }
 }
 

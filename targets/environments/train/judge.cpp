@@ -18,16 +18,16 @@ constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
 Judge::Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
              Ranks& ranks)
     : until_return_(settings.until_return),
-      success_share_(settings.success_share),
-      every_(settings.evaluation_every),
-      episodes_(settings.evaluation_episodes),
-      longest_(static_cast<double>(settings.evaluation_episodes) *
+      success_share_(settings.target_success_rate),
+      every_(settings.eval_interval),
+      episodes_(settings.n_eval_episodes),
+      longest_(static_cast<double>(settings.n_eval_episodes) *
                std::max(library.description().episode_steps, longest_of(library.description()))),
       has_success_(library.description().has_success),
       has_aim_(has_success_ || std::isfinite(until_return_)),
       head_(library.description()),
       evaluator_(library, kernels, team, longest_of(library.description()),
-                 settings.evaluation_episodes, ranks) {}
+                 settings.n_eval_episodes, ranks) {}
 
 Policy Judge::policy(const Algorithm& algorithm, std::vector<float> parameters) const {
   return {algorithm.deployed(), std::move(parameters), head_};

@@ -30,6 +30,8 @@ class Judge {
   /// The best policy, in as many episodes as have chosen it, which are all others.
   Evaluation evaluate_at_last(const Algorithm& algorithm, const Best& best);
   std::size_t episodes_at_last() const;
+  /// Processor time of all evaluations of this process.
+  double spent_s() const { return evaluator_.spent_s(); }
   /// The last one of evaluate(), in this run.
   const Evaluation& seen() const { return seen_; }
   Policy policy(const Algorithm& algorithm, std::vector<float> parameters) const;

@@ -19,13 +19,13 @@ inline constexpr float kHalfLogTwoPi = 0.9189385F;
 struct Model {
   /// `inputs` of the actor; the critic sees `more` behind them.
   Model(const Settings& settings, std::size_t inputs, const Head& head, std::size_t more = 0)
-      : actor(inputs, settings.layers, head.outputs, settings.activation,
-              {settings.memory, settings.memory_units}),
-        critic(inputs + more, settings.layers, 1, settings.activation,
-               {settings.memory, settings.memory_units}),
+      : actor(inputs, settings.net_arch, head.outputs, settings.activation_fn,
+              {settings.rnn, settings.rnn_hidden_size}),
+        critic(inputs + more, settings.net_arch, 1, settings.activation_fn,
+               {settings.rnn, settings.rnn_hidden_size}),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
         critic_parameters(critic.drawn(random(settings, "train/critic"), 1.0F)),
-        log_deviation(head.chooses ? 0 : head.outputs, log(settings.first_deviation)),
+        log_deviation(head.chooses ? 0 : head.outputs, log(settings.initial_std)),
         averaged(actor_parameters),
         actor_adam(actor.parameters()),
         critic_adam(critic.parameters()),
@@ -33,8 +33,8 @@ struct Model {
         observations(inputs + more),
         returns(1),
         step_size(settings.learning_rate),
-        remembered(std::max(settings.environments, kParts * kLanes) * 2 *
-                   CellShape{settings.memory, settings.memory_units}.state()) {}
+        remembered(std::max(settings.n_envs, kParts * kLanes) * 2 *
+                   CellShape{settings.rnn, settings.rnn_hidden_size}.state()) {}
 
   Network actor;   // tanh of its outputs is the mean of the actions, or they are scores of choices
   Network critic;  // the discounted return, divided by the deviation of returns

@@ -11,6 +11,7 @@
 #include "targets/environments/client/command_line.hpp"
 #include "targets/environments/options/train.hpp"
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/presets.hpp"
 
 namespace eagerx::train {
 namespace {
@@ -56,6 +57,7 @@ std::vector<client::Setter> setters(Options& o) {
          if (v != "ppo" && v != "sac")
            refuse("there is no algorithm `" + v + "`, only ppo and sac");
          settings.algorithm = v;
+         o.algorithm_given = true;
        }},
       {"--steps", [&](Text v) { o.steps = number<std::uint64_t>(v, 1, kMostSteps); }},
       {"--until-return",
@@ -63,8 +65,9 @@ std::vector<client::Setter> setters(Options& o) {
       {"--seed", [&](Text v) { settings.seed = number<std::uint64_t>(v, 0, kMostSeed); }},
       {"--seeds", [&](Text v) { o.seeds = number<std::uint64_t>(v, 1, 1000); }},
       {"--threads", [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
-      {"--hidden", [&](Text v) { give(o, "layers", v); }},
-      {"--discount", [&](Text v) { give(o, "discount", v); }},
+      {"--hidden", [&](Text v) { give(o, "net_arch", v); }},
+      {"--gamma", [&](Text v) { give(o, "gamma", v); }},
+      {"--preset", [&](Text v) { o.preset = v; }},
       {"--setting",
        [&](Text v) {
          set_named(settings, v);
@@ -77,7 +80,7 @@ std::vector<client::Setter> setters(Options& o) {
          o.cases.push_back({v, {}});
        }},
       {"--results", [&](Text v) { o.results = v; }},
-      {"--hard-starts", [&](Text v) { o.hard_starts = v; }},
+      {"--failure-replay", [&](Text v) { o.hard_starts = v; }},
       {"--from", [&](Text v) { o.from = v; }},
       {"--replay", [&](Text v) { o.replay.push_back(v); }},
       {"--csv", [&](Text v) { o.csv = v; }},
@@ -169,6 +172,7 @@ Options parse_options(int argc, const char* const* argv) {
       refuse("--resume goes on with one training and --from begins another: give one of them");
     if (!options.resume.empty() && !options.replay.empty())
       refuse("--resume goes on with a training that has its logs already: leave --replay out");
+    apply_preset(options);
     check_settings(options);
     check_sweep(options);
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");

@@ -23,6 +23,8 @@ struct Options {
   std::string checkpoint, resume, from, csv, curve, record, tensorboard;  // empty: none
   std::string hard_starts;            // the table of a campaign; empty: none
   std::string results = "sweep.csv";  // of a sweep
+  std::string preset;                 // empty: none
+  bool algorithm_given = false;       // by --algorithm
   std::string name;                   // of one of several trainings: "seed 3"
   std::string kernels;                // empty: the fastest
   std::uint64_t steps = 5'000'000;    // of all environments, at most

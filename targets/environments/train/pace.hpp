@@ -69,8 +69,9 @@ inline Pace pace_of(const Settings& settings, const Description& description) {
   const bool is_sac = settings.algorithm == "sac";
   const std::uint32_t episode = std::max(description.episode_steps, longest_of(description));
   const std::uint32_t era = std::max(kLeast, (is_sac ? 2 : 5) * episode);
-  const auto least = static_cast<std::uint32_t>(is_sac ? settings.sac.horizon : settings.horizon);
-  return {least, is_sac ? least : static_cast<std::uint32_t>(settings.most_horizon), era};
+  const auto least =
+      static_cast<std::uint32_t>(is_sac ? settings.sac.train_freq : settings.n_steps);
+  return {least, is_sac ? least : static_cast<std::uint32_t>(settings.max_n_steps), era};
 }
 
 }  // namespace eagerx::train

@@ -23,12 +23,12 @@ float clipped_scale(const std::vector<float>& gradient, double count, double lon
 }  // namespace
 
 float share_of_actor(const Settings& settings, std::uint32_t iteration) {
-  if (settings.averaging == 0.0F) return 1.0F;
+  if (settings.ema_decay == 0.0F) return 1.0F;
   const auto so_far = static_cast<float>(iteration);
   // At first the mean of all so far: the first actor knows nothing and is forgotten soon.
   const float first = 2.0F / (so_far + 2.0F);
-  const float tail = max(1.0F, settings.averaging_share * so_far);
-  return max(min(1.0F - settings.averaging, 1.0F / tail), first);
+  const float tail = max(1.0F, settings.ema_window_fraction * so_far);
+  return max(min(1.0F - settings.ema_decay, 1.0F / tail), first);
 }
 
 Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
@@ -44,7 +44,9 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
       ranks_(ranks),
       own_(environments::share_of(kParts, ranks.rank(), ranks.size())),
       has_threads_(library.description().has_threads),
-      gradient_sum_(ranks, model_) {
+      gradient_sum_(ranks, model_),
+      learning_s_(own_.end - own_.first) {
+  done_.weights = model_.actor.parameters() + model_.critic.parameters();
   for (std::size_t part = 0; part < kParts; ++part) {
     if (part < own_.first || part >= own_.end) {
       parts_.push_back(std::make_unique<Seen>(model_.critic.inputs()));
@@ -63,7 +65,7 @@ void Ppo::begin_era() {
   const std::uint64_t seed = settings_.seed + (std::uint64_t{pace.era} << 32U);
   for (auto& part : parts_) part->taken.clear();
   in_parts([&](std::size_t part) { rollout(part).reset(seed); });
-  if (model_.observations.count > 0.0 || !settings_.normalise) return;
+  if (model_.observations.count > 0.0 || !settings_.norm_obs) return;
   for (auto& part : parts_) model_.observations.add(part->observation_sums);
 }
 
@@ -81,7 +83,7 @@ void Ppo::remember_actions() {
 }
 
 std::size_t Ppo::actions_of_part() const {
-  return pace.since_era * settings_.environments * head_.numbers / kParts;
+  return pace.since_era * settings_.n_envs * head_.numbers / kParts;
 }
 
 std::vector<float> Ppo::actions() const {
@@ -110,7 +112,7 @@ void Ppo::go_on() {
   begin_era();
   for (std::size_t part = 0; part < kParts && remembers_; ++part) parts_[part]->taken = taken[part];
   in_parts([&](std::size_t part) {
-    rollout(part).replay(taken[part], settings_.discount);
+    rollout(part).replay(taken[part], settings_.gamma);
     const std::size_t states = model_.remembered.size() / kParts;
     if (has_actions) rollout(part).recall(model_.remembered.data() + part * states);
   });
@@ -147,7 +149,7 @@ void Ppo::see() {
   const Network::Layer& last = model_.critic.layers().back();
   for (std::size_t i = last.weights; i < last.bias + last.sizes.outputs; ++i)
     model_.critic_parameters[i] *= ratio;
-  if (!settings_.normalise) return;
+  if (!settings_.norm_obs) return;
   const Statistics before = model_.observations;
   for (auto& part : parts_) model_.observations.add(part->observation_sums);
   keep_answers(model_.critic, model_.critic_parameters, before, model_.observations);
@@ -171,15 +173,15 @@ void Ppo::adapt_step_size() {
     return;
   }
   constexpr float kFactor = 1.5F;
-  const double wanted = settings_.divergence * decay();
+  const double wanted = settings_.target_kl * decay();
   if (divergence_ > 2.0 * wanted) model_.step_size /= kFactor;
   if (divergence_ < 0.5 * wanted) model_.step_size *= kFactor;
   model_.step_size =
-      clamp(model_.step_size, settings_.least_learning_rate, settings_.most_learning_rate);
+      clamp(model_.step_size, settings_.min_learning_rate, settings_.max_learning_rate);
 }
 
 void Ppo::average() {
-  if (settings_.averaging == 0.0F) {
+  if (settings_.ema_decay == 0.0F) {
     model_.averaged = model_.actor_parameters;
     return;
   }
@@ -201,38 +203,49 @@ bool Ppo::update(std::size_t minibatch) {
                          .advantage_scale = advantage_scale_,
                          .minibatches = minibatches()};
   team_.run_parts(learners_.size(), [&](std::size_t i) {
+    const Stopwatch watch;
     learners_[i]->learn(common, rollout(own_.first + i), minibatch);
+    learning_s_[i] += watch.seconds();
   });
+  done_.samples += settings_.n_envs * pace.horizon() / minibatches() * own() / kParts;
+  const Stopwatch watch;
+  const bool goes_on = move();
+  updating_s_ += watch.seconds();
+  return goes_on;
+}
+
+/// Along the gradients of all parts. False if the policy has moved far enough.
+bool Ppo::move() {
   std::vector<Gradient*> own;
   for (const auto& learner : learners_) own.push_back(&learner->gradient);
   const Gradient& sum = gradient_sum_.of(own);
   divergence_ = sum.divergence / sum.count;
-  if (settings_.stop_divergence > 0.0F &&
-      divergence_ > double{settings_.stop_divergence} * settings_.divergence * decay())
+  if (settings_.kl_stop_factor > 0.0F &&
+      divergence_ > double{settings_.kl_stop_factor} * settings_.target_kl * decay())
     return false;
   model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, model_.step_size,
-                         clipped_scale(sum.actor, sum.count, settings_.gradient_norm));
+                         clipped_scale(sum.actor, sum.count, settings_.max_grad_norm));
   model_.critic_adam.step(kernels_, model_.critic_parameters, sum.critic, model_.step_size,
-                          clipped_scale(sum.critic, sum.count, settings_.gradient_norm));
+                          clipped_scale(sum.critic, sum.count, settings_.max_grad_norm));
   model_.deviation_adam.step(kernels_, model_.log_deviation, sum.log_deviation,
-                             settings_.deviation_rate * model_.step_size,
+                             settings_.std_learning_rate_ratio * model_.step_size,
                              static_cast<float>(1.0 / sum.count));
   for (float& x : model_.log_deviation) {
-    x = clamp(x, log(settings_.least_deviation), log(settings_.most_deviation));
+    x = clamp(x, log(settings_.min_std), log(settings_.max_std));
   }
   return true;
 }
 
 /// Of this iteration: each has a pack of each part, or sixteen sequences.
 std::size_t Ppo::minibatches() const {
-  const std::size_t steps = model_.actor.memory() == nullptr ? 1 : settings_.memory_steps;
-  const std::size_t samples = settings_.environments * pace.horizon();
-  return std::min(settings_.minibatches, samples / (kParts * kLanes * steps));
+  const std::size_t steps = model_.actor.memory() == nullptr ? 1 : settings_.bptt_steps;
+  const std::size_t samples = settings_.n_envs * pace.horizon();
+  return std::min(settings_.n_minibatches, samples / (kParts * kLanes * steps));
 }
 
 std::size_t Ppo::learn() {
   constexpr std::size_t kShift = 7;  // the minibatches of an epoch do not begin with the same one
-  const std::size_t count = minibatches(), most = settings_.epochs * count;
+  const std::size_t count = minibatches(), most = settings_.n_epochs * count;
   std::size_t updates = 0;
   for (; updates < most; ++updates) {
     const std::size_t epoch = updates / count, m = updates % count;
@@ -251,8 +264,11 @@ Algorithm::Result Ppo::iterate() {
     if (before) model_ = *before;
     throw;
   }
+  const Stopwatch watch;
   average();
   see();
+  updating_s_ += watch.seconds();
+  done_.steps += settings_.n_envs * pace.horizon() * own() / kParts;
   model_.remembered.clear();
   for (const auto& part : parts_)
     model_.remembered.insert(model_.remembered.end(), part->remembered.begin(),
@@ -264,6 +280,15 @@ Algorithm::Result Ppo::iterate() {
 
 std::vector<float> Ppo::deployed_parameters() const {
   return folded(model_.actor, model_.averaged, model_.observations);
+}
+
+Spent Ppo::spent() const {
+  Spent sum{.learning_s = updating_s_};
+  for (std::size_t i = 0; i < own(); ++i) {
+    sum += rollout(own_.first + i).spent;
+    sum.learning_s += learning_s_[i];
+  }
+  return sum;
 }
 
 double Ppo::deviation() const {

@@ -25,7 +25,7 @@ class Ppo : public Algorithm {
 
   const Model& model() const { return model_; }
 
-  std::size_t environments() const override { return settings_.environments; }
+  std::size_t environments() const override { return settings_.n_envs; }
   std::size_t parts() const override { return kParts; }
   std::string stepping() const override { return rollout(own_.first).stepping(); }
   void set_stage(const std::string& name) override;
@@ -38,6 +38,8 @@ class Ppo : public Algorithm {
   const Statistics& observations() const override { return model_.observations; }
   double deviation() const override;
   double step_size() const override { return model_.step_size; }
+  Spent spent() const override;
+  Done done() const override { return done_; }
   std::string checkpoint(const std::string& conditions, const std::string& interface,
                          Progressed& progressed) const override;
   void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
@@ -58,6 +60,9 @@ class Ppo : public Algorithm {
   std::size_t learn();
   /// False if the policy has moved far enough.
   bool update(std::size_t minibatch);
+  bool move();
+  /// Parts of this rank.
+  std::size_t own() const { return own_.end - own_.first; }
   void adapt_step_size();
   void average();
   void see();
@@ -86,6 +91,9 @@ class Ppo : public Algorithm {
   GradientSum gradient_sum_;
   std::vector<float> precision_;  // [outputs] 1 / deviation of the actions
   double divergence_ = 0.0;
+  std::vector<double> learning_s_;  // [own_] of processor time
+  double updating_s_ = 0.0;         // the same, by the caller alone
+  Done done_;
   float advantage_mean_ = 0.0F, advantage_scale_ = 1.0F;
 };
 

@@ -8,7 +8,7 @@ namespace eagerx::train {
 
 PpoLearner::PpoLearner(const Settings& settings, const Model& model)
     : gradient(model),
-      block_(model.actor.memory() == nullptr ? kBlock : settings.memory_steps),
+      block_(model.actor.memory() == nullptr ? kBlock : settings.bptt_steps),
       actor_rows_(block_ * model.actor.row()),
       actor_deltas_(block_ * model.actor.row()),
       critic_rows_(block_ * model.critic.row()),
@@ -111,7 +111,7 @@ void PpoLearner::choice_loss(const PpoUpdate& update, const Rollout& rollout, st
       const float p = choice.probability(i);
       const float surprise = choice.log_probability(i) + choice.entropy();
       deltas[i].lane[l] =
-          slope * ((i == chosen(j) ? 1.0F : 0.0F) - p) + update.settings.entropy * p * surprise;
+          slope * ((i == chosen(j) ? 1.0F : 0.0F) - p) + update.settings.ent_coef * p * surprise;
     }
   }
 }
@@ -122,7 +122,7 @@ float PpoLearner::clipped_slope(const PpoUpdate& update, const Rollout& rollout,
   const float ratio = exp(log_ratio);
   const float advantage =
       (rollout.advantage[tile].lane[l] - update.advantage_mean) * update.advantage_scale;
-  const float clip = update.settings.clip;
+  const float clip = update.settings.clip_range;
   const bool counts = advantage > 0.0F ? ratio < 1.0F + clip : ratio > 1.0F - clip;
   gradient.divergence += double{ratio} - 1.0 - log_ratio;  // Schulman 2020, never negative
   gradient.count += 1.0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <runtime/host/base/hash.hpp>
@@ -36,7 +37,7 @@ std::string head_of(const Options& options, const Description& description) {
   if (std::isfinite(wanted)) head["until_return"] = wanted;
   for (const auto& [name, path] : {std::pair("resume", &options.resume),
                                    {"from", &options.from},
-                                   {"hard_starts", &options.hard_starts}}) {
+                                   {"failure_replay", &options.hard_starts}}) {
     if (!path->empty()) head[name] = *path;
   }
   if (!options.replay.empty()) head["replay"] = options.replay;
@@ -50,12 +51,12 @@ std::string member(const char* name, double value) {
 
 std::string row_of(std::uint64_t seed, const CurvePoint& point, const std::vector<double>& terms) {
   std::string text = fmt::format("{{\"seed\":{},\"steps\":{:.0f}", seed, point.steps);
-  text += member("return", point.mean_return) + member("success", point.success) +
-          member("evaluation_return", point.evaluation_return) +
-          member("evaluation_success", point.evaluation_success) +
-          member("deviation", point.deviation) + member("step_size", point.step_size) +
-          member("divergence", point.divergence) + member("stage", point.stage) +
-          member("stage_success", point.stage_success) + member("stage_return", point.stage_return);
+  text += member("return", point.mean_return) + member("success_rate", point.success) +
+          member("eval_return", point.evaluation_return) +
+          member("eval_success_rate", point.evaluation_success) + member("std", point.deviation) +
+          member("learning_rate", point.step_size) + member("approx_kl", point.divergence) +
+          member("stage", point.stage) + member("stage_success_rate", point.stage_success) +
+          member("stage_return", point.stage_return);
   if (terms.empty()) return text + "}\n";
   std::string values;
   for (const double term : terms) {
@@ -84,6 +85,22 @@ ordered_json episodes_of(const Evaluation& evaluation) {
     list.push_back(ordered_json::array(
         {std::to_string(each.seed), each.environment, each.sum, each.steps, each.success ? 1 : 0}));
   return list;
+}
+
+/// Processor time in seconds, and what was done in it.
+ordered_json time_of(const Ended& ended) {
+  const Spent& spent = ended.spent;
+  const double all_s = std::max(ended.seconds * ended.threads, spent.total_s());
+  return {{"threads", ended.threads},
+          {"simulation_s", spent.simulation_s},
+          {"inference_s", spent.inference_s},
+          {"learning_s", spent.learning_s},
+          {"evaluation_s", spent.evaluation_s},
+          {"waiting_s", all_s - spent.total_s()},
+          {"steps", ended.done.steps},
+          {"samples", ended.done.samples},
+          {"inference_gflop", ended.done.inference_gflop()},
+          {"learning_gflop", ended.done.learning_gflop()}};
 }
 
 const char* name_of(Ending ending) {
@@ -131,6 +148,7 @@ void Record::end(const Ended& ended, const Evaluation& evaluation) {
       {"steps", ended.steps},
       {"seconds", ended.seconds},
       {"kernels", ended.kernels},
+      {"time", time_of(ended)},
       {"policy", ended.options.output},
       {"policy_hash", host::hex_text(host::fnv1a(read_file(ended.options.output)))},
       {"evaluation", evaluation_of(evaluation)},

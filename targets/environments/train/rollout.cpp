@@ -12,15 +12,15 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
                  std::uint32_t longest, std::size_t part)
     : Seen(library.description().observation_numbers() + library.description().critic_numbers()),
       head_(head),
-      environments_(library.functions(), static_cast<std::uint32_t>(settings.environments / kParts),
-                    static_cast<std::uint32_t>(settings.environments / kParts * part),
-                    settings.seed, longest, EAGERX_SAME_STEP),
-      count_(settings.environments / kParts),
+      environments_(library.functions(), static_cast<std::uint32_t>(settings.n_envs / kParts),
+                    static_cast<std::uint32_t>(settings.n_envs / kParts * part), settings.seed,
+                    longest, EAGERX_SAME_STEP),
+      count_(settings.n_envs / kParts),
       first_(count_ * part),
       horizon_(pace_of(settings, library.description()).most),
       width_(observation_sums.sum.size()),
       numbers_(head.numbers),
-      sequence_(settings.memory == Memory::none ? 1 : settings.memory_steps),
+      sequence_(settings.rnn == Memory::none ? 1 : settings.bptt_steps),
       longest_(!settings.stagger ? 0
                : longest > 0     ? longest
                                  : library.description().episode_steps),
@@ -33,7 +33,7 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
       action_(count_ * numbers_),
       return_(count_),
       discounted_(count_),
-      actor_states_(tiles(), {settings.memory, settings.memory_units}),
+      actor_states_(tiles(), {settings.rnn, settings.rnn_hidden_size}),
       critic_states_(actor_states_) {
   rows_.observation.resize(tiles() * kLanes * sight_.actor_width());
   rows_.final_observation = rows_.observation;
@@ -110,10 +110,15 @@ void Rollout::collect(const Frozen& frozen) {
   observation_sums.clear();
   return_sums.clear();
   episodes.clear();
+  Stopwatch watch;
   for (std::size_t t = 0; t < horizon_; ++t) {
     note_states(t);
     act(frozen, t);
-    step(frozen, t);
+    spent.inference_s += watch.lap();
+    step_environments();
+    spent.simulation_s += watch.lap();
+    note_step(frozen, t);
+    spent.learning_s += watch.lap();
   }
   for (std::size_t k = 0; k < tiles(); ++k) {
     frozen.normaliser.load(sight_.now() + k * kLanes * width_, critic_row_.data());
@@ -126,6 +131,7 @@ void Rollout::collect(const Frozen& frozen) {
   remembered.clear();
   actor_states_.save(remembered);
   critic_states_.save(remembered);
+  spent.learning_s += watch.lap();
 }
 
 /// Draws the actions of all environments and notes what the critic thinks.
@@ -220,8 +226,7 @@ void Rollout::step_environments() {
   cut_first_episodes();
 }
 
-void Rollout::step(const Frozen& frozen, std::size_t step) {
-  step_environments();
+void Rollout::note_step(const Frozen& frozen, std::size_t step) {
   if (remembers) taken.insert(taken.end(), action_.begin(), action_.end());
   for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
   hard_.set(environments_);
@@ -271,7 +276,7 @@ void Rollout::begin_episode(std::size_t environment) {
 /// Counts the reward and the end of an episode.
 void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environment) {
   const std::size_t e = environment;
-  const bool ended = count_reward(frozen.settings.discount, e);
+  const bool ended = count_reward(frozen.settings.gamma, e);
   return_sums.add(0, discounted_[e]);
   rewards_[step * count_ + e] = rows_.reward[e] * frozen.reward_scale;
   const Place to = place(step, e);
@@ -299,7 +304,7 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
     for (std::size_t l = 0; l < lanes(); ++l) {
       const std::size_t e = k * kLanes + l;
       if (rows_.truncated[e] == 0 || rows_.terminated[e] != 0) continue;
-      rewards_[step * count_ + e] += frozen.settings.discount * value.lane[l];
+      rewards_[step * count_ + e] += frozen.settings.gamma * value.lane[l];
     }
   }
 }
@@ -322,7 +327,7 @@ void Rollout::sum_observations() {
 
 /// Generalised advantage estimation (Schulman et al. 2016), from the last step back.
 void Rollout::estimate_advantages(const Settings& settings) {
-  const float gamma = settings.discount;
+  const float gamma = settings.gamma;
   advantage_sums.clear();
   for (std::size_t e = 0; e < count_; ++e) {
     float sum = 0.0F;
@@ -332,7 +337,7 @@ void Rollout::estimate_advantages(const Settings& settings) {
       const float goes = goes_on[at.pack].lane[at.lane];
       const float value = value_[sample], next = value_[sample + count_];
       const float surprise = rewards_[sample] + gamma * goes * next - value;
-      sum = surprise + gamma * settings.trace_decay * goes * sum;
+      sum = surprise + gamma * settings.gae_lambda * goes * sum;
       advantage[at.pack].lane[at.lane] = sum;
       target[at.pack].lane[at.lane] = sum + value;
       advantage_sums.add(0, sum);

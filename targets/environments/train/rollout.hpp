@@ -16,6 +16,7 @@
 #include "targets/environments/train/recurrent/states.hpp"
 #include "targets/environments/train/seen.hpp"
 #include "targets/environments/train/sight.hpp"
+#include "targets/environments/train/spent.hpp"
 
 namespace eagerx::train {
 
@@ -31,7 +32,7 @@ struct Frozen {
 };
 
 /// One of kParts parts of the environments: some tiles of sixteen, or one of fewer. What is learnt
-/// from is in sequences, of memory_steps or without a memory of one step, sixteen beside each
+/// from is in sequences, of bptt_steps or without a memory of one step, sixteen beside each
 /// other, in order of time: those of a tile, or of a smaller one several in a row of time. So
 /// [packs] is [sequences / 16][steps of a sequence].
 class Rollout final : public Seen {
@@ -65,6 +66,7 @@ class Rollout final : public Seen {
   /// [sequences / 16][state] what was remembered at the beginning of each sequence.
   Packs actor_starts, critic_starts;
   bool remembers = false;  // in `taken`
+  Spent spent;             // by all that this part has done
 
  private:
   struct Place {
@@ -79,7 +81,7 @@ class Rollout final : public Seen {
   void draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* means);
   void draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* scores);
   Random noise(const Frozen& frozen, std::size_t step, std::size_t environment) const;
-  void step(const Frozen& frozen, std::size_t step);
+  void note_step(const Frozen& frozen, std::size_t step);
   void step_environments();
   void draw_cuts(std::uint64_t seed);
   void cut_first_episodes();

@@ -146,7 +146,7 @@ void check_files_of_seeds(const Options& options) {
     any = any || !one.resume.empty();
     if (!one.resume.empty()) check_resumed(read_file(one.resume), one.resume, one.settings);
     for (const std::string* path : {&one.output, &one.checkpoint}) {
-      if (!path->empty()) check_writable(*path);
+      if (!path->empty()) claim_output(*path);
     }
   }
   if (!any) read_file(path_of_seed(options.resume, options.settings.seed));  // says why not

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/base/number.hpp>
+#include <runtime/host/base/renamed.hpp>
 #include <stdexcept>
 
 #include "targets/environments/client/command_line.hpp"
@@ -100,53 +103,53 @@ Place layers_at(std::string_view name, std::vector<std::size_t> Settings::*membe
 const std::vector<Place>& places() {
   using S = Settings;
   static const std::vector<Place> all = {
-      layers_at("layers", &S::layers),
-      word_at("activation", &S::activation, {Activation::tanh, Activation::relu}),
-      word_at("memory", &S::memory),
-      number_at("memory_units", &S::memory_units),
-      number_at("memory_steps", &S::memory_steps),
-      number_at("discount", &S::discount),
-      number_at("trace_decay", &S::trace_decay),
-      number_at("environments", &S::environments),
+      layers_at("net_arch", &S::net_arch),
+      word_at("activation_fn", &S::activation_fn, {Activation::tanh, Activation::relu}),
+      word_at("rnn", &S::rnn),
+      number_at("rnn_hidden_size", &S::rnn_hidden_size),
+      number_at("bptt_steps", &S::bptt_steps),
+      number_at("gamma", &S::gamma),
+      number_at("gae_lambda", &S::gae_lambda),
+      number_at("n_envs", &S::n_envs),
       truth_at("stagger", &S::stagger),
-      number_at("horizon", &S::horizon),
-      number_at("most_horizon", &S::most_horizon),
-      number_at("minibatches", &S::minibatches),
-      number_at("epochs", &S::epochs),
-      number_at("clip", &S::clip),
-      number_at("entropy", &S::entropy),
-      number_at("gradient_norm", &S::gradient_norm),
+      number_at("n_steps", &S::n_steps),
+      number_at("max_n_steps", &S::max_n_steps),
+      number_at("n_minibatches", &S::n_minibatches),
+      number_at("n_epochs", &S::n_epochs),
+      number_at("clip_range", &S::clip_range),
+      number_at("ent_coef", &S::ent_coef),
+      number_at("max_grad_norm", &S::max_grad_norm),
       number_at("learning_rate", &S::learning_rate),
       word_at("schedule", &S::schedule),
-      number_at("least_learning_rate", &S::least_learning_rate),
-      number_at("most_learning_rate", &S::most_learning_rate),
-      number_at("divergence", &S::divergence),
-      number_at("stop_divergence", &S::stop_divergence),
+      number_at("min_learning_rate", &S::min_learning_rate),
+      number_at("max_learning_rate", &S::max_learning_rate),
+      number_at("target_kl", &S::target_kl),
+      number_at("kl_stop_factor", &S::kl_stop_factor),
       number_at("decay_steps", &S::decay_steps),
-      number_at("first_deviation", &S::first_deviation),
-      number_at("least_deviation", &S::least_deviation),
-      number_at("most_deviation", &S::most_deviation),
-      number_at("deviation_rate", &S::deviation_rate),
-      number_at("sac_environments", &sac::Settings::environments),
-      number_at("sac_horizon", &sac::Settings::horizon),
-      number_at("sac_batch", &sac::Settings::batch),
-      number_at("sac_updates", &sac::Settings::updates),
-      number_at("sac_memory", &sac::Settings::memory),
-      number_at("sac_random_steps", &sac::Settings::random_steps),
-      number_at("sac_target_share", &sac::Settings::target_share),
-      number_at("sac_averaging", &sac::Settings::averaging),
-      number_at("sac_first_temperature", &sac::Settings::first_temperature),
-      number_at("sac_entropy", &sac::Settings::entropy),
-      number_at("sac_reward_scale", &sac::Settings::reward_scale),
-      number_at("sac_scale_steps", &sac::Settings::scale_steps),
-      truth_at("normalise", &S::normalise),
+      number_at("initial_std", &S::initial_std),
+      number_at("min_std", &S::min_std),
+      number_at("max_std", &S::max_std),
+      number_at("std_learning_rate_ratio", &S::std_learning_rate_ratio),
+      number_at("sac_n_envs", &sac::Settings::n_envs),
+      number_at("train_freq", &sac::Settings::train_freq),
+      number_at("batch_size", &sac::Settings::batch_size),
+      number_at("utd_ratio", &sac::Settings::utd_ratio),
+      number_at("buffer_size", &sac::Settings::buffer_size),
+      number_at("learning_starts", &sac::Settings::learning_starts),
+      number_at("tau", &sac::Settings::tau),
+      number_at("sac_ema_rate", &sac::Settings::ema_rate),
+      number_at("initial_ent_coef", &sac::Settings::initial_ent_coef),
+      number_at("target_entropy_per_action", &sac::Settings::target_entropy_per_action),
+      number_at("reward_scale", &sac::Settings::reward_scale),
+      number_at("norm_window_steps", &sac::Settings::norm_window_steps),
+      truth_at("norm_obs", &S::norm_obs),
       number_at("freeze_after", &S::freeze_after),
-      number_at("averaging", &S::averaging),
-      number_at("averaging_share", &S::averaging_share),
-      number_at("hard_share", &S::hard_share),
-      number_at("evaluation_every", &S::evaluation_every),
-      number_at("evaluation_episodes", &S::evaluation_episodes),
-      number_at("success_share", &S::success_share),
+      number_at("ema_decay", &S::ema_decay),
+      number_at("ema_window_fraction", &S::ema_window_fraction),
+      number_at("failure_replay_fraction", &S::failure_replay_fraction),
+      number_at("eval_interval", &S::eval_interval),
+      number_at("n_eval_episodes", &S::n_eval_episodes),
+      number_at("target_success_rate", &S::target_success_rate),
   };
   return all;
 }
@@ -166,6 +169,38 @@ const Place& place_of(const Setting& row) {
   throw problem;
 }
 
+/// Names of CleanRL, rsl_rl, Spinning Up and others, and ours for the same.
+constexpr auto kOtherNames = std::to_array<std::array<std::string_view, 2>>({
+    {"lr", "learning_rate"},
+    {"alpha_lr", "learning_rate"},
+    {"lambda", "gae_lambda"},
+    {"lam", "gae_lambda"},
+    {"num_envs", "n_envs"},
+    {"num_steps", "n_steps"},
+    {"update_epochs", "n_epochs"},
+    {"num_minibatches", "n_minibatches"},
+    {"clip_coef", "clip_range"},
+    {"clip_param", "clip_range"},
+    {"entropy_coef", "ent_coef"},
+    {"desired_kl", "target_kl"},
+    {"hidden_sizes", "net_arch"},
+    {"gradient_steps", "utd_ratio"},
+    {"target_entropy", "target_entropy_per_action"},
+});
+
+std::string help_with(std::string_view name) {
+  constexpr const char* kAll = "`eagerx-gen help train-settings` lists them";
+  if (const std::string renamed = host::help_for_renamed(host::kTrainSettings, name);
+      !renamed.empty())
+    return renamed;
+  for (const auto& [theirs, ours] : kOtherNames)
+    if (theirs == name) return fmt::format("it is `{}` here; {}", ours, kAll);
+  std::vector<std::string> known;
+  for (const Setting& row : kTrainSettings) known.emplace_back(row.name);
+  const std::string near = host::did_you_mean(name, known);
+  return near.empty() ? kAll : fmt::format("{} {}", near, kAll);
+}
+
 }  // namespace
 
 Settings::Settings() {
@@ -176,46 +211,45 @@ void set(Settings& settings, std::string_view name, const std::string& text) {
   const auto* row = std::ranges::find(kTrainSettings, name, &Setting::name);
   if (row == std::end(kTrainSettings))
     throw client::Problem(client::kUsage, fmt::format("there is no setting `{}`", name),
-                          "`eagerx-gen help train-settings` lists them");
+                          help_with(name));
   place_of(*row).set(settings, *row, text);
 }
 
 void check(const Settings& settings) {
   constexpr std::size_t kRow = kParts * kLanes;
-  const std::size_t samples = settings.environments * settings.horizon;
-  const bool is_few = kRow % settings.environments == 0;
-  if (!is_few && settings.environments % kRow != 0)
-    refuse_settings({"environments"},
-                    fmt::format("environments: {} is neither 8, 16, 32, 64 nor a multiple of {}",
-                                settings.environments, kRow));
-  if (settings.sac.batch % kRow != 0)
-    refuse_settings({"sac_batch"},
-                    fmt::format("sac_batch: {} is no multiple of {}", settings.sac.batch, kRow));
-  const bool remembers = settings.memory != Memory::none;
-  const std::size_t steps = remembers ? settings.memory_steps : 1;
-  if (settings.horizon % steps != 0)
+  const std::size_t samples = settings.n_envs * settings.n_steps;
+  const bool is_few = kRow % settings.n_envs == 0;
+  if (!is_few && settings.n_envs % kRow != 0)
+    refuse_settings({"n_envs"},
+                    fmt::format("n_envs: {} is neither 8, 16, 32, 64 nor a multiple of {}",
+                                settings.n_envs, kRow));
+  if (settings.sac.batch_size % kRow != 0)
+    refuse_settings({"batch_size"}, fmt::format("batch_size: {} is no multiple of {}",
+                                                settings.sac.batch_size, kRow));
+  const bool remembers = settings.rnn != Memory::none;
+  const std::size_t steps = remembers ? settings.bptt_steps : 1;
+  if (settings.n_steps % steps != 0)
     refuse_settings(
-        {"horizon", "memory_steps"},
-        fmt::format("horizon: {} is no multiple of memory_steps, {}", settings.horizon, steps));
+        {"n_steps", "bptt_steps"},
+        fmt::format("n_steps: {} is no multiple of bptt_steps, {}", settings.n_steps, steps));
   if (samples % (kRow * steps) != 0)
-    refuse_settings({"horizon", "environments", "memory_steps"},
-                    fmt::format("horizon: {} of {} environments are {} steps, no multiple of {}{}",
-                                settings.horizon, settings.environments, samples, kRow,
-                                remembers ? " * memory_steps" : ""));
-  if (settings.least_deviation > settings.most_deviation)
-    refuse_settings({"least_deviation", "most_deviation"},
-                    "least_deviation is more than most_deviation");
-  if (settings.first_deviation < settings.least_deviation)
-    refuse_settings({"first_deviation", "least_deviation"},
-                    fmt::format("first_deviation: {} is less than least_deviation, {}",
-                                settings.first_deviation, settings.least_deviation));
-  if (settings.first_deviation > settings.most_deviation)
-    refuse_settings({"first_deviation", "most_deviation"},
-                    fmt::format("first_deviation: {} is more than most_deviation, {}",
-                                settings.first_deviation, settings.most_deviation));
-  if (settings.least_learning_rate > settings.most_learning_rate)
-    refuse_settings({"least_learning_rate", "most_learning_rate"},
-                    "least_learning_rate is more than most_learning_rate");
+    refuse_settings({"n_steps", "n_envs", "bptt_steps"},
+                    fmt::format("n_steps: {} of {} environments are {} steps, no multiple of {}{}",
+                                settings.n_steps, settings.n_envs, samples, kRow,
+                                remembers ? " * bptt_steps" : ""));
+  if (settings.min_std > settings.max_std)
+    refuse_settings({"min_std", "max_std"}, "min_std is more than max_std");
+  if (settings.initial_std < settings.min_std)
+    refuse_settings({"initial_std", "min_std"},
+                    fmt::format("initial_std: {} is less than min_std, {}", settings.initial_std,
+                                settings.min_std));
+  if (settings.initial_std > settings.max_std)
+    refuse_settings({"initial_std", "max_std"},
+                    fmt::format("initial_std: {} is more than max_std, {}", settings.initial_std,
+                                settings.max_std));
+  if (settings.min_learning_rate > settings.max_learning_rate)
+    refuse_settings({"min_learning_rate", "max_learning_rate"},
+                    "min_learning_rate is more than max_learning_rate");
 }
 
 void check_algorithm(const Settings& settings, std::string_view name) {
@@ -235,6 +269,18 @@ std::string text_of(const Settings& settings) {
     text +=
         fmt::format("{}{} {}", text.empty() ? "" : "; ", row.name, place_of(row).text(settings));
   return text;
+}
+
+std::string with_new_names(std::string_view text) {
+  std::string result;
+  for (std::string_view part : client::pieces_of(text, ';')) {
+    part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+    const std::string_view name = part.substr(0, part.find(' '));
+    const std::string_view now = host::new_name(host::kTrainSettings, name);
+    result += fmt::format("{}{}{}", result.empty() ? "" : "; ", now.empty() ? name : now,
+                          part.substr(name.size()));
+  }
+  return result;
 }
 
 std::vector<Difference> differences(std::string_view theirs, std::string_view ours) {

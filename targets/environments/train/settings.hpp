@@ -32,46 +32,46 @@ struct Settings {
   /// It does not end before the mean return of the evaluation is this, whatever `success:` says.
   double until_return = -std::numeric_limits<double>::infinity();
 
-  std::vector<std::size_t> layers;  // widths, of actor and critic
-  Activation activation{};
-  Memory memory{};  // in front of the layers, of actor and critic each
-  std::size_t memory_units{};
-  std::size_t memory_steps{};  // that gradients go back; the horizon is a multiple
-  float discount{};            // γ
-  float trace_decay{};         // λ of generalised advantage estimation
+  std::vector<std::size_t> net_arch;  // widths, of actor and critic
+  Activation activation_fn{};
+  Memory rnn{};  // in front of the layers, of actor and critic each
+  std::size_t rnn_hidden_size{};
+  std::size_t bptt_steps{};  // that gradients go back; n_steps is a multiple
+  float gamma{};             // γ
+  float gae_lambda{};        // λ of generalised advantage estimation
 
-  std::size_t environments{};  // a multiple of kParts * kLanes, or a part of that
+  std::size_t n_envs{};  // a multiple of kParts * kLanes, or a part of that
   bool stagger{};
-  std::size_t horizon{};       // steps of each between two updates, at first
-  std::size_t most_horizon{};  // later
-  std::size_t minibatches{};
-  std::size_t epochs{};
+  std::size_t n_steps{};      // steps of each between two updates, at first
+  std::size_t max_n_steps{};  // later
+  std::size_t n_minibatches{};
+  std::size_t n_epochs{};
 
-  float clip{};           // of the ratio of probabilities
-  float entropy{};        // weight of a choice's entropy; actions have a least deviation
-  float gradient_norm{};  // longest gradient
+  float clip_range{};     // of the ratio of probabilities
+  float ent_coef{};       // weight of a choice's entropy; actions have a least deviation
+  float max_grad_norm{};  // longest gradient
 
   float learning_rate{};  // of Adam; of the adaptive schedule the first
   Schedule schedule{};
-  float least_learning_rate{}, most_learning_rate{};
-  float divergence{};       // Kullback-Leibler; the adaptive schedule keeps it
-  float stop_divergence{};  // times `divergence`: the iteration ends there; 0: never
-  double decay_steps{};     // 0: none
+  float min_learning_rate{}, max_learning_rate{};
+  float target_kl{};       // Kullback-Leibler; the adaptive schedule keeps it
+  float kl_stop_factor{};  // times `target_kl`: the iteration ends there; 0: never
+  double decay_steps{};    // 0: none
 
-  float first_deviation{}, least_deviation{}, most_deviation{};  // of the actions, in -1…1
-  float deviation_rate{};                                        // over that of the networks
+  float initial_std{}, min_std{}, max_std{};  // of the actions, in -1…1
+  float std_learning_rate_ratio{};            // over that of the networks
 
-  bool normalise{};
-  double freeze_after{};    // steps; 0: never
-  float averaging{};        // weight of the past after an iteration
-  float averaging_share{};  // of all iterations, later; 0: none
+  bool norm_obs{};
+  double freeze_after{};        // steps; 0: never
+  float ema_decay{};            // weight of the past after an iteration
+  float ema_window_fraction{};  // of all iterations, later; 0: none
 
-  double hard_share{};                            // of the environments
-  std::shared_ptr<const HardStarts> hard_starts;  // of `--hard-starts`; nullptr: none
+  double failure_replay_fraction{};               // of the environments
+  std::shared_ptr<const HardStarts> hard_starts;  // of `--failure-replay`; nullptr: none
 
-  std::size_t evaluation_every{};  // iterations
-  std::size_t evaluation_episodes{};
-  double success_share{};  // of them, for the training to end
+  std::size_t eval_interval{};  // iterations
+  std::size_t n_eval_episodes{};
+  double target_success_rate{};  // of them, for the training to end
 
   /// What learning rate and divergence are multiplied by after so many steps.
   float decay(std::uint64_t steps) const {
@@ -91,6 +91,9 @@ void check_algorithm(const Settings& settings, std::string_view name);
 
 /// All of the table in words, such as "layers 64,64; activation tanh; …".
 std::string text_of(const Settings& settings);
+
+/// Such a text of an older version, with the names that settings have now.
+std::string with_new_names(std::string_view text);
 
 /// What two such texts say otherwise.
 struct Difference {

@@ -83,15 +83,15 @@ void check_trainable(const Description& description) {
 }  // namespace
 
 void check_files(const Options& options) {
-  check_writable(options.output);
-  check_writable(golden_path(options.output));
+  claim_output(options.output);
+  claim_output(golden_path(options.output));
   for (const std::string* path : {&options.csv, &options.curve, &options.record}) {
-    if (!path->empty()) check_writable(*path);
+    if (!path->empty()) claim_output(*path);
   }
   if (options.seeds > 1) {
     check_files_of_seeds(options);
   } else {
-    if (!options.checkpoint.empty()) check_writable(options.checkpoint);
+    if (!options.checkpoint.empty()) claim_output(options.checkpoint);
     if (!options.resume.empty())
       check_resumed(read_file(options.resume), options.resume, options.settings);
   }
@@ -124,8 +124,8 @@ std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& li
     return std::make_unique<Ppo>(settings, library, kernels, team, longest, ranks);
   // A training that goes on takes the actions of its era from the memory.
   sac::Settings& s = settings.sac;
-  const std::size_t era = pace_of(settings, library.description()).era_steps + s.horizon - 1;
-  s.memory = std::max(s.memory, era / s.horizon * s.horizon * s.environments);
+  const std::size_t era = pace_of(settings, library.description()).era_steps + s.train_freq - 1;
+  s.buffer_size = std::max(s.buffer_size, era / s.train_freq * s.train_freq * s.n_envs);
   return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
 }
 

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "targets/environments/train/export.hpp"
+#include "targets/environments/train/presets.hpp"
 #include "targets/environments/train/signs.hpp"
 
 namespace eagerx::train {
@@ -12,6 +15,49 @@ namespace {
 
 std::string name_of(const std::string& path) {
   return path.substr(path.rfind('/') + 1);
+}
+
+std::string speed(const char* name, std::uint64_t count, const char* unit, double seconds,
+                  double gflop) {
+  if (count == 0 || seconds <= 0.0) return {};
+  std::string text =
+      fmt::format("{} {} {}/s", name, rounded(static_cast<double>(count) / seconds), unit);
+  if (gflop > 0.0) text += fmt::format(" ({:.3g} Gflop/s)", gflop / seconds);
+  return text;
+}
+
+std::vector<std::string> without_empty(std::vector<std::string> texts) {
+  std::erase(texts, std::string());
+  return texts;
+}
+
+/// What is left of the threads' time is waiting, for each other or for a free core.
+std::string where_time_went(const Ended& ended) {
+  const Spent& spent = ended.spent;
+  const double all_s = std::max(ended.seconds * ended.threads, spent.total_s());
+  if (all_s <= 0.0) return {};
+  std::string text =
+      fmt::format("time of {} {}:", ended.threads, ended.threads == 1 ? "thread" : "threads");
+  const char* comma = "";
+  for (const auto& [name, seconds] : {std::pair("simulation", spent.simulation_s),
+                                      {"inference", spent.inference_s},
+                                      {"learning", spent.learning_s},
+                                      {"evaluation", spent.evaluation_s},
+                                      {"waiting", all_s - spent.total_s()}}) {
+    text += fmt::format("{} {} {:.0f} %", comma, name, 100.0 * seconds / all_s);
+    comma = ",";
+  }
+  const Done& done = ended.done;
+  text += "\nspeed of a thread: ";
+  text += fmt::format(
+      "{}",
+      fmt::join(without_empty({speed("simulation", done.steps, "steps", spent.simulation_s, 0.0),
+                               speed("inference", done.steps, "steps", spent.inference_s,
+                                     done.inference_gflop()),
+                               speed("learning", done.samples, "samples", spent.learning_s,
+                                     done.learning_gflop())}),
+                ", "));
+  return text + "\n";
 }
 
 std::string result(const Ended& ended, const Evaluation& evaluation) {
@@ -22,6 +68,7 @@ std::string result(const Ended& ended, const Evaluation& evaluation) {
       fmt::format("{} after {} steps, {:.1f} s ({:.1f} s of them to evaluate), with {} kernels\n",
                   why, rounded(static_cast<double>(ended.steps)), ended.seconds,
                   ended.evaluating_seconds, ended.kernels);
+  text += where_time_went(ended);
   text += fmt::format("on {} seeds that neither trained nor chose it: ", evaluation.episodes);
   if (ended.description.has_success)
     text += fmt::format("success {} of {}, ", evaluation.successes, evaluation.episodes);
@@ -53,6 +100,8 @@ std::string notes(const Ended& ended, const Evaluation& evaluation) {
   std::string text = unfinished(ended);
   for (const std::string& sign : signs_of(ended.curve, evaluation, ended.description))
     text += "note: " + sign + "\n";
+  const std::string advice = preset_advice(ended.options, ended.description, ended.curve);
+  if (!advice.empty()) text += "note: " + advice + "\n";
   const double wanted = ended.options.settings.until_return;
   if (evaluation.mean_return < wanted)
     return text + fmt::format(

@@ -9,6 +9,7 @@
 #include "targets/environments/train/curve.hpp"
 #include "targets/environments/train/evaluation.hpp"
 #include "targets/environments/train/options.hpp"
+#include "targets/environments/train/spent.hpp"
 
 namespace eagerx::train {
 
@@ -22,6 +23,9 @@ struct Ended {
   std::uint64_t steps = 0;
   double seconds = 0.0;
   double evaluating_seconds = 0.0;  // of `seconds`
+  Spent spent;
+  Done done;
+  unsigned threads = 1;
   Ending ending{};
   bool has_aim = false;  // something says when a policy is good
 };

@@ -196,10 +196,10 @@ class Sweep {
 }  // namespace
 
 void check_files_of_sweep(const Options& options) {
-  check_writable(options.output);
-  check_writable(golden_path(options.output));
-  if (!options.csv.empty()) check_writable(options.csv);
-  check_writable(options.results);
+  claim_output(options.output);
+  claim_output(golden_path(options.output));
+  if (!options.csv.empty()) claim_output(options.csv);
+  check_writable(options.results);  // several sweeps may add rows to it
   const SweepResults known(options.results);
   if (!options.hard_starts.empty()) read_file(options.hard_starts);
   const std::string learnt = options.from.empty() ? std::string() : read_file(options.from);

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <runtime/host/base/claim.hpp>
 
 #include "targets/environments/train/client.hpp"
 
@@ -97,16 +98,16 @@ std::string scalar_event(double wall_time_s, std::int64_t step, const Scalars& s
 }
 
 Scalars scalars_of(const CurvePoint& point) {
-  Scalars all = {{"episodes/return", point.mean_return},
-                 {"episodes/success", point.success},
-                 {"evaluation/return", point.evaluation_return},
-                 {"evaluation/success", point.evaluation_success},
-                 {"learning/deviation", point.deviation},
-                 {"learning/learning_rate", point.step_size},
-                 {"learning/divergence", point.divergence},
+  Scalars all = {{"rollout/ep_rew_mean", point.mean_return},
+                 {"rollout/success_rate", point.success},
+                 {"eval/mean_reward", point.evaluation_return},
+                 {"eval/success_rate", point.evaluation_success},
+                 {"train/std", point.deviation},
+                 {"train/learning_rate", point.step_size},
+                 {"train/approx_kl", point.divergence},
                  {"stage/number", point.stage},
-                 {"stage/success", point.stage_success},
-                 {"stage/return", point.stage_return}};
+                 {"stage/success_rate", point.stage_success},
+                 {"stage/mean_reward", point.stage_return}};
   std::erase_if(all, [](const auto& scalar) { return std::isnan(scalar.second); });
   return all;
 }
@@ -170,18 +171,23 @@ bool has_other_curve(const std::filesystem::path& folder, const std::string& own
   return false;
 }
 
+/// Whether no other training that runs writes there.
+bool claims(const std::string& folder, const std::string& name) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Problem(kInputOutput, "cannot make `" + folder + "`: " + error.message());
+  return host::claim_output(folder + "/" + name) == 0;
+}
+
 }  // namespace
 
 EventFile::EventFile(const std::string& folder, const std::string& graph,
                      const std::vector<CurvePoint>& curve)
     : folder_(folder) {
   const std::string name = std::string(kEvents) + "0." + graph;
-  for (int run = 2; has_other_curve(folder_, name, curve); ++run)
+  for (int run = 2; has_other_curve(folder_, name, curve) || !claims(folder_, name); ++run)
     folder_ = folder + "/run" + std::to_string(run);
   path_ = folder_ + "/" + name;
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw Problem(kInputOutput, "cannot make `" + folder_ + "`: " + error.message());
   write_file(path_, first_event(now_s()));
   for (const CurvePoint& point : curve) append(point);
 }

@@ -29,7 +29,7 @@ Settings settings_of(const Options& options, const Description& description) {
 std::string conditions_of(const Options& options, const Description& description) {
   std::string text = conditions(options.settings, description.hash);
   if (!options.hard_starts.empty())
-    text += fmt::format("; hard-starts {:016x}", host::fnv1a(read_file(options.hard_starts)));
+    text += fmt::format("; failure-replay {:016x}", host::fnv1a(read_file(options.hard_starts)));
   return text;
 }
 
@@ -236,6 +236,8 @@ CurvePoint Training::note(const Algorithm::Result& result) {
 }
 
 Ended Training::ended(Ending ending) const {
+  Spent spent = algorithm_->spent();
+  spent.evaluation_s = judge_.spent_s();
   return {.options = options_,
           .description = library_.description(),
           .curve = progressed_.curve,
@@ -243,6 +245,9 @@ Ended Training::ended(Ending ending) const {
           .steps = steps(),
           .seconds = showing_.seconds(),
           .evaluating_seconds = evaluating_s_,
+          .spent = spent,
+          .done = algorithm_->done(),
+          .threads = team_.size(),
           .ending = ending,
           .has_aim = judge_.has_aim()};
 }

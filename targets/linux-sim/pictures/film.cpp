@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <runtime/host/base/claim.hpp>
 #include <targets/linux-sim/pictures/film.hpp>
 #include <vector>
 
@@ -54,7 +55,9 @@ Film::~Film() {
 /// Whether there is a file to write to is said by us, and in words.
 std::string Film::open_draft() {
   // ffmpeg knows the kind of a film from its ending.
-  int error = draft_.emplace(path_).make(std::filesystem::path(path_).extension().string());
+  int error = host::claim_output(path_);
+  if (error == 0)
+    error = draft_.emplace(path_).make(std::filesystem::path(path_).extension().string());
   if (error == 0) held_ = ::open(draft_->name().c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
   if (error == 0 && held_ < 0) error = errno;
   return error == 0 ? std::string()

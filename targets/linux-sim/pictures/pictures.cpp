@@ -4,6 +4,7 @@
 #include <eagerx/scene.hpp>
 #include <filesystem>
 #include <memory>
+#include <runtime/host/base/claim.hpp>
 #include <runtime/host/base/files.hpp>
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/keeper.hpp>
@@ -90,7 +91,10 @@ std::string open_files(const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
   std::error_code error;
   if (!folder.empty()) std::filesystem::create_directories(folder, error);
-  return error ? "error: cannot make `" + folder.string() + "`: " + error.message() : std::string();
+  if (error) return "error: cannot make `" + folder.string() + "`: " + error.message();
+  const int refused = host::claim_output(path);  // for all that have these names
+  return refused == 0 ? std::string()
+                      : "error: cannot write `" + path + "`: " + host::problem_of_writing(refused);
 }
 
 class PicturesOfRun final : public Pictures {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -277,6 +278,17 @@ TEST_F(WriteFiles, OneFileIsWrittenBesideALeftover) {
   EXPECT_TRUE(write_file((folder_ / "graph.yaml").string(), "name: new\n", diagnostics_));
   EXPECT_EQ(text_of("elsewhere.txt"), "precious");
   EXPECT_EQ(text_of("graph.yaml"), "name: new\n");
+}
+
+TEST_F(WriteFiles, AKilledWriterLeavesNothingWhereTheFileStaysAsItIs) {
+  const pid_t killed = fork();
+  if (killed == 0) _exit(0);
+  ASSERT_EQ(waitpid(killed, nullptr, 0), killed);
+  put("out/page.html", "same");
+  put("out/.page.html." + std::to_string(killed) + ".0x01.part", "half");
+  Diagnostics diagnostics;
+  EXPECT_TRUE(write_file((folder_ / "out/page.html").string(), "same", diagnostics));
+  EXPECT_EQ(listing(), std::vector<std::string>({"page.html"}));
 }
 
 TEST_F(WriteFiles, AFileWhereAFolderBelongsIsAnError) {

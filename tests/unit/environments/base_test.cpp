@@ -162,11 +162,11 @@ TEST(Description, HasFieldsInTheOrderOfTheirColumns) {
 
 TEST(Stepping, SaysWhatMadeItSlower) {
   const UsedPacks none{0, ""}, eight{8, "avx2"}, sixteen{16, "avx512"};
-  EXPECT_EQ(stepping_text(sixteen, sixteen, 64, false, ""), "in packs of 16 (avx512)");
+  EXPECT_EQ(stepping_text(sixteen, sixteen, 64, false, ""), "vectorized: 16 lanes (avx512)");
   EXPECT_EQ(stepping_text(eight, sixteen, 4, false, ""),
-            "in packs of 8 (avx2); 4 environments are too few for packs of 16 (avx512)");
+            "vectorized: 8 lanes (avx2); 4 environments are too few for 16 lanes (avx512)");
   EXPECT_EQ(stepping_text(none, sixteen, 1, false, ""),
-            "one by one: 1 environment is too few for packs");
+            "one by one: 1 environment is too few for SIMD lanes");
   EXPECT_EQ(stepping_text(none, sixteen, 64, true, ""), "one by one: their pictures are wanted");
   EXPECT_EQ(stepping_text(none, none, 64, false, "it is large"), "one by one: it is large");
 }

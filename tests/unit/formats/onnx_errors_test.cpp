@@ -181,12 +181,13 @@ TEST(OnnxErrors, UnsupportedOperatorIsNamedWithTheSupportedOnes) {
                         "LessOrEqual, LogSoftmax, MatMul, Max, MaxPool"));
 }
 
-TEST(OnnxErrors, QuantizedModelsAreToBeExportedBefore) {
-  OnnxBuilder builder = test::two_layers();
-  builder.add_tensor("scale", {}, {0.5F});
-  builder.add_node("DequantizeLinear", {"g1", "scale"}, "real");
-  builder.graph().mutable_node(1)->set_input(0, "real");
-  EXPECT_THAT(read_bad(builder.bytes()).help.text, HasSubstr("`weights: int8`"));
+TEST(OnnxErrors, WholeNumberOperatorsHaveAnotherForm) {
+  for (const char* type : {"QLinearMatMul", "MatMulInteger", "DynamicQuantizeLinear"}) {
+    OnnxBuilder builder = test::two_layers();
+    builder.add_node(type, {"g1"}, "real");
+    builder.graph().mutable_node(1)->set_input(0, "real");
+    EXPECT_THAT(read_bad(builder.bytes()).help.text, HasSubstr("`QuantFormat.QDQ`")) << type;
+  }
 }
 
 TEST(OnnxErrors, OperatorOfAnotherDomain) {
@@ -252,13 +253,14 @@ TEST(OnnxErrors, HugeDimensionsDoNotOverflow) {
 
 TEST(OnnxErrors, TypesThatAreNotRead) {
   OnnxBuilder builder = test::two_layers();
-  builder.graph().mutable_initializer(0)->set_data_type(onnx::TensorProto::INT16);
-  expect_named(read_bad(builder.bytes()), "E0615", "type INT16");
-  builder.graph().mutable_initializer(0)->set_data_type(12345);
+  onnx::TensorProto& weights = *builder.graph().mutable_initializer(0);
+  weights.set_data_type(12345);
   expect_named(read_bad(builder.bytes()), "E0615", "type number 12345");
-  builder.graph().mutable_initializer(0)->clear_float_data();
-  builder.graph().mutable_initializer(0)->set_data_type(onnx::TensorProto::INT32);
-  for (int i = 0; i < 6; ++i) builder.graph().mutable_initializer(0)->add_int32_data(i);
+  weights.clear_float_data();
+  for (int i = 0; i < 6; ++i) weights.add_int32_data(i);
+  weights.set_data_type(onnx::TensorProto::INT16);
+  expect_named(read_bad(builder.bytes()), "E0615", "type INT16");
+  weights.set_data_type(onnx::TensorProto::INT32);
   expect_named(read_bad(builder.bytes()), "E0615", "type INT32");
 }
 

@@ -99,6 +99,27 @@ TEST(Calculation, Conditions) {
   EXPECT_TRUE(holds("a.x in (1, 3) and a.on"));
 }
 
+TEST(Expression, NamesWithOtherSeparatorsOnlyWithANote) {
+  const auto read = [](const std::string& written, std::string& said) {
+    Text text(written);
+    Names names{variables(), NameForm::port};
+    names.note = [&](const std::string& other, const std::string& name) {
+      said += other + "=" + name;
+    };
+    return read_typed(text, names, Type::number).has_value();
+  };
+  for (const std::string other : {"a/b/c", "a.b.c"}) {
+    std::string said;
+    EXPECT_TRUE(read(other + " + 1", said)) << other;
+    EXPECT_EQ(said, other + "=a/b.c");
+    EXPECT_EQ(problem(other).substr(0, 15), "1: unknown name") << problem(other);
+  }
+  std::string said;
+  EXPECT_TRUE(read("a/b.c", said));
+  EXPECT_FALSE(read("b.c", said));
+  EXPECT_EQ(said, "");
+}
+
 // What a task may call is calculated here, too.
 TEST(Calculation, EveryFunctionOfATask) {
   for (const Function& each : functions()) {

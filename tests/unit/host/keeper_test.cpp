@@ -82,7 +82,7 @@ TEST_F(Kept, OneThatIsStoppedIsEndedAndMadeSafe) {
   EXPECT_TRUE(text.starts_with("serror: the program gave no sign of life for 0.1 s")) << text;
   EXPECT_NE(text.find("its hardware has the safe values now"), std::string::npos) << text;
   EXPECT_NE(text.find("after step 34, in episode 2"), std::string::npos) << text;
-  EXPECT_NE(text.find("help: `hang:`"), std::string::npos) << text;
+  EXPECT_NE(text.find("help: `heartbeat_timeout:`"), std::string::npos) << text;
   EXPECT_EQ(end_of_program(), SIGKILL) << "it does not drive on when it is let go on";
 }
 

@@ -51,6 +51,23 @@ TEST(Nearest, SpelledWithOtherSeparators) {
   EXPECT_EQ(spelled_otherwise("", names), nullptr);
 }
 
+TEST(Nearest, MeantByParts) {
+  const std::vector<std::string> names = {"robot/gyro/y", "robot/accel/y", "robot/body/gyro/y",
+                                          "pendulum/theta/observation", "theta"};
+  const auto meant = [&](std::string_view name) {
+    const std::string* const found = name_meant(name, names);
+    return found == nullptr ? std::string() : *found;
+  };
+  EXPECT_EQ(meant("theta"), "theta");  // exact, before parts of others
+  EXPECT_EQ(meant("robot.gyro.y"), "robot/gyro/y");
+  EXPECT_EQ(meant("robot.gyro"), "robot/gyro/y");
+  EXPECT_EQ(meant("pendulum.theta"), "pendulum/theta/observation");
+  EXPECT_EQ(meant("gyro.y"), "");  // two of them
+  EXPECT_EQ(with_parts_of("gyro.y", names).size(), 2U);
+  EXPECT_EQ(meant("robot/acc"), "");  // no whole part
+  EXPECT_EQ(meant(""), "");
+}
+
 TEST(Nearest, AsASentenceForPeople) {
   const std::vector<std::string> names = {"theta", "voltage"};
   EXPECT_EQ(did_you_mean("thta", names), "did you mean `theta`?");

@@ -121,21 +121,25 @@ struct OdeFloatOutputIo : NodeIo<Simulator> {
 };
 
 struct Low2 {
+  static constexpr auto initial = FilterInitial::zero;
   static constexpr int order = 2;
   static constexpr auto type = FilterType::lowpass;
   static constexpr std::array<double, 1> cutoff_hz = {10.0};
 };
 struct High3 {
+  static constexpr auto initial = FilterInitial::zero;
   static constexpr int order = 3;
   static constexpr auto type = FilterType::highpass;
   static constexpr std::array<double, 1> cutoff_hz = {2.0};
 };
 struct Band4 {
+  static constexpr auto initial = FilterInitial::zero;
   static constexpr int order = 4;
   static constexpr auto type = FilterType::bandpass;
   static constexpr std::array<double, 2> cutoff_hz = {3.0, 8.0};
 };
 struct Stop8 {
+  static constexpr auto initial = FilterInitial::zero;
   static constexpr int order = 8;
   static constexpr auto type = FilterType::bandstop;
   static constexpr std::array<double, 2> cutoff_hz = {5.0, 12.0};
@@ -186,6 +190,7 @@ struct MeanIo {
   using States = NoStates;
   struct Config {
     static constexpr int n = 4;
+    static constexpr auto initial = FilterInitial::zero;
   };
   struct Inputs {
     WindowOf<Message> signal;

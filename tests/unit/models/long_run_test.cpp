@@ -103,6 +103,7 @@ TEST(LongRun, FirstOrderLagArrives) {
 
 struct MillionConfig {
   static constexpr int n = 100'000;
+  static constexpr auto initial = FilterInitial::zero;
 };
 
 TEST(LongRun, MovingAverageArrives) {
@@ -188,6 +189,7 @@ TEST(LongRun, AChirpGoesOnWithItsLastFrequency) {
 
 template <FilterType Type, int Order, int CornerMicroHz>
 struct CornerConfig {
+  static constexpr auto initial = FilterInitial::zero;
   static constexpr auto type = Type;
   static constexpr int order = Order;
   static constexpr std::array<double, 1> cutoff_hz = {CornerMicroHz * 1e-6};
@@ -260,6 +262,7 @@ void expect_recovers(Node& node) {
 
 struct TenConfig {
   static constexpr int n = 10;
+  static constexpr auto initial = FilterInitial::zero;
 };
 
 struct WrappingConfig {

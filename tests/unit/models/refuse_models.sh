@@ -26,14 +26,14 @@ refuse() {
 
 # refuse_filter WORDS ORDER TYPE COUNT FREQUENCIES, at 100 Hz
 refuse_filter() {
-  refuse "$1" "struct Wrong { static constexpr int order = $2; static constexpr auto type = FilterType::$3;
+  refuse "$1" "struct Wrong { static constexpr int order = $2; static constexpr auto initial = FilterInitial::zero; static constexpr auto type = FilterType::$3;
     static constexpr std::array<double, $4> cutoff_hz = {$5}; };
     template class ButterworthFilter<eagerx::models::FilterIo<float, Wrong>>;"
 }
 
 compiler=$1
 compile 'struct Right { static constexpr int order = 2; static constexpr auto type = FilterType::lowpass;
-    static constexpr std::array<double, 1> cutoff_hz = {49.0}; };
+    static constexpr auto initial = FilterInitial::zero; static constexpr std::array<double, 1> cutoff_hz = {49.0}; };
     template class ButterworthFilter<eagerx::models::FilterIo<float, Right>>;' # a right one compiles
 refuse_filter '`order` must be 1 to 8' 9 lowpass 1 10.0
 refuse_filter '`cutoff_hz` must be one frequency for lowpass and highpass, and two for' 2 lowpass 2 '10.0, 20.0'

@@ -202,5 +202,50 @@ TEST(MultibodyJoints, WhatIsNotFiniteCountsAsZero) {
   EXPECT_GT(scene.simulator.faults(), 0U);
 }
 
+/// A light base with a heavy arm of two joints, in space.
+template <class RealType>
+struct Tossed {
+  using Real = RealType;
+  static constexpr std::array<RigidBody, 3> kBodies = {
+      {{.name = "base", .mass = 0.2, .inertia = {{4e-4, 4e-4, 5e-4}}},
+       {.name = "upper", .mass = 0.9, .inertia = {{3e-3, 0.3, 0.3}}, .position = {{0.3, 0.0, 0.1}}},
+       {.name = "lower",
+        .mass = 0.9,
+        .inertia = {{3e-3, 0.3, 0.3}},
+        .position = {{1.2, 0.0, 0.1}}}}};
+  static constexpr std::array<RigidJoint, 2> kJoints = {{{.name = "a",
+                                                          .parent = "base",
+                                                          .child = "upper",
+                                                          .axis = {{0.0, 0.0, 1.0}},
+                                                          .max_velocity = 5.0},
+                                                         {.name = "b",
+                                                          .parent = "upper",
+                                                          .child = "lower",
+                                                          .anchor = {{1.0, 0.0, 0.1}},
+                                                          .axis = {{0.0, 0.0, 1.0}},
+                                                          .max_velocity = 5.0}}};
+  static constexpr std::array<RigidGeometry, 0> kGeometries = {};
+};
+
+/// Torques that turn the base by 100 rad/s in a step: the joints' speeds stay below 1.25 times
+/// their limit, and angular momentum stays 0.
+TEST(MultibodyJoints, LimitOfSpeedHoldsWhatOtherLinksDrive) {
+  MultibodyScene<Tossed<double>, WeightlessMultibody<20>> scene;
+  double fastest = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    scene.simulator.set_joint_torque(0, i % 3 == 0 ? 50.0 : -50.0);
+    scene.simulator.set_joint_torque(1, i % 2 == 0 ? 50.0 : -50.0);
+    scene.tick();
+    for (std::size_t j = 0; j < 2; ++j)
+      fastest = std::max(fastest, std::abs(scene.simulator.joint_velocity(j)));
+  }
+  EXPECT_LT(fastest, 1.3 * 5.0);
+  double linear = 0.0;
+  for (std::size_t b = 0; b < 3; ++b)
+    linear += Tossed<double>::kBodies[b].mass * scene.simulator.twist(b)[0];
+  EXPECT_NEAR(linear, 0.0, 0.05);
+  EXPECT_LT(std::abs(scene.simulator.twist(0)[5]), 20.0);
+}
+
 }  // namespace
 }  // namespace eagerx::models::testing

@@ -23,6 +23,8 @@ compiler=$1
 compile 'template class MultibodySimulator<Box>;'
 two='static constexpr std::array<RigidBody, 2> kBodies = {{{.name = "box"}, {.name = "other"}}};'
 joint='static constexpr std::array<RigidJoint, 1> kJoints ='
+refuse '`mimics` names a hinge or slider' \
+  "$two $joint {{{.parent = \"box\", .child = \"other\", .mimics = \"it\"}}};"
 refuse 'one body of an object may be free' "$two"
 refuse 'joints are hinges, sliders and fixed ones' \
   "$two $joint {{{.kind = JointKind::ball, .parent = \"box\", .child = \"other\"}}};"

@@ -1,6 +1,7 @@
 // Joints of every kind: where reset puts them, which way they turn, motors and servos.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/unit/rigid/rigid_io.hpp"
@@ -179,6 +180,122 @@ TEST(Joints, ServosReachTheirPosition) {
       0, {.position = 1.5, .stiffness = 10.0, .damping = 2.0, .max_torque = 3.0});
   for (int i = 0; i < 200; ++i) scene.tick();
   EXPECT_NEAR(scene.simulator.joint_position(0), 1.5, 1e-3);
+}
+
+/// A rod on a hinge with stops at `Tenths` tenths of half a turn on both sides.
+template <int kTenths>
+struct Stopped {
+  using Real = double;
+  static constexpr double kStop = 0.314159265358979 * kTenths;
+  static constexpr std::array<RigidBody, 1> kBodies = {
+      {{.name = "rod", .inertia = {{0.1, 0.1, 0.01}}}}};
+  static constexpr std::array<RigidJoint, 1> kJoints = {
+      {{.name = "j", .child = "rod", .low = -kStop, .high = kStop}}};
+  static constexpr std::array<RigidGeometry, 0> kGeometries = {};
+};
+
+/// Below, at and beyond half a turn: pressed against the stop, and away from it.
+template <int kTenths>
+void check_stop() {
+  Scene<Stopped<kTenths>, WeightlessConfig<20>> scene;
+  const double stop = Stopped<kTenths>::kStop;
+  for (const double side : {1.0, -1.0}) {
+    scene.simulator.want_joint(0, {{side * (stop - 0.5), 0.0}, {0.0, 0.0}});
+    scene.simulator.set_joint_torque(0, side * 0.5);
+    scene.reset();
+    double furthest = 0.0;
+    for (int i = 0; i < 250; ++i) {
+      scene.tick();
+      furthest = std::max(furthest, side * scene.simulator.joint_position(0));
+    }
+    EXPECT_NEAR(furthest, stop, 5e-3) << kTenths;
+    EXPECT_NEAR(side * scene.simulator.joint_position(0), stop, 5e-3) << kTenths;
+    EXPECT_LT(std::abs(scene.simulator.joint_velocity(0)), 0.1) << kTenths;
+    scene.simulator.set_joint_torque(0, -side * 0.5);
+    for (int i = 0; i < 50; ++i) scene.tick();  // half of 5 rad/s², 1 s
+    EXPECT_NEAR(side * scene.simulator.joint_position(0), stop - 2.5, 0.1) << kTenths;
+  }
+}
+
+TEST(RigidJoints, StopsHoldBelowAtAndBeyondHalfATurn) {
+  check_stop<5>();
+  check_stop<9>();
+  check_stop<10>();  // 3.14159: the library's own stop lets the joint through
+  check_stop<11>();
+  check_stop<20>();
+  check_stop<37>();
+}
+
+/// A forearm and a hand whose inertia is far too small for the gains of the servos in steps of 1
+/// ms, as the wrist of an industrial arm.
+struct Wrist {
+  using Real = double;
+  static constexpr std::array<RigidBody, 2> kBodies = {{{.name = "forearm",
+                                                         .mass = 2.0,
+                                                         .inertia = {{0.02, 0.02, 0.002}},
+                                                         .position = {{0.2, 0.0, 0.0}}},
+                                                        {.name = "hand",
+                                                         .mass = 0.2,
+                                                         .inertia = {{1e-4, 1e-4, 1e-4}},
+                                                         .position = {{0.4, 0.0, 0.0}}}}};
+  static constexpr std::array<RigidJoint, 2> kJoints = {
+      {{.name = "elbow", .child = "forearm", .max_torque = 150.0},
+       {.name = "wrist",
+        .parent = "forearm",
+        .child = "hand",
+        .anchor = {{0.4, 0.0, 0.0}},
+        .max_torque = 28.0,
+        .damping = 2.0}}};
+  static constexpr std::array<RigidGeometry, 0> kGeometries = {};
+};
+
+TEST(RigidJoints, ServosFarAboveInertiaPerStepAreStable) {
+  Scene<Wrist, RigidConfig<20>> scene;
+  for (std::size_t j = 0; j < 2; ++j)
+    scene.simulator.set_joint_servo(
+        j, {.position = 0.3, .stiffness = 500.0, .damping = 20.0, .max_torque = 100.0});
+  double fastest = 0.0;
+  for (int i = 0; i < 250; ++i) {
+    scene.tick();
+    fastest = std::max(fastest, std::abs(scene.simulator.joint_velocity(1)));
+  }
+  EXPECT_LT(fastest, 15.0);
+  // Gravity turns about y, so that the elbow sinks by its torque over its stiffness.
+  const double angle = scene.simulator.joint_position(0);
+  const double torque = 9.81 * std::cos(angle) * (2.0 * 0.2 + 0.2 * 0.4);
+  EXPECT_NEAR(angle, 0.3 + torque / 500.0, 1e-4);
+  EXPECT_NEAR(scene.simulator.joint_torque(0), -torque, 1e-2);
+  EXPECT_NEAR(scene.simulator.joint_position(1), 0.3, 1e-4);
+  EXPECT_LT(std::abs(scene.simulator.joint_velocity(1)), 1e-6);
+}
+
+/// Beside a motor, damping is a torque of the step's beginning.
+TEST(RigidJoints, DampingBesideAMotorIsStable) {
+  Scene<Wrist, RigidConfig<20>> scene;
+  scene.simulator.set_joint_servo(
+      0, {.position = 0.0, .stiffness = 500.0, .damping = 20.0, .max_torque = 100.0});
+  scene.simulator.set_joint_motor(1, 0.0, 5.0);  // 2 N·m·s/rad, 1e-4 kg·m²: 20 times too much
+  scene.simulator.want_joint(1, {{0.0, 0.0}, {3.0, 0.0}});
+  scene.reset();
+  double fastest = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    scene.tick();
+    fastest = std::max(fastest, std::abs(scene.simulator.joint_velocity(1)));
+  }
+  EXPECT_LT(fastest, 1e-3);
+}
+
+/// Where the library would abort, the program says which joint moves and in which step.
+void push_far_too_hard() {
+  Scene<Wrist, RigidConfig<20>> scene;
+  scene.simulator.set_force(1, {{0.0, 0.0, 1e200}});
+  for (int i = 0; i < 50; ++i) scene.tick();
+}
+TEST(RigidJointsDeathTest, WhatTheLibraryGivesUpIsSaid) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(push_far_too_hard(), ::testing::ExitedWithCode(1),
+              "gives up in step [0-9]+ of the episode: [^`]*The fastest joint is `(wrist|elbow)`, "
+              "at [^`]* raise `substeps`");
 }
 
 }  // namespace

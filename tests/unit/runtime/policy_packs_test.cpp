@@ -150,6 +150,9 @@ TEST(PolicyPacks, ConstantsFunctionsAndBranches) {
   EXPECT_SAME(12, policy::abs(x, y));
   EXPECT_SAME(12, policy::sqrt(x, y));
   EXPECT_SAME(12, policy::above_zero(x, y));
+  EXPECT_SAME(12, policy::round_to_even(x, y));
+  EXPECT_SAME(12, policy::floor(x, y));
+  EXPECT_SAME(12, policy::ceil(x, y));
   EXPECT_SAME(4, policy::row_sum(x, y));
   EXPECT_SAME(3, policy::row_mean(x, y));
   EXPECT_SAME(2, policy::row_norm(x, y));

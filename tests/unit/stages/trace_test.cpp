@@ -109,8 +109,48 @@ TEST_F(LogsTest, AChannelIsNamedByPartsThatOnlyItHas) {
   std::string problem;
   EXPECT_EQ(channel_named(read, "theta", problem), 1U);
   EXPECT_EQ(channel_named(read, "pendulum/theta", problem), 1U);
+  EXPECT_EQ(channel_named(read, "pendulum.theta", problem), 1U);  // as the graph spells it
   EXPECT_FALSE(channel_named(read, "thetta", problem));
   EXPECT_NE(problem.find("thetta"), std::string::npos);
+}
+
+TEST_F(LogsTest, APanelIsAChannelAnElementOrSeveral) {
+  const trace_log::Log read = log();
+  std::string problem;
+  const auto whole = panel_named(read, "u", {}, problem);
+  ASSERT_TRUE(whole) << problem;
+  EXPECT_EQ(whole->elements, 2U);
+  EXPECT_EQ(whole->names, (std::vector<std::string>{"[0]", "[1]"}));
+  const auto one = panel_named(read, "u[1]", {}, problem);
+  ASSERT_TRUE(one) << problem;
+  EXPECT_EQ(one->title, "environment/u[1]");
+  EXPECT_EQ(one->elements, 1U);
+  for (const PlotLine& line : one->lines) EXPECT_EQ(line.element, 0U);
+  const auto both = panel_named(read, "theta,u[0],u", {}, problem);
+  ASSERT_TRUE(both) << problem;
+  EXPECT_EQ(both->names,
+            (std::vector<std::string>{"pendulum/theta", "environment/u[0]", "environment/u[0]",
+                                      "environment/u[1]"}));
+  EXPECT_EQ(both->elements, 4U);
+  for (const std::string wrong : {"u[2]", "u[x]", "u[]", "theta[1]", "theta,", ",u", "thetta"}) {
+    problem.clear();
+    EXPECT_FALSE(panel_named(read, wrong, {}, problem)) << wrong;
+    EXPECT_NE(problem, "") << wrong;
+  }
+}
+
+TEST_F(LogsTest, ALegendNamesSeventeenElementsAndTellsThemApart) {
+  PlotPanel panel{"pose", 18, {}, {}};
+  for (std::uint64_t i = 0; i < panel.elements; ++i) {
+    panel.names.push_back("[" + std::to_string(i) + "]");
+    panel.lines.push_back({0, i, {0.0, 1.0}, {0.0, static_cast<double>(i)}});
+  }
+  const std::string svg = plot_svg({panel}, "test");
+  for (std::size_t i = 0; i < 16; ++i)
+    EXPECT_NE(svg.find(">[" + std::to_string(i) + "]<"), std::string::npos) << i;
+  EXPECT_NE(svg.find(">[16] and 1 more<"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"line l0\" stroke-dasharray=\"6 3\" points"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"line l0\" stroke-dasharray=\"2 2\" points"), std::string::npos);
 }
 
 TEST_F(LogsTest, WithoutStampsTimesAreThoseOfTicks) {

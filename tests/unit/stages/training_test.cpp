@@ -18,7 +18,7 @@ namespace eagerx::gen {
 namespace {
 
 const std::string kTrainingHead =
-    R"({"eagerx_training":1,"graph":"arm","rate":30,"algorithm":"ppo","settings":"layers 8; clip 0.20; sac_batch 256","seed":1,"seeds":1,"steps":100,"has_success":true,"terms":["angle","effort"]})"
+    R"({"eagerx_training":1,"graph":"arm","rate":30,"algorithm":"ppo","settings":"layers 8; clip 0.20; batch_size 256","seed":1,"seeds":1,"steps":100,"has_success":true,"terms":["angle","effort"]})"
     "\n";
 const std::string kTrainingRow = R"({"seed":1,"steps":10,"return":-5.5})"
                                  "\n";
@@ -81,7 +81,7 @@ constexpr const char* kEvaluated = "evaluation, without noise";
 TEST_F(Training, ARecord) {
   const auto record = read(
       kTrainingHead + kTrainingRow +
-      R"({"seed":1,"steps":20,"return":-4,"evaluation_return":-3,"evaluation_success":0.5,"terms":[-4,1]})"
+      R"({"seed":1,"steps":20,"return":-4,"eval_return":-3,"evaluation_success":0.5,"terms":[-4,1]})"
       "\n" +
       kTrainingEnd);
   ASSERT_TRUE(record);
@@ -182,18 +182,26 @@ TEST_F(Training, CutAnywhere) {
 }
 
 TEST_F(Training, ATableOfACurve) {
-  const auto record = read(
-      "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence\n"
-      "8192,-10,,,,1,0.001,0.01\n16384,-8,,-7,0.5,0.9,0.001,0.01\n");
-  ASSERT_TRUE(record);
-  EXPECT_EQ(numbers(member(&line(record->page, "Return", kNoisy), "y")), Numbers({-10, -8}));
-  EXPECT_EQ(numbers(member(&line(record->page, "Return", kEvaluated), "x")), Numbers({16384}));
-  EXPECT_TRUE(record->episodes.empty());
+  for (const std::string columns :
+       {"steps,return,success_rate,eval_return,eval_success_rate,std,learning_rate,approx_kl\n",
+        "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,"
+        "divergence\n"}) {
+    const auto record =
+        read(columns + "8192,-10,,,,1,0.001,0.01\n16384,-8,,-7,0.5,0.9,0.001,0.02\n");
+    ASSERT_TRUE(record);
+    EXPECT_EQ(numbers(member(&line(record->page, "Return", kNoisy), "y")), Numbers({-10, -8}));
+    EXPECT_EQ(numbers(member(&line(record->page, "Return", kEvaluated), "x")), Numbers({16384}));
+    const char* const kDivergence = "KL divergence of an iteration";
+    EXPECT_EQ(numbers(member(&line(record->page, kDivergence, kDivergence), "y")),
+              Numbers({0.01, 0.02}));
+    EXPECT_TRUE(record->episodes.empty());
+  }
 }
 
 TEST_F(Training, StagesAreShown) {
   const auto record = read(
-      "steps,return,stage,stage_success,stage_return\n10,-9,1,,\n20,-8,1,0.5,-7\n30,-20,2,,\n");
+      "steps,return,stage,stage_success_rate,stage_return\n10,-9,1,,\n20,-8,1,0.5,-7\n30,-20,2,,"
+      "\n");
   ASSERT_TRUE(record);
   const char* const kInStage = "in its stage, without noise";
   EXPECT_EQ(numbers(member(&line(record->page, "Return", kInStage), "x")), Numbers({20}));
@@ -240,13 +248,14 @@ TEST_F(Training, ALongCurveKeepsItsPeaks) {
 }
 
 TEST_F(Training, SettingsBesideTheirDefaults) {
-  const Json settings = settings_json("layers 8; clip 0.20; sac_batch 256; future 7", "ppo");
+  const Json settings = settings_json("layers 8; clip 0.20; batch_size 256; future 7", "ppo");
   const auto& rows = *settings.as<Json::List>();
   ASSERT_EQ(rows.size(), 3) << "not those of another algorithm";
   EXPECT_EQ(truth_of(member(&rows[0], "differs")), true);
   EXPECT_EQ(text_of(member(&rows[0], "default")), "64,64");
   EXPECT_EQ(truth_of(member(&rows[1], "differs")), false) << "0.20 is 0.2";
   EXPECT_TRUE(member(&rows[2], "default")->is<std::monostate>()) << "of another version";
+  EXPECT_EQ(text_of(member(&rows[0], "name")), "net_arch") << "`layers` is its former name";
 }
 
 const std::string kSweep =

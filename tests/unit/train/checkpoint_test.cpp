@@ -19,17 +19,17 @@ class TrainCheckpoint : public testing::Test {
     description.actions.push_back(
         {.name = "voltage", .dtype = "float32", .low = {-1.0}, .high = {1.0}});
     Settings settings;
-    settings.layers = {3};
+    settings.net_arch = {3};
     return {settings, 2, Head(description)};
   }
 
   std::string bytes() const { return checkpoint_of("graph 0", "interface", learnt_, progressed_); }
 
-  static std::string said(const std::string& bytes) {
+  static std::string said(const std::string& bytes, const std::string& conditions = "graph 0") {
     Model model = TrainCheckpoint::model();
     Progressed progressed;
     try {
-      restore(bytes, "it", "graph 0", model, progressed);
+      restore(bytes, "it", conditions, model, progressed);
     } catch (const Problem& problem) {
       return problem.what();
     }
@@ -60,9 +60,19 @@ TEST_F(TrainCheckpoint, IsReadAgain) {
 }
 
 TEST_F(TrainCheckpoint, AnotherGraphIsNamedWithoutItsHash) {
-  EXPECT_EQ(said(checkpoint_of("graph 1; clip 0.1", "interface", learnt_, progressed_)),
-            "`it` belongs to another training: another graph, or this one before a change, clip "
-            "0.1 (here there is none)");
+  EXPECT_EQ(
+      said(checkpoint_of("graph 1; clip 0.1", "interface", learnt_, progressed_)),
+      "`it` belongs to another training: another graph, or this one before a change, clip_range "
+      "0.1 (here there is none)");
+}
+
+// Checkpoints of versions before 0.3.0 have other names of settings.
+TEST_F(TrainCheckpoint, FormerNamesOfSettingsAreRead) {
+  EXPECT_EQ(with_new_names("algorithm sac; layers 4,4; clip 0.1; tau 1; hard-starts 0a; future 7"),
+            "algorithm sac; net_arch 4,4; clip_range 0.1; tau 1; failure-replay 0a; future 7");
+  EXPECT_EQ(said(checkpoint_of("graph 0; clip 0.1", "interface", learnt_, progressed_),
+                 "graph 0; clip_range 0.1"),
+            "nothing");
 }
 
 TEST_F(TrainCheckpoint, ABestPolicyOfAnotherSizeIsRefused) {

@@ -39,9 +39,9 @@ TEST_F(TrainTraining, WhatGoesOnFromACheckpointIsOneTraining) {
 TEST_F(TrainTraining, IterationsOfAnyLengthGoOnToo) {
   Options whole = small(options(15));
   whole.threads = 1;  // two wait for each other at every minibatch, long where other tests run
-  whole.settings.environments = 16;
-  whole.settings.most_horizon = 160;
-  whole.settings.minibatches = 4;
+  whole.settings.n_envs = 16;
+  whole.settings.max_n_steps = 160;
+  whole.settings.n_minibatches = 4;
   whole.csv = path("whole.csv");
   const std::string policy = trained(whole);
   const std::string curve = read_file(whole.csv);
@@ -158,14 +158,14 @@ TEST_F(TrainTraining, OtherSettingsDoNotGoOn) {
   trained(first);
   Options second = first;
   second.resume = first.checkpoint;
-  second.settings.clip = 0.3F;
+  second.settings.clip_range = 0.3F;
   EXPECT_EQ(said_by([&] { Training(second, pendulum()); }),
-            "`" + first.checkpoint + "` belongs to another training: clip 0.2 (here 0.3)");
+            "`" + first.checkpoint + "` belongs to another training: clip_range 0.2 (here 0.3)");
 }
 
 TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
   Options first = options(33);
-  first.settings.layers = {8};
+  first.settings.net_arch = {8};
   first.checkpoint = path("checkpoint");
   trained(first);
   Options other = first;
@@ -174,7 +174,7 @@ TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
   EXPECT_NE(said_by([&] { Training(other, pendulum()); }).find("belongs to another training"),
             std::string::npos);
   Options wider = options(1);
-  wider.settings.layers = {9};
+  wider.settings.net_arch = {9};
   wider.from = first.checkpoint;
   EXPECT_NE(said_by([&] { Training(wider, pendulum()); }).find("is of other networks"),
             std::string::npos);

@@ -37,10 +37,10 @@ inline constexpr std::uint64_t kIteration = std::uint64_t{256} * 32;
 /// The defaults, but all iterations are of one length.
 inline Settings even_settings() {
   Settings settings;
-  settings.environments = 256;
-  settings.horizon = settings.most_horizon = 32;
-  settings.minibatches = 8;
-  settings.evaluation_every = 5;
+  settings.n_envs = 256;
+  settings.n_steps = settings.max_n_steps = 32;
+  settings.n_minibatches = 8;
+  settings.eval_interval = 5;
   return settings;
 }
 

@@ -30,7 +30,7 @@ class TrainCritic : public testing::Test {
     result.settings = even_settings();
     result.output = path("policy.safetensors");
     result.steps = iterations * kIteration;
-    result.settings.layers = {8, 8};
+    result.settings.net_arch = {8, 8};
     result.threads = 1;
     result.is_quiet = true;
     return result;

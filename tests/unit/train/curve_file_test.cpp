@@ -71,7 +71,7 @@ TEST_F(TrainCurveFile, ATrainingThatBreaksHasRowsOfBefore) {
   options.settings = even_settings();
   options.output = path("policy.safetensors");
   options.csv = path("curve.csv");
-  options.settings.layers = {8, 8};
+  options.settings.net_arch = {8, 8};
   options.settings.stagger = false;  // the library counts whole episodes
   options.threads = 1;
   options.is_quiet = true;

@@ -104,7 +104,7 @@ std::vector<std::vector<float>> angles(const Settings& settings, int episodes) {
 
 TEST(HardStarts, AShareOfTheEnvironmentsBeginsThere) {
   Settings settings;
-  settings.hard_share = 0.25;
+  settings.failure_replay_fraction = 0.25;
   const auto drawn = angles(settings, 6);
   settings.hard_starts =
       std::make_shared<const HardStarts>(table(), "runs.csv", pendulum().description());
@@ -130,9 +130,9 @@ class TrainHardStarts : public testing::TestWithParam<const char*> {
     Options result;
     result.settings = even_settings();
     result.settings.algorithm = GetParam();
-    result.settings.layers = {8, 8};
-    result.settings.sac.random_steps = 100;
-    result.settings.evaluation_episodes = 10;
+    result.settings.net_arch = {8, 8};
+    result.settings.sac.learning_starts = 100;
+    result.settings.n_eval_episodes = 10;
     result.output = path("policy.safetensors");
     result.hard_starts = path("runs.csv");
     const bool is_sac = result.settings.algorithm == "sac";

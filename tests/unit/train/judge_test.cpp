@@ -37,13 +37,13 @@ std::vector<double> due(Settings settings, double steps, std::size_t iterations)
 
 TEST(TrainJudge, LongIterationsAreFollowedByEvaluationsEvenly) {
   Settings settings;
-  settings.evaluation_every = 3;
+  settings.eval_interval = 3;
   EXPECT_EQ(due(settings, 8192, 10), (std::vector<double>{3 * 8192, 6 * 8192, 9 * 8192}));
 }
 
 TEST(TrainJudge, EvaluationsTakeNoMoreStepsThanLearningOrAreAtMostATwentiethLate) {
   Settings settings;
-  settings.evaluation_every = 5;
+  settings.eval_interval = 5;
   constexpr double kSteps = 512, kFive = 5 * kSteps;
   const std::vector<double> all = due(settings, kSteps, 2000);
   EXPECT_EQ(all.front(), kFive);
@@ -53,7 +53,7 @@ TEST(TrainJudge, EvaluationsTakeNoMoreStepsThanLearningOrAreAtMostATwentiethLate
     EXPECT_LT(now - before, std::min(kEvaluation, now / 20.0) + kFive + 1.0) << now;
     before = now;
   }
-  EXPECT_EQ(all[10], 11 * kFive) << "while little is learnt it is as `evaluation_every` says";
+  EXPECT_EQ(all[10], 11 * kFive) << "while little is learnt it is as `eval_interval` says";
   EXPECT_EQ(all[all.size() - 1] - all[all.size() - 2], std::ceil(kEvaluation / kFive) * kFive);
 }
 
@@ -62,7 +62,7 @@ Progressed trained(double share, std::uint64_t iterations) {
   const TestFolder folder;
   Options options;
   options.settings = even_settings();
-  options.settings.success_share = share;
+  options.settings.target_success_rate = share;
   options.steps = iterations * kIteration;
   options.output = folder.path("policy.safetensors");
   options.checkpoint = folder.path("checkpoint");
@@ -102,16 +102,16 @@ Evaluation seen_at_first(const Settings& settings) {
 TEST(TrainJudge, APolicyThatFailsInTheFirst32EpisodesIsNotSeenInTheOthers) {
   Settings settings;
   EXPECT_EQ(seen_at_first(settings).episodes, 32U);
-  settings.evaluation_episodes = 20;
+  settings.n_eval_episodes = 20;
   EXPECT_EQ(seen_at_first(settings).episodes, 20U);
 }
 
 TEST(TrainJudge, WhereFewHaveToSucceedAllEpisodesAreSeen) {
   Settings settings;
-  settings.success_share = 0.5;
+  settings.target_success_rate = 0.5;
   EXPECT_EQ(seen_at_first(settings).episodes, 32U);
-  settings.success_share = 0.49;
-  EXPECT_EQ(seen_at_first(settings).episodes, settings.evaluation_episodes);
+  settings.target_success_rate = 0.49;
+  EXPECT_EQ(seen_at_first(settings).episodes, settings.n_eval_episodes);
 }
 
 TEST(TrainJudge, SomePartsAfterOthersAreOneEvaluation) {

@@ -66,19 +66,19 @@ TEST(TrainPace, AStageBeginsWithAnEraThatThereHasNotBeen) {
 
 TEST(TrainPace, ThePolicyIsAMeanOfAGrowingTail) {
   Settings settings;
-  settings.averaging = 0.8F;
-  settings.averaging_share = 0.1F;
+  settings.ema_decay = 0.8F;
+  settings.ema_window_fraction = 0.1F;
   EXPECT_FLOAT_EQ(share_of_actor(settings, 0), 1.0F) << "the first one";
   EXPECT_FLOAT_EQ(share_of_actor(settings, 4), 1.0F / 3.0F) << "the mean of all so far";
   EXPECT_FLOAT_EQ(share_of_actor(settings, 20), 0.2F);
   EXPECT_FLOAT_EQ(share_of_actor(settings, 50), 0.2F);
   EXPECT_FLOAT_EQ(share_of_actor(settings, 100), 0.1F);
   EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 0.01F);
-  settings.averaging_share = 0.5F;
+  settings.ema_window_fraction = 0.5F;
   EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 0.002F);
-  settings.averaging_share = 0.0F;
+  settings.ema_window_fraction = 0.0F;
   EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 0.2F);
-  settings.averaging = 0.0F;
+  settings.ema_decay = 0.0F;
   EXPECT_FLOAT_EQ(share_of_actor(settings, 1000), 1.0F) << "no mean";
 }
 

@@ -107,8 +107,8 @@ class TrainRanksTraining : public testing::Test {
     result.steps = iterations * 128 * 32;
     result.threads = 1;
     result.is_quiet = true;
-    result.settings.environments = 128;
-    result.settings.layers = {8, 8};
+    result.settings.n_envs = 128;
+    result.settings.net_arch = {8, 8};
     return result;
   }
 
@@ -116,9 +116,9 @@ class TrainRanksTraining : public testing::Test {
   void expect_the_same_bits(Memory memory, std::initializer_list<std::uint32_t> counts) const {
     const Interrupt never = false;
     const auto of_memory = [&](Options options) {
-      options.settings.memory = memory;
-      options.settings.memory_units = 6;
-      options.settings.minibatches = 4;
+      options.settings.rnn = memory;
+      options.settings.rnn_hidden_size = 6;
+      options.settings.n_minibatches = 4;
       return options;
     };
     const Options whole = of_memory(options("whole", 9));

@@ -23,7 +23,7 @@ class TrainRecord : public testing::Test {
     options_.output = folder_.path("policy.safetensors");
     options_.csv = folder_.path("curve.csv");
     options_.record = folder_.path("training.json");
-    options_.settings.layers = {8, 8};
+    options_.settings.net_arch = {8, 8};
     options_.settings.stagger = false;
     options_.steps = 8192 * 7;
     options_.threads = 1;
@@ -44,15 +44,15 @@ class TrainRecord : public testing::Test {
 /// The rows of the record as the table of --csv.
 std::string table_of(const std::vector<json>& lines) {
   std::string text =
-      "steps,return,success,evaluation_return,evaluation_success,deviation,step_size,divergence,"
-      "stage,stage_success,stage_return\n";
+      "steps,return,success_rate,eval_return,eval_success_rate,std,learning_rate,approx_kl,"
+      "stage,stage_success_rate,stage_return\n";
   for (const json& line : lines) {
     if (!line.contains("steps") || line.contains("ended") || line.contains("eagerx_training"))
       continue;
     text += std::to_string(line["steps"].get<std::uint64_t>());
     for (const char* name :
-         {"return", "success", "evaluation_return", "evaluation_success", "deviation", "step_size",
-          "divergence", "stage", "stage_success", "stage_return"}) {
+         {"return", "success_rate", "eval_return", "eval_success_rate", "std", "learning_rate",
+          "approx_kl", "stage", "stage_success_rate", "stage_return"}) {
       char number[32] = "";
       if (line.contains(name)) snprintf(number, sizeof number, "%.7g", line[name].get<double>());
       text += std::string(",") + number;
@@ -72,16 +72,16 @@ TEST_F(TrainRecord, HasTheCurveOfTheTable) {
   const auto& terms = pendulum().description().terms;
   std::size_t iterations = 0, with_terms = 0;
   for (const json& line : all) {
-    iterations += line.contains("deviation") ? 1 : 0;
-    if (!line.contains("deviation") || !line.contains("terms")) continue;
+    iterations += line.contains("std") ? 1 : 0;
+    if (!line.contains("std") || !line.contains("terms")) continue;
     ++with_terms;
     EXPECT_EQ(line["terms"].size(), terms.size());
     double sum = 0.0;
     for (const double term : line["terms"]) sum += term;
-    EXPECT_NEAR(sum, line["evaluation_return"].get<double>(), 1e-3 * std::abs(sum) + 1e-3);
+    EXPECT_NEAR(sum, line["eval_return"].get<double>(), 1e-3 * std::abs(sum) + 1e-3);
   }
   EXPECT_GE(with_terms, 1);
-  EXPECT_EQ(with_terms, iterations / options_.settings.evaluation_every);
+  EXPECT_EQ(with_terms, iterations / options_.settings.eval_interval);
 }
 
 TEST_F(TrainRecord, HasTheEpisodesOfTheLastEvaluation) {

@@ -39,10 +39,10 @@ class TrainMemory : public testing::Test {
     result.output = path("policy.safetensors");
     result.threads = 2;
     result.is_quiet = true;
-    result.settings.layers = {8};
-    set(result.settings, "memory", memory);
-    result.settings.memory_units = 6;
-    result.steps = iterations * result.settings.environments * result.settings.horizon;
+    result.settings.net_arch = {8};
+    set(result.settings, "rnn", memory);
+    result.settings.rnn_hidden_size = 6;
+    result.steps = iterations * result.settings.n_envs * result.settings.n_steps;
     return result;
   }
 
@@ -101,9 +101,9 @@ TEST_F(TrainMemory, SequencesAreThoseOfTheRollout) {
       {"gru", 256, 32}, {"lstm", 256, 32}, {"gru", 8, 256}, {"lstm", 32, 128}, {"none", 16, 128}};
   for (const auto& [memory, environments, horizon] : trainings) {
     Settings settings = small(1, memory).settings;
-    settings.epochs = settings.minibatches = 1;
-    settings.environments = environments;
-    settings.horizon = horizon;
+    settings.n_epochs = settings.n_minibatches = 1;
+    settings.n_envs = environments;
+    settings.n_steps = horizon;
     Team team(1, Team::Size::at_most);
     Ppo ppo(settings, hidden(), *kernels_here().back(), team, 0);
     ppo.begin_era();
@@ -124,18 +124,18 @@ TEST_F(TrainMemory, ACheckpointOfAnotherMemoryIsRefused) {
   Options second = small(2, "lstm");
   second.resume = first.checkpoint;
   EXPECT_EQ(said(second),
-            "`" + first.checkpoint + "` belongs to another training: memory gru (here lstm)");
+            "`" + first.checkpoint + "` belongs to another training: rnn gru (here lstm)");
   second.resume.clear();
   second.from = first.checkpoint;
   EXPECT_EQ(said(second),
-            "`" + first.checkpoint + "` is of other networks: memory gru 6 (here lstm 6)");
+            "`" + first.checkpoint + "` is of other networks: rnn gru 6 (here lstm 6)");
   Options third = small(1, "none");
   third.from = first.checkpoint;
   EXPECT_EQ(said(third),
-            "`" + first.checkpoint + "` is of other networks: memory gru 6 (here there is none)");
+            "`" + first.checkpoint + "` is of other networks: rnn gru 6 (here there is none)");
   third = small(1);
-  third.settings.environments = 128;  // what is remembered of environments is not taken over
-  third.settings.minibatches = 4;
+  third.settings.n_envs = 128;  // what is remembered of environments is not taken over
+  third.settings.n_minibatches = 4;
   third.from = first.checkpoint;
   EXPECT_EQ(said(third), "nothing");
 }
@@ -164,10 +164,10 @@ TEST_F(TrainMemory, StatesOfOtherEnvironmentsAreRefused) {
 
 TEST_F(TrainMemory, SwingsUpWithoutSeeingTheSpeed) {
   Options options = small(200);
-  options.settings.layers = {32};
-  options.settings.memory_units = 32;
+  options.settings.net_arch = {32};
+  options.settings.rnn_hidden_size = 32;
   EXPECT_EQ(Training(options, hidden()).run(never), kDone);
-  options.settings.memory = Memory::none;
+  options.settings.rnn = Memory::none;
   options.steps /= 2;
   EXPECT_EQ(Training(options, hidden()).run(never), kProblems);
 }

@@ -18,8 +18,8 @@ constexpr std::size_t kWidth = 2, kNumbers = 2;
 train::Settings little() {
   train::Settings settings;
   settings.algorithm = "sac";
-  settings.layers = {5};
-  settings.sac.memory = 3;
+  settings.net_arch = {5};
+  settings.sac.buffer_size = 3;
   return settings;
 }
 
@@ -168,7 +168,7 @@ class TrainSacLosses : public testing::Test {
       double least = std::numeric_limits<double>::infinity();
       for (const sac::Critic& each : model_.critics)
         least = std::min(least, value(to_double(each.target), row(t.next), one.action));
-      const double target = kScale * t.reward + settings_.discount * t.goes_on *
+      const double target = kScale * t.reward + settings_.gamma * t.goes_on *
                                                     (least - kTemperature * one.log_probability);
       const std::vector<double> action(t.action, t.action + kNumbers);
       sum += 0.5 * std::pow(value(critic, row(t.observation), action) - target, 2.0);

@@ -34,9 +34,9 @@ class TrainSac : public testing::Test {
   /// Quick, with an era of 16 iterations, and a memory that is full by then.
   Options quick(std::uint64_t iterations) const {
     Options result = options(iterations * 8 * 64);
-    result.settings.layers = {8, 8};
-    result.settings.sac.updates = 0.125F;
-    result.settings.sac.memory = 8500;
+    result.settings.net_arch = {8, 8};
+    result.settings.sac.utd_ratio = 0.125F;
+    result.settings.sac.buffer_size = 8500;
     return result;
   }
 
@@ -154,9 +154,9 @@ TEST_F(TrainSac, FineTuningBeginsWithWhatWasLearnt) {
 /// come: what is learnt first is not scaled, then the temperature goes with the scale.
 float temperature_for(float entropy, const Library& library) {
   train::Settings settings;
-  settings.layers = {8};
-  settings.sac.random_steps = 128;
-  settings.sac.entropy = entropy;
+  settings.net_arch = {8};
+  settings.sac.learning_starts = 128;
+  settings.sac.target_entropy_per_action = entropy;
   Team team(1);
   sac::Sac sac(settings, library, *kernels_here().back(), team, 0);
   sac.begin_era();
@@ -166,7 +166,7 @@ float temperature_for(float entropy, const Library& library) {
 }
 
 TEST_F(TrainSac, TheTemperatureGrowsWhereEntropyIsMissing) {
-  const float first = train::Settings().sac.first_temperature;
+  const float first = train::Settings().sac.initial_ent_coef;
   EXPECT_GT(temperature_for(0.7F, pendulum()), 1.2F * first);  // more than -1…1 can have
   EXPECT_LT(temperature_for(-9.0F, pendulum()), first / 1.2F);
 }
@@ -188,10 +188,10 @@ Pack value(const sac::Model& model, std::size_t critic) {
 
 void expect_that_answers_stay(double scale_steps) {
   train::Settings settings;
-  settings.sac.scale_steps = scale_steps;
-  settings.layers = {8};
-  settings.sac.random_steps = 1;
-  settings.sac.updates = 0.001F;  // one in the second iteration of 512 steps, none in the third
+  settings.sac.norm_window_steps = scale_steps;
+  settings.net_arch = {8};
+  settings.sac.learning_starts = 1;
+  settings.sac.utd_ratio = 0.001F;  // one in the second iteration of 512 steps, none in the third
   Team team(1);
   sac::Sac sac(settings, pendulum(), *kernels_here().back(), team, 0);
   sac.begin_era();
@@ -244,10 +244,10 @@ TEST_F(TrainSac, ScalesForgetWhatWasLongAgo) {
 /// Mean size of what a critic says where it learns the next reward alone, with this reward_scale.
 float mean_value(float reward_scale) {
   train::Settings settings;
-  settings.layers = {8};
-  settings.discount = 0.0F;
+  settings.net_arch = {8};
+  settings.gamma = 0.0F;
   settings.learning_rate = 0.01F;
-  settings.sac.random_steps = 1;
+  settings.sac.learning_starts = 1;
   settings.sac.reward_scale = reward_scale;
   Team team(1);
   sac::Sac sac(settings, pendulum(), *kernels_here().back(), team, 0);

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <runtime/host/base/renamed.hpp>
 #include <string>
 
 #include "targets/environments/options/train_settings.hpp"
@@ -57,6 +60,26 @@ TEST(TrainSettings, EachIsSetAndStandsInTheText) {
   }
 }
 
+TEST(TrainSettings, NamesOfOtherLibrariesGetOurs) {
+  const auto help = [](const std::string& name) {
+    Settings settings;
+    try {
+      set(settings, name, "1");
+    } catch (const client::Problem& problem) {
+      return problem.help;
+    }
+    return std::string();
+  };
+  const std::string all = "; `eagerx-gen help train-settings` lists them";
+  EXPECT_EQ(help("lr"), "it is `learning_rate` here" + all);
+  EXPECT_EQ(help("gamma"), "it is `discount` here" + all);
+  EXPECT_EQ(help("n_envs"), "it is `environments` here" + all);
+  EXPECT_EQ(help("tau"), "it is `sac_target_share` here" + all);
+  EXPECT_EQ(help("learning_rat"),
+            "did you mean `learning_rate`? `eagerx-gen help train-settings` lists them");
+  EXPECT_EQ(help("xyzzy"), "`eagerx-gen help train-settings` lists them");
+}
+
 TEST(TrainSettings, OutOfRangeIsRefused) {
   for (const Setting& row : kTrainSettings) {
     if (row.kind == SettingKind::word || row.kind == SettingKind::truth) {
@@ -67,8 +90,28 @@ TEST(TrainSettings, OutOfRangeIsRefused) {
       EXPECT_NE(said(row.name, fmt::format("{}", wrong)), "") << row.name << ' ' << wrong;
   }
   EXPECT_EQ(said("clop", "1"), "there is no setting `clop`");
-  EXPECT_EQ(said("layers", "1,1,1,1,1,1,1,1,1"), "there are at most 8 layers");
-  EXPECT_EQ(said("activation", "elu"), "`elu` is none of tanh, relu");
+  EXPECT_EQ(said("net_arch", "1,1,1,1,1,1,1,1,1"), "there are at most 8 layers");
+  EXPECT_EQ(said("activation_fn", "elu"), "`elu` is none of tanh, relu");
+}
+
+TEST(TrainSettings, AFormerNameIsRefusedWithTheNewOne) {
+  const auto is_setting = [](std::string_view name) {
+    return std::ranges::find(kTrainSettings, name, &Setting::name) != std::end(kTrainSettings);
+  };
+  for (const host::Renamed& one : host::kRenamed) {
+    if (one.where != host::kTrainSettings || one.new_name == "failure-replay") continue;
+    EXPECT_TRUE(is_setting(one.new_name)) << one.new_name;
+    EXPECT_FALSE(is_setting(one.old_name)) << one.old_name;
+    Settings settings;
+    try {
+      set(settings, one.old_name, "1");
+      ADD_FAILURE() << one.old_name;
+    } catch (const Problem& problem) {
+      EXPECT_EQ(problem.what(), fmt::format("there is no setting `{}`", one.old_name));
+      EXPECT_EQ(problem.help,
+                fmt::format("write `{}`, the new name of `{}`", one.new_name, one.old_name));
+    }
+  }
 }
 
 TEST(TrainSettings, WhatDoesNotGoTogetherIsRefused) {
@@ -82,24 +125,22 @@ TEST(TrainSettings, WhatDoesNotGoTogetherIsRefused) {
     }
     return {};
   };
-  EXPECT_EQ(checked("clip", "0.3"), "");
-  EXPECT_EQ(checked("environments", "200"),
-            "environments: 200 is neither 8, 16, 32, 64 nor a multiple of 128");
-  EXPECT_EQ(checked("environments", "24"),
-            "environments: 24 is neither 8, 16, 32, 64 nor a multiple of 128");
-  EXPECT_EQ(checked("memory", "gru"), "");
-  EXPECT_EQ(checked("memory_steps", "5"), "") << "without a memory";
-  EXPECT_EQ(checked("least_deviation", "5"), "least_deviation is more than most_deviation");
-  EXPECT_EQ(checked("least_learning_rate", "0.1"),
-            "least_learning_rate is more than most_learning_rate");
+  EXPECT_EQ(checked("clip_range", "0.3"), "");
+  EXPECT_EQ(checked("n_envs", "200"), "n_envs: 200 is neither 8, 16, 32, 64 nor a multiple of 128");
+  EXPECT_EQ(checked("n_envs", "24"), "n_envs: 24 is neither 8, 16, 32, 64 nor a multiple of 128");
+  EXPECT_EQ(checked("rnn", "gru"), "");
+  EXPECT_EQ(checked("bptt_steps", "5"), "") << "without a memory";
+  EXPECT_EQ(checked("min_std", "5"), "min_std is more than max_std");
+  EXPECT_EQ(checked("min_learning_rate", "0.1"),
+            "min_learning_rate is more than max_learning_rate");
 }
 
 TEST(TrainSettings, SequencesOfAMemoryFitIntoTheHorizon) {
   const auto checked = [](const char* steps, std::size_t environments) -> std::string {
     Settings settings;
-    set(settings, "memory", "lstm");
-    set(settings, "memory_steps", steps);
-    settings.environments = environments;
+    set(settings, "rnn", "lstm");
+    set(settings, "bptt_steps", steps);
+    settings.n_envs = environments;
     try {
       check(settings);
     } catch (const Problem& problem) {
@@ -111,8 +152,8 @@ TEST(TrainSettings, SequencesOfAMemoryFitIntoTheHorizon) {
   EXPECT_EQ(checked("16", 64), "");
   EXPECT_EQ(checked("32", 128), "");
   EXPECT_EQ(checked("32", 64),
-            "horizon: 32 of 64 environments are 2048 steps, no multiple of 128 * memory_steps");
-  EXPECT_EQ(checked("5", 128), "horizon: 32 is no multiple of memory_steps, 5");
+            "n_steps: 32 of 64 environments are 2048 steps, no multiple of 128 * bptt_steps");
+  EXPECT_EQ(checked("5", 128), "n_steps: 32 is no multiple of bptt_steps, 5");
 }
 
 TEST(TrainSettings, OnTheCommandLine) {
@@ -125,18 +166,18 @@ TEST(TrainSettings, OnTheCommandLine) {
     }
   };
   Settings expected;
-  expected.layers = {8, 16};
-  expected.clip = 0.3F;
-  EXPECT_EQ(parse({"--setting", "clip=0.3", "--setting=layers=8,16"}), text_of(expected));
-  EXPECT_EQ(parse({"--setting", "clip"}), "--setting: `clip` is not NAME=VALUE");
-  EXPECT_EQ(parse({"--setting", "clip=0.3", "--algorithm", "sac"}),
-            "clip is a setting of ppo, and the algorithm is sac");
-  EXPECT_EQ(parse({"--setting", "sac_batch=256"}),
-            "sac_batch is a setting of sac, and the algorithm is ppo");
-  EXPECT_EQ(parse({"--algorithm", "sac", "--setting", "sac_batch=200"}),
-            "sac_batch: 200 is no multiple of 128");
-  EXPECT_EQ(parse({"--setting", "clip=x"}),
-            "--setting: clip: `x` is not a number from 0.001 to 10");
+  expected.net_arch = {8, 16};
+  expected.clip_range = 0.3F;
+  EXPECT_EQ(parse({"--setting", "clip_range=0.3", "--setting=net_arch=8,16"}), text_of(expected));
+  EXPECT_EQ(parse({"--setting", "clip_range"}), "--setting: `clip_range` is not NAME=VALUE");
+  EXPECT_EQ(parse({"--setting", "clip_range=0.3", "--algorithm", "sac"}),
+            "clip_range is a setting of ppo, and the algorithm is sac");
+  EXPECT_EQ(parse({"--setting", "batch_size=256"}),
+            "batch_size is a setting of sac, and the algorithm is ppo");
+  EXPECT_EQ(parse({"--algorithm", "sac", "--setting", "batch_size=200"}),
+            "batch_size: 200 is no multiple of 128");
+  EXPECT_EQ(parse({"--setting", "clip_range=x"}),
+            "--setting: clip_range: `x` is not a number from 0.001 to 10");
 }
 
 }  // namespace

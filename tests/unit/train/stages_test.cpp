@@ -30,9 +30,9 @@ class TrainStages : public testing::TestWithParam<const char*> {
     result.csv = path("curve.csv");
     const Settings& settings = result.settings;
     const bool is_ppo = settings.algorithm == "ppo";
-    result.steps = iterations * (is_ppo ? settings.environments * settings.horizon
-                                        : settings.sac.environments * settings.sac.horizon);
-    result.settings.layers = {16, 16};
+    result.steps = iterations * (is_ppo ? settings.n_envs * settings.n_steps
+                                        : settings.sac.n_envs * settings.sac.train_freq);
+    result.settings.net_arch = {16, 16};
     result.settings.until_return = 1.0;  // the reward is negative: it uses all steps
     result.threads = 1;
     result.is_quiet = true;
@@ -68,7 +68,7 @@ TEST_P(TrainStages, EndWhereWhatTheyWaitForIsReached) {
     EXPECT_EQ(curve[i + 1].stage, now.stage + (is_reached ? 1.0 : 0.0)) << i;
   }
   const std::string csv = read_file(some.csv);
-  EXPECT_NE(csv.find(",stage,stage_success,stage_return\n"), std::string::npos);
+  EXPECT_NE(csv.find(",stage,stage_success_rate,stage_return\n"), std::string::npos);
 }
 
 // Also where the next stage has just begun, and in the middle of its first era.

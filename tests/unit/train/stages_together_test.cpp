@@ -44,15 +44,15 @@ class StagesTogether : public testing::Test {
     Options result;
     Settings& settings = result.settings;
     settings.algorithm = kind.algorithm;
-    settings.environments = 64;
-    settings.horizon = settings.most_horizon = 32;
-    settings.layers = {16, 16};
-    settings.memory = kind.memory;
-    settings.memory_units = 8;
-    settings.minibatches = 4;
-    settings.evaluation_every = 2;
-    settings.evaluation_episodes = 10;
-    settings.hard_share = 0.2;
+    settings.n_envs = 64;
+    settings.n_steps = settings.max_n_steps = 32;
+    settings.net_arch = {16, 16};
+    settings.rnn = kind.memory;
+    settings.rnn_hidden_size = 8;
+    settings.n_minibatches = 4;
+    settings.eval_interval = 2;
+    settings.n_eval_episodes = 10;
+    settings.failure_replay_fraction = 0.2;
     settings.until_return = 1.0;  // the reward is negative: it uses all steps
     result.output = path(name + ".safetensors");
     result.csv = path(name + ".csv");
@@ -183,9 +183,9 @@ TEST_F(StagesTogether, EachOfASweepIsThatOfItsSettings) {
   Options all = options(kCritic, "all");
   all.library = EAGERX_TEST_STAGED_CRITIC;
   all.results = path("sweep.csv");
-  for (const char* clip : {"clip=0.1", "clip=0.3"}) {
+  for (const char* clip : {"clip_range=0.1", "clip_range=0.3"}) {
     all.cases.push_back({clip, all.settings});
-    all.cases.back().settings.clip = clip == std::string("clip=0.1") ? 0.1F : 0.3F;
+    all.cases.back().settings.clip_range = clip == std::string("clip_range=0.1") ? 0.1F : 0.3F;
   }
   EXPECT_EQ(train_sweep(all, library(kCritic), never), kDone);
   for (const Case& one : all.cases) {

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr const char* kResultsHead =
     "training,settings,seed,succeeds,steps,successes,episodes,return,processor_s,problem\n";
 constexpr const char* kResultsRow =
-    "0123456789abcdef,\"clip=0.2\",1,1,8192,399,400,-12.5,0.75,\"\"\n";
+    "0123456789abcdef,\"clip_range=0.2\",1,1,8192,399,400,-12.5,0.75,\"\"\n";
 
 class TrainSweep : public testing::Test {
  protected:
@@ -34,7 +34,7 @@ class TrainSweep : public testing::Test {
                                       "--steps",   "24576",
                                       "--seeds",   "2",
                                       "--threads", "2",
-                                      "--setting", "layers=8,8",
+                                      "--setting", "net_arch=8,8",
                                       "--output",  path("policy.safetensors"),
                                       "--csv",     path("table.csv"),
                                       "--quiet"};
@@ -68,7 +68,7 @@ class TrainSweep : public testing::Test {
 };
 
 TEST_F(TrainSweep, EachTrainingIsThatOfItsSettingsAndSeed) {
-  const Options all = options({"clip=0.1", "clip=0.3"});
+  const Options all = options({"clip_range=0.1", "clip_range=0.3"});
   check_files_of_sweep(all);
   EXPECT_EQ(train_sweep(all, pendulum(), never), kDone);
   const SweepResults results(path("sweep.csv"));
@@ -78,7 +78,7 @@ TEST_F(TrainSweep, EachTrainingIsThatOfItsSettingsAndSeed) {
   for (const float clip : {0.1F, 0.3F}) {
     for (const std::uint64_t seed : {1U, 2U}) {
       Options one = options({});
-      one.settings.clip = clip;
+      one.settings.clip_range = clip;
       one.settings.seed = seed;
       one.output = path("one.safetensors");
       one.csv.clear();
@@ -87,7 +87,7 @@ TEST_F(TrainSweep, EachTrainingIsThatOfItsSettingsAndSeed) {
       is_one = is_one || read_file(one.output) == best;
       const std::string text = read_file(path("sweep.csv"));
       const std::string cell = fmt::format(
-          "\"clip={}\",{},0,24576,{},{},{},", clip, seed, training.evaluation().successes,
+          "\"clip_range={}\",{},0,24576,{},{},{},", clip, seed, training.evaluation().successes,
           training.evaluation().episodes, training.evaluation().mean_return);
       EXPECT_NE(text.find(cell), std::string::npos) << cell << "\n" << text;
     }
@@ -97,15 +97,15 @@ TEST_F(TrainSweep, EachTrainingIsThatOfItsSettingsAndSeed) {
 }
 
 TEST_F(TrainSweep, WhatIsThereIsNotMadeAgain) {
-  EXPECT_EQ(train_sweep(options({"clip=0.1"}), pendulum(), never), kDone);
+  EXPECT_EQ(train_sweep(options({"clip_range=0.1"}), pendulum(), never), kDone);
   const std::string first = read_file(path("sweep.csv"));
   // Processor times would differ.
-  EXPECT_EQ(train_sweep(options({"clip=0.1"}), pendulum(), never), kDone);
+  EXPECT_EQ(train_sweep(options({"clip_range=0.1"}), pendulum(), never), kDone);
   EXPECT_EQ(read_file(path("sweep.csv")), first);
-  EXPECT_EQ(train_sweep(options({"clip=0.1", "clip=0.3"}), pendulum(), never), kDone);
+  EXPECT_EQ(train_sweep(options({"clip_range=0.1", "clip_range=0.3"}), pendulum(), never), kDone);
   EXPECT_TRUE(read_file(path("sweep.csv")).starts_with(first));
   EXPECT_EQ(SweepResults(path("sweep.csv")).size(), 4U);
-  Options longer = options({"clip=0.1"});
+  Options longer = options({"clip_range=0.1"});
   longer.steps = 32768;
   EXPECT_EQ(train_sweep(longer, pendulum(), never), kDone);
   EXPECT_EQ(SweepResults(path("sweep.csv")).size(), 6U) << "other steps are another training";
@@ -113,15 +113,15 @@ TEST_F(TrainSweep, WhatIsThereIsNotMadeAgain) {
 
 TEST_F(TrainSweep, AnInterruptedOneGoesOn) {
   const Interrupt at_once = true;
-  EXPECT_EQ(train_sweep(options({"clip=0.1"}), pendulum(), at_once), 130);
+  EXPECT_EQ(train_sweep(options({"clip_range=0.1"}), pendulum(), at_once), 130);
   EXPECT_FALSE(fs::exists(path("policy.safetensors")));
-  EXPECT_EQ(train_sweep(options({"clip=0.1"}), pendulum(), never), kDone);
+  EXPECT_EQ(train_sweep(options({"clip_range=0.1"}), pendulum(), never), kDone);
   EXPECT_EQ(SweepResults(path("sweep.csv")).size(), 2U);
 }
 
 TEST_F(TrainSweep, ATrainingThatBreaksIsARow) {
   setenv("EAGERX_TEST_BREAKS", "evaluation", 1);
-  Options some = options({"evaluation_every=1 stagger=false", "evaluation_every=3 stagger=false"});
+  Options some = options({"eval_interval=1 stagger=false", "eval_interval=3 stagger=false"});
   EXPECT_EQ(train_sweep(some, pendulum(), never), kDone);
   const std::string text = read_file(path("sweep.csv"));
   EXPECT_NE(text.find("a reward is not finite note: the training had made"), std::string::npos);
@@ -156,7 +156,7 @@ TEST_F(TrainSweep, TwoSweepsWithOneFileLoseNoRow) {
   SweepResults first(shared), second(shared);
   const auto add = [](SweepResults& to, int number) {
     EXPECT_EQ(to.add({.training = fmt::format("{:016x}", number),
-                      .settings = "clip=0.1",
+                      .settings = "clip_range=0.1",
                       .successes = 1,
                       .episodes = 1,
                       .problem = ""}),
@@ -177,19 +177,21 @@ TEST_F(TrainSweep, TwoSweepsWithOneFileLoseNoRow) {
 
 TEST_F(TrainSweep, AFileOfSomethingElseStays) {
   write_file(path("sweep.csv"), "precious data\n");
-  EXPECT_THROW(check_files_of_sweep(options({"clip=0.1"})), Problem);
+  EXPECT_THROW(check_files_of_sweep(options({"clip_range=0.1"})), Problem);
   EXPECT_EQ(read_file(path("sweep.csv")), "precious data\n");
 }
 
 TEST_F(TrainSweep, SettingsThatAreWrong) {
-  EXPECT_EQ(refused({"clip=0.1", "clip=0.2"}), "nothing");
-  EXPECT_EQ(refused({"clip=0.1", "epochs=2"}), "--case: all name the same settings");
-  EXPECT_EQ(refused({"clip=0.1 epochs=2", "clip=0.1"}), "--case: all name the same settings");
+  EXPECT_EQ(refused({"clip_range=0.1", "clip_range=0.2"}), "nothing");
+  EXPECT_EQ(refused({"clip_range=0.1", "n_epochs=2"}), "--case: all name the same settings");
+  EXPECT_EQ(refused({"clip_range=0.1 n_epochs=2", "clip_range=0.1"}),
+            "--case: all name the same settings");
   EXPECT_EQ(refused({"clap=0.1"}), "there is no setting `clap`");
-  EXPECT_EQ(refused({"clip=100"}), "clip: `100` is not a number from 0.001 to 10");
-  EXPECT_EQ(refused({"sac_batch=128"}), "sac_batch is a setting of sac, and the algorithm is ppo");
-  EXPECT_EQ(refused({"environments=300"}),
-            "environments: 300 is neither 8, 16, 32, 64 nor a multiple of 128 (environments=300)");
+  EXPECT_EQ(refused({"clip_range=100"}), "clip_range: `100` is not a number from 0.001 to 10");
+  EXPECT_EQ(refused({"batch_size=128"}),
+            "batch_size is a setting of sac, and the algorithm is ppo");
+  EXPECT_EQ(refused({"n_envs=300"}),
+            "n_envs: 300 is neither 8, 16, 32, 64 nor a multiple of 128 (n_envs=300)");
 }
 
 SweepRow row(std::uint64_t successes, double mean_return) {
@@ -210,17 +212,18 @@ TEST(TrainSweepTable, TheBestIsFirst) {
   SweepRow broken = row(0, 0.0);
   broken.episodes = 0;
   broken.problem = "a reward is not finite";
-  const std::vector<SweepCase> cases = {{"clip=0.1 layers=8,8", {&bad, &good}},
-                                        {"clip=0.2 layers=8,8", {&good, &better}},
-                                        {"clip=0.3 layers=8,8", {&better, &broken}},
-                                        {"clip=0.4 layers=8,8", {}}};
-  EXPECT_EQ(sweep_text(cases, true),
-            "clip            seeds            success in %        return  steps  processor\n"
-            " 0.2           2 of 2  100.00 (99.5 to 100.0)  -0.75 +- 3.2  8,190      1.5 s\n"
-            " 0.1           1 of 2    62.50 (59.1 to 65.8)      -5 +- 51  8,190      1.5 s\n"
-            " 0.3  1 of 2, 1 broke  100.00 (99.0 to 100.0)          -0.5  8,190      1.5 s\n");
+  const std::vector<SweepCase> cases = {{"clip_range=0.1 net_arch=8,8", {&bad, &good}},
+                                        {"clip_range=0.2 net_arch=8,8", {&good, &better}},
+                                        {"clip_range=0.3 net_arch=8,8", {&better, &broken}},
+                                        {"clip_range=0.4 net_arch=8,8", {}}};
+  EXPECT_EQ(
+      sweep_text(cases, true),
+      "clip_range            seeds            success in %        return  steps  processor\n"
+      "       0.2           2 of 2  100.00 (99.5 to 100.0)  -0.75 +- 3.2  8,190      1.5 s\n"
+      "       0.1           1 of 2    62.50 (59.1 to 65.8)      -5 +- 51  8,190      1.5 s\n"
+      "       0.3  1 of 2, 1 broke  100.00 (99.0 to 100.0)          -0.5  8,190      1.5 s\n");
   const std::string csv = sweep_csv(cases);
-  EXPECT_TRUE(csv.starts_with("clip,layers,seeds,good,good_low,")) << csv;
+  EXPECT_TRUE(csv.starts_with("clip_range,net_arch,seeds,good,good_low,")) << csv;
   EXPECT_NE(csv.find("\n0.2,\"8,8\",2,2,"), std::string::npos) << csv;
   EXPECT_EQ(sweep_text({}, true), "");
 }

@@ -53,7 +53,7 @@ class TrainTraining : public testing::Test {
 
 /// Quick, and does not succeed so soon.
 inline Options small(Options options) {
-  options.settings.layers = {8, 8};
+  options.settings.net_arch = {8, 8};
   options.threads = 2;
   return options;
 }

@@ -49,8 +49,8 @@ TEST_F(TrainTraining, AnyInstructionSetLearnsTheSameBits) {
 TEST_F(TrainTraining, FewEnvironmentsLearnTheSameBits) {
   for (const std::size_t environments : {8, 16, 64}) {
     Options one = options(2);
-    one.settings.environments = environments;
-    one.settings.minibatches = 100;  // there are fewer
+    one.settings.n_envs = environments;
+    one.settings.n_minibatches = 100;  // there are fewer
     one.kernels = "plain";
     one.threads = 1;
     const std::string policy = trained(one);
@@ -91,28 +91,28 @@ TEST_F(TrainTraining, EpisodesOfOneLengthEndInEveryIteration) {
 TEST_F(TrainTraining, OtherSettingsLearnSomethingElse) {
   Options one = small(options(3));
   // With 8 these three iterations end near the divergence that is wanted: no schedule would show.
-  one.settings.epochs = 4;
+  one.settings.n_epochs = 4;
   const std::string policy = trained(one);
   for (const auto& [name, value] :
-       std::vector<std::pair<const char*, const char*>>{{"activation", "relu"},
-                                                        {"trace_decay", "0.9"},
-                                                        {"horizon", "16"},
-                                                        {"environments", "64"},
+       std::vector<std::pair<const char*, const char*>>{{"activation_fn", "relu"},
+                                                        {"gae_lambda", "0.9"},
+                                                        {"n_steps", "16"},
+                                                        {"n_envs", "64"},
                                                         {"stagger", "false"},
-                                                        {"minibatches", "4"},
-                                                        {"epochs", "2"},
-                                                        {"clip", "0.05"},
-                                                        {"gradient_norm", "0.001"},
+                                                        {"n_minibatches", "4"},
+                                                        {"n_epochs", "2"},
+                                                        {"clip_range", "0.05"},
+                                                        {"max_grad_norm", "0.001"},
                                                         {"learning_rate", "0.0005"},
                                                         {"schedule", "constant"},
-                                                        {"divergence", "0.0001"},
-                                                        {"stop_divergence", "0.1"},
+                                                        {"target_kl", "0.0001"},
+                                                        {"kl_stop_factor", "0.1"},
                                                         {"decay_steps", "1000"},
-                                                        {"first_deviation", "0.5"},
-                                                        {"deviation_rate", "1"},
-                                                        {"normalise", "false"},
+                                                        {"initial_std", "0.5"},
+                                                        {"std_learning_rate_ratio", "1"},
+                                                        {"norm_obs", "false"},
                                                         {"freeze_after", "1"},
-                                                        {"averaging", "0"}}) {
+                                                        {"ema_decay", "0"}}) {
     Options other = one;
     set(other.settings, name, value);
     const std::string learnt = trained(other);
@@ -125,8 +125,8 @@ TEST_F(TrainTraining, TheDeviationStaysWhereItLearnsNothing) {
   for (const char* rate : {"0", "0.5"}) {
     Options one = small(options(3));
     one.csv = path("curve.csv");
-    set(one.settings, "first_deviation", "0.75");
-    set(one.settings, "deviation_rate", rate);
+    set(one.settings, "initial_std", "0.75");
+    set(one.settings, "std_learning_rate_ratio", rate);
     trained(one);
     const double deviation = column_of(read_file(one.csv), 5).back();
     EXPECT_EQ(std::abs(deviation - 0.75) < 1e-5, rate == std::string("0")) << deviation;
@@ -313,8 +313,7 @@ TEST(TrainOptions, WrongOnesAreRefused) {
   EXPECT_EQ(parse({"a.so", "--until-return", "--steps", "3"}), "`--until-return` needs a value");
   EXPECT_EQ(parse({"a.so", "--seed=1x"}),
             "--seed: `1x` is not a number from 0 to 4611686018427387903");
-  EXPECT_EQ(parse({"a.so", "--discount", "nan"}),
-            "--discount: `nan` is not a number from 0 to 0.99999");
+  EXPECT_EQ(parse({"a.so", "--gamma", "nan"}), "--gamma: `nan` is not a number from 0 to 0.99999");
   EXPECT_EQ(parse({"a.so", "--until-return", "inf"}),
             "--until-return: `inf` is not a number from -1e+30 to 1e+30");
   EXPECT_EQ(parse({"a.so", "--hidden", "64,"}), "--hidden: `` is not a number from 1 to 1024");

@@ -47,7 +47,143 @@ TEST(Urdf, BaseWithoutInertiaIsTheWorld) {
   ASSERT_EQ(fixed->bodies.size(), 1U);
   EXPECT_EQ(fixed->joints[0].parent, "");
   EXPECT_EQ(fixed->joints[0].anchor, (Vector3{{1, 2, 3}}));
-  EXPECT_FALSE(robot_of(text, {.id = {}, .base = Base::free, .ground = false}));  // has no mass
+  const auto free = robot_of(text, {.id = {}, .base = Base::free, .ground = false});
+  ASSERT_TRUE(free);  // 1/1000 of the mass of the others
+  EXPECT_TRUE(free->bodies[0].is_free);
+  EXPECT_DOUBLE_EQ(free->bodies[0].mass, 1e-3);
+}
+
+/// ROS recommends a first link without mass, to which the one with mass is fixed.
+TEST(Urdf, BaseWithoutInertiaIsFreeIfItIsFixedToAMass) {
+  const auto rover = [](const std::string& root) {
+    return robot_of(robot("<link name='" + root + "'/>" + link("chassis") + link("wheel") +
+                          joint("fixed", root, "chassis", "<origin xyz='0 0 1'/>") +
+                          joint("continuous", "chassis", "wheel")));
+  };
+  const auto free = rover("base_footprint");
+  ASSERT_TRUE(free);
+  ASSERT_EQ(free->bodies.size(), 2U);
+  EXPECT_TRUE(free->bodies[0].is_free);
+  EXPECT_EQ(free->bodies[0].position, (Vector3{{0, 0, 1}}));
+  EXPECT_EQ(rover("world")->bodies.size(), 1U);  // where it says so
+}
+
+TEST(Urdf, MassesThatAreNoneAreReplaced) {
+  const auto made =
+      robot_of(robot("<link name='base'/>" + link("a") + "<link name='frame'/>" +
+                     "<link name='point'><inertial><mass value='2'/><inertia ixx='0' iyy='0' "
+                     "izz='0'/></inertial></link>" +
+                     joint("continuous", "base", "a") +
+                     joint("continuous", "a", "frame", "<origin xyz='1 0 0'/>") +
+                     joint("continuous", "frame", "point", "<origin xyz='0 1 0'/>")));
+  ASSERT_TRUE(made);
+  const Body &frame = made->bodies[1], &point = made->bodies[2];
+  EXPECT_DOUBLE_EQ(frame.mass, 0.003);
+  EXPECT_EQ(frame.position, (Vector3{{1, 0, 0}}));
+  EXPECT_NEAR(frame.inertia[0], 0.003 * 0.05 * 0.05, 1e-12);
+  EXPECT_EQ(point.position, (Vector3{{1, 1, 0}}));
+  // A ball of 2 l has a radius of 78.2 mm.
+  EXPECT_NEAR(point.inertia[2], 0.4 * 2.0 * 0.0782 * 0.0782, 1e-5);
+}
+
+TEST(Urdf, PlanarAndSphericalJointsBecomeChains) {
+  const auto made = robot_of(robot("<link name='base'/>" + link("a") + link("b") +
+                                   joint("planar", "base", "a", "<axis xyz='0 0 1'/>") +
+                                   joint("spherical", "a", "b", "<origin xyz='0 0 2'/>")));
+  ASSERT_TRUE(made);
+  ASSERT_EQ(made->joints.size(), 6U);
+  EXPECT_EQ(made->joints[0].name, "base_a_x");
+  EXPECT_TRUE(made->joints[0].slides && made->joints[1].slides && !made->joints[2].slides);
+  EXPECT_EQ(made->joints[0].axis, (Vector3{{1, 0, 0}}));
+  EXPECT_EQ(made->joints[1].axis, (Vector3{{0, 1, 0}}));
+  EXPECT_EQ(made->joints[2].axis, (Vector3{{0, 0, 1}}));
+  EXPECT_EQ(made->joints[2].child, "a");
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(made->joints[3 + i].axis[i], 1.0);
+    EXPECT_EQ(made->joints[3 + i].anchor, (Vector3{{0, 0, 2}}));
+  }
+}
+
+TEST(Urdf, JointsFollowOthers) {
+  const std::string limit = "<limit lower='-1' upper='1'/>";
+  const auto hand = [&](const std::string& third, const std::string& fourth) {
+    return robot_of(robot("<link name='base'/>" + link("a") + link("b") + link("c") +
+                          joint("revolute", "base", "a", limit) +
+                          joint("prismatic", "base", "b", limit + third) +
+                          joint("revolute", "b", "c", limit + fourth)));
+  };
+  const auto made = hand("<mimic joint='base_a' multiplier='-2' offset='0.5'/>",
+                         "<mimic joint='base_b' multiplier='3' offset='0.1'/>");
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->joints[1].mimics, "base_a");
+  EXPECT_EQ(made->joints[1].ratio, -2.0);
+  EXPECT_EQ(made->joints[1].offset, 0.5);
+  EXPECT_EQ(made->joints[2].mimics, "base_a");  // through the other one
+  EXPECT_EQ(made->joints[2].ratio, -6.0);
+  EXPECT_DOUBLE_EQ(made->joints[2].offset, 1.6);
+  // -2 q + 0.5 is within ±1 for q from -0.25 to 0.75, -6 q + 1.6 for q from 0.1 to 0.4333.
+  EXPECT_DOUBLE_EQ(made->joints[0].limits.lower, 0.1);
+  EXPECT_DOUBLE_EQ(made->joints[0].limits.upper, 2.6 / 6.0);
+  EXPECT_TRUE(can_use_multibody(*made));
+  EXPECT_FALSE(can_use_open_dynamics(*made));
+  EXPECT_FALSE(hand("<mimic joint='base_c'/>", ""));  // is none
+  EXPECT_FALSE(hand("<mimic joint='b_c'/>", "<mimic joint='base_b'/>"));
+}
+
+TEST(Urdf, WhatCannotMoveIsPartOfTheWorld) {
+  const auto table = robot_of(robot(
+      "<link name='table'><inertial><mass value='0'/><inertia ixx='0' iyy='0' izz='0'/>"
+      "</inertial><collision><geometry><plane normal='0 0 2'/></geometry></collision></link>"));
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->bodies.size(), 1U);
+  ASSERT_EQ(table->joints.size(), 1U);
+  EXPECT_TRUE(table->joints[0].is_fixed);
+  EXPECT_EQ(table->shapes[0].body, "");
+  EXPECT_EQ(table->shapes[0].normal, (Vector3{{0, 0, 1}}));
+}
+
+TEST(Urdf, LimitsOfOtherTools) {
+  const auto made = robot_of(robot(
+      "<link name='base'/>" + link("a") + link("b") + link("c") + link("d") +
+      joint("revolute", "base", "a", "<limit lower='-9' upper='9' effort='0' velocity='0'/>") +
+      joint("revolute", "a", "b", "<limit lower='1' upper='-1' effort='3' velocity='2'/>") +
+      joint("revolute", "b", "c", "<limit lower='-1e16' upper='1e16'/>") +
+      joint("prismatic", "c", "d", "<joint_properties damping='0.5' friction='0.25'/>")));
+  ASSERT_TRUE(made);
+  const auto& joints = made->joints;
+  EXPECT_EQ(joints[0].limits.lower, -9.0);  // stops of any size
+  EXPECT_TRUE(std::isinf(joints[0].limits.effort) && std::isinf(joints[0].limits.velocity));
+  EXPECT_TRUE(std::isinf(joints[1].limits.lower) && std::isinf(joints[1].limits.upper));
+  EXPECT_EQ(joints[1].limits.effort, 3.0);
+  EXPECT_TRUE(std::isinf(joints[2].limits.upper));
+  EXPECT_TRUE(std::isinf(joints[3].limits.upper));  // has no `limit`
+  EXPECT_EQ(joints[3].limits.damping, 0.5);
+  EXPECT_EQ(joints[3].limits.friction, 0.25);
+}
+
+/// 1 N·m on 1 kg·m² (about x) takes 2 s to 2 rad/s, on 2.5 kg·m² (about z) 1 N·m takes 0.25 s to
+/// 0.1.
+TEST(Urdf, QuickestJointIsFound) {
+  const auto made = robot_of(robot(
+      "<link name='base'/>" + link("a") + link("b") +
+      joint("continuous", "base", "a", "<limit effort='1' velocity='2'/>") +
+      joint("continuous", "a", "b", "<axis xyz='0 0 1'/><limit effort='1' velocity='0.1'/>")));
+  ASSERT_TRUE(made);
+  const auto quick = quickest_joint(*made);
+  ASSERT_TRUE(quick);
+  EXPECT_EQ(quick->name, "a_b");
+  EXPECT_DOUBLE_EQ(quick->time_s, 0.25);
+}
+
+TEST(Urdf, NamesThatWouldBeTheSameGetNumbers) {
+  const auto made =
+      robot_of(robot("<link name='base'/>" + link("a-b") + link("a.b") +
+                     joint("continuous", "base", "a-b") + joint("continuous", "base", "a.b")));
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->bodies[0].name, "a_b");
+  EXPECT_EQ(made->bodies[1].name, "a_b_2");
+  EXPECT_EQ(made->joints[1].name, "base_a_b_2");
+  EXPECT_EQ(made->joints[1].child, "a_b_2");
 }
 
 TEST(Urdf, BaseWithInertiaIsFreeUnlessItIsFixed) {
@@ -133,7 +269,7 @@ TEST(Urdf, LimitsAndDynamics) {
                            "damping='0.1' friction='0.2'/>")));
   ASSERT_TRUE(made);
   const Joint& limits = made->joints[0].limits;
-  EXPECT_EQ(limits.lower, -M_PI);
+  EXPECT_EQ(limits.lower, -3.1416);
   EXPECT_EQ(limits.upper, 1.0);
   EXPECT_EQ(limits.effort, 5.0);
   EXPECT_EQ(limits.damping, 0.1);

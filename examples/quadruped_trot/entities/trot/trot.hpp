@@ -5,6 +5,7 @@
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/time.hpp>
 
 namespace trot {
 
@@ -18,12 +19,12 @@ class Trot {
                 typename Io::Outputs& out) {
     constexpr auto kPeriod = static_cast<Real>(Io::Config::period);
     constexpr auto kTurn = Real(6.283185307179586);
-    const auto time = Io::Rate::template seconds<Real>(tick.n);
+    constexpr auto kFrequency = eagerx::exact_frequency<Real>(1.0 / Io::Config::period);
+    const auto time = eagerx::exact_time<typename Io::Rate, Real>(tick.n);
     const Real speed = in.speed.empty() ? Real(0) : static_cast<Real>(in.speed.back()[0]);
-    const Real growth = eagerx::min(time / (Real(2) * kPeriod), Real(1));
+    const Real growth = eagerx::min(eagerx::seconds_of(time) / (Real(2) * kPeriod), Real(1));
     const Real stroke = growth * speed * kPeriod * Real(0.5);
-    const Real periods = time / kPeriod;
-    const Real phase = kTurn * (periods - eagerx::floor(periods));
+    const Real phase = kTurn * eagerx::turns_of(kFrequency, time);
     for (std::size_t leg = 0; leg < 4; ++leg) {
       const bool first_pair = leg == 0 || leg == 3;  // front left, rear right
       step(first_pair ? phase : phase + Real(0.5) * kTurn, stroke, out.position[2 * leg],

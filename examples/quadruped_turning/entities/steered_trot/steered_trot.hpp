@@ -5,6 +5,7 @@
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/time.hpp>
 
 namespace turning {
 
@@ -19,10 +20,10 @@ class SteeredTrot {
                 typename Io::Outputs& out) {
     constexpr auto kPeriod = static_cast<Real>(Io::Config::period);
     constexpr auto kTurn = Real(6.283185307179586);
-    const auto time = Io::Rate::template seconds<Real>(tick.n);
-    const Real growth = eagerx::min(time / (Real(2) * kPeriod), Real(1));
-    const Real periods = time / kPeriod;
-    const Real phase = kTurn * (periods - eagerx::floor(periods));
+    constexpr auto kFrequency = eagerx::exact_frequency<Real>(1.0 / Io::Config::period);
+    const auto time = eagerx::exact_time<typename Io::Rate, Real>(tick.n);
+    const Real growth = eagerx::min(eagerx::seconds_of(time) / (Real(2) * kPeriod), Real(1));
+    const Real phase = kTurn * eagerx::turns_of(kFrequency, time);
     for (std::size_t leg = 0; leg < 4; ++leg) {
       const Real offset = static_cast<Real>(in.offset.back()[leg % 2]);  // the left legs are even
       const Real speed = static_cast<Real>(Io::Config::speed) + offset;

@@ -43,14 +43,13 @@ std::string_view typed_bytes(const TensorProto& tensor, std::string& own) {
       return bytes_of(tensor.int32_data());
     case TensorProto::BOOL:
       return narrowed<bool>(tensor, own);
+    case TensorProto::INT8:
+      return narrowed<std::int8_t>(tensor, own);
+    case TensorProto::UINT8:
+      return narrowed<std::uint8_t>(tensor, own);
     default:
       return narrowed<std::uint16_t>(tensor, own);
   }
-}
-
-/// What no weight has.
-bool is_short_integer(ElementType type) {
-  return type == ElementType::int8 || type == ElementType::uint8 || type == ElementType::int16;
 }
 
 /// nullptr, and a problem, for what is not read.
@@ -63,7 +62,7 @@ const NetTensor* checked(const TensorProto& tensor, std::deque<NetTensor>& made,
                   "save it as one file: `onnx.save(model, path, save_as_external_data=False)`");
   }
   const auto type = onnx_type(tensor.data_type());
-  if (!type || is_short_integer(*type)) {
+  if (!type) {
     const auto shown = onnx_type_name(tensor.data_type());
     return refuse(
         problem, "E0615",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <eagerx/math/rounding.hpp>
 #include <utility>
 
 #include "generator/policy/network/graph/operators.hpp"
@@ -116,6 +117,9 @@ std::optional<NetValue> materialized(const NetCall& call, const NetValue& value)
 std::vector<NetOperator> branch_operators() {
   using F = Function::Kind;
   const NetFolding roots = {[](float a, float) { return std::sqrt(a); }, nullptr, true};
+  const NetFolding upwards = {[](float a, float) { return std::ceil(a); }, nullptr, true};
+  const NetFolding downwards = {[](float a, float) { return std::floor(a); }, nullptr, true};
+  const NetFolding nearest = {[](float a, float) { return round_to_even(a); }, nullptr, true};
   return {{"Sin", function<F::sin>, time_of_each, {.keeps_shape = true}},
           {"Cos", function<F::cos>, time_of_each, {.keeps_shape = true}},
           {"Exp", function<F::exp>, time_of_each, {.keeps_shape = true}},
@@ -128,15 +132,18 @@ std::vector<NetOperator> branch_operators() {
           {"ReduceL2", norm, time_of_reduce},
           {"ReduceSum", sum_over_axis, time_of_reduce},
           {"ReduceSumSquare", sum_of_squares, time_of_reduce},
+          {"Ceil", function<F::ceil>, time_of_each, {.folding = upwards, .keeps_shape = true}},
+          {"Floor", function<F::floor>, time_of_each, {.folding = downwards, .keeps_shape = true}},
+          {"Round",
+           function<F::round_to_even>,
+           time_of_each,
+           {.folding = nearest, .keeps_shape = true}},
           {"Pow", power, time_of_each, {.formula = NetFormula::power, .keeps_shape = true}},
           // Refused, but random parts of an action are made of them.
-          {"Ceil", nullptr, nullptr, {.keeps_shape = true}},
-          {"Floor", nullptr, nullptr, {.keeps_shape = true}},
           {"HardSigmoid", nullptr, nullptr, {.keeps_shape = true}},
           {"Log", nullptr, nullptr, {.keeps_shape = true}},
           {"Mod", nullptr, nullptr, {.keeps_shape = true}},
           {"RandomNormalLike", nullptr, nullptr, {.keeps_shape = true}},
-          {"Round", nullptr, nullptr, {.keeps_shape = true}},
           {"Softsign", nullptr, nullptr, {.keeps_shape = true}}};
 }
 

@@ -19,7 +19,7 @@ const std::map<std::string_view, NetOperator>& operators() {
     for (const auto& part :
          {layer_operators(), shape_operators(), order_operators(), gather_operators(),
           branch_operators(), elementwise_operators(), image_operators(), recurrent_operators(),
-          choice_operators(), condition_operators()}) {
+          choice_operators(), condition_operators(), quantized_operators()}) {
       for (const NetOperator& row : part) table.emplace(row.name, row);
     }
     return table;
@@ -37,9 +37,12 @@ std::string advice(std::string_view name) {
   if (name.starts_with("Random") || name == "Multinomial" || name == "Bernoulli") {
     return "export the deterministic action: call the policy with `deterministic=True`";
   }
-  if (name.find("uantize") != std::string_view::npos || name.starts_with("QLinear")) {
-    return "export the actor before it is quantized; with `weights: int8` the generator rounds its "
-           "weights to eight bits itself";
+  if (name.find("uantize") != std::string_view::npos || name.starts_with("QLinear") ||
+      name.ends_with("Integer")) {
+    return "quantize it with QuantizeLinear and DequantizeLinear (onnxruntime's "
+           "`QuantFormat.QDQ`), "
+           "or export it before: with `weights: int8` the generator rounds its weights to eight "
+           "bits itself";
   }
   std::vector<std::string_view> names;
   for (const auto& [known, row] : operators()) {

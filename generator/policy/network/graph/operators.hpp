@@ -60,7 +60,7 @@ struct NetOperator {
 /// Operators that compute (layers.cpp), that only move or shape (shapes.cpp), that pick
 /// and reorder (order.cpp, gather.cpp), of branches (branches.cpp), with constants
 /// (elementwise.cpp), over images (images.cpp), with a memory (recurrent.cpp), that choose
-/// (choice.cpp), that compare (conditions.cpp).
+/// (choice.cpp), that compare (conditions.cpp), of whole numbers with a scale (quantized.cpp).
 std::vector<NetOperator> layer_operators();
 std::vector<NetOperator> shape_operators();
 std::vector<NetOperator> order_operators();
@@ -71,6 +71,7 @@ std::vector<NetOperator> image_operators();
 std::vector<NetOperator> recurrent_operators();
 std::vector<NetOperator> choice_operators();
 std::vector<NetOperator> condition_operators();
+std::vector<NetOperator> quantized_operators();
 
 /// The result of an operator all of whose inputs are constants, if it can be calculated.
 std::optional<NetValue> folded(const NetCall& call, const NetFolding& folding);

@@ -41,16 +41,22 @@ std::optional<std::vector<float>> read_floats(const NetConstant& constant, Polic
                               *onnx_type_name(onnx_number(tensor.type))),
                   "export the actor in float32");
   }
+  const std::vector<double> values = read_numbers(constant);
+  if (!all_finite(values, tensor.name, "export", problem)) return std::nullopt;
+  return exact_floats(values, tensor.name, "exporting", problem);
+}
+
+std::vector<double> read_numbers(const NetConstant& constant) {
   const auto count = static_cast<std::size_t>(element_count(constant.dims).value_or(0));
   const std::size_t columns =
       constant.dims.empty() ? 1 : static_cast<std::size_t>(constant.dims.back());
   const std::size_t rows = columns == 0 ? 0 : count / columns;
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i) {
-    values[i] = number_at(tensor, constant.transposed ? (i % columns) * rows + i / columns : i);
+    const std::size_t at = constant.transposed ? (i % columns) * rows + i / columns : i;
+    values[i] = number_at(*constant.tensor, at);
   }
-  if (!all_finite(values, tensor.name, "export", problem)) return std::nullopt;
-  return exact_floats(values, tensor.name, "exporting", problem);
+  return values;
 }
 
 std::optional<float> infinity_of(const NetConstant& constant) {

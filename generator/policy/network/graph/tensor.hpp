@@ -50,6 +50,9 @@ struct NetConstant {
 /// E0616.
 std::optional<std::vector<float>> read_floats(const NetConstant& constant, PolicyProblem& problem);
 
+/// The values in that order, whatever their type is; of int64 those below 2^53 exactly.
+std::vector<double> read_numbers(const NetConstant& constant);
+
 /// Plus or minus infinity, if that is the only value.
 std::optional<float> infinity_of(const NetConstant& constant);
 

@@ -69,7 +69,7 @@ def make(graph, num_envs=None, *, real_time_factor=None, **keywords):
     """An `Env` (num_envs=None) or a `VectorEnv` of a graph's file, or of a library that is built already (`*.so`).
 
     `engine`, `paths`, `progress` and `variant` are those of load(); all others go to Env or VectorEnv. Unless `progress` is False, a
-    line on the standard error says whether environments step in packs, and if not, why.
+    line on the standard error says whether environments step vectorized, and if not, why.
 
     real_time_factor  a `RealTimeEnv`, which goes on by the clock: so many simulated seconds a second. With an engine of
                       real hardware it is always one. A program for Linux that is built already can take the graph's place.

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import difflib
 import reprlib
+import warnings
 
 import numpy as np
 
@@ -77,6 +78,17 @@ class Described:
             raise ValueError(f"render_mode is {render_mode!r}; for {self.description['graph']} it is {known}")
 
 
+def spelled(name, known):
+    """`name` as the graph spells it: the one of `known` that differs in separators only (`.`, `/`), with a warning; else itself."""
+    if name in known or not isinstance(name, str):
+        return name
+    found = [each for each in known if each.replace("/", ".") == name.replace("/", ".")]
+    if len(found) != 1:
+        return name
+    warnings.warn(f"{name!r} is {found[0]!r} here", stacklevel=4)
+    return found[0]
+
+
 def states_row(library, states, count, what="states"):
     """[count, numbers of states] of {name: value or [count, ...]}; NaN for what is not named."""
     if not hasattr(states, "items"):
@@ -84,6 +96,7 @@ def states_row(library, states, count, what="states"):
     known = {field.name: field for field in library.states}
     row = np.full((count, library._sizes["states"]), np.nan, np.float32)
     for name, value in states.items():
+        name = spelled(name, known)
         if name not in known:
             raise ValueError(f"there is no state {reprlib.repr(name)}, but {', '.join(known) or 'none'}")
         field = known[name]
@@ -102,6 +115,7 @@ def tuning_row(library, parameters, count):
     can = f"what can be set while an episode runs: {', '.join(tunable) or 'nothing of this graph'}"
     states = {field.name for field in library.states}
     for name in parameters if hasattr(parameters, "items") else ():
+        name = spelled(name, states)
         if name in states and name not in tunable:
             raise ValueError(f"{name!r} can be set at a reset, not while an episode runs; {can}")
         if name not in states:

@@ -277,7 +277,7 @@ class Environments(checks.Single):
         return pixels
 
     def stepping(self):
-        """How they are stepped, and what made that slower: "in packs of 64 (avx512)", "one by one: …"."""
+        """How they are stepped, and what made that slower: "vectorized: 64 lanes (avx512)", "one by one: …"."""
         text = self._call(self._library.c.eagerx_stepping)
         if text is None:
             self._fail()

@@ -7,7 +7,7 @@ import time
 import numpy as np
 
 from . import checks, conversion
-from .description import states_row
+from .description import spelled, states_row
 from .errors import RewardNotFinite, need
 from .library import MOST, Environments
 
@@ -62,7 +62,8 @@ class VecEnv(checks.Single, _base.VecEnv):
     def _set_options(self):
         """What set_options() said, for the episodes that begin now."""
         given = [dict(own or {}) for own in self._options]
-        states = [own.get("states", {}) for own in given]
+        names = [field.name for field in self.library.states]
+        states = [{spelled(name, names): value for name, value in own.get("states", {}).items()} for own in given]
         if any(states):
             fields = [field for field in self.library.states if any(field.name in own for own in states)]
             rows = {field.name: np.full((self.num_envs, *field.shape), np.nan, np.float32) for field in fields}

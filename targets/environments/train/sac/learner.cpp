@@ -124,8 +124,7 @@ void Learner::estimate_target(const Frozen& frozen, Random& random) {
   for (std::size_t l = 0; l < kLanes; ++l) {
     const float least = min(row_[0][output].lane[l], row_[1][output].lane[l]);
     const float value = least - frozen.temperature * log_probability_.lane[l];
-    target_[0].lane[l] =
-        reward_[0].lane[l] + frozen.settings.discount * goes_on_[0].lane[l] * value;
+    target_[0].lane[l] = reward_[0].lane[l] + frozen.settings.gamma * goes_on_[0].lane[l] * value;
   }
 }
 

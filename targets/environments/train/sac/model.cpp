@@ -5,7 +5,8 @@
 namespace eagerx::train::sac {
 
 Network deployed(const train::Settings& settings, const Model& model) {
-  return {model.actor.inputs(), settings.layers, model.actor.outputs() / 2, settings.activation};
+  return {model.actor.inputs(), settings.net_arch, model.actor.outputs() / 2,
+          settings.activation_fn};
 }
 
 std::vector<float> deployed_parameters(const Network& network, const Model& model) {

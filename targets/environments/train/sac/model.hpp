@@ -27,18 +27,18 @@ inline constexpr std::uint64_t kMostReplayed = 1'000'000'000'000;
 struct Model {
   /// `inputs` of the actor; the critics see `more` behind them.
   Model(const train::Settings& settings, std::size_t inputs, const Head& head, std::size_t more = 0)
-      : actor(inputs, settings.layers, 2 * head.numbers, settings.activation),
-        critic(inputs + more + head.numbers, settings.layers, 1, settings.activation),
+      : actor(inputs, settings.net_arch, 2 * head.numbers, settings.activation_fn),
+        critic(inputs + more + head.numbers, settings.net_arch, 1, settings.activation_fn),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
         averaged(actor_parameters),
         critics{Critic(critic, random(settings, "train/critic")),
                 Critic(critic, random(settings, "train/second_critic"))},
-        log_temperature(1, log(settings.sac.first_temperature)),
+        log_temperature(1, log(settings.sac.initial_ent_coef)),
         actor_adam(actor.parameters()),
         temperature_adam(1),
         observations(inputs + more),
         returns(1),
-        memory(inputs + more, head.numbers, settings.sac.memory),
+        memory(inputs + more, head.numbers, settings.sac.buffer_size),
         settings_(settings.sac) {}
 
   Network actor;   // means of the actions before tanh, then what becomes their deviations
@@ -57,13 +57,14 @@ struct Model {
 
   /// Updates that there should have been by now.
   std::uint64_t due() const {
-    if (memory.added < settings_.random_steps) return 0;
-    return static_cast<std::uint64_t>(static_cast<double>(memory.added - settings_.random_steps) *
-                                      double{settings_.updates});
+    if (memory.added < settings_.learning_starts) return 0;
+    return static_cast<std::uint64_t>(
+        static_cast<double>(memory.added - settings_.learning_starts) *
+        double{settings_.utd_ratio});
   }
   /// Whether it has as many transitions and updates as come of so many iterations.
   bool is_due(std::uint32_t iterations) const {
-    const std::uint64_t steps = settings_.environments * settings_.horizon;
+    const std::uint64_t steps = settings_.n_envs * settings_.train_freq;
     return replayed <= kMostReplayed && memory.added == iterations * steps + replayed &&
            actor_adam.steps == due();
   }

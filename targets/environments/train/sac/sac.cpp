@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <eagerx/math.hpp>
+#include <numeric>
 
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/sac/log.hpp"
@@ -31,7 +32,7 @@ Sac::Sac(const train::Settings& settings, const Library& library, const Kernels&
       kernels_(kernels),
       team_(team),
       walk_(settings_, library, longest) {
-  const std::size_t tiles = settings.sac.batch / (kParts * kLanes);
+  const std::size_t tiles = settings.sac.batch_size / (kParts * kLanes);
   for (std::size_t part = 0; part < kParts; ++part)
     learners_.push_back(std::make_unique<Learner>(model_, tiles));
 }
@@ -42,7 +43,7 @@ void Sac::set_stage(const std::string& name) {
 
 void Sac::begin_era() {
   walk_.reset(settings_.seed + (std::uint64_t{pace.era} << 32U));
-  if (model_.observations.count == 0.0 && settings_.normalise)
+  if (model_.observations.count == 0.0 && settings_.norm_obs)
     model_.observations.add(walk_.observation_sums);
 }
 
@@ -60,12 +61,14 @@ Algorithm::Result Sac::iterate() {
   walk_.return_sums.clear();
   const Normaliser normaliser(model_.observations);
   const std::uint64_t updates = model_.actor_adam.steps;
-  for (std::size_t t = 0; t < settings_.sac.horizon; ++t) {
-    const bool is_random = !model_.was_taught && model_.memory.added < settings_.sac.random_steps;
+  for (std::size_t t = 0; t < settings_.sac.train_freq; ++t) {
+    const bool is_random =
+        !model_.was_taught && model_.memory.added < settings_.sac.learning_starts;
     walk_.step(model_, normaliser, kernels_, is_random, static_cast<std::uint32_t>(pace.time + t));
     while (model_.actor_adam.steps < model_.due()) update(normaliser);
   }
   see();
+  done_.steps += settings_.sac.train_freq * settings_.sac.n_envs;
   pace.next();
   return {walk_.episodes, 0.0, model_.actor_adam.steps - updates};
 }
@@ -75,12 +78,12 @@ Algorithm::Result Sac::iterate() {
 void Sac::see() {
   const double scale = model_.returns.scale(0);
   const Statistics before = model_.observations;
-  if (settings_.sac.scale_steps > 0.0) {
-    model_.returns.forget_beyond(settings_.sac.scale_steps);
-    model_.observations.forget_beyond(settings_.sac.scale_steps);
+  if (settings_.sac.norm_window_steps > 0.0) {
+    model_.returns.forget_beyond(settings_.sac.norm_window_steps);
+    model_.observations.forget_beyond(settings_.sac.norm_window_steps);
   }
   model_.returns.add(walk_.return_sums);
-  if (settings_.normalise) model_.observations.add(walk_.observation_sums);
+  if (settings_.norm_obs) model_.observations.add(walk_.observation_sums);
   if (model_.actor_adam.steps == 0) return;
   const auto ratio = static_cast<float>(model_.returns.scale(0) / scale);
   const Network::Layer& last = model_.critic.layers().back();
@@ -99,7 +102,7 @@ void Sac::see() {
 /// At first the mean of all so far: the first actor knows nothing and is forgotten soon.
 void Sac::average() {
   const float share =
-      max(settings_.sac.averaging, 2.0F / (static_cast<float>(model_.actor_adam.steps) + 1.0F));
+      max(settings_.sac.ema_rate, 2.0F / (static_cast<float>(model_.actor_adam.steps) + 1.0F));
   kernels_.approach(min(share, 1.0F), model_.actor_parameters.data(), model_.averaged.data(),
                     model_.averaged.size());
 }
@@ -115,11 +118,15 @@ void Sac::update(const Normaliser& normaliser) {
   team_.run_parts(kParts, [&](std::size_t part) {
     const Random random({settings_.seed, static_cast<std::uint32_t>(part), number},
                         entity_id("train/batch"));
+    const Stopwatch watch;
     learners_[part]->learn(frozen, random);
+    learning_s_[part] += watch.seconds();
   });
+  const Stopwatch watch;
+  done_.samples += settings_.sac.batch_size;
   Gradient& sum = learners_.front()->gradient;
   for (std::size_t part = 1; part < kParts; ++part) sum.add(kernels_, learners_[part]->gradient);
-  const auto count = static_cast<double>(settings_.sac.batch);
+  const auto count = static_cast<double>(settings_.sac.batch_size);
   const auto scale = static_cast<float>(1.0 / count);
   const float step_size = settings_.learning_rate * settings_.decay(steps());
   model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, step_size, scale);
@@ -127,14 +134,22 @@ void Sac::update(const Normaliser& normaliser) {
   for (std::size_t c = 0; c < 2; ++c) {
     Critic& critic = model_.critics[c];
     critic.adam.step(kernels_, critic.parameters, sum.critics[c], step_size, scale);
-    kernels_.approach(settings_.sac.target_share, critic.parameters.data(), critic.target.data(),
+    kernels_.approach(settings_.sac.tau, critic.parameters.data(), critic.target.data(),
                       critic.target.size());
   }
   const auto numbers = static_cast<double>(deployed_.outputs());
-  const double surplus = -sum.log_probability / count - numbers * settings_.sac.entropy;
+  const double surplus =
+      -sum.log_probability / count - numbers * settings_.sac.target_entropy_per_action;
   model_.temperature_adam.step(kernels_, model_.log_temperature, {static_cast<float>(surplus)},
                                step_size, 1.0F);
   deviation_ = sum.deviation / count;
+  updating_s_ += watch.seconds();
+}
+
+Spent Sac::spent() const {
+  Spent spent = walk_.spent;
+  spent.learning_s += updating_s_ + std::accumulate(learning_s_.begin(), learning_s_.end(), 0.0);
+  return spent;
 }
 
 std::vector<float> Sac::deployed_parameters() const {
@@ -165,10 +180,10 @@ std::string Sac::replay(const std::string& text, const std::string& name) {
   }
   Sums observations(model_.actor.inputs()), returns(1);
   const Log log =
-      read_log(text, name, description_, settings_.discount, model_.memory, observations, returns);
+      read_log(text, name, description_, settings_.gamma, model_.memory, observations, returns);
   if (log.transitions == 0)
     throw Problem(kInputOutput, fmt::format("`{}` has no step that can be learnt from", name));
-  if (settings_.normalise) model_.observations.add(observations);
+  if (settings_.norm_obs) model_.observations.add(observations);
   model_.returns.add(returns);
   model_.replayed += log.transitions;
   model_.was_taught = true;

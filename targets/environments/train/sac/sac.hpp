@@ -21,7 +21,7 @@ class Sac : public Algorithm {
 
   const Model& model() const { return model_; }
 
-  std::size_t environments() const override { return settings_.sac.environments; }
+  std::size_t environments() const override { return settings_.sac.n_envs; }
   std::string stepping() const override { return walk_.stepping(); }
   void set_stage(const std::string& name) override;
   void begin_era() override;
@@ -33,6 +33,8 @@ class Sac : public Algorithm {
   const Statistics& observations() const override { return model_.observations; }
   double deviation() const override { return deviation_; }
   double step_size() const override { return settings_.learning_rate * settings_.decay(steps()); }
+  Spent spent() const override;
+  Done done() const override { return done_; }
   std::string checkpoint(const std::string& conditions, const std::string& interface,
                          Progressed& progressed) const override;
   void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
@@ -56,6 +58,9 @@ class Sac : public Algorithm {
   Walk walk_;
   std::vector<std::unique_ptr<Learner>> learners_;  // [kParts]
   double deviation_ = 0.0;
+  std::vector<double> learning_s_ = std::vector<double>(kParts);  // of processor time
+  double updating_s_ = 0.0;                                       // the same, by the caller alone
+  Done done_;
 };
 
 }  // namespace eagerx::train::sac

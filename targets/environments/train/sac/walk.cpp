@@ -14,9 +14,9 @@ Walk::Walk(const train::Settings& settings, const Library& library, std::uint32_
       return_sums(1),
       settings_(settings),
       head_(library.description()),
-      environments_(library.functions(), static_cast<std::uint32_t>(settings.sac.environments), 0,
+      environments_(library.functions(), static_cast<std::uint32_t>(settings.sac.n_envs), 0,
                     settings.seed, longest, EAGERX_SAME_STEP),
-      count_(settings.sac.environments),
+      count_(settings.sac.n_envs),
       numbers_(head_.numbers),
       hard_(settings, library, 0, static_cast<std::uint32_t>(count_)),
       rows_(library.description(), count_),
@@ -64,6 +64,7 @@ void Walk::act(const Model& model, const Normaliser& normaliser, const Kernels& 
 
 void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kernels, bool is_random,
                 std::uint32_t time) {
+  Stopwatch watch;
   if (!is_random) act(model, normaliser, kernels, time);
   for (std::size_t e = 0; e < count_ && is_random; ++e) {
     Random random = noise(time, e);
@@ -71,10 +72,13 @@ void Walk::step(Model& model, const Normaliser& normaliser, const Kernels& kerne
       squashed_[e * numbers_ + j] = random.uniform(-1.0F, 1.0F);
   }
   before_.assign(sight_.now(), sight_.now() + count_ * width_);
+  spent.inference_s += watch.lap();
   step_environments();
+  spent.simulation_s += watch.lap();
   for (std::size_t e = 0; e < count_; ++e) settle(model, e, time);
   hard_.set(environments_);
   sum_observations();
+  spent.learning_s += watch.lap();
 }
 
 void Walk::step_again(const Memory& memory, std::size_t back) {
@@ -99,7 +103,7 @@ bool Walk::count_reward(std::size_t environment) {
   const std::size_t e = environment;
   const bool ended = rows_.ended(e);
   return_[e] += rows_.reward[e];
-  discounted_[e] = discounted_[e] * settings_.discount + rows_.reward[e];
+  discounted_[e] = discounted_[e] * settings_.gamma + rows_.reward[e];
   return_sums.add(0, discounted_[e]);
   if (!ended) return false;
   episodes.push_back({return_[e], 0, rows_.success[e] != 0 ? 1U : 0U});

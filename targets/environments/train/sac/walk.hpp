@@ -10,6 +10,7 @@
 #include "targets/environments/train/hard_starts.hpp"
 #include "targets/environments/train/sac/model.hpp"
 #include "targets/environments/train/sight.hpp"
+#include "targets/environments/train/spent.hpp"
 
 namespace eagerx::train::sac {
 
@@ -32,6 +33,7 @@ class Walk {
 
   Sums observation_sums, return_sums;
   std::vector<Episode> episodes;  // that ended, in order of time
+  Spent spent;                    // by all steps
 
  private:
   void act(const Model& model, const Normaliser& normaliser, const Kernels& kernels,

@@ -1,4 +1,4 @@
-// A robot on OpenDynamicsEngine and MultibodyEngine, as rover.urdf describes it.
+// A robot of rigid bodies, as rover.urdf describes it.
 // Made by eagerx-urdf. Do not edit: change the description and convert it again.
 #pragma once
 

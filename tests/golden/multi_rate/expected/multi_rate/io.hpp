@@ -171,6 +171,7 @@ struct SlowIo {
     static constexpr int order = 1;
     static constexpr auto type = eagerx::models::FilterType::lowpass;
     static constexpr std::array<double, 1> cutoff_hz = {4.0};  // Hz
+    static constexpr auto initial = eagerx::models::FilterInitial::zero;
   };
   struct Inputs {
     eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<10>, 4, 1, true> signal;  // float32 [1]
@@ -194,6 +195,7 @@ struct FastIo {
     static constexpr int order = 3;
     static constexpr auto type = eagerx::models::FilterType::bandpass;
     static constexpr std::array<double, 2> cutoff_hz = {2.0, 9.0};  // Hz
+    static constexpr auto initial = eagerx::models::FilterInitial::zero;
   };
   struct Inputs {
     eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<10>, 4, 3, false> signal;  // float32 [1]

@@ -17,7 +17,7 @@ namespace graphs::multi_rate {
 
 /// What this was made from: FNV-1a of all headers of this program and of those with weights alone,
 /// which is 0 without a policy. A comment in the graph changes neither.
-inline constexpr std::uint64_t kGraphHash = 0x45ff9f282f1c4171U;
+inline constexpr std::uint64_t kGraphHash = 0xd1a4ec88cb968ec5U;
 inline constexpr std::uint64_t kPolicyHash = 0x0000000000000000U;
 inline constexpr const char* kGenerator = "eagerx-gen 0.2.0";
 

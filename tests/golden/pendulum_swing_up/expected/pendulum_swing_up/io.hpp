@@ -113,6 +113,7 @@ struct SmoothIo {
     static constexpr int order = 2;
     static constexpr auto type = eagerx::models::FilterType::lowpass;
     static constexpr std::array<double, 1> cutoff_hz = {12.0};  // Hz
+    static constexpr auto initial = eagerx::models::FilterInitial::zero;
   };
   struct Inputs {
     eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<30>, 1, 1, true> signal;  // float32 [1]

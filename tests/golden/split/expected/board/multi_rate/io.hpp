@@ -59,6 +59,7 @@ struct FastIo {
     static constexpr int order = 3;
     static constexpr auto type = eagerx::models::FilterType::bandpass;
     static constexpr std::array<double, 2> cutoff_hz = {2.0, 9.0};  // Hz
+    static constexpr auto initial = eagerx::models::FilterInitial::zero;
   };
   struct Inputs {
     eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<10>, 4, 3, false> signal;  // float32 [1]

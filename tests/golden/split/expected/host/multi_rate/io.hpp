@@ -162,6 +162,7 @@ struct SlowIo {
     static constexpr int order = 1;
     static constexpr auto type = eagerx::models::FilterType::lowpass;
     static constexpr std::array<double, 1> cutoff_hz = {4.0};  // Hz
+    static constexpr auto initial = eagerx::models::FilterInitial::zero;
   };
   struct Inputs {
     eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<10>, 4, 1, true> signal;  // float32 [1]

@@ -1,0 +1,17 @@
+// Words of other libraries and languages, and the ones that mean the same here.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eagerx::gen {
+
+/// The one of `known` that `word` is in other libraries: `normal` for `gaussian`, `terminated` for
+/// `done`. Empty if there is none.
+std::string foreign_word(std::string_view word, const std::vector<std::string>& known);
+
+/// "true" for `yes`, `on`, `True`, `1`; "false" for their opposites; else empty.
+std::string_view foreign_truth(std::string_view word);
+
+}  // namespace eagerx::gen

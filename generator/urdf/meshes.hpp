@@ -1,0 +1,58 @@
+// Meshes of collisions as the shapes that are simulated.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/urdf/urdf.hpp"
+
+namespace eagerx::urdf {
+
+/// Corners of triangles, three after each other [m].
+using Triangles = std::vector<Vector3>;
+
+/// A file that the library assimp reads: STL, OBJ, DAE and others. Units of the file are applied;
+/// the direction that it calls up is not, as in RViz.
+struct LoadedMesh {
+  Triangles triangles;
+  std::string problem;  // why there are none
+};
+LoadedMesh load_mesh(const std::string& path);
+/// Whether assimp was there when this was built.
+bool reads_meshes();
+
+/// A shape in the mesh's frame. Fields as in Collision.
+struct Fitted {
+  models::ShapeKind kind = models::ShapeKind::sphere;
+  Vector3 size{};
+  Frame origin;
+};
+/// Of sphere, capsule, cylinder and box the smallest that encloses all.
+Fitted smallest_shape(const Triangles& triangles);
+/// The smallest box.
+Fitted smallest_box(const Triangles& triangles);
+/// As many spheres, at most `most`, as enclose all and reach `distance` beyond it at most.
+std::vector<Fitted> enclosing_spheres(const Triangles& triangles, double distance,
+                                      std::size_t most);
+/// How far shapes reach beyond the convex hull of the mesh, in 1,000 directions the farthest [m].
+double reach_beyond(const std::vector<Fitted>& shapes, const Triangles& triangles);
+
+enum class CollisionShapes : std::uint8_t { smallest, boxes, spheres, none };
+
+struct MeshOptions {
+  CollisionShapes shapes = CollisionShapes::smallest;
+  double distance = 0.01;                  // of spheres [m]
+  std::vector<std::string> packages = {};  // folders that `package://` is looked for in
+};
+
+/// Where a mesh is: by its path, beside the description in `folder` or in one of the folders above
+/// it. Empty if there is no such file.
+std::string find_mesh(const std::string& name, const std::string& folder,
+                      const std::vector<std::string>& packages);
+
+/// Replaces the meshes of collisions. Problems: E0858.
+void resolve_meshes(Description& description, const std::string& folder, const MeshOptions& options,
+                    gen::Diagnostics& diagnostics);
+
+}  // namespace eagerx::urdf
