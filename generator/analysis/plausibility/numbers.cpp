@@ -10,19 +10,19 @@ namespace eagerx::gen {
 namespace {
 
 /// The values of a delay that are written, whether it is drawn or not.
-std::vector<const YamlValue*> written_delays(const ConnectionSettings& settings) {
-  std::vector<const YamlValue*> result;
+std::vector<SecondsSpec> written_delays(const ConnectionSettings& settings) {
+  std::vector<SecondsSpec> result;
   const auto add = [&](const std::optional<YamlValue>& value) {
     if (!value) return;
-    if (value->is_scalar()) result.push_back(&*value);
-    for (const YamlValue& item : value->items) result.push_back(&item);
+    if (value->is_scalar()) result.push_back(read_seconds(*value));
+    for (const YamlValue& item : value->items) result.push_back(read_seconds(item));
   };
-  add(settings.delay);
+  if (settings.delay) result.push_back(*settings.delay);
   if (settings.random_delay) {
     add(settings.random_delay->first);
     add(settings.random_delay->second);
   }
-  add(settings.max_delay);
+  if (settings.max_delay) result.push_back(*settings.max_delay);
   return result;
 }
 
@@ -30,16 +30,16 @@ std::vector<const YamlValue*> written_delays(const ConnectionSettings& settings)
 void check_delay(const Judged& judged, const ConnectionSettings& settings,
                  Diagnostics& diagnostics) {
   constexpr std::int64_t kManySteps = 10;
-  for (const YamlValue* value : written_delays(settings)) {
-    const auto seconds = Rational::parse(value->text);
-    if (value->with_unit || !seconds || *seconds < Rational(1)) continue;
-    const Rational steps = *seconds * judged.graph.environment().rate_hz;
+  for (const SecondsSpec& delay : written_delays(settings)) {
+    if (delay.with_unit || delay.value < Rational(1)) continue;
+    const std::string seconds = delay.value.to_string();
+    const Rational steps = delay.value * judged.graph.environment().rate_hz;
     if (steps < Rational(kManySteps) || steps.overflowed()) continue;
     auto& problem = diagnostics.warning(
-        "W0114", value->span,
-        fmt::format("a delay of {0} is {0} s, {1} steps of the graph", value->text, steps.floor()));
-    problem.help = fmt::format("write the unit: `{0} ms` if these are milliseconds, else `{0} s`",
-                               value->text);
+        "W0114", delay.span,
+        fmt::format("a delay of {0} is {0} s, {1} steps of the graph", seconds, steps.floor()));
+    problem.help =
+        fmt::format("write the unit: `{0} ms` if these are milliseconds, else `{0} s`", seconds);
     return;  // the others are of the same unit
   }
 }

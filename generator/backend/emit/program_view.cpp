@@ -65,6 +65,7 @@ class ProgramView {
       rates.push_back(rate);
     }
     view_["rates"] = std::move(rates);
+    view_.set("one_rate", plan_.rates.size() == 1);  // which is due in every slot
     view_.set("due_type", plan_.rates.size() <= 32 ? "std::uint32_t" : "std::uint64_t");
   }
 

@@ -39,12 +39,21 @@ void add(Json& object, std::string_view name, const std::vector<std::string>& te
   if (!texts.empty()) object[name] = texts;
 }
 
-Json json_of(const ConditionNumber& number) {
-  // Bounds may be fractions: as the text that messages have.
-  const std::string text = to_string(number);
+/// Bounds and delays may be fractions: as the text that messages have.
+Json json_of_number(const std::string& text) {
   if (const auto whole = parse_int(text)) return *whole;
   if (const auto value = parse_number(text)) return *value;
   return text;
+}
+
+Json json_of(const ConditionNumber& number) {
+  return json_of_number(to_string(number));
+}
+
+void add(Json& object, std::string_view name, const std::optional<SecondsSpec>& seconds) {
+  if (!seconds) return;
+  object[name] = seconds->reference ? json_of(*seconds->reference)
+                                    : json_of_number(seconds->value.to_string());
 }
 
 Json json_of(const Parameter& parameter) {

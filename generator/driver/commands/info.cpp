@@ -28,6 +28,10 @@ std::string text_of(const YamlValue& yaml) {
   return fmt::format("[{}]", join(items, ", "));
 }
 
+std::string text_of(const SecondsSpec& seconds) {
+  return seconds.reference ? text_of(*seconds.reference) : seconds.value.to_string();
+}
+
 std::string space_of(const SpaceSpec& space) {
   if (space.like) return "like " + space.like->value;
   std::string text = space.dtype ? space.dtype->value : "any dtype";

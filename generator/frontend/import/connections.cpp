@@ -133,7 +133,7 @@ class ConnectionTranslator {
     if (const YamlValue* delay = port->find("delay")) {
       const auto value = saved_delay(*delay, t_.diagnostics);
       if (value && value != delay_of(defaults))
-        settings.delay = made_scalar(value->to_string(), delay->span);
+        settings.delay = SecondsSpec{*value, {}, delay->span};
     }
     if (const YamlValue* skip = port->find("skip")) {
       const auto value = parse_bool(skip->text);

@@ -21,9 +21,9 @@ void add_settings(const ConnectionSettings& settings, std::vector<std::string>& 
   if (settings.window) items.push_back("window: " + text_of(*settings.window));
   if (settings.delay) {
     // With its unit where it could be taken for milliseconds (W0114).
-    const auto seconds = Rational::parse(settings.delay->text);
-    const bool long_one = seconds && *seconds >= Rational(1);
-    items.push_back(fmt::format("delay: {}{}", text_of(*settings.delay), long_one ? " s" : ""));
+    const Rational& seconds = settings.delay->value;
+    const bool is_long = seconds >= Rational(1);
+    items.push_back(fmt::format("delay: {}{}", seconds.to_string(), is_long ? " s" : ""));
   }
   if (settings.skip) items.push_back(fmt::format("skip: {}", settings.skip->value));
   if (settings.processor) items.push_back("processor: " + processor_text(*settings.processor));

@@ -39,7 +39,8 @@ std::optional<std::uint32_t> window_of(const ConnectionSettings& settings) {
 }
 
 std::optional<Rational> delay_of(const ConnectionSettings& settings) {
-  return settings.delay ? Rational::parse(settings.delay->text) : Rational();
+  if (settings.delay && settings.delay->reference) return std::nullopt;
+  return settings.delay ? settings.delay->value : Rational();
 }
 
 bool skips(const ConnectionSettings& settings) {
@@ -63,6 +64,12 @@ ProcessorSpec read_processor(const YamlValue& yaml) {
   }
   const YamlValue& type = yaml.is_scalar() ? yaml : *yaml.find("type");
   return {{type.text, type.span}, read_config(yaml.find("config"))};
+}
+
+SecondsSpec read_seconds(const YamlValue& yaml) {
+  const auto value = Rational::parse(yaml.text);
+  return {value.value_or(Rational()), value ? std::nullopt : std::optional(yaml), yaml.span,
+          yaml.with_unit};
 }
 
 std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagnostics) {
@@ -97,9 +104,10 @@ std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagno
 ConnectionSettings read_connection_settings(const YamlValue& yaml, Diagnostics& diagnostics) {
   ConnectionSettings settings;
   settings.window = value_at(yaml, "window");
-  settings.max_delay = value_at(yaml, "max_delay");
+  if (const YamlValue* longest = yaml.find("max_delay"))
+    settings.max_delay = read_seconds(*longest);
   if (const YamlValue* delay = yaml.find("delay"); delay != nullptr && delay->is_scalar()) {
-    settings.delay = *delay;
+    settings.delay = read_seconds(*delay);
   } else if (delay != nullptr) {
     settings.random_delay = read_random(*delay, diagnostics);
   }

@@ -39,14 +39,21 @@ struct RandomSpec {
   std::optional<YamlValue> second;  // high; std
 };
 
+/// Seconds, as exact as they are written; in a manifest perhaps `$(…)`.
+struct SecondsSpec {
+  Rational value;                      // 0 for a reference
+  std::optional<YamlValue> reference;  // until it is replaced
+  Span span;
+  bool with_unit = false;  // one was written
+};
+
 /// Settings of a connection. A manifest's port, the graph's port and the connection may each give
 /// some; `overlay` puts one on top of the other.
 struct ConnectionSettings {
-  // A number of messages, and seconds; in manifests also `$(…)`.
-  std::optional<YamlValue> window;
-  std::optional<YamlValue> delay;
+  std::optional<YamlValue> window;  // a number of messages; in manifests also `$(…)`
+  std::optional<SecondsSpec> delay;
   std::optional<RandomSpec> random_delay;  // drawn at every reset, in place of `delay`
-  std::optional<YamlValue> max_delay;      // a reset may change the delay up to these seconds
+  std::optional<SecondsSpec> max_delay;    // a reset may change the delay up to these seconds
   std::optional<Spanned<bool>> skip;
   std::optional<ProcessorSpec> processor;
 };
@@ -66,6 +73,7 @@ bool skips(const ConnectionSettings& settings);
 std::optional<YamlValue> value_at(const YamlValue& yaml, std::string_view key);
 std::vector<Setting> read_config(const YamlValue* yaml);
 ProcessorSpec read_processor(const YamlValue& yaml);
+SecondsSpec read_seconds(const YamlValue& yaml);
 /// nullopt if nothing is said of the value, or E0206 if too much is.
 std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagnostics);
 /// Of the mapping of a connection, or of a port in a graph or a manifest.

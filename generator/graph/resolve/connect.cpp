@@ -128,7 +128,7 @@ class Connector {
   void report_port_of_object(const DraftObject& object, const PortName& port,
                              const Spanned<std::string>& text, Side side) {
     const Entity& entity = *object.entity;
-    const Entity* engine = draft_.nodes[Graph::kEngine].node.entity;
+    const Entity* engine = draft_.engine();
     const bool sensor = side == Side::from;
     const bool declared =
         (sensor ? entity.sensor(port.name) : entity.actuator(port.name)) != nullptr;
@@ -352,7 +352,8 @@ class Connector {
 }  // namespace
 
 void connect(Draft& draft) {
-  for (std::size_t n = Graph::kEngine + 1; n < draft.nodes.size(); ++n)
+  const std::size_t first = draft.spec.has_engine() ? Graph::kEngine + 1 : Graph::kEngine;
+  for (std::size_t n = first; n < draft.nodes.size(); ++n)
     draft.node_of_name.try_emplace(draft.nodes[n].node.name, n);
   Connector(draft).run();
 }

@@ -54,7 +54,7 @@ void resolve_delay(const Draft& draft, const DraftInput& from, Input& into) {
   const ConnectionSettings& settings = from.settings;
   into.delay_s = delay_of(settings).value_or(Rational());
   into.entity_sets_delay = from.entity_sets_delay;
-  if (settings.max_delay) into.max_delay_s = Rational::parse(settings.max_delay->text);
+  if (settings.max_delay) into.max_delay_s = settings.max_delay->value;
   if (settings.random_delay) draw_delay(*settings.random_delay, into, draft.diagnostics);
   if (into.max_delay_s && *into.max_delay_s < into.delay_s) {
     draft.diagnostics.error(

@@ -186,9 +186,16 @@ bool is_window(const std::string& text) {
   return count && *count >= 0 && *count <= kMost;
 }
 
-bool is_delay(const std::string& text) {
-  const auto seconds = Rational::parse(text);
-  return seconds && *seconds >= Rational();
+std::optional<SecondsSpec> replaced(const std::optional<SecondsSpec>& setting,
+                                    const References& references, Diagnostics& diagnostics) {
+  if (!setting || !setting->reference) return setting;
+  const auto is_delay = [](const std::string& text) {
+    const auto seconds = Rational::parse(text);
+    return seconds && *seconds >= Rational();
+  };
+  const auto value =
+      replaced(setting->reference, "a delay in seconds", references, diagnostics, is_delay);
+  return value ? std::optional(read_seconds(*value)) : std::nullopt;
 }
 
 }  // namespace
@@ -198,9 +205,8 @@ ConnectionSettings manifest_settings(const PortManifest& port, const References&
   ConnectionSettings result = port.settings;
   result.window =
       replaced(result.window, "a number of messages", references, diagnostics, is_window);
-  result.delay = replaced(result.delay, "a delay in seconds", references, diagnostics, is_delay);
-  result.max_delay =
-      replaced(result.max_delay, "a delay in seconds", references, diagnostics, is_delay);
+  result.delay = replaced(result.delay, references, diagnostics);
+  result.max_delay = replaced(result.max_delay, references, diagnostics);
   return result;
 }
 

@@ -113,6 +113,10 @@ struct Draft {
   std::map<std::string, std::size_t, std::less<>> node_of_name = {};  // once all are there
   std::map<std::string, std::size_t, std::less<>> object_of_name = {};
 
+  /// nullptr: the graph has no engine, or one that is not known.
+  [[nodiscard]] const Entity* engine() const {
+    return spec.has_engine() ? nodes[Graph::kEngine].node.entity : nullptr;
+  }
   /// A node that no entity of the graph is: what the generator itself adds.
   [[nodiscard]] bool is_added(std::size_t node) const { return node == task || node == render; }
   void add_object(DraftObject object);

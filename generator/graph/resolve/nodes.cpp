@@ -127,18 +127,8 @@ void note_left_out(const EntitySpec& spec, std::string_view engine, Diagnostics&
                                                join(names, ", "), spec.type.value, engine));
 }
 
-/// Keeps the engine's place until everything is resolved.
-DraftNode no_engine(const Draft& draft) {
-  DraftNode engine;
-  engine.node.name = "engine";
-  engine.node.role = NodeRole::engine;
-  engine.node.span = draft.spec.name.span;
-  return engine;
-}
-
 void add_engine(Draft& draft, const ResolveOptions& options) {
   if (!draft.spec.has_engine()) {
-    draft.nodes.push_back(no_engine(draft));
     if (draft.spec.objects.empty()) return;
     const EntitySpec& object = draft.spec.objects.front();
     draft.diagnostics
@@ -179,7 +169,8 @@ DraftNode node_of(Draft& draft, const EntitySpec& spec,
   node.node.name = spec.name.value;
   node.node.role = NodeRole::node;
   node.node.span = spec.name.span;
-  node.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
+  if (spec.rate)
+    node.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
   node.node.entity = find_entity(draft.library, spec.type, EntityKind::node, draft.diagnostics);
   if (node.node.entity == nullptr) {
     draft.doubtful.insert(spec.name.value);

@@ -22,13 +22,12 @@ std::string text_of(const NoiseSpec& noise) {
 }
 
 /// As a graph would say it:
-/// `noise_angle: {type: SensorModel, rate: …, config: {noise: […]}, states: {seed: uniform}}`.
-EntitySpec spec_of(const NoiseSpec& noise, const Rational& rate_hz) {
+/// `noise_angle: {type: SensorModel, config: {noise: […]}, states: {seed: uniform}}`.
+EntitySpec spec_of(const NoiseSpec& noise) {
   const Span span = noise.observation.span;
   EntitySpec spec;
   spec.name = {"noise_" + noise.observation.value, span};
   spec.type = {kNoiseNode, span};
-  spec.rate = {made_scalar(rate_hz.to_string(), span), span};
   spec.config = {{noise.is_range ? "spread" : "noise", noise.numbers.span, listed(noise.numbers)}};
   RandomSpec uniform;
   uniform.span = span;
@@ -65,7 +64,7 @@ class NoiseAdder {
 
   /// What is real has noise of its own.
   [[nodiscard]] bool is_simulated() const {
-    const Entity* const engine = draft_.nodes[Graph::kEngine].node.entity;
+    const Entity* const engine = draft_.engine();
     return engine != nullptr && !engine->asynchronous;
   }
 
@@ -80,8 +79,9 @@ class NoiseAdder {
       return std::nullopt;
     }
     const DraftEdge edge = *observation(noise).edge;
-    draft_.added.push_back(spec_of(noise, draft_.nodes[edge.node].node.rate_hz));
+    draft_.added.push_back(spec_of(noise));
     DraftNode node = node_of(draft_, draft_.added.back(), {});
+    node.node.rate_hz = draft_.nodes[edge.node].node.rate_hz;
     DraftInput* const signal = node.input("signal");
     if (signal == nullptr) return std::nullopt;
     insert(*signal, observation(noise));

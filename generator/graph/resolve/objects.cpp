@@ -126,7 +126,7 @@ class ObjectBuilder {
     node.node.config = resolve_config(draft_.library, entity, settings, spec.type.span,
                                       diagnostics(), draft_.safety);
     const References references = references_of(entity, settings);
-    const Entity& engine = *draft_.nodes[Graph::kEngine].node.entity;
+    const Entity& engine = *draft_.engine();
     if (!entity.works_on(engine))
       report_wrong_engine(entity, engine, spec.type.span, diagnostics());
     report_unknown(spec.inputs, entity.inputs, entity, "input", diagnostics());
@@ -403,7 +403,7 @@ class ObjectBuilder {
 
 void add_objects(Draft& draft) {
   const ConnectedPorts connected = connected_ports(draft.spec.connections);
-  const Entity* engine = draft.nodes[Graph::kEngine].node.entity;
+  const Entity* engine = draft.engine();
   for (const auto& spec : draft.spec.objects) {
     const Entity* entity =
         find_entity(draft.library, spec.type, EntityKind::object, draft.diagnostics);

@@ -251,7 +251,7 @@ void mark_waiting(Graph& graph) {
   while (!todo.empty()) {
     const std::size_t source = todo.back();
     todo.pop_back();
-    for (std::size_t n = Graph::kEngine + 1; n < graph.nodes.size(); ++n) {
+    for (std::size_t n = Graph::kEnvironment + 1; n < graph.nodes.size(); ++n) {
       GraphNode& node = graph.nodes[n];
       const bool reads = ranges::any_of(
           node.inputs, [&](const Input& i) { return i.source_node == source && !i.feedthrough; });

@@ -151,29 +151,6 @@ bool check_engine_option(const GraphSpec& spec, const Library& library,
   return find_entity(library, {options.engine, {}}, EntityKind::engine, diagnostics) != nullptr;
 }
 
-/// A graph of nodes alone: the engine's place, which nobody reads from, goes.
-void drop_engine(Graph& graph) {
-  graph.nodes.erase(graph.nodes.begin() + Graph::kEngine);
-  const auto moved = [](std::size_t& node) { node -= node > Graph::kEngine ? 1 : 0; };
-  for (auto& node : graph.nodes) {
-    for (auto& input : node.inputs) moved(input.source_node);
-    for (auto& target : node.reset_targets) moved(target.node);
-  }
-  if (graph.task) {
-    moved(graph.task->node);
-    for (Stage& stage : graph.task->stages) {
-      for (StageState& state : stage.states) moved(state.node);
-    }
-  }
-  if (graph.render) moved(graph.render->node);
-  if (graph.telemetry) {
-    for (auto& channel : graph.telemetry->channels) moved(channel.node);
-  }
-  if (!graph.placement) return;
-  auto& part_of = graph.placement->part_of;
-  part_of.erase(part_of.begin() + Graph::kEngine);
-}
-
 }  // namespace
 
 std::vector<std::string> Output::names() const {
@@ -230,7 +207,6 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   check_limits(draft);
   check_float_range(draft);
   if (diagnostics.has_errors()) return std::nullopt;
-  if (!spec.has_engine()) drop_engine(draft.graph);
   return std::move(draft.graph);
 }
 

@@ -285,7 +285,7 @@ void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spe
   state.engine_state =
       find_entity(draft.library, found->type, EntityKind::engine_state, draft.diagnostics);
   if (state.engine_state == nullptr) return;
-  const Entity& engine = *draft.nodes[Graph::kEngine].node.entity;
+  const Entity& engine = *draft.engine();
   if (!state.engine_state->works_on(engine))
     report_wrong_engine(*state.engine_state, engine, found->type.span, draft.diagnostics);
   const References references = references_of(*object.entity, spec.config);

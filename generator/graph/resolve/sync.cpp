@@ -24,7 +24,7 @@ void check_sync(Draft& draft) {
   const auto& sync = draft.spec.sync;
   if (!sync || sync->value) return;
   draft.graph.asynchronous = true;
-  const Entity* const engine = draft.nodes[Graph::kEngine].node.entity;
+  const Entity* const engine = draft.engine();
   if (engine != nullptr && !engine->asynchronous) {
     auto& problem = draft.diagnostics.error(
         "E0338", sync->span, fmt::format("`{}` cannot run asynchronously", engine->id.value));

@@ -13,7 +13,7 @@ std::vector<TelemetryChannel> published(const Draft& draft) {
   std::vector<TelemetryChannel> all;
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const GraphNode& node = graph.nodes[n];
-    if (node.drawn || (n == Graph::kEngine && !draft.spec.has_engine())) continue;
+    if (node.drawn) continue;
     const std::string owner = node.role == NodeRole::environment ? "actions" : node.name;
     for (std::size_t o = 0; o < node.outputs.size(); ++o) {
       const Output& output = node.outputs[o];

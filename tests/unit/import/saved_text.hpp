@@ -19,7 +19,8 @@ struct Import {
     saved = is_saved_graph(tree);
     library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
     if (!sensor_delay.empty())
-      library.entities.at("OObject").sensors.front().settings.delay = made_scalar(sensor_delay, {});
+      library.entities.at("OObject").sensors.front().settings.delay =
+          read_seconds(made_scalar(sensor_delay, {}));
     graph = import_graph(tree, "state.yaml", library, options, diagnostics);
   }
 

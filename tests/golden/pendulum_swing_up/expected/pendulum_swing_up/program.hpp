@@ -148,14 +148,12 @@ class Program {
 
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
-  void before(const Mask due) {
-    if ((due & k30Hz) != 0) {
-      ++n30Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
-      }
+  void before([[maybe_unused]] const Mask due) {
+    ++n30Hz_;
+    if constexpr (eagerx::waits_for_slots<Trace>) {
+      trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
     }
-    if ((due & k30Hz) != 0) {
+    {
       const eagerx::Seq n = n30Hz_ - 1;
       // engine: OdeEngine
       {
@@ -238,8 +236,8 @@ class Program {
 
   // From the environment on: everything that needs its action.
   template <class Mask>
-  void after(const Mask due) {
-    if ((due & k30Hz) != 0) {
+  void after([[maybe_unused]] const Mask due) {
+    {
       const eagerx::Seq n = n30Hz_ - 1;
       // smooth: ButterworthFilter
       {
