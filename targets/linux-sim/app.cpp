@@ -100,11 +100,11 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
       return "error: real hardware has a time of its own\nhelp: `--real-time-factor 1`";
     if (facts.is_split())
       return "error: " + parts_elsewhere(facts) +
-             "\nhelp: an agent outside is for a program that is not split";
+             "\nhelp: an external agent is for a program that is not split";
     if (!options.replay.empty() || !options.identify.empty())
-      return "error: a log is repeated without an agent outside\nhelp: leave out `--agent`";
+      return "error: a log is repeated without an external agent\nhelp: leave out `--agent`";
     if (!options.faults.empty())
-      return "error: an agent outside sees observations as they are\nhelp: leave out `--fault`";
+      return "error: an external agent sees observations as they are\nhelp: leave out `--fault`";
   }
   if (options.agent == target::Agent::policy && !facts.has_policy)
     return "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "

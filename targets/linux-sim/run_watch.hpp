@@ -72,7 +72,7 @@ class RunWatch : public Watch {
   virtual bool set_parameters(Seq step, StateRow states) {
     return told_.settings.apply_at(step, states);
   }
-  /// The two parts of step(), between which an agent outside has its answer. A class that has more
+  /// The two parts of step(), between which an external agent has its answer. A class that has more
   /// to do in one of them has its own, and its own step().
   /// What has become of a step. Returns whether the episode has ended.
   bool count(Seq step, bool has_ended, const OutcomeView& outcome);

@@ -49,7 +49,7 @@ class Watch {
   /// observations().
   virtual const void* given_action(Seq step) = 0;
 
-  /// Whether an agent outside sees observations and what was applied, before reset() and step().
+  /// Whether an external agent sees observations and what was applied, before reset() and step().
   bool has_outside() const { return agent_ == kOutsideAgent; }
   virtual ObservationRow outside_observation() = 0;
   virtual void applied(const void* action) = 0;

@@ -120,7 +120,7 @@ std::string OutsideAgent::open() {
   if (longest > kLongestRow)
     return "error: a row of this graph has " + std::to_string(longest) + " bytes, and " +
            std::to_string(kLongestRow) +
-           " go to an agent outside at most\nhelp: make the graph's "
+           " go to an external agent at most\nhelp: make the graph's "
            "observations smaller";
   host::on_gone([](void* agent) { return static_cast<OutsideAgent*>(agent)->is_gone(); }, this);
   return {};

@@ -1,4 +1,4 @@
-// An agent outside of the program, such as Python's: it has the other end of a socket. The loop
+// An external agent, such as Python's: it has the other end of a socket. The loop
 // waits for it for a part of a period only, and what it does without it is safe.
 #pragma once
 

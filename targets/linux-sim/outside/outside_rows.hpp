@@ -1,4 +1,4 @@
-// Rows of float32 for an agent outside of the program: the same columns as those of target
+// Rows of float32 for an external agent: the same columns as those of target
 // environments.
 #pragma once
 

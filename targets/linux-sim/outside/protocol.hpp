@@ -1,4 +1,4 @@
-// What a program and an agent outside of it say to each other: datagrams over a socket that both
+// What a program and an external agent say to each other: datagrams over a socket that both
 // have from the beginning. Both are on one machine, so numbers are as it has them.
 #pragma once
 
