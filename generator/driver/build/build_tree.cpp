@@ -259,11 +259,14 @@ class Builder {
   }
 
  private:
-  /// What was compiled. Only Ninja lists it; with Make, times alone decide.
+  /// What was compiled: Ninja lists it, and for Make each object has a file beside it.
   void keep(const Digests& digests) {
-    const auto listed = run_process({"ninja", "-C", tree_.build, "-t", "deps"});
-    if (!listed || listed->exit_code != 0) return;
-    const std::string text = digests.now(listed->output);
+    const bool is_ninja = !text_of(fs::path(tree_.build) / "build.ninja").empty();
+    const auto listed = is_ninja ? run_process({"ninja", "-C", tree_.build, "-t", "deps"})
+                                 : std::optional<ProcessResult>();
+    if (is_ninja && (!listed || listed->exit_code != 0)) return;
+    const std::string text =
+        digests.now(is_ninja ? listed->output : listed_in_depfiles(tree_.build));
     if (!text.empty()) write_file((fs::path(tree_.build) / kDigests).string(), text, diagnostics_);
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,6 +19,33 @@ namespace fs = std::filesystem;
 std::int64_t ns_of(const timespec& time) {
   constexpr std::int64_t kNs = 1'000'000'000;
   return time.tv_sec * kNs + time.tv_nsec;
+}
+
+/// Of the rule in a depfile: `main.o: main.cpp a\ node.hpp \` and more lines.
+std::vector<std::string> prerequisites(const std::string& text) {
+  std::vector<std::string> paths;
+  std::string path;
+  const auto end_path = [&] {
+    if (!path.empty()) paths.push_back(std::exchange(path, {}));
+  };
+  for (std::size_t i = std::min(text.find(": "), text.size()) + 1; i < text.size(); ++i) {
+    const char next = i + 1 < text.size() ? text[i + 1] : '\n';
+    if (text[i] == '\\' && next == '\n') {
+      ++i;
+      end_path();
+    } else if ((text[i] == '\\' && (next == ' ' || next == '#')) ||
+               (text[i] == '$' && next == '$')) {
+      path += text[++i];
+    } else if (text[i] == ' ') {
+      end_path();
+    } else if (text[i] == '\n') {
+      break;  // rules without prerequisites follow
+    } else {
+      path += text[i];
+    }
+  }
+  end_path();
+  return paths;
 }
 
 }  // namespace
@@ -62,6 +90,20 @@ bool Digests::have_unseen_change(const timespec& last_build) const {
       return true;
   }
   return false;
+}
+
+std::string listed_in_depfiles(const std::string& build) {
+  std::string listed;
+  std::error_code error;
+  for (fs::recursive_directory_iterator item(build, error), end; !error && item != end;
+       item.increment(error)) {
+    if (item->path().extension() != ".d") continue;
+    std::ifstream in(item->path(), std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    listed += item->path().string() + ":\n";
+    for (const std::string& path : prerequisites(text)) listed += "    " + path + "\n";
+  }
+  return listed;
 }
 
 std::string Digests::now(const std::string& listed) const {

@@ -35,6 +35,10 @@ class Digests {
   std::map<std::string, File> files_;
 };
 
+/// What was compiled, as `ninja -t deps` prints it, of a build folder of Make: from the files `*.d`
+/// that compilers write beside objects.
+std::string listed_in_depfiles(const std::string& build);
+
 /// The file in the build folder that has them.
 inline constexpr const char* kDigests = "eagerx-gen.digests";
 

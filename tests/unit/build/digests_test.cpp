@@ -49,6 +49,24 @@ class BuildDigests : public testing::Test {
   fs::path folder_;
 };
 
+// As GCC writes them for Make.
+TEST_F(BuildDigests, DepfilesListWhatMakeCompiles) {
+  fs::create_directories(folder_ / "build/CMakeFiles/demo.dir");
+  std::ofstream(folder_ / "build/CMakeFiles/demo.dir/main.cpp.o.d")
+      << "CMakeFiles/demo.dir/main.cpp.o: \\\n /tree/main.cpp ../a\\ node.hpp \\\n"
+         " /usr/b$$c.hpp /usr/d\\#e.hpp\n/tree/main.cpp:\n";
+  const std::string listed = listed_in_depfiles(build());
+  EXPECT_NE(listed.find("main.cpp.o.d:\n    /tree/main.cpp\n    ../a node.hpp\n"
+                        "    /usr/b$c.hpp\n    /usr/d#e.hpp\n"),
+            std::string::npos)
+      << listed;
+  replace("one", kLastBuildS - 100);
+  std::ofstream(folder_ / "build" / kDigests) << Digests(build()).now(listed);
+  EXPECT_FALSE(has_unseen());
+  replace("two", kLastBuildS - 200);
+  EXPECT_TRUE(has_unseen());
+}
+
 // At 9028afbf, the program of the older text was run, with its hash.
 TEST_F(BuildDigests, ContentsDecideWhereTimesDoNot) {
   EXPECT_FALSE(has_unseen()) << "without a build";
