@@ -226,9 +226,8 @@ class RecordReader {
     Json json{{"threads", time.whole("threads")},
               {"steps", time.whole("steps")},
               {"samples", time.whole("samples")}};
-    for (const char* name :
-         {"simulation_s", "inference_s", "learning_s", "evaluation_s", "waiting_s",
-          "inference_gflop", "learning_gflop"})
+    for (const char* name : {"simulation_s", "inference_s", "learning_s", "evaluation_s",
+                             "waiting_s", "inference_gflop", "learning_gflop"})
       json[name] = time.number(name);
     return json;
   }

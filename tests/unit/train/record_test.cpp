@@ -127,7 +127,8 @@ TEST_F(TrainRecord, SaysWhereTheTimeWent) {
   EXPECT_EQ(time["samples"], 3 * end["steps"].get<std::uint64_t>());
   // Actor 3-8-8-1 and critic 3-8-8-1: 113 numbers each.
   EXPECT_DOUBLE_EQ(time["inference_gflop"].get<double>(), 2e-9 * 226 * time["steps"].get<double>());
-  EXPECT_DOUBLE_EQ(time["learning_gflop"].get<double>(), 6e-9 * 226 * time["samples"].get<double>());
+  EXPECT_DOUBLE_EQ(time["learning_gflop"].get<double>(),
+                   6e-9 * 226 * time["samples"].get<double>());
 }
 
 TEST_F(TrainRecord, AResumedOneHasThePointsOfBefore) {
