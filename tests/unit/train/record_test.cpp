@@ -119,7 +119,9 @@ TEST_F(TrainRecord, SaysWhereTheTimeWent) {
     const double part_s = time[name].get<double>();
     // Waiting may be nothing; the rest is the work of threads, which none can exceed.
     EXPECT_GE(part_s, 0.0) << name;
-    if (name != std::string("waiting_s")) EXPECT_GT(part_s, 0.0) << name;
+    if (name != std::string("waiting_s")) {
+      EXPECT_GT(part_s, 0.0) << name;
+    }
     sum_s += part_s;
   }
   EXPECT_GE(sum_s, 2.0 * end["seconds"].get<double>() * (1.0 - 1e-9));
