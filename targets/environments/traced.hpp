@@ -111,10 +111,10 @@ class Traced {
   /// `step`: before which they are set; null: at a reset.
   void write(const typename Graph::States& states, std::uint32_t episode,
              const std::uint64_t* step) {
-    Graph::for_each_state([&](const char*, const char* id, auto member, const auto&) {
+    Graph::for_each_state([&](const char* name, const char*, auto member, const auto&) {
       using Message = typename std::remove_cvref_t<decltype(states.*member)>::value_type;
       if (!(states.*member)) return;
-      file_.begin_state(episode, step, id);
+      file_.begin_state(episode, step, name);
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
         file_.text().text(i == 0 ? " " : ",");
         file_.text().number(element(*(states.*member), i));

@@ -144,7 +144,6 @@ export function makeFactsView(panel) {
   add(panel, parts);
   if (data.info.why_no_packs)
     panel.append(card(
-        "Many environments at once",
-        el("p", {}, `They run one by one, not vectorized: ${data.info.why_no_packs}.`)));
+        "Many environments at once", el("p", {}, `They run one by one, not vectorized: ${data.info.why_no_packs}.`)));
   return {shown() {}, resized() {}};
 }

@@ -46,8 +46,7 @@ function trainingCard(training) {
   const {evaluation} = best;
   const facts = [
     ["it ended", endingOf(best)], ["steps", count(best.steps), `of at most ${count(training.steps)}`],
-    best.seconds === undefined ? null : ["time", `${short(best.seconds, 3)} s`],
-    ...timeFacts(best.time),
+    best.seconds === undefined ? null : ["time", `${short(best.seconds, 3)} s`], ...timeFacts(best.time),
     evaluation && training.has_success ?
         ["success", percent(evaluation.successes, evaluation.episodes), `of ${count(evaluation.episodes)} episodes`] :
         null,

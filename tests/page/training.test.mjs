@@ -32,7 +32,9 @@ const training = {
       ...{seed: 1, ended: "steps", steps: 30, seconds: 1, kernels: "avx2", policy: kNasty, signs: [kNasty]},
       time: {
         ...{threads: 2, simulation_s: 0.5, inference_s: 0.25, learning_s: 1, evaluation_s: 0.05, waiting_s: 0.2},
-        ...{steps: 30, samples: 60, inference_gflop: 1, learning_gflop: 8}
+        ...{
+          steps: 30, samples: 60, inference_gflop: 1, learning_gflop: 8
+        }
       },
       evaluation:
           {episodes: 400, successes: 100, return: -1, lowest: -3, highest: 0, steps: 9, saturated: 0.5, terms: [-3, 1]}
@@ -80,7 +82,9 @@ test("the view says what the record says, and all of it is text", () => {
   view.shown();
   passFrames(frames);
   const text = panel.textContent;
-  for (const words of ["the steps are used up", "25 % of 400 episodes", "What holds it", "The best", "60 steps/s a thread", "learning50 % 60 samples/s a thread, 8 Gflop/s", "waiting10 %"])
+  for (const words
+           of ["the steps are used up", "25 % of 400 episodes", "What holds it", "The best", "60 steps/s a thread",
+               "learning50 % 60 samples/s a thread, 8 Gflop/s", "waiting10 %"])
     assert.ok(text.includes(words), words);
   assert.ok(text.includes("eagerx-gen run small.yaml " + kNasty));
   assert.ok(text.split(kNasty).length > 8);

@@ -22,10 +22,17 @@ const std::vector<ExpressionVariable>& variables() {
   return kVariables;
 }
 
+/// What a caller says of a name with a point.
+std::string help_with(const std::string& unknown) {
+  if (unknown.find('.') == std::string::npos) return {};
+  return "give it a name under `inputs:`: `x: " + unknown + "`";
+}
+
 /// The C++ of an expression, with the lines before it; or the message, its column and its help.
 std::string cpp(const std::string& text, ExpressionType type, double weight = 1.0) {
   Diagnostics diagnostics;
-  const auto expression = read_typed_expression(scalar(text), variables(), type, {}, diagnostics);
+  const auto expression =
+      read_typed_expression(scalar(text), variables(), type, help_with, diagnostics);
   if (!expression) {
     EXPECT_EQ(diagnostics.error_count(), 1U) << text;
     const Diagnostic& problem = diagnostics.all().front();
