@@ -72,9 +72,9 @@ TEST(TrainSettings, NamesOfOtherLibrariesGetOurs) {
   };
   const std::string all = "; `eagerx-gen help train-settings` lists them";
   EXPECT_EQ(help("lr"), "it is `learning_rate` here" + all);
-  EXPECT_EQ(help("gamma"), "it is `discount` here" + all);
-  EXPECT_EQ(help("n_envs"), "it is `environments` here" + all);
-  EXPECT_EQ(help("tau"), "it is `sac_target_share` here" + all);
+  EXPECT_EQ(help("lam"), "it is `gae_lambda` here" + all);
+  EXPECT_EQ(help("num_envs"), "it is `n_envs` here" + all);
+  EXPECT_EQ(help("clip_coef"), "it is `clip_range` here" + all);
   EXPECT_EQ(help("learning_rat"),
             "did you mean `learning_rate`? `eagerx-gen help train-settings` lists them");
   EXPECT_EQ(help("xyzzy"), "`eagerx-gen help train-settings` lists them");

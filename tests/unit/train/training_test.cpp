@@ -195,7 +195,7 @@ TEST_F(TrainTraining, LearnsToSwingUp) {
   all.csv = path("curve.csv");
   all.curve = path("curve.svg");
   EXPECT_EQ(Training(all, pendulum()).run(never), kDone);  // 99 of 100 succeed, four times
-  EXPECT_TRUE(read_file(all.csv).starts_with("steps,return,success,"));
+  EXPECT_TRUE(read_file(all.csv).starts_with("steps,return,success_rate,"));
   EXPECT_TRUE(read_file(all.curve).starts_with("<svg "));
   EXPECT_TRUE(fs::exists(path("policy.golden.csv")));
 }
