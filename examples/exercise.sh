@@ -44,7 +44,7 @@ runs() {
   asks "$1" "$2" run_to "${@:3}" || blocked=yes
 }
 run_to() {
-  "$generator" run -q graph.yaml -o "$programs/$(basename "$here")-$(basename "$PWD")" --csv "$work/$1" "${@:2}" \
+  "$generator" run graph.yaml -o "$programs/$(basename "$here")-$(basename "$PWD")" --csv "$work/$1" "${@:2}" \
     >"$work/$1.said" || { cat "$work/$1.said" && false; }
 }
 
