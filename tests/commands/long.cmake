@@ -23,5 +23,6 @@ add_test(NAME commands_one_file COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_file ${PRO
 # The work of a check grows with the number of problems, not with its square.
 find_program(VALGRIND valgrind)
 if(VALGRIND AND NOT EAGERX_SANITIZE)
-  add_test(NAME commands_linear COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/linear ${PROJECT_BINARY_DIR})
+  add_test(NAME commands_linear COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/linear ${PROJECT_BINARY_DIR}
+           "nodes without rate" "unknown owners" "unknown sensors" "connected twice")
 endif()
