@@ -197,8 +197,8 @@ class Maker {
     }
   }
 
-  /// Whether the first link can move by itself: ROS recommends one without mass, to which the one
-  /// with mass is fixed. `world` is where it says.
+  /// Whether the base floats. A root link without mass, as ROS recommends, floats if a link with
+  /// mass is fixed to it, unless its name says that it is the world.
   bool has_free_base(std::size_t root) const {
     const Link& first = from_.links[root];
     if (!first.inertial && (first.name == "world" || first.name == "map" || first.name == "odom"))

@@ -244,7 +244,7 @@ int graph_info(InfoOptions options) {
 /// "did you mean `PidController`?" for `PID`.
 std::string help_with_entity(std::string_view word, const std::vector<std::string>& known) {
   const std::string meant = meant_by_other_name(word, known);
-  return meant.empty() ? "`eagerx-gen info` lists what there is" : meant;
+  return meant.empty() ? "`eagerx-gen info` lists all entities and targets" : meant;
 }
 
 int perform(const InfoOptions& options) {

@@ -220,7 +220,7 @@ bool read_saved_graph(Run& run, const GraphOptions& options) {
   return imported.has_value();
 }
 
-/// What the command line says in place of the graph.
+/// Options of the command line that override the graph.
 void take_options(Run& run, const GraphOptions& options) {
   take_rates(run, options);
   take_policy(run, options);

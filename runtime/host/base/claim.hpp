@@ -5,14 +5,14 @@
 
 namespace eagerx::host {
 
-/// Claims a file that Drafts replace, until this process ends, however it ends: EWOULDBLOCK if
-/// another process has claimed it, by whatever name, or a TextFile has reserved it. 0: nobody has;
-/// also for what this process has claimed before, for a device or FIFO, and where the system has no
-/// such claims. Nothing is made on the disk: a claim is a name of Linux' abstract sockets, which
-/// the kernel removes.
+/// Claims a file that Drafts replace until this process exits or is killed. Returns EWOULDBLOCK if
+/// another process has claimed the file under any of its names, or a TextFile has reserved it.
+/// Returns 0 otherwise: also for a file that this process has already claimed, for a device or
+/// FIFO, and on a system without such claims. Leaves nothing on the disk: a claim is the name of an
+/// abstract socket (Linux), which the kernel removes.
 [[nodiscard]] int claim_output(const std::string& path);
 
-/// Whether another process has claimed it.
+/// Whether another process has claimed the file.
 [[nodiscard]] bool is_claimed(const std::string& path);
 
 }  // namespace eagerx::host

@@ -89,7 +89,8 @@ std::span<const Function> functions();
 struct Names {
   const std::vector<Variable>& variables;
   NameForm form = NameForm::plain;
-  std::function<std::string(const std::string& name)> help{};  // empty: what there is
+  std::function<std::string(const std::string& name)>
+      help{};  // for an unknown name; empty: list the known names
   /// If set, names with other separators (`.`, `/`) are accepted, and it receives both spellings.
   std::function<void(const std::string& written, const std::string& name)> note{};
 };

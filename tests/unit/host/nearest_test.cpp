@@ -58,7 +58,7 @@ TEST(Nearest, MeantByParts) {
     const std::string* const found = name_meant(name, names);
     return found == nullptr ? std::string() : *found;
   };
-  EXPECT_EQ(meant("theta"), "theta");  // exact, before parts of others
+  EXPECT_EQ(meant("theta"), "theta");  // an exact match wins over a partial one
   EXPECT_EQ(meant("robot.gyro.y"), "robot/gyro/y");
   EXPECT_EQ(meant("robot.gyro"), "robot/gyro/y");
   EXPECT_EQ(meant("pendulum.theta"), "pendulum/theta/observation");
