@@ -13,7 +13,7 @@ std::string lacks_messages(const Plan& plan, const ProgramNames& names, std::siz
   for (const auto& input : plan.graph->nodes[node].inputs) {
     if (input.window == 0) continue;
     const std::string empty = fmt::format("in.{}.empty()", input.name);
-    terms.push_back(input.skip ? fmt::format("{}.count() > 0 && {}", names.sent[node], empty)
+    terms.push_back(input.skip ? fmt::format("{}.count() > 0 && {}", names.nodes[node].sent, empty)
                                : empty);
   }
   if (terms.size() == 1) return terms.front();
@@ -27,8 +27,8 @@ View arrivals_view(const Plan& plan, const ProgramNames& names) {
   const Graph& graph = *plan.graph;
   if (!graph.asynchronous) return View(false);
   View view = object();
-  view.set("environment_sent", names.sent[Graph::kEnvironment]);
-  view.set("clock", names.node_member[Graph::kEngine] + ".now_ns()");
+  view.set("environment_sent", names.nodes[Graph::kEnvironment].sent);
+  view.set("clock", names.nodes[Graph::kEngine].member.expression() + ".now_ns()");
   std::vector<std::string> missing;
   for (const auto& input : graph.environment().inputs) {
     if (input.window > 0 && !input.skip)
@@ -42,7 +42,7 @@ View arrivals_view(const Plan& plan, const ProgramNames& names) {
       if (ring.node == n) capacity = std::max(capacity, ring.capacity);
     View sender = object();
     sender.set("type", fmt::format("eagerx::Sent<{}>", capacity));
-    sender.set("sender", names.sent[n]);
+    sender.set("sender", names.nodes[n].sent);
     senders.push_back(sender);
   }
   view["senders"] = std::move(senders);

@@ -23,9 +23,9 @@ class BlockView {
         node_(graph_.nodes[n]),
         names_(names),
         n_(n),
-        seq_(!names.sent[n].empty() ? names.sent[n] + ".count()"
-             : names.lag(n) > 0     ? "sent"
-                                    : "n") {}
+        seq_(!names.nodes[n].sent.empty() ? names.nodes[n].sent + ".count()"
+             : names.lag(n) > 0           ? "sent"
+                                          : "n") {}
 
   View make() {
     const bool is_engine = node_.role == NodeRole::engine;
@@ -38,12 +38,12 @@ class BlockView {
     view_.set("trace_argument", is_render(n_) ? ", trace" : "");
     view_.set("node", node_.name);
     view_.set("alike", "");
-    view_.set("label", names_.label[n_]);
+    view_.set("label", names_.nodes[n_].label);
     view_.set("entity", node_.entity->id.value);
-    view_.set("member", names_.node_member[n_]);
+    view_.set("member", names_.nodes[n_].member.expression());
     view_.set("seq", seq_);
-    view_.set("sent", names_.sent[n_]);
-    view_.set("io", names_.io[n_]);
+    view_.set("sent", names_.nodes[n_].sent);
+    view_.set("io", names_.nodes[n_].io);
     view_.set("only_in_episodes", node_.waits_during_reset && graph_.has_reset_nodes());
     add_reached();
     if (is_engine) {
@@ -69,7 +69,7 @@ class BlockView {
     return names_.has_packs() ? "eagerx::LaneTick<kLanes>(n)" : "eagerx::Tick{n}";
   }
   std::string channel(std::size_t output) const {
-    const std::string& name = names_.channel[n_][output];
+    const std::string& name = names_.nodes[n_].outputs[output].channel;
     return name.ends_with("[i]") ? name : "channel::" + name;
   }
   MessagePlace place(std::size_t output) const {
@@ -82,7 +82,7 @@ class BlockView {
     const LinkUse use = link_use_of_flags(graph_, names_.program(), n_);
     for (const auto& target : node_.reset_targets) {
       View item = object();
-      item.set("flag", names_.done_member[n_] + "." + target.name);
+      item.set("flag", names_.nodes[n_].done_member + "." + target.name);
       add_links(names_, use, "", item);
       reached.push_back(item);
     }
@@ -97,7 +97,7 @@ class BlockView {
                          return names_.posts(input.source_node);
                        }));
     if (!names_.posts(n_)) return;
-    const std::string& member = names_.node_member[n_];
+    const std::string& member = names_.nodes[n_].member.expression();
     view_.set("take", "take_" + member.substr(0, member.size() - 1));
     view_.set("taken", fmt::format("taken_[{}]", names_.place_in_taken(n_)));
     view_.set("part", names_.link_argument(graph_.placement->part_of[n_]));
@@ -120,7 +120,7 @@ class BlockView {
         View item = object();
         item.set("to", names_.link_argument(part));
         item.set("lag", fmt::format("{}", plan_.split->links[part].lags[n_]));
-        item.set("sent", names_.ring_member[plan_.nodes[n_].rings[o]]);
+        item.set("sent", names_.rings[plan_.nodes[n_].rings[o]].expression());
         hands_on.push_back(item);
       }
     }
@@ -159,14 +159,13 @@ class BlockView {
 
   void add_engine() {
     std::vector<std::string> simulators = {tick()};
-    simulators.insert(simulators.end(), names_.simulator_member.begin(),
-                      names_.simulator_member.end());
+    for (const EmitObject& object : names_.objects) simulators.push_back(object.simulator_member);
     view_.set("simulators", joined(simulators));
     View simulated = list();
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       View item = object();
       item.set("object", cpp_string(graph_.objects[i].name));
-      item.set("simulator", names_.simulator_member[i]);
+      item.set("simulator", names_.objects[i].simulator_member);
       simulated.push_back(item);
     }
     view_.set("has_simulated", simulated.is_non_empty_list());
@@ -189,7 +188,7 @@ class BlockView {
       places.push_back(place(o));
       View item = message(o, places.back());
       add_links(names_, names_.links(n_, o), channel(o), item);
-      item.set("processor", text_or_false(names_.output_processor[n_][o]));
+      item.set("processor", text_or_false(names_.nodes[n_].outputs[o].processor));
       item.set("local", local);
       published.push_back(item);
       outputs.push_back({output.name, output.processor ? local : places.back().expression});
@@ -251,8 +250,8 @@ class BlockView {
     view_.set("is_reset_node", !node_.reset_targets.empty());
     view_.set("feedthroughs", designated(feedthroughs));
     view_["passed"] = std::move(passed);
-    view_.set("targets", names_.targets_member[n_]);
-    view_.set("done", names_.done_member[n_]);
+    view_.set("targets", names_.nodes[n_].targets_member);
+    view_.set("done", names_.nodes[n_].done_member);
   }
 
   const Plan& plan_;
@@ -330,8 +329,8 @@ View groups_view(const Plan& plan, const ProgramNames& names,
     }
     if (!blocks.is_non_empty_list()) continue;
     View group = object();
-    group.set("due", names.due[rate]);
-    group.set("counter", names.counter[rate]);
+    group.set("due", names.rates[rate].due);
+    group.set("counter", names.rates[rate].counter);
     group.set("knows_tick", knows_tick);
     group["blocks"] = std::move(blocks);
     groups.push_back(group);
@@ -398,7 +397,8 @@ View conversions_view(const Plan& plan, const ProgramNames& names, const Written
     view.set("converted",
              input.processor
                  ? fmt::format("{}::convert({})",
-                               names.input_processor[*ring.reader_node][*ring.reader_input], source)
+                               names.nodes[*ring.reader_node].inputs[*ring.reader_input].processor,
+                               source)
                  : source);
     view.set("bounds", names.runs(Graph::kEnvironment) ? "guard" : "actuators");
     view.set("space", text_or_false(is_kept_within(plan, ring)

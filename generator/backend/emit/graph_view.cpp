@@ -57,7 +57,7 @@ class GraphView {
     if (!graph_.render || !names_.runs(graph_.render->node)) return View(false);
     View view = object();
     view.set("rate_type", rate_type(graph_.nodes[graph_.render->node].rate_hz));
-    view.set("io", names_.io[graph_.render->node]);
+    view.set("io", names_.nodes[graph_.render->node].io);
     return view;
   }
 
@@ -219,12 +219,13 @@ class GraphView {
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s)
         if (names_.has_engine() || is_target(i, s, true))
-          add(graph_.objects[i].name, graph_.objects[i].states[s], names_.object_state[i][s]);
+          add(graph_.objects[i].name, graph_.objects[i].states[s],
+              names_.objects[i].states[s].field);
     }
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s)
         if (names_.runs(n) || is_target(n, s, false))
-          add(graph_.nodes[n].name, graph_.nodes[n].states[s], names_.node_state[n][s]);
+          add(graph_.nodes[n].name, graph_.nodes[n].states[s], names_.nodes[n].states[s].field);
     }
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
@@ -234,7 +235,7 @@ class GraphView {
         delay.name = input.name + "/delay";
         delay.space = {Dtype::float64, {}, {0.0}, {input.max_delay_s->to_double()}};
         delay.random = input.random_delay;
-        add(graph_.nodes[n].name, delay, names_.delay_state[n][i]);
+        add(graph_.nodes[n].name, delay, names_.nodes[n].inputs[i].delay_state);
       }
     }
     view_.set("has_ranges", ranges.is_non_empty_list());
@@ -261,20 +262,21 @@ class GraphView {
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       const Object& item = graph_.objects[i];
       for (std::size_t s = 0; s < item.states.size(); ++s)
-        add(item.name, item.states[s].name, item.states[s].space, names_.object_state[i][s]);
+        add(item.name, item.states[s].name, item.states[s].space,
+            names_.objects[i].states[s].field);
     }
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       const GraphNode& node = graph_.nodes[n];
       for (std::size_t s = 0; s < node.states.size(); ++s) {
         if (node.states[s].settable)
-          add(node.name, node.states[s].name, node.states[s].space, names_.node_state[n][s],
+          add(node.name, node.states[s].name, node.states[s].space, names_.nodes[n].states[s].field,
               node.states[s].tunes_running && names_.runs(n));
       }
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
-        if (names_.delay_state[n][i].empty()) continue;
+        if (names_.nodes[n].inputs[i].delay_state.empty()) continue;
         add(node.name, node.inputs[i].name + "/delay",
             {Dtype::float64, {}, {0.0}, {node.inputs[i].max_delay_s->to_double()}},
-            names_.delay_state[n][i]);
+            names_.nodes[n].inputs[i].delay_state);
       }
     }
     const bool tunes = std::ranges::count(tunable, "true") > 0;

@@ -59,7 +59,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
   view.set("entity", node.entity->id.value);
   view.set("rate", node.rate_hz.to_string());
   view.set("rate_type", rate_type(node.rate_hz));
-  view.set("type", names.io[n]);
+  view.set("type", names.nodes[n].io);
   view.set("config", config_view(node.config));
   View inputs = list(), feedthroughs = list(), targets = list(), delays = list();
   for (std::size_t i = 0; i < node.inputs.size(); ++i) {
@@ -108,7 +108,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
   view.set("has_states", states.is_non_empty_list());
   view["states"] = std::move(states);
   view.set("has_simulator", node.object.has_value());
-  view.set("simulator", node.object ? names.simulator_type[*node.object] : "");
+  view.set("simulator", node.object ? names.objects[*node.object].simulator_type : "");
   return view;
 }
 
@@ -120,7 +120,7 @@ View simulators_view(const Plan& plan, const ProgramNames& names) {
     view.set("object", item.name);
     view.set("entity", item.entity->id.value);
     view.set("engine", item.implementation->engine.value);
-    view.set("type", names.simulator_type[i]);
+    view.set("type", names.objects[i].simulator_type);
     view.set("simulator", from_global_namespace(plan.graph->engine().entity->simulator.name));
     view.set("model", from_global_namespace(item.implementation->model.name));
     view.set("config", config_view(item.config));
@@ -139,9 +139,9 @@ View engine_states_view(const Plan& plan, const ProgramNames& names) {
       View view = object();
       view.set("state", item.name + ".states." + state.name);
       view.set("entity", state.engine_state->id.value);
-      view.set("type", names.engine_state_type[i][s]);
+      view.set("type", names.objects[i].states[s].type);
       view.set("message", names.message(state.received()));
-      view.set("simulator", names.simulator_type[i]);
+      view.set("simulator", names.objects[i].simulator_type);
       view.set("class", from_global_namespace(state.engine_state->cpp.name));
       view.set("config", config_view(state.config));
       views.push_back(view);
@@ -200,24 +200,25 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
   for (std::size_t i = 0; resets && names.has_engine() && i < plan.graph->objects.size(); ++i) {
     const Object& item = plan.graph->objects[i];
     for (std::size_t s = 0; s < item.states.size(); ++s)
-      add(item.states[s].processor, names.object_state_processor[i][s],
+      add(item.states[s].processor, names.objects[i].states[s].processor,
           item.name + ".states." + item.states[s].name);
   }
   for (std::size_t n = 0; n < plan.graph->nodes.size(); ++n) {
     const GraphNode& node = plan.graph->nodes[n];
     for (std::size_t i = 0; names.receives(n) && i < node.inputs.size(); ++i) {
       const std::string owner = node.role == NodeRole::environment ? "observations" : node.name;
-      add(node.inputs[i].processor, names.input_processor[n][i], owner + "." + node.inputs[i].name);
+      add(node.inputs[i].processor, names.nodes[n].inputs[i].processor,
+          owner + "." + node.inputs[i].name);
     }
     for (std::size_t o = 0; names.runs(n) && o < node.outputs.size(); ++o) {
-      add(node.outputs[o].processor, names.output_processor[n][o],
+      add(node.outputs[o].processor, names.nodes[n].outputs[o].processor,
           node.name + "." + node.outputs[o].name);
     }
     for (std::size_t s = 0; resets && names.runs(n) && s < node.states.size(); ++s)
-      add(node.states[s].processor, names.node_state_processor[n][s],
+      add(node.states[s].processor, names.nodes[n].states[s].processor,
           node.name + ".states." + node.states[s].name);
     for (std::size_t t = 0; t < node.reset_targets.size(); ++t)
-      add(node.reset_targets[t].processor, names.target_processor[n][t],
+      add(node.reset_targets[t].processor, names.nodes[n].target_processors[t],
           node.name + ".targets." + node.reset_targets[t].name);
   }
   return views;
@@ -258,7 +259,7 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   for (std::size_t i = 0; i < graph.objects.size(); ++i) {
     for (std::size_t s = 0; s < graph.objects[i].states.size(); ++s) {
       const State& state = graph.objects[i].states[s];
-      states.push_back(port_view(names.message(state.space), names.object_state[i][s],
+      states.push_back(port_view(names.message(state.space), names.objects[i].states[s].field,
                                  state.space.describe(),
                                  graph.objects[i].name + ".states." + state.name));
     }
@@ -267,7 +268,7 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
     for (std::size_t s = 0; s < graph.nodes[n].states.size(); ++s) {
       const State& state = graph.nodes[n].states[s];
       if (!state.settable) continue;
-      states.push_back(port_view(names.message(state.space), names.node_state[n][s],
+      states.push_back(port_view(names.message(state.space), names.nodes[n].states[s].field,
                                  state.space.describe(),
                                  graph.nodes[n].name + ".states." + state.name));
     }
@@ -275,8 +276,8 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     for (std::size_t i = 0; i < graph.nodes[n].inputs.size(); ++i) {
       const Input& input = graph.nodes[n].inputs[i];
-      if (names.delay_state[n][i].empty()) continue;
-      states.push_back(port_view("double", names.delay_state[n][i],
+      if (names.nodes[n].inputs[i].delay_state.empty()) continue;
+      states.push_back(port_view("double", names.nodes[n].inputs[i].delay_state,
                                  fmt::format("s, at most {}", input.max_delay_s->to_string()),
                                  "delay of " + input.written));
     }
@@ -302,7 +303,8 @@ View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& pa
   View channels = list();
   for (std::size_t c = 0; c < plan.channels.size(); ++c) {
     View item = object();
-    item.set("constant", names.channel[plan.channels[c].node][plan.channels[c].output]);
+    item.set("constant",
+             names.nodes[plan.channels[c].node].outputs[plan.channels[c].output].channel);
     item.set("number", fmt::format("{}", c));
     channels.push_back(item);
   }
@@ -310,8 +312,8 @@ View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& pa
 
   View nodes = list();
   for (std::size_t n = Graph::kEngine; n < plan.graph->nodes.size(); ++n) {
-    if (names.io_owner[n] != n || !names.has_io(n)) continue;
-    const auto users = std::ranges::count(names.io_owner, n);
+    if (names.nodes[n].io_owner != n || !names.has_io(n)) continue;
+    const auto users = std::ranges::count(names.nodes, n, &EmitNode::io_owner);
     View node = node_view(plan, n, names);
     node.set("others", users == 1 ? "" : fmt::format(", and {} more alike", users - 1));
     nodes.push_back(node);

@@ -11,11 +11,6 @@
 namespace eagerx::gen {
 namespace {
 
-/// What only pictures need is in a member of its own.
-std::string within_drawing(const std::string& member) {
-  return "drawing_." + member;
-}
-
 /// What names have in common, in words: "servo" of "left_servo" and "right_servo". The first name
 /// if that is nothing.
 std::string in_common(const std::vector<std::string>& names) {
@@ -57,200 +52,259 @@ std::string plain(std::string name) {
   return name;
 }
 
+/// The prefix of names that belong to a node's ports.
+std::string port_owner(const GraphNode& node, const char* of_environment) {
+  return node.role == NodeRole::environment ? of_environment : snake(node.name);
+}
+
+std::string port_name(const std::string& owner, const Input& input) {
+  return owner + "_" + input.name + (input.feedthrough ? "_feedthrough" : "");
+}
+
+/// What each of these types is compiled for is in a struct of its own, which ends in Io.
+std::string type_name(Names& types, const std::string& wanted) {
+  return types.unique_with(wanted, "Io");
+}
+
+/// Makes members of equal chains the elements of one array.
+void make_array(Names& members, const std::vector<EmitMember*>& elements) {
+  std::vector<std::string> names;
+  names.reserve(elements.size());
+  for (const EmitMember* element : elements) names.push_back(element->name);
+  const std::string array = members.unique(in_common(names) + "_");
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    elements[i]->name = array;
+    elements[i]->element = {i, elements.size()};
+  }
+}
+
+/// Inside a loop the first element stands for all.
+void use_loop_index(EmitMember& member) {
+  if (member.element && member.element->index == 0) member.element->is_loops = true;
+}
+
 }  // namespace
+
+std::string EmitMember::expression() const {
+  const char* const prefix = owner == Owner::drawing    ? "drawing_."
+                             : owner == Owner::one_step ? "now."
+                                                        : "";
+  if (!element) return prefix + name;
+  return fmt::format("{}{}[{}]", prefix, name,
+                     element->is_loops ? "i" : fmt::format("{}", element->index));
+}
+
+std::string EmitMember::declaration() const {
+  if (!element) return name;
+  return element->index == 0 ? fmt::format("{}[{}]", name, element->count) : "";
+}
 
 bool is_drawn(const Plan& plan, const Ring& ring) {
   return plan.graph->nodes[ring.node].drawn;
 }
 
 ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_loops)
-    : numbers(of), io_owner(io_owners(plan, part)), plan_(plan), part_(part) {
-  const Graph& graph = *plan.graph;
+    : numbers(of), plan_(plan), part_(part) {
   Names members, types, fields;
-  // Each of these has a struct of its own that says what it is compiled for.
-  const auto type = [&](const std::string& wanted) { return types.unique_with(wanted, "Io"); };
-  const auto processor_type = [&](const std::optional<Processor>& processor,
-                                  const std::string& wanted) -> std::string {
-    if (!processor) return "";
-    std::string whole = type(wanted);
-    for (std::size_t i = 0; !processor->before.empty() && i <= processor->before.size(); ++i)
-      processor_stages[whole].push_back(type(fmt::format("{}{}", wanted, i + 1)));
-    return whole;
-  };
-  for (const auto& rate : plan.rates) {
-    due.push_back("k" + rate_suffix(rate.rate_hz));
-    counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
-  }
-  if (graph.placement) {
-    Names parts;
-    for (const PlacedPart& placed : graph.placement->parts)
-      part_constant.push_back(parts.unique("k" + camel(plain(placed.name))));
-  }
+  name_rates(members);
+  name_parts();
   for (const char* taken : {"link_", "slot_", "due_", "countdown_", "warm_", "started_",
                             "resetting_", "reset_timeouts_", "refused_delays_", "memory_faults_",
                             "arrivals_", "drawing_", "ahead_", "taken_"})
     members.unique(taken);
-  for (const auto& node : graph.nodes) {
-    io.push_back(types.unique(camel(node.name) + "Io"));
-    node_member.push_back(members.unique(snake(node.name) + "_"));
-    if (node.drawn) node_member.back() = within_drawing(node_member.back());
-    const std::string owner = node.role == NodeRole::environment ? "action" : snake(node.name);
-    sent.push_back(graph.asynchronous ? members.unique(owner + "_sent_") : "");
+  name_nodes(members, types);
+  name_rings(members);
+  name_objects(members, types, fields);
+  name_ports(members, types, fields);
+  name_channels();
+  if (with_loops && of == Numbers::plain) name_loops(members);
+}
+
+void ProgramNames::name_rates(Names& members) {
+  for (const auto& rate : plan_.rates)
+    rates.push_back(
+        {"k" + rate_suffix(rate.rate_hz), members.unique("n" + rate_suffix(rate.rate_hz) + "_")});
+}
+
+void ProgramNames::name_parts() {
+  if (!plan_.graph->placement) return;
+  Names constants;
+  for (const PlacedPart& placed : plan_.graph->placement->parts)
+    parts.push_back(constants.unique("k" + camel(plain(placed.name))));
+}
+
+void ProgramNames::name_nodes(Names& members, Names& types) {
+  const std::vector<std::size_t> owners = io_owners(plan_, part_);
+  for (const auto& node : plan_.graph->nodes) {
+    EmitNode& item = nodes.emplace_back();
+    item.io = types.unique(camel(node.name) + "Io");
+    item.io_owner = owners[nodes.size() - 1];
+    item.member.name = members.unique(snake(node.name) + "_");
+    if (node.drawn) item.member.owner = EmitMember::Owner::drawing;
+    item.label = cpp_string(node.name);
+    if (plan_.graph->asynchronous)
+      item.sent = members.unique(port_owner(node, "action") + "_sent_");
   }
-  for (std::size_t n = 0; n < io.size(); ++n) io[n] = io[io_owner[n]];
-  for (const auto& ring : plan.rings) {
+  for (EmitNode& node : nodes) node.io = nodes[node.io_owner].io;
+}
+
+void ProgramNames::name_rings(Names& members) {
+  const Graph& graph = *plan_.graph;
+  const std::vector<bool> passing =
+      has_packs() ? passing_rings(plan_) : std::vector<bool>(plan_.rings.size());
+  for (std::size_t r = 0; r < plan_.rings.size(); ++r) {
+    const Ring& ring = plan_.rings[r];
     const GraphNode& node = graph.nodes[ring.node];
-    const bool action = node.role == NodeRole::environment;
-    std::string name =
-        (action ? "action" : snake(node.name)) + "_" + node.outputs[ring.output].name;
+    std::string name = port_owner(node, "action") + "_" + node.outputs[ring.output].name;
     if (ring.reader_node) {
       const GraphNode& reader = graph.nodes[*ring.reader_node];
-      const bool observation = reader.role == NodeRole::environment;
-      name = (observation ? "observation" : snake(reader.name)) + "_" +
-             reader.inputs[*ring.reader_input].name +
-             (reader.inputs[*ring.reader_input].feedthrough ? "_feedthrough" : "");
+      name = port_name(port_owner(reader, "observation"), reader.inputs[*ring.reader_input]);
     }
-    ring_member.push_back(members.unique(name + "_"));
-    if (node.drawn) ring_member.back() = within_drawing(ring_member.back());
+    EmitMember& member = rings.emplace_back();
+    member.name = members.unique(name + "_");
+    if (node.drawn) member.owner = EmitMember::Owner::drawing;
+    if (passing[r]) member.owner = EmitMember::Owner::one_step;
   }
-  if (has_packs()) {
-    const std::vector<bool> passing = passing_rings(plan);
-    for (std::size_t r = 0; r < passing.size(); ++r) {
-      if (passing[r]) ring_member[r] = kPassing + ring_member[r];
-    }
-  }
-  for (const auto& object : graph.objects) {
-    simulator_type.push_back(type(camel(object.name) + "Simulator"));
-    simulator_member.push_back(members.unique(snake(object.name) + "_simulator_"));
-    engine_state_type.emplace_back();
-    object_state.emplace_back();
-    object_state_processor.emplace_back();
+}
+
+void ProgramNames::name_objects(Names& members, Names& types, Names& fields) {
+  for (const auto& object : plan_.graph->objects) {
+    EmitObject& item = objects.emplace_back();
+    item.simulator_type = type_name(types, camel(object.name) + "Simulator");
+    item.simulator_member = members.unique(snake(object.name) + "_simulator_");
     for (const auto& state : object.states) {
       // A sensor may have the state's name: then its engine node has this Io.
       const std::string name = camel(object.name) + camel(state.name);
-      engine_state_type.back().push_back(type(types.has(name + "Io") ? name + "State" : name));
-      object_state.back().push_back(fields.unique(snake(object.name) + "_" + state.name));
-      object_state_processor.back().push_back(
-          processor_type(state.processor, camel(object.name) + camel(state.name) + "Processor"));
+      EmitState& of = item.states.emplace_back();
+      of.type = type_name(types, types.has(name + "Io") ? name + "State" : name);
+      of.field = fields.unique(snake(object.name) + "_" + state.name);
+      of.processor = processor_type(state.processor, name + "Processor", types);
     }
   }
-  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-    const GraphNode& node = graph.nodes[n];
-    const std::string owner = node.role == NodeRole::environment ? "observation" : snake(node.name);
-    for (auto* list : {&output_processor, &input_processor, &cursor, &fresh, &node_state,
-                       &node_state_processor, &target_processor, &delay_member, &delay_state})
-      list->emplace_back();
-    channel.emplace_back(node.outputs.size());
+}
+
+void ProgramNames::name_ports(Names& members, Names& types, Names& fields) {
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const GraphNode& node = plan_.graph->nodes[n];
+    EmitNode& item = nodes[n];
+    const std::string owner = port_owner(node, "observation");
     for (const auto& output : node.outputs) {
-      output_processor[n].push_back(
-          processor_type(output.processor, camel(node.name) + camel(output.name) + "Processor"));
+      const std::string wanted = camel(node.name) + camel(output.name) + "Processor";
+      item.outputs.push_back({processor_type(output.processor, wanted, types), ""});
     }
-    for (std::size_t i = 0; i < node.inputs.size(); ++i) {
-      const Input& input = node.inputs[i];
-      const std::string port = owner + "_" + input.name + (input.feedthrough ? "_feedthrough" : "");
-      input_processor[n].push_back(processor_type(input.processor, camel(port) + "Processor"));
-      const auto count = plan.nodes[n].receptions[i].count;
-      const bool counted = count == Reception::Count::delayed ||
-                           count == Reception::Count::skipped || count == Reception::Count::arrived;
-      cursor[n].push_back(counted ? members.unique(port + "_cursor_") : "");
-      fresh[n].push_back(input.window == 0 && !graph.asynchronous ? members.unique(port + "_new_")
-                                                                  : "");
-      delay_member[n].push_back(
-          input.max_delay_s || input.entity_sets_delay ? members.unique(port + "_delay_s_") : "");
-      const bool settable = input.max_delay_s && (input.random_delay || !input.entity_sets_delay);
-      delay_state[n].push_back(settable ? fields.unique(port + "_delay_s") : "");
+    for (const Input& input : node.inputs) {
+      const std::string wanted = camel(port_name(owner, input)) + "Processor";
+      item.inputs.emplace_back().processor = processor_type(input.processor, wanted, types);
     }
+    for (std::size_t i = 0; i < node.inputs.size(); ++i) name_input(n, i, owner, members, fields);
     for (const auto& target : node.reset_targets) {
-      target_processor[n].push_back(
-          processor_type(target.processor, camel(owner) + camel(target.name) + "TargetProcessor"));
+      const std::string wanted = camel(owner) + camel(target.name) + "TargetProcessor";
+      item.target_processors.push_back(processor_type(target.processor, wanted, types));
     }
-    const bool resets = node.is_reset_node();
-    targets_member.push_back(resets ? members.unique(owner + "_targets_") : "");
-    done_member.push_back(resets ? members.unique(owner + "_done_") : "");
+    if (node.is_reset_node()) {
+      item.targets_member = members.unique(owner + "_targets_");
+      item.done_member = members.unique(owner + "_done_");
+    }
     for (const auto& state : node.states) {
-      node_state[n].push_back(fields.unique(snake(node.name) + "_" + state.name));
-      node_state_processor[n].push_back(
-          processor_type(state.processor, camel(node.name) + camel(state.name) + "Processor"));
+      const std::string wanted = camel(node.name) + camel(state.name) + "Processor";
+      EmitState& of = item.states.emplace_back();
+      of.field = fields.unique(snake(node.name) + "_" + state.name);
+      of.processor = processor_type(state.processor, wanted, types);
     }
   }
+}
+
+void ProgramNames::name_input(std::size_t node, std::size_t input, const std::string& owner,
+                              Names& members, Names& fields) {
+  const Input& port = plan_.graph->nodes[node].inputs[input];
+  EmitInput& item = nodes[node].inputs[input];
+  const std::string name = port_name(owner, port);
+  const auto count = plan_.nodes[node].receptions[input].count;
+  const bool counted = count == Reception::Count::delayed || count == Reception::Count::skipped ||
+                       count == Reception::Count::arrived;
+  if (counted) item.cursor = members.unique(name + "_cursor_");
+  if (port.window == 0 && !plan_.graph->asynchronous) item.fresh = members.unique(name + "_new_");
+  if (port.max_delay_s || port.entity_sets_delay)
+    item.delay_member = members.unique(name + "_delay_s_");
+  const bool settable = port.max_delay_s && (port.random_delay || !port.entity_sets_delay);
+  if (settable) item.delay_state = fields.unique(name + "_delay_s");
+}
+
+std::string ProgramNames::processor_type(const std::optional<Processor>& processor,
+                                         const std::string& wanted, Names& types) {
+  if (!processor) return "";
+  std::string whole = type_name(types, wanted);
+  for (std::size_t i = 0; !processor->before.empty() && i <= processor->before.size(); ++i)
+    processor_stages[whole].push_back(type_name(types, fmt::format("{}{}", wanted, i + 1)));
+  return whole;
+}
+
+void ProgramNames::name_channels() {
   Names channels;
-  for (const auto& item : plan.channels)
-    channel[item.node][item.output] = channels.unique(snake(item.name));
-  for (const auto& node : graph.nodes) label.push_back(cpp_string(node.name));
-  if (!with_loops || of != Numbers::plain) return;
-  const auto common = [](const std::vector<std::string>& names) { return in_common(names) + "_"; };
-  const auto make_array = [&](std::vector<std::string*> names) {
-    std::vector<std::string> texts;
-    texts.reserve(names.size());
-    for (const auto* name : names) texts.push_back(*name);
-    const std::string array = members.unique(common(texts));
-    size_of_array[array] = names.size();
-    for (std::size_t i = 0; i < names.size(); ++i) *names[i] = fmt::format("{}[{}]", array, i);
-  };
-  const Repeats repeats = find_repeats(plan, part, io_owner);
+  for (const auto& item : plan_.channels)
+    nodes[item.node].outputs[item.output].channel = channels.unique(snake(item.name));
+}
+
+void ProgramNames::name_loops(Names& members) {
+  std::vector<std::size_t> io_owner;
+  for (const EmitNode& node : nodes) io_owner.push_back(node.io_owner);
+  const Repeats repeats = find_repeats(plan_, part_, io_owner);
   for (const auto& array : repeats.arrays) {
-    std::vector<std::string*> names;
-    names.reserve(array.size());
-    for (const std::size_t ring : array) names.push_back(&ring_member[ring]);
-    make_array(names);
+    std::vector<EmitMember*> elements;
+    for (const std::size_t ring : array) elements.push_back(&rings[ring]);
+    make_array(members, elements);
   }
   Names tables;
-  for (const Repeat& repeat : repeats.all) {
-    Loop& loop = loops.emplace_back();
-    loop.repeat = repeat;
-    const std::size_t length = repeat.length();
-    for (std::size_t m = 0; m < length; ++m) {
-      std::vector<std::string*> names;
-      std::vector<std::string> nodes;
-      for (std::size_t j = 0; j < repeat.count; ++j) {
-        names.push_back(&node_member[repeat.nodes[j * length + m]]);
-        nodes.push_back(graph.nodes[repeat.nodes[j * length + m]].name);
-      }
-      make_array(names);
-      const std::string chain = camel(in_common(nodes));
-      loop.labels.push_back(tables.unique("kNamesOf" + chain));
-      auto& of_outputs = loop.channels.emplace_back();
-      const std::size_t outputs = graph.nodes[repeat.nodes[m]].outputs.size();
-      for (std::size_t o = 0; o < outputs; ++o) {
-        std::vector<std::string> constants;
-        for (std::size_t j = 0; j < repeat.count; ++j)
-          constants.push_back("channel::" + channel[repeat.nodes[j * length + m]][o]);
-        const std::string& output = graph.nodes[repeat.nodes[m]].outputs[o].name;
-        const std::string table = tables.unique("kChannelOf" + chain + camel(output));
-        of_outputs.push_back(table + "[i]");
-        loop.tables.emplace_back(table, std::move(constants));
-      }
+  for (const Repeat& repeat : repeats.all) name_loop(repeat, members, tables);
+}
+
+void ProgramNames::name_loop(const Repeat& repeat, Names& members, Names& tables) {
+  const Graph& graph = *plan_.graph;
+  Loop& loop = loops.emplace_back();
+  loop.repeat = repeat;
+  const std::size_t length = repeat.length();
+  for (std::size_t m = 0; m < length; ++m) {
+    std::vector<EmitMember*> elements;
+    std::vector<std::string> names;
+    for (std::size_t j = 0; j < repeat.count; ++j) {
+      elements.push_back(&nodes[repeat.nodes[j * length + m]].member);
+      names.push_back(graph.nodes[repeat.nodes[j * length + m]].name);
+    }
+    make_array(members, elements);
+    const std::string chain = camel(in_common(names));
+    loop.labels.push_back(tables.unique("kNamesOf" + chain));
+    auto& of_outputs = loop.channels.emplace_back();
+    const auto& outputs = graph.nodes[repeat.nodes[m]].outputs;
+    for (std::size_t o = 0; o < outputs.size(); ++o) {
+      std::vector<std::string> constants;
+      for (std::size_t j = 0; j < repeat.count; ++j)
+        constants.push_back("channel::" + nodes[repeat.nodes[j * length + m]].outputs[o].channel);
+      const std::string table = tables.unique("kChannelOf" + chain + camel(outputs[o].name));
+      of_outputs.push_back(table + "[i]");
+      loop.tables.emplace_back(table, std::move(constants));
     }
   }
 }
 
 ProgramNames ProgramNames::inside(const Loop& loop) const {
   ProgramNames names = *this;
-  const auto element = [](std::string& member) {
-    if (member.ends_with("[0]")) member.replace(member.size() - 3, 3, "[i]");
-  };
   const std::size_t length = loop.repeat.length();
   for (std::size_t m = 0; m < length; ++m) {
     const std::size_t n = loop.repeat.nodes[m];
-    element(names.node_member[n]);
-    names.label[n] = loop.labels[m] + "[i]";
-    for (std::size_t o = 0; o < names.channel[n].size(); ++o)
-      names.channel[n][o] = loop.channels[m][o];
+    EmitNode& node = names.nodes[n];
+    use_loop_index(node.member);
+    node.label = loop.labels[m] + "[i]";
+    for (std::size_t o = 0; o < node.outputs.size(); ++o)
+      node.outputs[o].channel = loop.channels[m][o];
     // What all chains read is one ring, which may be the first of another loop's array.
-    for (const std::size_t ring : plan_.nodes[n].rings) element(names.ring_member[ring]);
+    for (const std::size_t ring : plan_.nodes[n].rings) use_loop_index(names.rings[ring]);
     for (std::size_t i = 0; i < plan_.nodes[n].receptions.size(); ++i) {
       const std::size_t ring = plan_.nodes[n].receptions[i].ring;
       const std::size_t other = loop.repeat.nodes[length + m];
-      if (plan_.nodes[other].receptions[i].ring != ring) element(names.ring_member[ring]);
+      if (plan_.nodes[other].receptions[i].ring != ring) use_loop_index(names.rings[ring]);
     }
   }
   return names;
-}
-
-std::string ProgramNames::declared(const std::string& member) const {
-  const std::string array = array_of(member);
-  if (array == member) return member;
-  return member.ends_with("[0]") ? fmt::format("{}[{}]", array, size_of_array.at(array)) : "";
 }
 
 LinkUse ProgramNames::links(std::size_t node, std::size_t output) const {
@@ -260,7 +314,7 @@ bool ProgramNames::crosses(std::size_t node, std::size_t output) const {
   return links(node, output).any();
 }
 std::string ProgramNames::link_argument(std::size_t part) const {
-  return is_hub() ? "part::" + part_constant[part] + ", " : "";
+  return is_hub() ? "part::" + parts[part] + ", " : "";
 }
 
 bool ProgramNames::posts(std::size_t node) const {
@@ -290,8 +344,8 @@ bool ProgramNames::has_ring(std::size_t ring) const {
 
 bool ProgramNames::has_io(std::size_t node) const {
   if (!gen::has_io(*plan_.graph, part_, node)) return false;
-  for (std::size_t n = 0; n < io_owner.size(); ++n) {
-    if (io_owner[n] == node && !left_out(n)) return true;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (nodes[n].io_owner == node && !left_out(n)) return true;
   }
   return false;
 }

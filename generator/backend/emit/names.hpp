@@ -8,6 +8,7 @@
 #include "generator/backend/emit/literals.hpp"
 #include "generator/backend/emit/marks.hpp"
 #include "generator/backend/emit/namer.hpp"
+#include "generator/backend/emit/program_parts.hpp"
 #include "generator/backend/emit/render.hpp"
 #include "generator/backend/emit/repeats.hpp"
 #include "generator/backend/emit/shared_io.hpp"
@@ -20,34 +21,18 @@
 
 namespace eagerx::gen {
 
-/// What messages of packs are members of that only the step needs that writes them.
-inline constexpr const char* kPassing = "now.";
-
 struct ProgramNames {
   /// `loops`: equal chains of nodes are loops over arrays, as packs have none.
   ProgramNames(const Plan& plan, Part part, Numbers of = Numbers::plain, bool loops = false);
 
   Numbers numbers;
 
-  std::vector<std::string> io;           // of nodes: "SmoothIo"; nodes of equal structure share one
-  std::vector<std::size_t> io_owner;     // of nodes: the one that theirs is named after
-  std::vector<std::string> node_member;  // "smooth_"
-  std::vector<std::string> ring_member;  // "smooth_filtered_"
-  std::vector<std::string> due, counter;                      // of rates: "k30Hz", "n30Hz_"
-  std::vector<std::string> simulator_type, simulator_member;  // of objects
-  std::vector<std::vector<std::string>> engine_state_type;    // of objects' states
-  std::vector<std::vector<std::string>> output_processor,
-      input_processor;                                  // types, by node and port
-  std::vector<std::vector<std::string>> cursor, fresh;  // members, by node and input
-  std::vector<std::string> sent;  // of nodes, where inputs go by the clock: "smooth_sent_"
-  std::vector<std::vector<std::string>> node_state, object_state;  // fields of States
-  std::vector<std::vector<std::string>> node_state_processor, object_state_processor,
-      target_processor;  // types, by owner and state or target
+  std::vector<EmitRate> rates;      // by rate of the plan
+  std::vector<EmitNode> nodes;      // by node of the graph
+  std::vector<EmitMember> rings;    // by ring of the plan
+  std::vector<EmitObject> objects;  // by object of the graph
+  std::vector<std::string> parts;   // constants, by part: "kVision"
   std::map<std::string, std::vector<std::string>> processor_stages;  // types in one of these
-  std::vector<std::string> targets_member, done_member;              // of reset nodes
-  std::vector<std::vector<std::string>> delay_member, delay_state;   // of delays that may change
-  std::vector<std::vector<std::string>> channel;  // constants, by node and output
-  std::vector<std::string> part_constant;         // of parts: "kVision"
 
   /// Equal chains of nodes. Their members and rings are elements of arrays: "servo_[3]".
   struct Loop {
@@ -57,18 +42,8 @@ struct ProgramNames {
     std::vector<std::pair<std::string, std::vector<std::string>>> tables;  // of channels
   };
   std::vector<Loop> loops;
-  std::map<std::string, std::size_t> size_of_array;  // "servo_" → 12
-  std::vector<std::string> label;                    // of nodes: "\"smooth\"", "kServo[i]"
-
   /// As the body of a loop calls everything: "servo_[i]".
   [[nodiscard]] ProgramNames inside(const Loop& loop) const;
-  /// "servo_" of "servo_[3]".
-  [[nodiscard]] static std::string array_of(const std::string& member) {
-    return member.substr(0, member.find('['));
-  }
-  /// The declaration of a member, "servo_[12]"; empty for the elements of an array but the first.
-  [[nodiscard]] std::string declared(const std::string& member) const;
-
   /// What there is in this program of a split graph; of a whole one everything.
   [[nodiscard]] bool is_split() const { return part_ != Part::whole; }
   [[nodiscard]] bool is_placed() const { return part_.is_placed(); }
@@ -89,7 +64,7 @@ struct ProgramNames {
   [[nodiscard]] const CppClass& class_of(const Entity& entity) const {
     return has_packs() && entity.cpp_of_packs ? *entity.cpp_of_packs : entity.cpp;
   }
-  [[nodiscard]] std::string one(std::size_t node) const { return in_own_program(io[node]); }
+  [[nodiscard]] std::string one(std::size_t node) const { return in_own_program(nodes[node].io); }
   /// A type as the environment's own program has it.
   [[nodiscard]] std::string in_own_program(const std::string& type) const {
     return "graphs::" + plan_.graph->name + "::" + type;
@@ -104,7 +79,8 @@ struct ProgramNames {
   }
   /// The number of the message that a node sends next.
   [[nodiscard]] std::string seq_of(std::size_t node) const {
-    return sent[node].empty() ? counter[plan_.nodes[node].rate] + " - 1" : sent[node] + ".count()";
+    const std::string& sent = nodes[node].sent;
+    return sent.empty() ? rates[plan_.nodes[node].rate].counter + " - 1" : sent + ".count()";
   }
   [[nodiscard]] bool has_io(std::size_t node) const;
   [[nodiscard]] bool has_engine() const {
@@ -132,6 +108,20 @@ struct ProgramNames {
   [[nodiscard]] std::string link_argument(std::size_t part) const;
 
  private:
+  void name_rates(Names& members);
+  void name_parts();
+  void name_nodes(Names& members, Names& types);
+  void name_rings(Names& members);
+  void name_objects(Names& members, Names& types, Names& fields);
+  void name_ports(Names& members, Names& types, Names& fields);
+  void name_input(std::size_t node, std::size_t input, const std::string& owner, Names& members,
+                  Names& fields);
+  void name_channels();
+  void name_loops(Names& members);
+  void name_loop(const Repeat& repeat, Names& members, Names& tables);
+  /// The type of a processor and those of its stages; empty without one.
+  std::string processor_type(const std::optional<Processor>& processor, const std::string& wanted,
+                             Names& types);
   /// Packs show no pictures.
   [[nodiscard]] bool left_out(std::size_t node) const {
     return has_packs() && plan_.graph->nodes[node].drawn;

@@ -71,15 +71,15 @@ ProgramMap program_map(const Plan& plan, const ProgramNames& names, const Marked
   map.owner_of_member["trace"] = {false, "runtime"};
   for (const std::size_t n : nodes_in_order(plan)) {
     if (names.runs(n) && !graph.nodes[n].drawn)
-      map.owner_of_member.try_emplace(ProgramNames::array_of(names.node_member[n]),
+      map.owner_of_member.try_emplace(names.nodes[n].member.name,
                                       ProgramMap::Owner{true, graph.nodes[n].name});
   }
   for (std::size_t r = 0; r < plan.rings.size(); ++r) {
     if (names.has_ring(r) && !is_drawn(plan, plan.rings[r]))
-      map.owner_of_member[ProgramNames::array_of(names.ring_member[r])] = {false, "rings"};
+      map.owner_of_member[names.rings[r].name] = {false, "rings"};
   }
-  for (const auto& member : names.simulator_member) {
-    if (names.has_engine()) map.owner_of_member[member] = {false, "simulators"};
+  for (const EmitObject& object : names.objects) {
+    if (names.has_engine()) map.owner_of_member[object.simulator_member] = {false, "simulators"};
   }
   return map;
 }

@@ -30,14 +30,14 @@ class ProgramView {
     const std::size_t rate = plan_.nodes[Graph::kEnvironment].rate;
     view_.set("engine", graph_.engine_id());
     view_.set("period", (Rational(1) / graph_.environment().rate_hz).to_string());
-    view_.set("environment_due", names_.due[rate]);
+    view_.set("environment_due", names_.rates[rate].due);
     view_.set("packs", names_.has_packs());
     const Rational ticks = plan_.rates.front().rate_hz / graph_.environment().rate_hz;
     view_.set("ticks", fmt::format("{}", ticks.ceil()));
     view_.set("phases", fmt::format("{}", steps_in_hyperperiod(plan_)));
     view_.set("seq_type", names_.has_packs() ? "eagerx::LaneClock<kLanes>" : "eagerx::Seq");
     view_.set("environment_rate", rate_type(graph_.environment().rate_hz));
-    view_.set("environment_counter", names_.counter[rate]);
+    view_.set("environment_counter", names_.rates[rate].counter);
     view_["schedule"] = schedule_view(plan_, names_);
     view_["arrivals"] = arrivals_view(plan_, names_);
     view_["reset"] = reset_view(plan_, names_);
@@ -58,8 +58,8 @@ class ProgramView {
     for (std::size_t r = 0; r < plan_.rates.size(); ++r) {
       if (names_.has_packs() && !needed[r]) continue;
       View rate = object();
-      rate.set("due", names_.due[r]);
-      rate.set("counter", names_.counter[r]);
+      rate.set("due", names_.rates[r].due);
+      rate.set("counter", names_.rates[r].counter);
       rate.set("bit", fmt::format("{}", r));
       rate.set("rate_type", rate_type(plan_.rates[r].rate_hz));
       rates.push_back(rate);
@@ -122,7 +122,7 @@ class ProgramView {
     for (std::size_t part = 0; names_.is_hub() && part < graph_.placement->parts.size(); ++part) {
       View item = object();
       item.set("index", fmt::format("{}", part));
-      item.set("constant", names_.part_constant[part]);
+      item.set("constant", names_.parts[part]);
       parts.push_back(item);
     }
     view_["parts"] = std::move(parts);
@@ -162,9 +162,9 @@ class ProgramView {
       action.set("ring", place.expression);
       action.set("is_here", here);
       add_links(names_, names_.links(kEnvironment, a),
-                "channel::" + names_.channel[kEnvironment][a], action);
+                "channel::" + names_.nodes[kEnvironment].outputs[a].channel, action);
       action.set("conversions", conversions_view(plan_, names_, {ring, seq, value}));
-      action.set("channel", "channel::" + names_.channel[kEnvironment][a]);
+      action.set("channel", "channel::" + names_.nodes[kEnvironment].outputs[a].channel);
       action.set("seq", seq);
       actions.push_back(action);
     }
@@ -217,17 +217,13 @@ class ProgramView {
     for (std::size_t i = 0; names_.receives(Graph::kEnvironment) && i < inputs.size(); ++i) {
       windows.push_back({inputs[i].name, window_argument(plan_, names_, Graph::kEnvironment, i)});
       const std::size_t ring = plan_.nodes[Graph::kEnvironment].receptions[i].ring;
-      nothing.push_back({inputs[i].name, fmt::format("{{{}, 0, 0}}", names_.ring_member[ring])});
+      nothing.push_back(
+          {inputs[i].name, fmt::format("{{{}, 0, 0}}", names_.rings[ring].expression())});
       asks = asks || asks_what_is_due(plan_, Graph::kEnvironment, i);
     }
     view_.set("observation", designated(windows));
     view_.set("nothing", "Observation" + designated(nothing));
     view_.set("observation_asks", asks);
-  }
-
-  /// "drawing_.overlay_" as the struct itself calls it.
-  static std::string without_owner(const std::string& member) {
-    return member.substr(member.find('.') + 1);
   }
 
   void add_memory() {
@@ -240,18 +236,18 @@ class ProgramView {
       View item = object();
       item.set("type", names_.message(ring.space));
       const bool drawn = is_drawn(plan_, ring);
-      const std::string member = names_.declared(names_.ring_member[r]);
+      const std::string member = names_.rings[r].declaration();
       if (member.empty()) continue;
-      const bool passes = member.starts_with(kPassing);
-      item.set("member", drawn || passes ? without_owner(member) : member);
-      item.set("clock", names_.counter[plan_.nodes[ring.node].rate]);
+      const bool passes = names_.rings[r].owner == EmitMember::Owner::one_step;
+      item.set("member", member);
+      item.set("clock", names_.rates[plan_.nodes[ring.node].rate].counter);
       item.set("capacity", fmt::format("{}", ring.capacity));
       item.set(
           "comment",
           text_or_false(ring.needed > 1 ? fmt::format("{} needs {}", ring.why, ring.needed) : ""));
       (drawn ? drawn_rings : passes ? passing : rings).push_back(item);
       if (passes && graph_.has_engine() && ring.node == Graph::kEngine && !ring.reader_node) {
-        item.set("member", names_.ring_member[r]);
+        item.set("member", names_.rings[r].expression());
         ticks.push_back(item);
       }
     }
@@ -262,29 +258,29 @@ class ProgramView {
       to.push_back(item);
     };
     for (std::size_t i = 0; names_.has_engine() && i < graph_.objects.size(); ++i)
-      add(members, names_.simulator_type[i], names_.simulator_member[i]);
+      add(members, names_.objects[i].simulator_type, names_.objects[i].simulator_member);
     for (const std::size_t n : nodes_in_order(plan_)) {
       if (!names_.runs(n)) continue;
       const Entity& entity = *graph_.nodes[n].entity;
-      const std::string type =
-          fmt::format("{}<{}>", from_global_namespace(names_.class_of(entity).name), names_.io[n]);
+      const std::string type = fmt::format(
+          "{}<{}>", from_global_namespace(names_.class_of(entity).name), names_.nodes[n].io);
       if (graph_.nodes[n].drawn) {
-        add(drawn_members, type, without_owner(names_.node_member[n]));
+        add(drawn_members, type, names_.nodes[n].member.declaration());
         continue;
       }
       // Resets are of the environment's own program.
       if (names_.has_packs() && !graph_.nodes[n].reset_targets.empty()) continue;
       if (names_.by_lane(n)) {
         add(by_lane, fmt::format("{}<{}>", from_global_namespace(entity.cpp.name), names_.one(n)),
-            names_.node_member[n]);
+            names_.nodes[n].member.expression());
         continue;
       }
-      if (const std::string member = names_.declared(names_.node_member[n]); !member.empty())
+      if (const std::string member = names_.nodes[n].member.declaration(); !member.empty())
         add(members, type, member);
       if (entity.counts.empty()) continue;
       View item = object();
       item.set("node", graph_.nodes[n].name);
-      item.set("member", names_.node_member[n]);
+      item.set("member", names_.nodes[n].member.expression());
       counters.push_back(item);
     }
     view_.set("has_counts", names_.has_engine() || counters.is_non_empty_list());
@@ -324,7 +320,7 @@ class ProgramView {
       for (std::size_t m = 0; m < length; ++m) {
         std::vector<std::string> labels;
         for (std::size_t j = 0; j < loop.repeat.count; ++j)
-          labels.push_back(names_.label[loop.repeat.nodes[j * length + m]]);
+          labels.push_back(names_.nodes[loop.repeat.nodes[j * length + m]].label);
         add("const char* const", loop.labels[m], labels);
       }
       for (const auto& [table, values] : loop.tables) add("std::uint32_t", table, values);

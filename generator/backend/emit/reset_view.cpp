@@ -59,23 +59,23 @@ class ResetView {
     View states = list();
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s) {
-        const std::string field = "states." + names_.object_state[i][s];
+        const std::string field = "states." + names_.objects[i].states[s].field;
         View state = object();
         state.set("condition", field + (is_object_target_[i][s] ? " && sets_targets" : ""));
         state.set("value", received(graph_.objects[i].states[s], "*" + field,
-                                    names_.object_state_processor[i][s]));
-        state.set("type", names_.engine_state_type[i][s]);
-        state.set("simulator", names_.simulator_member[i]);
+                                    names_.objects[i].states[s].processor));
+        state.set("type", names_.objects[i].states[s].type);
+        state.set("simulator", names_.objects[i].simulator_member);
         states.push_back(state);
         uses_states_ = true;
       }
     }
-    std::vector<std::string> all = {names_.node_member[Graph::kEngine]};
-    all.insert(all.end(), names_.simulator_member.begin(), names_.simulator_member.end());
+    std::vector<std::string> all = {names_.nodes[Graph::kEngine].member.expression()};
+    for (const EmitObject& object : names_.objects) all.push_back(object.simulator_member);
     View view = object();
     view.set("all", joined(all));
     // Whether the engine's reset takes the simulators, too, is for the C++ compiler to see.
-    all.insert(all.begin() + 1, names_.io[Graph::kEngine] + "::States" +
+    all.insert(all.begin() + 1, names_.nodes[Graph::kEngine].io + "::States" +
                                     designated(state_arguments(Graph::kEngine)));
     view.set("reset_call", fmt::format("eagerx::reset_engine({})", joined(all)));
     view.set("has_states", states.is_non_empty_list());
@@ -92,13 +92,13 @@ class ResetView {
       const GraphNode& node = graph_.nodes[n];
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
         if (node.inputs[i].entity_sets_delay)
-          delays.push_back({node.inputs[i].name, names_.delay_member[n][i]});
+          delays.push_back({node.inputs[i].name, names_.nodes[n].inputs[i].delay_member});
       }
       if (!delays.empty()) arguments.push_back(designated(delays));
       View reset = object();
       reset.set("is_drawn", node.drawn);
-      reset.set("call", fmt::format("{}.reset({}{})", names_.node_member[n], joined(arguments),
-                                    simulator_argument(plan_, names_, n)));
+      reset.set("call", fmt::format("{}.reset({}{})", names_.nodes[n].member.expression(),
+                                    joined(arguments), simulator_argument(plan_, names_, n)));
       resets.push_back(reset);
     }
     view_["resets"] = std::move(resets);
@@ -114,14 +114,15 @@ class ResetView {
       for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s) {
         const State& state = graph_.nodes[n].states[s];
         arguments.push_back({state.name, state.tunes_running
-                                             ? optional("states." + names_.node_state[n][s],
-                                                        names_.node_state_processor[n][s])
+                                             ? optional("states." + names_.nodes[n].states[s].field,
+                                                        names_.nodes[n].states[s].processor)
                                              : "{}"});
         tunes = tunes || state.tunes_running;
       }
       if (!tunes) continue;
       View node = object();
-      node.set("call", fmt::format("{}.tune({})", names_.node_member[n], designated(arguments)));
+      node.set("call", fmt::format("{}.tune({})", names_.nodes[n].member.expression(),
+                                   designated(arguments)));
       nodes.push_back(node);
     }
     view_.set("has_tuned", nodes.is_non_empty_list());
@@ -140,7 +141,7 @@ class ResetView {
     if (!state.settable) return "{}";
     uses_states_ = resets_use_states_ = true;
     std::string value =
-        optional("states." + names_.node_state[n][s], names_.node_state_processor[n][s]);
+        optional("states." + names_.nodes[n].states[s].field, names_.nodes[n].states[s].processor);
     if (!is_node_target_[n][s]) return value;
     return fmt::format("sets_targets ? {} : std::nullopt",
                        state.processor ? "(" + value + ")" : value);
@@ -151,10 +152,10 @@ class ResetView {
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
         const Reception& reception = plan_.nodes[n].receptions[i];
-        if (names_.delay_member[n][i].empty() || !names_.receives(n)) continue;
+        if (names_.nodes[n].inputs[i].delay_member.empty() || !names_.receives(n)) continue;
         const Input& input = graph_.nodes[n].inputs[i];
         View delay = object();
-        delay.set("member", names_.delay_member[n][i]);
+        delay.set("member", names_.nodes[n].inputs[i].delay_member);
         delay.set("where", input.written);
         if (!reception.changing) {  // an entity sets it, and delays are not simulated
           idle.push_back(delay);
@@ -162,8 +163,8 @@ class ResetView {
         }
         delay.set("first", double_literal(input.delay_s.to_double()));
         delay.set("quanta", quanta_type(*reception.changing));
-        delay.set("state", text_or_false(names_.delay_state[n][i]));
-        uses_states_ = uses_states_ || !names_.delay_state[n][i].empty();
+        delay.set("state", text_or_false(names_.nodes[n].inputs[i].delay_state));
+        uses_states_ = uses_states_ || !names_.nodes[n].inputs[i].delay_state.empty();
         delays.push_back(delay);
       }
     }
@@ -218,13 +219,13 @@ class ResetView {
             (text_or_false(delay_s > Rational(0) && !reception.changing ? delay_s.to_string() + " s"
                                                                         : std::string()));
         if (const std::string type = cursor_type(reception); !type.empty()) {
-          cursor.set("member", names_.cursor[n][i]);
+          cursor.set("member", names_.nodes[n].inputs[i].cursor);
           cursor.set("type", type);
-          cursor.set("first", first_of_cursor(reception, names_.delay_member[n][i]));
+          cursor.set("first", first_of_cursor(reception, names_.nodes[n].inputs[i].delay_member));
           cursors.push_back(cursor);
         }
-        if (names_.fresh[n][i].empty()) continue;
-        cursor.set("member", names_.fresh[n][i]);
+        if (names_.nodes[n].inputs[i].fresh.empty()) continue;
+        cursor.set("member", names_.nodes[n].inputs[i].fresh);
         cursor.set("type", names_.has_packs() ? "eagerx::NewLanes<kLanes>" : "eagerx::NewMessages");
         cursor.set("first", "");
         cursor["delay"] = View(false);
@@ -246,17 +247,17 @@ class ResetView {
       for (std::size_t t = 0; t < node.reset_targets.size(); ++t) {
         const ResetTarget& target = node.reset_targets[t];
         const std::string field =
-            "states." + (target.object ? names_.object_state[*target.object][target.state]
-                                       : names_.node_state[target.node][target.state]);
-        targets.push_back({target.name, optional(field, names_.target_processor[n][t])});
+            "states." + (target.object ? names_.objects[*target.object].states[target.state].field
+                                       : names_.nodes[target.node].states[target.state].field);
+        targets.push_back({target.name, optional(field, names_.nodes[n].target_processors[t])});
         asked.push_back(field);
-        open.push_back(fmt::format("{0}.{2} && !{1}.{2}", names_.targets_member[n],
-                                   names_.done_member[n], target.name));
+        open.push_back(fmt::format("{0}.{2} && !{1}.{2}", names_.nodes[n].targets_member,
+                                   names_.nodes[n].done_member, target.name));
       }
       View item = object();
-      item.set("io", names_.io[n]);
-      item.set("targets_member", names_.targets_member[n]);
-      item.set("done_member", names_.done_member[n]);
+      item.set("io", names_.nodes[n].io);
+      item.set("targets_member", names_.nodes[n].targets_member);
+      item.set("done_member", names_.nodes[n].done_member);
       item.set("targets", designated(targets));
       reset_nodes.push_back(item);
     }
@@ -297,7 +298,7 @@ std::vector<std::size_t> nodes_in_order(const Plan& plan) {
 
 std::string simulator_argument(const Plan& plan, const ProgramNames& names, std::size_t node) {
   const auto& owner = plan.graph->nodes[node].object;
-  return owner ? ", " + names.simulator_member[*owner] : "";
+  return owner ? ", " + names.objects[*owner].simulator_member : "";
 }
 
 View reset_view(const Plan& plan, const ProgramNames& names) {

@@ -52,7 +52,7 @@ class ScheduleView {
   std::string constant(std::uint64_t mask) const {
     std::vector<std::string> bits;
     for (std::size_t r = 0; r < plan_.rates.size(); ++r) {
-      if ((mask >> r & 1U) != 0) bits.push_back(names_.due[r]);
+      if ((mask >> r & 1U) != 0) bits.push_back(names_.rates[r].due);
     }
     return fmt::format("eagerx::Constant<{}>{{}}", join(bits, " | "));
   }

@@ -20,8 +20,8 @@ View drawn_in_stage(const Plan& plan, const ProgramNames& names, const StageStat
       each.object ? graph.objects[*each.object].name : graph.nodes[each.node].name;
   const State& state = each.object ? graph.objects[*each.object].states[each.state]
                                    : graph.nodes[each.node].states[each.state];
-  const std::string& field = each.object ? names.object_state[*each.object][each.state]
-                                         : names.node_state[each.node][each.state];
+  const std::string& field = each.object ? names.objects[*each.object].states[each.state].field
+                                         : names.nodes[each.node].states[each.state].field;
   View view = object();
   view.set("state", owner + "/" + state.name);
   view.set("needs_random", each.random.kind != RandomSpec::Kind::value);

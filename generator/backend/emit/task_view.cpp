@@ -258,8 +258,9 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   view["term_names"] = names_view(task->terms);
   view["termination_names"] = task->terminated.empty() ? View(false) : names_view(task->terminated);
   view["success_names"] = task->success.empty() ? View(false) : names_view(task->success);
-  const std::string seq = names.sent[task->node].empty() ? names.seq_of(task->node)
-                                                         : names.sent[task->node] + ".count() - 1";
+  const std::string seq = names.nodes[task->node].sent.empty()
+                              ? names.seq_of(task->node)
+                              : names.nodes[task->node].sent + ".count() - 1";
   std::vector<std::string> terms, places;
   for (const std::size_t ring : plan.nodes[task->node].rings)
     places.push_back(ring_place(plan, names, ring, seq));
@@ -294,7 +295,7 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   for (std::size_t o = 0; plan.graph->asynchronous && o < plan.nodes[task->node].rings.size();
        ++o) {
     View ring = object();
-    ring.set("member", names.ring_member[plan.nodes[task->node].rings[o]]);
+    ring.set("member", names.rings[plan.nodes[task->node].rings[o]].expression());
     stale.push_back(ring);
   }
   view["stale"] = std::move(stale);

@@ -30,29 +30,32 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
   std::string total;
   switch (reception.count) {
     case Reception::Count::ticks:
-      total = names.counter[rate];
+      total = names.rates[rate].counter;
       break;
     case Reception::Count::ticks_but_one:
-      total = names.counter[rate] + " - 1";
+      total = names.rates[rate].counter + " - 1";
       break;
     case Reception::Count::ticks_before:
-      total = fmt::format("{} - ((due & {}) != 0 ? 1U : 0U)", names.counter[rate], names.due[rate]);
+      total = fmt::format("{} - ((due & {}) != 0 ? 1U : 0U)", names.rates[rate].counter,
+                          names.rates[rate].due);
       break;
     case Reception::Count::delayed:
     case Reception::Count::skipped:
-      total = names.cursor[node][input] + ".take()";
+      total = names.nodes[node].inputs[input].cursor + ".take()";
       if (names.numbers == Numbers::packs)
-        total = fmt::format("{}.at({})", names.counter[rate], total);
+        total = fmt::format("{}.at({})", names.rates[rate].counter, total);
       break;
     case Reception::Count::arrived:
-      return fmt::format("{{{}, {}.{}({}, now_ns, arrivals_)}}", names.ring_member[reception.ring],
-                         names.cursor[node][input], port.window == 0 ? "take_new" : "take",
-                         names.sent[port.source_node]);
+      return fmt::format(
+          "{{{}, {}.{}({}, now_ns, arrivals_)}}", names.rings[reception.ring].expression(),
+          names.nodes[node].inputs[input].cursor, port.window == 0 ? "take_new" : "take",
+          names.nodes[port.source_node].sent);
   }
   // A hub whose agent is elsewhere only shows what that sees, once all is there.
   if (names.runs(node)) total = names.awaited(port.source_node, total);
-  if (port.window == 0) total = fmt::format("{}.take({})", names.fresh[node][input], total);
-  return fmt::format("{{{}, {}}}", names.ring_member[reception.ring], total);
+  if (port.window == 0)
+    total = fmt::format("{}.take({})", names.nodes[node].inputs[input].fresh, total);
+  return fmt::format("{{{}, {}}}", names.rings[reception.ring].expression(), total);
 }
 
 bool asks_what_is_due(const Plan& plan, std::size_t node, std::size_t input) {
@@ -62,8 +65,9 @@ bool asks_what_is_due(const Plan& plan, std::size_t node, std::size_t input) {
 std::string ring_place(const Plan& plan, const ProgramNames& names, std::size_t ring,
                        const std::string& seq) {
   const std::uint64_t capacity = plan.rings[ring].capacity;
-  if (capacity == 1) return names.ring_member[ring] + "[0]";
-  return fmt::format("{}[eagerx::ring_position<{}>({})]", names.ring_member[ring], capacity, seq);
+  if (capacity == 1) return names.rings[ring].expression() + "[0]";
+  return fmt::format("{}[eagerx::ring_position<{}>({})]", names.rings[ring].expression(), capacity,
+                     seq);
 }
 
 }  // namespace eagerx::gen
