@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Stable-Baselines3's PPO goes on learning on hardware, from the policy that policy_from_stable_baselines ships.
+"""Stable-Baselines3's PPO continues to learn on hardware, from the policy that policy_from_stable_baselines ships.
 
     ./fine_tune.py [PROGRAM] [--episodes N] [--seed S] [--output FOLDER]
 
@@ -34,7 +34,7 @@ class BeginWhenTold(gymnasium.Wrapper):
     """An episode on hardware begins when somebody is there for it.
 
     Stable-Baselines3 resets as soon as an episode has ended, and behind the last one of a rollout it learns, while the robot
-    would go on. Such a reset does nothing here, and the robot stands still with its safe action until begin().
+    would continue. Such a reset does nothing here, and the robot stands still with its safe action until begin().
     """
 
     def __init__(self, env):
@@ -42,7 +42,7 @@ class BeginWhenTold(gymnasium.Wrapper):
         self.observation, self.left = None, 0
 
     def begin(self, left=0):
-        """`left`: steps until nobody is there for a while."""
+        """`left`: steps until the agent pauses."""
         self.left = left or self.left
         self.observation, _ = self.env.reset()
         self.total, self.late = 0.0, 0

@@ -55,7 +55,7 @@ int run(const std::vector<std::string>& arguments) {
   if (fs::exists(tools, error)) return become(tools.string(), arguments);
   if (!ranges::contains(kToolsCommands, word)) return run_command_line(line, arguments);
   complain(
-      "error: `{}` needs {}, which is not beside this program\nhelp: build it, too: cmake "
+      "error: `{}` needs {}, which is not in this program's folder\nhelp: build it, too: cmake "
       "--build BUILD --target {}\n",
       word, kToolsProgram, kToolsProgram);
   return kInputOutput;

@@ -230,7 +230,8 @@ double reach(const Fitted& shape, const Vector3& direction) {
                      shape.size[2] * std::abs(d[2]));
 }
 
-/// Triangles in parts that are small beside the mesh, so that a sphere can be around few of them.
+/// Triangles in parts that are small relative to the mesh, so that a sphere can be around few of
+/// them.
 Triangles subdivided(Triangles triangles) {
   constexpr std::size_t kMost = 60'000;  // corners
   Vector3 size;

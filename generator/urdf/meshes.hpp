@@ -46,7 +46,7 @@ struct MeshOptions {
   std::vector<std::string> packages = {};  // folders that `package://` is looked for in
 };
 
-/// Where a mesh is: by its path, beside the description in `folder` or in one of the folders above
+/// Where a mesh is: by its path, next to the description in `folder` or in one of the folders above
 /// it. Empty if there is no such file.
 std::string find_mesh(const std::string& name, const std::string& folder,
                       const std::vector<std::string>& packages);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "generator/frontend/read/text.hpp"
-#include "generator/support/files/beside.hpp"
+#include "generator/support/files/missing_file.hpp"
 #include "generator/urdf/urdf.hpp"
 #include "generator/urdf/xml.hpp"
 

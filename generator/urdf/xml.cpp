@@ -34,7 +34,7 @@ std::vector<std::string_view> words(std::string_view text) {
 
 std::optional<double> finite_number(std::string_view text) {
   const auto value = gen::parse_number(text);
-  // -0 is 0: nobody means anything by it.
+  // -0 is 0: the sign has no meaning.
   return value && std::isfinite(*value) ? std::optional(*value + 0.0) : std::nullopt;
 }
 

@@ -205,7 +205,7 @@ struct TunableList {
   void reset(const State& state, const Constants& constants) {
     for (std::size_t i = 0; i < N; ++i) numbers[i].reset(state, Real(constants[i]), i);
   }
-  /// What to ask for element `i`: this or the constants.
+  /// The parameters of element `i`: these or the constants.
   const TunableList& or_constants(const Constants& /*constants*/) const { return *this; }
   static constexpr std::size_t size() { return N; }
   const Real& operator[](std::size_t i) const { return numbers[i].number.value; }

@@ -56,7 +56,7 @@ class ArrivalCursor {
   template <std::uint32_t Stamps>
   constexpr Seq take(const Sent<Stamps>& source, std::int64_t now_ns, Arrivals& arrivals) {
     static_assert(Stamps >= Capacity);
-    constexpr Seq kUnread = Capacity - MaxSize - 1;  // so many may be on their way
+    constexpr Seq kUnread = Capacity - MaxSize - 1;  // the number of messages that may be in flight
     const Seq sent = source.count();
     if (sent > total_ + kUnread) {
       arrivals.overtaken += sent - kUnread - total_;

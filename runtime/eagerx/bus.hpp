@@ -11,7 +11,7 @@
 
 namespace eagerx {
 
-/// What went wrong with a transfer or with what a device answered.
+/// The error of a transfer, or of a device's answer.
 enum class BusError : std::uint8_t {
   none,
   // of the bus

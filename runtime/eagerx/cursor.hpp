@@ -95,7 +95,7 @@ class SkipCursor {
   Seq total_ = 0;
 };
 
-/// What is new since the last tick, for window 0.
+/// The new messages since the last tick, for window 0.
 class NewMessages {
  public:
   constexpr void reset() { seen_ = 0; }

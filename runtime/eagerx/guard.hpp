@@ -1,4 +1,4 @@
-// The guard of a program's actions: what reaches the actuators in place of what the agent wants.
+// The guard of a program's actions: what reaches the actuators instead of the agent's action.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace eagerx {
 
-/// What `safety:` in the graph says: when the safe action takes the agent's place, and when it
-/// ends.
+/// The settings of `safety:` in the graph: when the safe action takes the agent's place, and when
+/// it ends.
 template <class Limits>
 class Takeover {
  public:
@@ -43,7 +43,7 @@ class Takeover {
     if (!seen_) find_not_finite(observation);
   }
 
-  /// The same, told of each channel.
+  /// The same, for each channel.
   void saw(std::size_t channel, bool is_finite) {
     if (channel == 0) seen_ = true;
     seen_ = seen_ && is_finite;
@@ -104,7 +104,7 @@ class Takeover {
   std::uint64_t stops_ = 0;
 };
 
-/// A graph without `safety:`: nobody takes over.
+/// A graph without `safety:`: no safe action takes over.
 struct NoTakeover {};
 
 /// Every action goes through check(). What comes out is finite, within the space of the action, and
@@ -137,7 +137,7 @@ class Guard {
     if constexpr (kTakesOver) takeover_.saw(channel, is_finite);
   }
 
-  /// What is applied in place of `action`. `late_in_a_row`: instants up to now that were later than
+  /// The action that replaces `action`. `late_in_a_row`: instants up to now that were later than
   /// `max_lateness`; without `safety:` nothing is too late.
   Action check(Action action, std::uint64_t late_in_a_row) {
     if constexpr (kTakesOver) {

@@ -58,7 +58,7 @@ class NewLaneWindow {
   /// Of each lane.
   const Counts& size() const { return received_.held; }
   auto empty() const { return size() == Counts(0U); }
-  /// Message `i` of the lanes that have so many, 0 is the oldest.
+  /// Message `i` of the lanes that have more than `i`; 0 is the oldest.
   Message operator[](std::uint32_t i) const {
     static_assert(std::has_single_bit(Capacity), "sequence numbers of lanes are modulo 2^32");
     const LaneSeq<kWidth>& end = received_.end;

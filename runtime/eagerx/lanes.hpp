@@ -1,5 +1,5 @@
-// What a program over packs needs beside pack.hpp: clocks and windows of environments that began at
-// different times, and copying one environment into and out of its lane.
+// What a program over packs needs besides pack.hpp: clocks and windows of environments that began
+// at different times, and copying one environment into and out of its lane.
 #pragma once
 
 #include <array>
@@ -58,7 +58,7 @@ struct LaneClock {
   LaneCounts<N> counts() const {
     return LaneCounts<N>(static_cast<std::uint32_t>(shared)) - offset;
   }
-  /// So many messages, which end where this clock's would.
+  /// This number of messages, which end where this clock's would.
   LaneSeq<N> at(const LaneCounts<N>& count) const { return {count, offset}; }
 
   operator Seq() const { return shared; }  // NOLINT(google-explicit-constructor): a ring position

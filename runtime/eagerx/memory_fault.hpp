@@ -2,8 +2,8 @@
 // or something wrote over it.
 #pragma once
 
-/// Whoever defines it is called when a program finds its place in the schedule to be none. It may
-/// end the program, as boards do; if it returns, or if nobody defines it, the program counts.
+/// Called, if defined, when a program finds an invalid place in the schedule. It may end the
+/// program, as boards do; if it returns, or is not defined, the program counts.
 extern "C" [[gnu::weak]] void eagerx_memory_fault();
 
 namespace eagerx {

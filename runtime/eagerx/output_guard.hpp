@@ -34,7 +34,7 @@ class OutputGuard {
     Limits::for_each_kept(outputs_, [](auto& keeper, const auto& safe) { keeper.reset(safe); });
   }
 
-  /// What leaves of a reset, when nothing has been measured: the safe values.
+  /// The outputs after a reset, before the first measurement: the safe values.
   Observation begin(Observation seen) {
     remember(seen);
     Limits::for_each_output(seen, outputs_, [](auto& window, auto& keeper, const auto& /*safe*/) {
@@ -43,8 +43,8 @@ class OutputGuard {
     return seen;
   }
 
-  /// What the nodes measure in place of `action`, if acts(). `late_in_a_row`: steps up to now that
-  /// were later than `max_lateness`.
+  /// The value that replaces `action` as the nodes measure it, if acts(). `late_in_a_row`: steps up
+  /// to now that were later than `max_lateness`.
   Action check(Action action, std::uint64_t late_in_a_row) {
     return judged(action, true, late_in_a_row, is_frozen(action));
   }
@@ -58,7 +58,7 @@ class OutputGuard {
   /// Whether they are reset before it, because a safe output is over.
   bool begins_anew() const { return begins_anew_; }
 
-  /// What leaves after the nodes have run, in the place of what they have sent.
+  /// The guarded outputs after the nodes have run.
   void leave(Observation& seen) {
     was_not_finite_ = false;
     remember(seen);
@@ -79,7 +79,7 @@ class OutputGuard {
     });
   }
 
-  /// What leaves of a step in which no node has run. `nothing`: an observation before any message.
+  /// The outputs of a step in which no node has run. `nothing`: an observation before any message.
   Observation stay(const Observation& nothing) { return safe(last(nothing)); }
 
   /// The same for the end of a run: nothing is held.

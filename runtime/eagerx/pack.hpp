@@ -40,7 +40,7 @@ struct PackConversion;
 
 }  // namespace detail
 
-/// N truth values beside packs of numbers of `Bytes` bytes: all bits of a lane are set where true.
+/// N truth values for packs of numbers of `Bytes` bytes: all bits of a lane are set where true.
 template <std::size_t Bytes, std::size_t N, std::size_t Width = detail::kWidthFor<Bytes, N>>
 struct Mask {
   using Lane = typename detail::SignedOf<Bytes>::type;
@@ -56,7 +56,7 @@ struct Mask {
       v[i] = Vector{} - static_cast<Lane>(all);
     });
   }
-  /// The truth values beside packs of numbers of another width.
+  /// The truth values for packs of numbers of another width.
   template <std::size_t Other>
   requires(Other != Bytes) [[gnu::always_inline]] explicit Mask(const Mask<Other, N>& other) {
     if constexpr (constexpr std::size_t kBetween = detail::size_between(Other, Bytes);

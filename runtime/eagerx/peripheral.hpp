@@ -32,8 +32,8 @@ concept EncoderBus = requires(B& bus, std::uint8_t encoder, std::int32_t& counts
   { bus.run() } -> std::same_as<BusError>;
 };
 
-/// Time as ticks of hardware since its start, in 64 bits; wait_for() returns as soon as so many are
-/// over.
+/// Time as ticks of hardware since its start, in 64 bits; wait_for() returns as soon as that many
+/// are over.
 template <class T>
 concept HardwareTimer = requires(T& timer, std::uint64_t ticks) {
   { timer.ticks() } -> std::same_as<std::uint64_t>;

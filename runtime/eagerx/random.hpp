@@ -36,7 +36,7 @@ constexpr std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> c
   return counter;
 }
 
-/// What distinguishes one episode's random numbers from another's.
+/// The key of an episode's random numbers.
 struct EpisodeKey {
   std::uint64_t seed;
   std::uint32_t environment;

@@ -138,8 +138,8 @@ template <std::size_t Half, class Vector>
   return picked<Half, 2, sizeof(Vector) / sizeof(a[0])>(a, b);
 }
 
-/// Integers of registers as those of others, which are as wide, twice as wide or half as wide, as
-/// `static_cast` does. `Half` = 1: of those twice as wide the upper halves.
+/// Converts integers of registers to those of other registers, which are as wide, twice as wide or
+/// half as wide, as `static_cast` does. `Half` = 1: of those twice as wide the upper halves.
 template <std::size_t Half = 0, class To, class From>
 [[gnu::always_inline]] inline void convert_integers(const From& from, To& to) {
   using T = typename To::Lane;

@@ -10,7 +10,7 @@
 
 namespace eagerx {
 
-/// What leaves in place of an output while it is safe, `safety: {outputs: …}` of a graph.
+/// The value of an output while it is safe, `safety: {outputs: …}` of a graph.
 template <class Message>
 struct SafeOutput {
   static constexpr std::uint64_t kAlways = std::numeric_limits<std::uint64_t>::max();
@@ -21,7 +21,7 @@ struct SafeOutput {
   ScalarOf<Message> most_change;  // of an element in a step, to `value` and back; 0: at once
 };
 
-/// What leaves of one output. All zero until the first reset().
+/// The guarded value of one output. All zero until the first reset().
 template <class Message>
 class OutputKeeper {
  public:

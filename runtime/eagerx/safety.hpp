@@ -9,14 +9,15 @@ namespace eagerx {
 /// environment, slots of a paced board, ticks of an engine of real hardware.
 struct Safety {
   bool declared;                 // without it nothing checks observations and actions
-  std::uint32_t late;            // so many instants later than max_lateness_ns; at least 1
+  std::uint32_t late;            // instants in a row later than max_lateness_ns; at least 1
   std::int64_t max_lateness_ns;  // in real time only
   std::int64_t link_timeout_ns;  // without an answer; for engines of real hardware
   std::int64_t hang_ns;          // without a sign of life of a program that drives; 0: for ever
-  std::uint32_t missed;          // so many instants without a valid value; at least 1
-  std::uint32_t recover;  // so many right instants end the safe action; 0: only a reset ends it
-  bool clips;  // an action out of its space: true: is moved into it; false: the safe action
-  bool holds;  // after NaN: true: the last action for `missed` - 1 instants; false: safe at once
+  std::uint32_t missed;          // instants in a row without a valid value; at least 1
+  std::uint32_t
+      recover;  // valid instants in a row that end the safe action; 0: only a reset ends it
+  bool clips;   // an action out of its space: true: is moved into it; false: the safe action
+  bool holds;   // after NaN: true: the last action for `missed` - 1 instants; false: safe at once
 };
 
 /// Instants in a row that were too late, judged when an action is about to be applied. `in_a_row`:

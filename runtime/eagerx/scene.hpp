@@ -9,11 +9,11 @@
 
 namespace eagerx {
 
-/// What a row of a scene is: its column 0. A row of 0 ends the scene, so that a node can add to it.
-/// Columns 1 to 3 are those of Ink; the shape's own numbers begin at column 4. Lengths are metres
-/// in the plane of the view (x right, y up) or in space (z up). With kOnScreen added to column 0, x
-/// and y go from 0 to 1 over the picture, from left to right and from bottom to top, and other
-/// lengths are in heights of the picture.
+/// The kind of a row of a scene: its column 0. A row of 0 ends the scene, so that a node can add to
+/// it. Columns 1 to 3 are those of Ink; the shape's own numbers begin at column 4. Lengths are
+/// metres in the plane of the view (x right, y up) or in space (z up). With kOnScreen added to
+/// column 0, x and y go from 0 to 1 over the picture, from left to right and from bottom to top,
+/// and other lengths are in heights of the picture.
 enum class Shape : std::uint8_t {
   none,
   view,       // x, y of the middle, height of what is seen; colour: of the background
@@ -97,7 +97,7 @@ class SceneWriter {
   }
 
   constexpr std::size_t rows() const { return rows_; }
-  /// What follows is placed on the picture, or in the view again.
+  /// Places the following shapes on the picture, or in the view again.
   constexpr void on_screen(bool on = true) { frame_ = on ? kOnScreen : 0; }
 
   constexpr void view(Point2 middle, float height, std::uint32_t background) {
@@ -127,7 +127,7 @@ class SceneWriter {
                       Align align = Align::left) {
     write(at, height, text, 0.0F, -1.0F, colour, align);
   }
-  /// The same with a number in place of the `#`, rounded to 0 to 6 decimals.
+  /// The same with a number instead of the `#`, rounded to 0 to 6 decimals.
   constexpr void number(Point2 at, float height, std::string_view text, float value, int decimals,
                         std::uint32_t colour, Align align = Align::left) {
     write(at, height, text, value, static_cast<float>(decimals), colour, align);

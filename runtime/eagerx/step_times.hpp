@@ -1,4 +1,4 @@
-// When a main loop of one's own calls step(), and how many steps in a row were too late.
+// When your own main loop calls step(), and how many steps in a row were too late.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace eagerx {
 
-/// What a message is that was not measured: NaN, which the guard answers, or 0 for whole numbers,
-/// which have no NaN.
+/// The value of a message that was not measured: NaN, which the guard handles, or 0 for whole
+/// numbers, which have no NaN.
 template <class Message>
 constexpr Message not_measured() {
   using Scalar = ScalarOf<Message>;
@@ -108,7 +108,7 @@ class StepTimes {
   }
 
   std::uint64_t start_us_ = 0;
-  std::uint64_t due_us_ = 0;   // of the step that goes on
+  std::uint64_t due_us_ = 0;   // of the current step
   std::uint64_t next_us_ = 0;  // of the next one
   std::uint64_t next_ = 0;
   std::uint64_t max_lateness_us_ = 0;

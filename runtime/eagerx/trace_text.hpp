@@ -14,7 +14,7 @@ namespace eagerx {
 
 inline constexpr std::string_view kTraceFirstLine = "# eagerx trace 1";
 
-/// What the first lines say of the graph.
+/// The description of the graph in the first lines.
 struct TracedGraph {
   std::string_view name, engine;
   std::uint64_t rate_num, rate_den;  // of the environment [Hz]
@@ -60,7 +60,7 @@ class TraceText {
     out.text(timed ? "\nepisode,channel,seq,time_ns,values\n" : "\nepisode,channel,seq,values\n");
   }
 
-  /// What comes before the values of a message.
+  /// The text before the values of a message.
   static void begin_message(Writer& out, std::uint32_t episode, const Channel& channel, Seq seq) {
     out.number(episode);
     out.text(",");

@@ -91,7 +91,7 @@ class Verdict {
     return true;
   }
 
-  /// What came of a step that was allowed to act is wrong: what is safe takes over.
+  /// A step that was allowed to act gave a wrong result: the safe values take over.
   void refuse() {
     note(false);
     ++safe_steps_;
@@ -110,7 +110,7 @@ class Verdict {
   static constexpr std::uint32_t kAllRight = 0xffff'ffffU;
 
   void remember(const Action& action) {
-    if constexpr (kSafety.holds) last_ = action;  // nobody else asks for it
+    if constexpr (kSafety.holds) last_ = action;  // only this needs it
   }
 
   static bool is_right(Action& action) {

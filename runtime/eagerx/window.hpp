@@ -24,9 +24,9 @@ constexpr std::uint32_t ring_position(Seq seq) {
   }
 }
 
-/// The messages an input holds at a tick. `MaxSize` is the most there can be (the window of the
-/// connection, or, for window 0, the most that arrive between two ticks); `AlwaysFull` says that
-/// there are never fewer. Valid until the callback returns.
+/// The messages an input holds at a tick. `MaxSize` is the largest possible number (the window of
+/// the connection, or, for window 0, the most that arrive between two ticks); `AlwaysFull`: there
+/// are never fewer. Valid until the callback returns.
 template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t MaxSize,
           bool AlwaysFull>
 class Window {

@@ -1,5 +1,5 @@
-# Puts a library that was built into the cache: as a whole or not at all, whoever else does so at the same time. The graphs
-# of calls beside its objects go first: whoever finds the library finds them.
+# Puts a library that was built into the cache: as a whole or not at all, even if other processes do so at the same time. The graphs
+# of calls next to its objects go first: a process that finds the library finds them.
 get_filename_component(folder ${TO} DIRECTORY)
 file(MAKE_DIRECTORY ${folder})
 string(RANDOM LENGTH 12 random)

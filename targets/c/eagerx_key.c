@@ -18,22 +18,28 @@ static const char kTitle[] = "eagerx-key-link1";
 static const char kKeyTitle[] = "eagerx-gen key 1 ";
 static const char kFromListener[] = "eagerx link 1: from who listens.";
 static const char kFromConnector[] = "eagerx link 1: from who connects";
-enum { kKeyText = sizeof kKeyTitle - 1 + 2 * EAGERX_NUMBER + 1, kDirection = sizeof kFromListener - 1 };
+enum {
+  kKeyText = sizeof kKeyTitle - 1 + 2 * EAGERX_NUMBER + 1,
+  kDirection = sizeof kFromListener - 1
+};
 enum { kMessage = 0, kFinal = 3, kLength = 2 };
 
 /* 0: done, -1: refused. */
 static struct {
   int (*init)(void);
   int (*keypair)(uint8_t* open, uint8_t* secret);
-  int (*session_keys)(uint8_t* in, uint8_t* out, const uint8_t* open, const uint8_t* secret, const uint8_t* other);
-  int (*generichash)(uint8_t* out, size_t out_size, const uint8_t* bytes, unsigned long long size, const uint8_t* key,
-                     size_t key_size);
+  int (*session_keys)(uint8_t* in, uint8_t* out, const uint8_t* open, const uint8_t* secret,
+                      const uint8_t* other);
+  int (*generichash)(uint8_t* out, size_t out_size, const uint8_t* bytes, unsigned long long size,
+                     const uint8_t* key, size_t key_size);
   int (*init_push)(uint8_t* state, uint8_t* head, const uint8_t* key);
-  int (*push)(uint8_t* state, uint8_t* sealed, unsigned long long* sealed_size, const uint8_t* bytes,
-              unsigned long long size, const uint8_t* also, unsigned long long also_size, uint8_t tag);
+  int (*push)(uint8_t* state, uint8_t* sealed, unsigned long long* sealed_size,
+              const uint8_t* bytes, unsigned long long size, const uint8_t* also,
+              unsigned long long also_size, uint8_t tag);
   int (*init_pull)(uint8_t* state, const uint8_t* head, const uint8_t* key);
-  int (*pull)(uint8_t* state, uint8_t* bytes, unsigned long long* size, uint8_t* tag, const uint8_t* sealed,
-              unsigned long long sealed_size, const uint8_t* also, unsigned long long also_size);
+  int (*pull)(uint8_t* state, uint8_t* bytes, unsigned long long* size, uint8_t* tag,
+              const uint8_t* sealed, unsigned long long sealed_size, const uint8_t* also,
+              unsigned long long also_size);
   size_t (*state_bytes)(void);
   size_t (*head_bytes)(void);
   size_t (*seal_bytes)(void);
@@ -51,9 +57,10 @@ static int find_sodium(void) {
                                       "crypto_secretstream_xchacha20poly1305_statebytes",
                                       "crypto_secretstream_xchacha20poly1305_headerbytes",
                                       "crypto_secretstream_xchacha20poly1305_abytes"};
-  void* const functions[] = {&sodium.init,      &sodium.keypair, &sodium.session_keys, &sodium.generichash,
-                             &sodium.init_push, &sodium.push,    &sodium.init_pull,    &sodium.pull,
-                             &sodium.state_bytes, &sodium.head_bytes, &sodium.seal_bytes};
+  void* const functions[] = {&sodium.init,        &sodium.keypair,   &sodium.session_keys,
+                             &sodium.generichash, &sodium.init_push, &sodium.push,
+                             &sodium.init_pull,   &sodium.pull,      &sodium.state_bytes,
+                             &sodium.head_bytes,  &sodium.seal_bytes};
   void* const library = dlopen(LIBRARY, RTLD_NOW | RTLD_LOCAL);
   if (library == 0) return 0;
   for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
@@ -61,8 +68,8 @@ static int find_sodium(void) {
     if (found == 0) return 0;
     memcpy(functions[i], &found, sizeof found);
   }
-  return sodium.init() >= 0 && sodium.state_bytes() == EAGERX_STATE && sodium.head_bytes() == EAGERX_HEAD &&
-         sodium.seal_bytes() == EAGERX_SEAL;
+  return sodium.init() >= 0 && sodium.state_bytes() == EAGERX_STATE &&
+         sodium.head_bytes() == EAGERX_HEAD && sodium.seal_bytes() == EAGERX_SEAL;
 }
 
 static int digit(char c) {
@@ -83,18 +90,21 @@ static int is_key(const char* text, struct eagerx_key* key) {
 }
 
 /* 0: `problem` says what is wrong. */
-static int read_key(int file, const char* path, struct eagerx_key* key, char* problem, size_t room) {
+static int read_key(int file, const char* path, struct eagerx_key* key, char* problem,
+                    size_t room) {
   struct stat status;
   char text[kKeyText + 1] = "";
   if (fstat(file, &status) != 0) return snprintf(problem, room, "%s", strerror(errno)), 0;
   if (!S_ISREG(status.st_mode)) return snprintf(problem, room, "it is no file" MAKE_ONE), 0;
   if (status.st_uid != geteuid())
     return snprintf(problem, room,
-                    "it belongs to another user\nhelp: each user has a copy, with `install -m 600 FILE COPY`"),
+                    "it belongs to another user\nhelp: each user has a copy, with `install -m 600 "
+                    "FILE COPY`"),
            0;
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
     return snprintf(problem, room,
-                    "others can read it, or write it\nhelp: chmod 600 %s; if somebody may have read it, take a new key",
+                    "others can read it, or write it\nhelp: chmod 600 %s; if somebody may have "
+                    "read it, take a new key",
                     path),
            0;
   const ssize_t size = read(file, text, sizeof text);
@@ -105,29 +115,38 @@ static int read_key(int file, const char* path, struct eagerx_key* key, char* pr
     snprintf(problem, room, "it is no key: it has %d bytes%s, a key has %d" MAKE_ONE, (int)size,
              size > kKeyText ? " or more" : "", (int)kKeyText);
   else if (!(good = is_key(text, key)))
-    snprintf(problem, room, "it is no key: a key is a line `%s` and 64 of the digits " DIGITS MAKE_ONE, kKeyTitle);
+    snprintf(problem, room,
+             "it is no key: a key is a line `%s` and 64 of the digits " DIGITS MAKE_ONE, kKeyTitle);
   explicit_bzero(text, sizeof text);
   return good;
 }
 
 int eagerx_key_use(const char* path, struct eagerx_key* key, char* problem, size_t room) {
   if (!find_sodium())
-    return snprintf(problem, room, "a key needs the library libsodium, `" LIBRARY "`\nhelp: apt install libsodium23"), 0;
+    return snprintf(problem, room,
+                    "a key needs the library libsodium, `" LIBRARY
+                    "`\nhelp: apt install libsodium23"),
+           0;
   const int begin = snprintf(problem, room, "cannot use the key `%s`: ", path);
   const size_t used = (size_t)begin < room ? (size_t)begin : room - 1;
-  const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); /* a pipe would make it wait */
+  const int file =
+      open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); /* a pipe would make it wait */
   if (file < 0)
-    return snprintf(problem + used, room - used, "%s%s", strerror(errno), errno == ENOENT ? MAKE_ONE : ""), 0;
+    return snprintf(problem + used, room - used, "%s%s", strerror(errno),
+                    errno == ENOENT ? MAKE_ONE : ""),
+           0;
   const int good = read_key(file, path, key, problem + used, room - used);
   close(file);
   return good;
 }
 
-size_t eagerx_seal(struct eagerx_records* records, const uint8_t* bytes, size_t size, uint8_t* sealed) {
+size_t eagerx_seal(struct eagerx_records* records, const uint8_t* bytes, size_t size,
+                   uint8_t* sealed) {
   unsigned long long sealed_size = 0;
   sealed[0] = (uint8_t)size; /* it is bound, too */
   sealed[1] = (uint8_t)(size >> 8);
-  sodium.push(records->out, sealed + kLength, &sealed_size, bytes, size, sealed, kLength, size == 0 ? kFinal : kMessage);
+  sodium.push(records->out, sealed + kLength, &sealed_size, bytes, size, sealed, kLength,
+              size == 0 ? kFinal : kMessage);
   return kLength + (size_t)sealed_size;
 }
 
@@ -143,7 +162,8 @@ enum eagerx_found eagerx_open(struct eagerx_records* records, uint8_t* bytes, si
   if (records->taken_size < whole) return EAGERX_NOTHING;
   unsigned long long opened = 0;
   uint8_t tag = 0;
-  const int good = sodium.pull(records->in, bytes, &opened, &tag, taken + kLength, length + EAGERX_SEAL, taken, kLength) == 0;
+  const int good = sodium.pull(records->in, bytes, &opened, &tag, taken + kLength,
+                               length + EAGERX_SEAL, taken, kLength) == 0;
   records->taken_size -= whole;
   memmove(taken, taken + whole, records->taken_size);
   const int is_end = good && tag == kFinal && length == 0;
@@ -165,12 +185,14 @@ size_t eagerx_greeting_wanted(const struct eagerx_greeting* greeting) {
 }
 
 /* The key of one direction, keyed with the key of the file. */
-static void mix(const struct eagerx_greeting* greeting, const char* direction, const uint8_t* shared, uint8_t* stream_key) {
+static void mix(const struct eagerx_greeting* greeting, const char* direction,
+                const uint8_t* shared, uint8_t* stream_key) {
   uint8_t text[kDirection + EAGERX_NUMBER + EAGERX_SAID];
   memcpy(text, direction, kDirection);
   memcpy(text + kDirection, shared, EAGERX_NUMBER);
   memcpy(text + kDirection + EAGERX_NUMBER, greeting->said, EAGERX_SAID);
-  sodium.generichash(stream_key, EAGERX_NUMBER, text, sizeof text, greeting->key.bytes, EAGERX_NUMBER);
+  sodium.generichash(stream_key, EAGERX_NUMBER, text, sizeof text, greeting->key.bytes,
+                     EAGERX_NUMBER);
   explicit_bzero(text, sizeof text);
 }
 
@@ -181,12 +203,14 @@ static int make_answer(struct eagerx_greeting* greeting, uint8_t* answer) {
   memcpy(greeting->said, greeting->taken, EAGERX_HELLO);
   memcpy(greeting->said + EAGERX_HELLO, greeting->own, EAGERX_NUMBER);
   if (memcmp(other, greeting->own, EAGERX_NUMBER) == 0) return -1; /* what we sent, sent back */
-  if (sodium.session_keys(in, out, greeting->own, greeting->secret, other) != 0) return -1; /* a number that nobody draws */
+  if (sodium.session_keys(in, out, greeting->own, greeting->secret, other) != 0)
+    return -1; /* a number that is never drawn */
   mix(greeting, kFromConnector, in, greeting->in_key);
   mix(greeting, kFromListener, out, out_key);
   memcpy(answer, greeting->own, EAGERX_NUMBER);
   sodium.init_push(greeting->out, answer + EAGERX_NUMBER, out_key);
-  sodium.push(greeting->out, answer + EAGERX_NUMBER + EAGERX_HEAD, 0, &nothing, 0, greeting->said, EAGERX_SAID, kMessage);
+  sodium.push(greeting->out, answer + EAGERX_NUMBER + EAGERX_HEAD, 0, &nothing, 0, greeting->said,
+              EAGERX_SAID, kMessage);
   explicit_bzero(in, sizeof in);
   explicit_bzero(out, sizeof out);
   explicit_bzero(out_key, sizeof out_key);
@@ -197,14 +221,16 @@ static int make_answer(struct eagerx_greeting* greeting, uint8_t* answer) {
 static int check_proof(struct eagerx_greeting* greeting) {
   uint8_t nothing = 0, tag = 0;
   unsigned long long size = 0;
-  greeting->is_done = sodium.init_pull(greeting->in, greeting->taken, greeting->in_key) == 0 &&
-                      sodium.pull(greeting->in, &nothing, &size, &tag, greeting->taken + EAGERX_HEAD, EAGERX_SEAL,
-                                  greeting->said, EAGERX_SAID) == 0 &&
-                      tag == kMessage;
+  greeting->is_done =
+      sodium.init_pull(greeting->in, greeting->taken, greeting->in_key) == 0 &&
+      sodium.pull(greeting->in, &nothing, &size, &tag, greeting->taken + EAGERX_HEAD, EAGERX_SEAL,
+                  greeting->said, EAGERX_SAID) == 0 &&
+      tag == kMessage;
   return greeting->is_done ? 0 : -1;
 }
 
-int eagerx_greeting_take(struct eagerx_greeting* greeting, const uint8_t* bytes, size_t size, uint8_t* answer) {
+int eagerx_greeting_take(struct eagerx_greeting* greeting, const uint8_t* bytes, size_t size,
+                         uint8_t* answer) {
   const size_t wanted = eagerx_greeting_wanted(greeting);
   const size_t count = size < wanted ? size : wanted;
   memcpy(greeting->taken + greeting->taken_size, bytes, count);

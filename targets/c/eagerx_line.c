@@ -21,7 +21,8 @@ static struct {
   struct eagerx_records records;
   uint8_t opened[EAGERX_RECORD]; /* what a record had */
   size_t begin, end;
-  uint8_t sealed[EAGERX_SEALED]; /* one that has yet to go: it has its place in the order, so it goes first */
+  uint8_t sealed[EAGERX_SEALED]; /* one that has yet to go: it has its place in the order, so it
+                                    goes first */
   size_t sealed_begin, sealed_end;
 } g = {.file = -1};
 
@@ -43,7 +44,8 @@ static const char* open_serial(const char* path, long baud) {
   g.file = open(path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (g.file < 0) return strerror(errno);
   if (tcgetattr(g.file, &settings) != 0) return "it is no serial line";
-  if (flock(g.file, LOCK_EX | LOCK_NB) != 0) return "another program uses it"; /* root, too, whom TIOCEXCL does not bind */
+  if (flock(g.file, LOCK_EX | LOCK_NB) != 0)
+    return "another program uses it"; /* root, too, whom TIOCEXCL does not bind */
   ioctl(g.file, TIOCEXCL);
   cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
@@ -62,7 +64,8 @@ int eagerx_line_open(const struct eagerx_options* options) {
   signal(SIGPIPE, SIG_IGN);
   if (options->key != 0 && (options->listen == 0 || !eagerx_is_tcp(options->listen))) {
     fprintf(stderr,
-            "error: `--key %s` does nothing: it is for TCP, and serial lines and unix sockets need none\n"
+            "error: `--key %s` does nothing: it is for TCP, and serial lines and unix sockets need "
+            "none\n"
             "help: leave it out\n",
             options->key);
     return kExitBadFile;
@@ -138,7 +141,8 @@ size_t eagerx_line_read(uint8_t* bytes, size_t size) {
 
 /* Whether nothing that is sealed has yet to go; -1: the line is over. */
 static int send_sealed(int64_t until_ms) {
-  const ssize_t count = write_file(g.sealed + g.sealed_begin, g.sealed_end - g.sealed_begin, until_ms);
+  const ssize_t count =
+      write_file(g.sealed + g.sealed_begin, g.sealed_end - g.sealed_begin, until_ms);
   if (count < 0) return -1;
   g.sealed_begin += (size_t)count;
   return g.sealed_begin == g.sealed_end;
@@ -149,7 +153,7 @@ int eagerx_line_write(const uint8_t* bytes, size_t size) {
   if (!g.is_sealed) return write_file(bytes, size, until_ms) >= 0;
   while (size > 0) {
     const int gone = send_sealed(until_ms);
-    if (gone != 1) return gone == 0; /* what there is no time for is never sealed */
+    if (gone != 1) return gone == 0; /* a record that is out of time is never sealed */
     const size_t count = size < EAGERX_RECORD ? size : EAGERX_RECORD;
     g.sealed_begin = 0;
     g.sealed_end = eagerx_seal(&g.records, bytes, count, g.sealed);
@@ -159,9 +163,13 @@ int eagerx_line_write(const uint8_t* bytes, size_t size) {
   return send_sealed(until_ms) >= 0;
 }
 
-int eagerx_line_knows_peer(void) { return !g.is_socket || g.is_sealed; }
+int eagerx_line_knows_peer(void) {
+  return !g.is_socket || g.is_sealed;
+}
 
-int eagerx_line_is_forged(void) { return g.is_forged; }
+int eagerx_line_is_forged(void) {
+  return g.is_forged;
+}
 
 void eagerx_line_close(void) {
   if (g.is_sealed && g.sealed_begin == g.sealed_end) {

@@ -27,13 +27,16 @@ int64_t eagerx_now_ms(void) {
 }
 
 int eagerx_is_tcp(const char* address) {
-  return strncmp(address, "unix:", 5) != 0 && strchr(address, '/') == 0 && strchr(address, ':') != 0;
+  return strncmp(address, "unix:", 5) != 0 && strchr(address, '/') == 0 &&
+         strchr(address, ':') != 0;
 }
 
-/* Whether a program listens on the socket: a stream takes no datagrams, but only a living one says so. */
+/* Whether a program listens on the socket: a stream takes no datagrams, but only a living one says
+ * so. */
 static int is_alive(const struct sockaddr_un* address) {
   const int probe = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  const int refused = connect(probe, (const struct sockaddr*)address, sizeof *address) != 0 && errno == ECONNREFUSED;
+  const int refused = connect(probe, (const struct sockaddr*)address, sizeof *address) != 0 &&
+                      errno == ECONNREFUSED;
   close(probe);
   return !refused;
 }
@@ -55,15 +58,17 @@ static int listen_at(int file, const char* path) {
   struct sockaddr_un address = {.sun_family = AF_UNIX};
   struct stat there;
   strcpy(address.sun_path, path);
-  if (lstat(path, &there) == 0) { /* one of an earlier run goes; what somebody listens on, or is no socket, stays */
+  if (lstat(path, &there) ==
+      0) { /* one of an earlier run goes; what somebody listens on, or is no socket, stays */
     if (!S_ISSOCK(there.st_mode) || is_alive(&address)) return errno = EADDRINUSE, 0;
     unlink(path);
   }
   strcat(address.sun_path, "~");
   if (lstat(address.sun_path, &there) == 0 && S_ISSOCK(there.st_mode)) unlink(address.sun_path);
   return fchmod(file, 0600) == 0 && /* only its owner may connect, from the first moment on */
-         bind(file, (const struct sockaddr*)&address, sizeof address) == 0 && listen(file, 1) == 0 &&
-         rename(address.sun_path, path) == 0; /* whoever sees the socket can connect */
+         bind(file, (const struct sockaddr*)&address, sizeof address) == 0 &&
+         listen(file, 1) == 0 &&
+         rename(address.sun_path, path) == 0; /* once the socket is visible, a peer can connect */
 }
 
 static int listen_unix(const char* path, char* problem) {
@@ -75,7 +80,8 @@ static int listen_unix(const char* path, char* problem) {
   close(lock);
   if (good) return fprintf(stderr, "listens on unix:%s\n", path), file;
   snprintf(problem, EAGERX_PROBLEM, "%s",
-           number == EADDRINUSE ? "another program listens on it, or it is no socket" : strerror(number));
+           number == EADDRINUSE ? "another program listens on it, or it is no socket"
+                                : strerror(number));
   close(file);
   return -1;
 }
@@ -93,10 +99,11 @@ static void say_where(int file, int has_key) {
   socklen_t size = sizeof address;
   char host[NI_MAXHOST] = "", port[NI_MAXSERV] = "";
   getsockname(file, (struct sockaddr*)&address, &size);
-  getnameinfo((struct sockaddr*)&address, size, host, sizeof host, port, sizeof port, NI_NUMERICHOST | NI_NUMERICSERV);
+  getnameinfo((struct sockaddr*)&address, size, host, sizeof host, port, sizeof port,
+              NI_NUMERICHOST | NI_NUMERICSERV);
   const int six = strchr(host, ':') != 0;
   fprintf(stderr, "listens on %s%s%s:%s, %s\n", six ? "[" : "", host, six ? "]" : "", port,
-          has_key ? "for who has the key" : "for this machine only");
+          has_key ? "for holders of the key" : "for this machine only");
 }
 
 /* A port, and nothing that getaddrinfo() would take besides. */
@@ -126,13 +133,16 @@ static int listen_tcp(const char* address, int has_key, char* problem) {
   int file = -1, yes = 1;
   for (const struct addrinfo* item = found; item != 0 && file < 0; item = item->ai_next) {
     if (!has_key && !is_of_this_machine(item->ai_addr)) {
-      snprintf(problem, EAGERX_PROBLEM, "beyond this machine TCP needs a key\n"
+      snprintf(problem, EAGERX_PROBLEM,
+               "beyond this machine TCP needs a key\n"
                "help: `eagerx-gen key new FILE` writes one; both sides take it with `--key FILE`");
       break;
     }
     file = socket(item->ai_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
     setsockopt(file, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    if (bind(file, item->ai_addr, item->ai_addrlen) == 0 && listen(file, has_key ? kWaiting : 1) == 0) break;
+    if (bind(file, item->ai_addr, item->ai_addrlen) == 0 &&
+        listen(file, has_key ? kWaiting : 1) == 0)
+      break;
     snprintf(problem, EAGERX_PROBLEM, "%s", strerror(errno));
     close(file);
     file = -1;
@@ -154,7 +164,8 @@ static int accept_one(int listener) {
     if (ready)
       fprintf(stderr, "note: a peer hung up without a word\n");
     else
-      fprintf(stderr, "note: a peer said nothing for %d s and was dropped\n", EAGERX_GREETING_MS / 1000);
+      fprintf(stderr, "note: a peer said nothing for %d s and was dropped\n",
+              EAGERX_GREETING_MS / 1000);
     close(file);
   }
 }
@@ -165,14 +176,14 @@ static struct {
   int64_t until_ms;
   struct eagerx_greeting greeting;
 } unknown[kMostUnknown];
-static unsigned long dropped, told = 1;
+static unsigned long dropped, next_note = 1;
 
 static void drop(int which, const char* why) {
   close(unknown[which].file);
   unknown[which].file = -1;
   explicit_bzero(&unknown[which].greeting, sizeof unknown[which].greeting);
-  if (++dropped != told) return; /* whoever comes again and again fills no disk */
-  told *= 10;
+  if (++dropped != next_note) return; /* repeated connections fill no disk */
+  next_note *= 10;
   if (dropped == 1)
     fprintf(stderr, "note: a stranger %s and was dropped\n", why);
   else
@@ -181,7 +192,8 @@ static void drop(int which, const char* why) {
 
 static void let_in(int listener, const struct eagerx_key* key) {
   const int file = accept4(listener, 0, 0, SOCK_CLOEXEC | SOCK_NONBLOCK);
-  if (file < 0) return; /* what is wrong with a connection is nothing that is wrong with the listener */
+  if (file < 0)
+    return; /* what is wrong with a connection is nothing that is wrong with the listener */
   int place = 0;
   for (int i = 0; i < kMostUnknown; ++i) {
     if (unknown[i].file < 0) {
@@ -201,19 +213,22 @@ static int is_known(int which) {
   const char* const hung_up = "hung up before it showed that it has the key";
   struct eagerx_greeting* const greeting = &unknown[which].greeting;
   uint8_t bytes[EAGERX_HELLO], answer[EAGERX_ANSWER];
-  const ssize_t count = recv(unknown[which].file, bytes, eagerx_greeting_wanted(greeting), MSG_DONTWAIT);
+  const ssize_t count =
+      recv(unknown[which].file, bytes, eagerx_greeting_wanted(greeting), MSG_DONTWAIT);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
   if (count <= 0) return drop(which, hung_up), 0;
   const int size = eagerx_greeting_take(greeting, bytes, (size_t)count, answer);
   if (size < 0) return drop(which, "has not the key"), 0;
   /* A new connection always has room for it. */
-  if (size > 0 && send(unknown[which].file, answer, (size_t)size, MSG_NOSIGNAL | MSG_DONTWAIT) != size)
+  if (size > 0 &&
+      send(unknown[which].file, answer, (size_t)size, MSG_NOSIGNAL | MSG_DONTWAIT) != size)
     return drop(which, hung_up), 0;
   return greeting->is_done;
 }
 
-/* The first one who has the key; nobody else has longer than EAGERX_GREETING_MS. */
-static int accept_known(int listener, const struct eagerx_key* key, struct eagerx_records* records) {
+/* The first peer that has the key; others have no longer than EAGERX_GREETING_MS. */
+static int accept_known(int listener, const struct eagerx_key* key,
+                        struct eagerx_records* records) {
   fcntl(listener, F_SETFL, O_NONBLOCK);
   for (int i = 0; i < kMostUnknown; ++i) unknown[i].file = -1;
   for (int known = -1; known < 0;) {
@@ -225,7 +240,10 @@ static int accept_known(int listener, const struct eagerx_key* key, struct eager
     }
     items[kMostUnknown] = (struct pollfd){listener, POLLIN, 0};
     const int64_t left = until_ms == INT64_MAX ? -1 : until_ms - eagerx_now_ms();
-    const int ready = poll(items, kMostUnknown + 1, until_ms == INT64_MAX ? -1 : left < 0 ? 0 : (int)left);
+    const int ready = poll(items, kMostUnknown + 1,
+                           until_ms == INT64_MAX ? -1
+                           : left < 0            ? 0
+                                                 : (int)left);
     for (int i = 0; i < kMostUnknown && known < 0; ++i)
       if (ready > 0 && unknown[i].file >= 0 && items[i].revents != 0 && is_known(i)) known = i;
     if (known >= 0) {
@@ -245,10 +263,12 @@ static int accept_known(int listener, const struct eagerx_key* key, struct eager
   return -1;
 }
 
-int eagerx_listen(const char* address, const struct eagerx_key* key, struct eagerx_records* records, char* problem) {
+int eagerx_listen(const char* address, const struct eagerx_key* key, struct eagerx_records* records,
+                  char* problem) {
   const int yes = 1;
   const int is_unix = strncmp(address, "unix:", 5) == 0;
-  const int listener = is_unix ? listen_unix(address + 5, problem) : listen_tcp(address, key != 0, problem);
+  const int listener =
+      is_unix ? listen_unix(address + 5, problem) : listen_tcp(address, key != 0, problem);
   if (listener < 0) return -1;
   const int file = key != 0 ? accept_known(listener, key, records) : accept_one(listener);
   close(listener);

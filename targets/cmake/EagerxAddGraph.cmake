@@ -142,7 +142,7 @@ function(_eagerx_build target stamp sources board board_folder toolchain graph s
   set_target_properties(${target} PROPERTIES EAGERX_SOURCES ${sources})
 endfunction()
 
-# Headers for programs of the user's own; whoever links with them waits for the generator.
+# Headers for programs of the user's own; targets that link with them wait for the generator.
 function(_eagerx_library target stamp sources paths)
   add_custom_target(${target}.generate DEPENDS ${stamp})
   add_library(${target} INTERFACE)
@@ -191,7 +191,7 @@ function(_eagerx_find_board folder_variable toolchain_variable board paths)
   endif()
 endfunction()
 
-# What the rule of a program writes, besides its sources; beside it are flags of the libraries that its entities need.
+# What the rule of a program writes, besides its sources; next to it are flags of the libraries that its entities need.
 function(_eagerx_stamp variable target)
   set(${variable} ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.stamp PARENT_SCOPE)
 endfunction()

@@ -69,7 +69,7 @@ if(EAGERX_BUILD_LIBRARIES AND NOT CMAKE_CROSSCOMPILING)
   install(DIRECTORY ${libraries}/ DESTINATION ${libraries_dir})
 endif()
 
-# The same file twice: the installed one finds its data beside itself, the build tree's in the sources.
+# The same file twice: the installed one finds its data next to itself, the build tree's in the sources.
 set(EAGERX_CONFIG_SHARE_DIR "\${CMAKE_CURRENT_LIST_DIR}/../../eagerx-gen")
 file(RELATIVE_PATH to_libraries /${package_dir} /${libraries_dir})
 set(EAGERX_CONFIG_LIBRARIES "\${CMAKE_CURRENT_LIST_DIR}/${to_libraries}")

@@ -27,17 +27,17 @@ struct Timing {
   Range period;  // from the beginning of a slot to that of the next
 };
 
-/// What to do with the time: nothing, measure, or hold slots to their deadlines.
+/// The use of the time: nothing, measure, or hold slots to their deadlines.
 enum class Pace : std::uint8_t { free, measured, paced };
 
-/// What is done in the time between slots: nothing. Others have kWorks = true, until(deadline,
+/// The work between slots: nothing. Others have kWorks = true, until(deadline,
 /// late slots), which returns some microseconds before the deadline, and measured(), which stands
 /// for it where nothing has a deadline.
 struct NoIdleWork {
   static constexpr bool kWorks = false;
 };
 
-/// A trace that folds the hash as HashTrace does and, if told so, waits for the deadline of each
+/// A trace that folds the hash as HashTrace does and, on request, waits for the deadline of each
 /// slot. The grid of deadlines stays where it is: lateness does not add up, and a late slot begins
 /// at once. It never sleeps: `wfi` keeps the wrong time under QEMU. `Clock` has static ticks(),
 /// wait_for(ticks) and hz().

@@ -11,7 +11,7 @@
 
 namespace eagerx::target {
 
-/// What the board tells the host instead of working.
+/// The board's answer to the host instead of working.
 inline constexpr std::uint8_t kPolicyDiffers = 1;
 inline constexpr std::uint8_t kFloatsDiffer = 2;
 
@@ -71,7 +71,7 @@ bool run_steps(Program& program, Link& link, const link::Episode& episode, std::
   return false;
 }
 
-/// What a session counts on the board: everything that is not 0.
+/// The counters of a session on the board that are not 0.
 template <class Graph, class Program, class Link>
 void report(const Program& program, Link& link, std::uint32_t stack_bytes) {
   link::Report{stack_bytes, link.damaged()}.put(link);
@@ -83,7 +83,7 @@ void report(const Program& program, Link& link, std::uint32_t stack_bytes) {
 }
 
 /// Serves one host after the other, each with a program as new. `stack_bytes()` is the deepest use
-/// of the stack so far, 0 where nobody measures it. Returns when the line is closed: whether the
+/// of the stack so far, 0 where it is not measured. Returns when the line is closed: whether the
 /// last host had finished.
 template <class Graph, class Port, class StackBytes>
 bool serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
@@ -97,16 +97,16 @@ bool serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
     ::new (static_cast<void*>(&program)) Program{};
     program.connect(link);
     std::uint8_t command = 0;
-    bool goes_on = link.get(command);
-    while (goes_on) {
+    bool continues = link.get(command);
+    while (continues) {
       if (command == static_cast<std::uint8_t>(link::Command::reset)) {
         link::Episode episode;
         has_finished = false;
-        goes_on = episode.get(link) && run_steps<Graph>(program, link, episode, command);
+        continues = episode.get(link) && run_steps<Graph>(program, link, episode, command);
       } else if (command == static_cast<std::uint8_t>(link::Command::finish)) {
         report<Graph>(program, link, stack_bytes());
         has_finished = true;
-        goes_on = link.get(command);
+        continues = link.get(command);
       } else {
         break;  // no host of this graph says so
       }

@@ -1,4 +1,4 @@
-// Processor in the loop: a library for a main loop of one's own, stepped with the messages that a
+// Processor in the loop: a library for your own main loop, stepped with the messages that a
 // simulation of its whole graph recorded, must answer what the nodes answered there.
 #pragma once
 
@@ -112,7 +112,7 @@ class Episode {
   [[nodiscard]] std::uint64_t compared() const { return compared_; }
 
  private:
-  /// What is compared is what the nodes send, before a guard limits what leaves.
+  /// The comparison uses the messages of the nodes, before a guard limits the outputs.
   void step(const typename Limits::Action& action) {
     if constexpr (requires { program_.guard.acts(); }) {
       const auto checked = program_.guard.check(action, 0);

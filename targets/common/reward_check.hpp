@@ -44,7 +44,7 @@ class RewardCheck<Outcome> {
   }
   static bool is_finite(const Outcome& outcome) { return eagerx::isfinite(outcome.reward); }
 
-  /// What is to blame, as count_not_finite() says.
+  /// The cause, as count_not_finite() says.
   [[gnu::noinline]] std::size_t add(const Outcome& outcome) {
     return count_not_finite(&outcome.terms[0], Outcome::kTerms, counts_);
   }

@@ -19,7 +19,7 @@ struct RunPlan {
   std::uint32_t environment = 0;  // one of many with this seed, each with numbers of its own
 };
 
-/// What a step of a graph without a task gives.
+/// The outcome of a step of a graph without a task.
 struct NoOutcome {
   template <class F>
   void for_each(F&& /*f*/) const {}
@@ -121,13 +121,13 @@ void settle(Program& program) {
   if constexpr (requires { program.settle(); }) program.settle();
 }
 
-/// What was applied in the last step: what another program has decided, once that is there.
+/// The action applied in the last step: another program's decision, once that is there.
 template <class Program, class Action>
 void find_applied([[maybe_unused]] const Program& program, [[maybe_unused]] Action& action) {
   if constexpr (requires { program.applied(); }) action = program.applied();
 }
 
-/// What is applied in place of what the agent wants. In a split graph, the program that has the
+/// The action applied instead of the agent's. In a split graph, the program that has the
 /// agent has the guard.
 template <class Program, class Action>
 Action guarded(Program& program, const Action& wanted, std::uint64_t late_in_a_row) {
@@ -205,7 +205,7 @@ bool has_ended(const Outcome& outcome) {
   }
 }
 
-/// What the last step was worth; nothing without a task.
+/// The reward of the last step; none without a task.
 template <class Graph, class Program>
 typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
   if constexpr (requires { program.outcome(); }) {
@@ -215,8 +215,8 @@ typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
   }
 }
 
-/// What sees the steps of run_episodes(), and has a say in them: a class derived from this one
-/// hides the functions that it has use for. None is virtual, for boards.
+/// The observer of the steps of run_episodes(), which may change them: a class derived from this
+/// one hides the functions that it has use for. None is virtual, for boards.
 template <class Graph>
 struct Watch {
   using Action = typename Graph::Action;
@@ -232,7 +232,7 @@ struct Watch {
   EpisodeKey key(EpisodeKey planned) { return planned; }
   /// An episode begins, before its reset.
   void begin(EpisodeKey /*key*/) {}
-  /// What it begins with.
+  /// The initial state.
   States states(EpisodeKey key) { return Graph::draw(key); }
   void reset(std::uint32_t /*episode*/, const Observation& /*observation*/) {}
   /// Whether an episode is over before its last step.
@@ -279,7 +279,8 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
   }
 }
 
-/// What a program counts besides its messages: f(name, count) for each. Counts are 32 or 64 bits.
+/// The counters of a program besides its messages: f(name, count) for each. Counts are 32 or 64
+/// bits.
 template <class Program, class F>
 void for_each_fault(const Program& program, F&& f) {
   if constexpr (requires { program.steps_before_reset(); })

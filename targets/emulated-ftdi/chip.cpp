@@ -134,7 +134,7 @@ void Chip::set_low_pins(std::uint8_t values, std::uint8_t outputs) {
     const bool is_chosen = (low_values_ & bit) == 0;
     if (was_chosen && is_chosen && edge) ++edges_by_hand_;
     if (was_chosen == is_chosen) continue;
-    // A clock that moves together with the select line is an edge, or none: nobody knows.
+    // A clock that moves together with the select line is an edge, or none: it is undefined.
     if (edge) ++wrong_modes_;
     edges_by_hand_ = 0;
     rests_high_ = (low_values_ & kClock) != 0;

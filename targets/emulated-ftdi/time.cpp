@@ -88,7 +88,8 @@ int ppoll(pollfd* sockets, nfds_t count, const timespec* timeout, const sigset_t
   return static_cast<int>(ready);
 }
 
-// With emulated time nobody waits for anybody: neither priority nor locked memory is asked of the
+// With emulated time no thread waits for another: neither priority nor locked memory is requested
+// from
 // system, and both are said to be granted.
 int sched_setscheduler(pid_t process, int policy, const sched_param* parameters) {
   if (eagerx::emulated::emulator().time().emulated()) return 0;

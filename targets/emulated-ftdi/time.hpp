@@ -9,7 +9,7 @@ inline constexpr std::int64_t kNsPerUs = 1'000;
 inline constexpr std::int64_t kNsPerMs = 1'000'000;
 inline constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 
-/// Emulated time goes on only by what takes time: transfers, sleeping, and a little for every look
+/// Emulated time advances only by what takes time: transfers, sleeping, and a little for every look
 /// at the clock. A run is then the same every time, however slow or busy the machine is.
 class Time {
  public:

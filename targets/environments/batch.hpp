@@ -87,7 +87,7 @@ class Batch {
     }
   }
 
-  /// What is wrong with a reward that was not finite, or nothing.
+  /// The problem of a reward that was not finite, or nothing.
   std::string step(const float* actions, const eagerx_rows& rows) {
     require_begun();
     not_finite_.begin_step();
@@ -100,7 +100,7 @@ class Batch {
     return not_finite_.is_any() ? not_finite_.text() : std::string();
   }
 
-  /// What the graph's agent does next, for environments whose episode has not ended.
+  /// The next action of the graph's agent, for environments whose episode has not ended.
   void act(const float* observations, float* actions) {
     require_begun();
     const target::Agent agent = agent_of_graph<Graph>();
@@ -131,7 +131,7 @@ class Batch {
     resets_.staging.set(mask, stage);
   }
 
-  /// Parameters of episodes that go on; NaN: as it is. Throws Problem, with nothing changed.
+  /// Parameters of running episodes; NaN: unchanged. Throws Problem, with nothing changed.
   void tune(const std::uint8_t* mask, const float* states) {
     require_begun();
     layout_.states.check_tuning(held_.size, mask, states);
@@ -149,7 +149,7 @@ class Batch {
                     states + k * layout_.states.columns.numbers());
   }
 
-  /// What the critic of a training sees; null is not written.
+  /// The critic's observation in a training; null is not written.
   void critic(float* rows, float* final_rows) const {
     require_begun();
     held_.critic.read(rows, final_rows);
@@ -231,7 +231,7 @@ class Batch {
     }
   }
 
-  /// What the guards make of them.
+  /// The actions after the guards.
   void take_actions(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions) {
     std::uint64_t guarded =
         held_.packs.take(member, first, end - first, actions) & held_.packs.packed(first);
@@ -349,7 +349,7 @@ class Batch {
     }
   }
 
-  /// In place of a step of an environment whose episode has ended.
+  /// Replaces a step of an environment whose episode has ended.
   void stay_or_begin(std::uint32_t k, Step& rows) {
     write_no_outcome<Graph>(k, rows);
     if (autoreset_ != EAGERX_NEXT_STEP) return;

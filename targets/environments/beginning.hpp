@@ -31,7 +31,7 @@ class Draws {
     if (draw_ != nullptr && kernel.most_draws < most_) most_ = kernel.most_draws;
   }
 
-  /// So many at most.
+  /// The largest number of them.
   std::uint32_t most() const { return most_; }
   void draw(const EpisodeKey* keys, std::uint32_t count, States* states) const {
     if (draw_ != nullptr && count > 1) {

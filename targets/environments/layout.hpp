@@ -72,7 +72,7 @@ class Layout {
   template <class F>
   static void for_each_observed(F&& f) {
     static_assert(std::is_trivially_copyable_v<Observation>);
-    // Nobody looks into its windows.
+    // Its windows are not read.
     const auto nothing = std::bit_cast<Observation>(std::array<std::byte, sizeof(Observation)>{});
     Graph::for_each_observation(nothing,
                                 [&](const char* name, const auto& window, const auto& space) {

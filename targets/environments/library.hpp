@@ -18,7 +18,7 @@
 
 namespace eagerx::environments {
 
-/// `packs` gives the functions of packs for so many environments.
+/// `packs` returns the functions of packs for that number of environments.
 template <class Graph, PackKernel<Graph> (*packs)(std::uint32_t)>
 class Library {
  public:
@@ -172,7 +172,7 @@ class Library {
     }
   }
 
-  /// f(batch), if nobody else is in a call with it.
+  /// f(batch), if no other call with it is running.
   template <class F>
   static int call(Environments* environments, F&& f) noexcept {
     if (environments == nullptr) return fail("environments is null");

@@ -33,7 +33,7 @@ class PackAgent {
 
   /// 1: one by one.
   std::uint32_t lanes() const { return kernel_.act != nullptr ? kernel_.lanes : 1; }
-  /// Whether so many answers are had sooner than one by one.
+  /// Whether this number of answers is faster together than one by one.
   bool is_worth(std::uint32_t environments) const {
     constexpr std::uint32_t kOfLanes = 4;  // at most as much faster is a lane
     return environments * kOfLanes >= kernel_.lanes;

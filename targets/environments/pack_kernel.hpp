@@ -8,7 +8,7 @@
 
 namespace eagerx::environments {
 
-/// Rows of a whole pack, from its first environment on; null where nobody wants them.
+/// Rows of a whole pack, from its first environment on; null where they are not wanted.
 struct PackRows {
   float* observation = nullptr;
   std::size_t observed = 0;             // numbers of a row
@@ -19,7 +19,7 @@ struct PackRows {
   std::uint8_t* terminated = nullptr;
   std::uint8_t* truncated = nullptr;
   std::uint32_t* steps = nullptr;  // of the episodes; never null
-  std::uint32_t most_steps = 0;    // after so many a lane is notable
+  std::uint32_t most_steps = 0;    // after this number a lane is notable
 
   /// Whether they tell which episodes the task ends: no columns do then.
   bool have_ends() const { return terminated != nullptr && truncated != nullptr; }
@@ -48,17 +48,17 @@ struct PackKernel {
   std::size_t columns = 0;               // that step() writes, [columns][lanes]
   std::uint32_t most_steps = 0;          // of an episode; what a lane counts with has an end
   bool answers = false;                  // whether guards look at observations
-  std::size_t told = 0;      // observations of which columns say whether they are finite
+  std::size_t reported = 0;  // observations of which columns say whether they are finite
   std::uint32_t phases = 1;  // of a pack: steps after which every rate is due again
-  /// What the agent's policy takes, in this order: observations by their places in the graph. Null
-  /// if there is no policy, or one that remembers.
+  /// The inputs of the agent's policy, in this order: observations by their places in the graph.
+  /// Null if there is no policy, or one that remembers.
   const std::size_t* observations = nullptr;
   std::size_t inputs = 0;  // of the policy: the numbers of these
 
   /// No environment is in any lane.
   void (*make)(void* pack) = nullptr;
-  /// Whether `one` may be loaded beside the lanes that hold environments: it is in their phase.
-  bool (*is_beside)(const void* pack, const Program& one) = nullptr;
+  /// Whether `one` may be loaded next to the lanes that hold environments: it is in their phase.
+  bool (*fits_next_to)(const void* pack, const Program& one) = nullptr;
   /// A pack without environments goes to the phase of `one`.
   void (*go_to)(void* pack, const Program& one) = nullptr;
   void (*load)(void* pack, std::uint32_t lane, const Program& one) = nullptr;
@@ -95,7 +95,7 @@ enum PackColumns : std::size_t {
           // whether each observation is finite
 };
 
-/// What a step of a pack wrote of one environment.
+/// The results of a step of a pack for one environment.
 struct PackColumn {
   const float* first = nullptr;
   std::size_t lanes = 0;     // from one number to the next

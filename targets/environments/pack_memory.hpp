@@ -14,7 +14,7 @@
 
 namespace eagerx::environments {
 
-/// What the guard of a program puts in the place of an action.
+/// The action that a program's guard applies instead.
 template <class Program, class Action>
 Action applied_action(Program& program, const Action& action) {
   if constexpr (requires { program.guard; }) {
@@ -60,7 +60,7 @@ class PackMemory {
   }
 
   std::uint32_t lanes() const { return kernel_.lanes; }
-  /// Longer episodes go on alone.
+  /// Longer episodes continue alone.
   std::uint32_t most_steps() const { return kernel_.most_steps; }
 
   /// For a step of each member of a team at the same time.
@@ -147,10 +147,11 @@ class PackMemory {
     }
     return notable;
   }
-  /// What the last step wrote of an environment, also after load() and leave() of others.
+  /// The results of the last step of an environment, also after load() and leave() of other
+  /// environments.
   PackColumn column(unsigned member, std::uint32_t k, std::uint32_t lane) {
     return {columns(member, phase_of(k)) + lane, lanes(),
-            kernel_.columns - told_at<Graph> - kernel_.told};
+            kernel_.columns - reported_at<Graph> - kernel_.reported};
   }
 
   /// Whether the guard looks at observations.
@@ -196,9 +197,9 @@ class PackMemory {
 
   /// Which of the observations are not finite.
   void show_channels(const PackColumn& column, Program& program) const {
-    for (std::size_t i = 0; i < kernel_.told; ++i)
-      program.guard.saw(i, column.end(told_at<Graph> + i) != 0.0F);
-    if (kernel_.told != 0) return;
+    for (std::size_t i = 0; i < kernel_.reported; ++i)
+      program.guard.saw(i, column.end(reported_at<Graph> + i) != 0.0F);
+    if (kernel_.reported != 0) return;
     std::size_t from = 0, channel = 0;
     Layout<Graph>::for_each_observed([&](const char*, auto observed, const auto&) {
       using Observed = typename decltype(observed)::type;
@@ -217,7 +218,7 @@ class PackMemory {
     for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
       if (held_[first + i] == 0) {
         if (chosen == kernel_.phases) chosen = i;
-      } else if (kernel_.is_beside(at(first + i), one)) {
+      } else if (kernel_.fits_next_to(at(first + i), one)) {
         chosen = i;
         break;
       }

@@ -33,13 +33,13 @@ class Packs {
     kernel.lanes = Lanes;
     kernel.bytes = sizeof(Program);
     kernel.alignment = alignof(Program);
-    kernel.told = kTells ? Graph::kObservationNames.size() : 0;
-    kernel.columns = Observation::kNumbers + told_at<Graph> + kernel.told;
+    kernel.reported = kTells ? Graph::kObservationNames.size() : 0;
+    kernel.columns = Observation::kNumbers + reported_at<Graph> + kernel.reported;
     kernel.most_steps = kMostTicks / Program::kTicks;
     kernel.answers = Program::kAnswers;
     kernel.phases = Program::kPhases;
-    kernel.is_beside = [](const void* pack, const typename Kernel::Program& one) {
-      return static_cast<const Program*>(pack)->is_beside(one);
+    kernel.fits_next_to = [](const void* pack, const typename Kernel::Program& one) {
+      return static_cast<const Program*>(pack)->fits_next_to(one);
     };
     kernel.go_to = [](void* pack, const typename Kernel::Program& one) {
       static_cast<Program*>(pack)->go_to(one);
@@ -237,7 +237,7 @@ class Packs {
     [[maybe_unused]] std::size_t channel = 0;
     observation.for_each([&](const char* /*name*/, const auto& window) {
       const Truth own = write(window, columns, all, place);
-      if constexpr (kTells) put(own, ends + (told_at<Graph> + channel++) * Lanes);
+      if constexpr (kTells) put(own, ends + (reported_at<Graph> + channel++) * Lanes);
       if constexpr (kWatches) finite = finite && own;
     });
     if constexpr (kWatches) put(finite, ends + kFinite * Lanes);

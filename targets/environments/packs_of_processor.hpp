@@ -12,7 +12,7 @@ namespace eagerx::environments {
 template <class Graph>
 using FillPacks = void (*)(PackKernel<Graph>&);
 
-/// What EAGERX_PACKS says: `none`, `plain`, `avx2` or `avx512`; everything without it.
+/// The value of EAGERX_PACKS: `none`, `plain`, `avx2` or `avx512`; everything without it.
 inline bool allows_packs(std::string_view name) {
   const char* const only = std::getenv("EAGERX_PACKS");
   return only == nullptr || *only == '\0' || name == only;

@@ -57,20 +57,20 @@ class Resets {
     set_states.begin(k);
     staging.begin(k);
     put_own(k, episode.key(), states);
-    const bool goes_on = episode.packed && held.packs.restarts() && !held.traces.contains(k);
-    if (!goes_on) held.take_out(k);
-    const auto observation = goes_on ? held.packs.restart(k, held.programs[k], states)
-                                     : held.reset_program(k, episode.key(), states);
+    const bool continues = episode.packed && held.packs.restarts() && !held.traces.contains(k);
+    if (!continues) held.take_out(k);
+    const auto observation = continues ? held.packs.restart(k, held.programs[k], states)
+                                       : held.reset_program(k, episode.key(), states);
     held.with(k, [&](const auto& program) { held.critic.begin(k, program, states); });
     if (observations != nullptr)
       layout_.write(observation, observations + k * layout_.observations.numbers());
     held.steps[k] = 0;
     episode.begun = true;
     episode.ended = false;
-    if (held.packs.lanes() != 0 && !episode.traced && !goes_on) held.put_in(k);
+    if (held.packs.lanes() != 0 && !episode.traced && !continues) held.put_in(k);
   }
 
-  /// What the stage draws otherwise than the graph, and what was set.
+  /// The states that the stage draws differently from the graph, and those that were set.
   void put_own(std::uint32_t k, EpisodeKey key, States& states) const {
     staging.draw(k, key, states);
     if (const float* const row = set_states.row(k)) layout_.read(row, states);

@@ -16,7 +16,7 @@
 
 namespace eagerx::environments {
 
-/// What the library of a graph with stages says of them; here: there are none.
+/// The stages of a library of a graph with stages; here: none.
 template <class Graph>
 struct Stages {};
 
@@ -49,7 +49,7 @@ class Staging {
   void begin([[maybe_unused]] std::uint32_t k) {
     if constexpr (kStages > 0) now_[k] = next_[k];
   }
-  /// What the stage draws otherwise than the graph.
+  /// The states that the stage draws differently from the graph.
   void draw([[maybe_unused]] std::uint32_t k, [[maybe_unused]] EpisodeKey key,
             [[maybe_unused]] typename Graph::States& states) const {
     if constexpr (kStages > 0) {

@@ -7,7 +7,7 @@ function(eagerx_configure_target library)
   eagerx_environments_libraries()
   target_link_libraries(${library} PRIVATE eagerx_environments)
   _eagerx_add_packs(${library})
-  # Nobody puts another function in place of one of these.
+  # No other library may replace one of these functions.
   target_compile_options(${library} PRIVATE -fvisibility-inlines-hidden $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   # Without a build type CMake would not optimise at all.
   target_compile_options(${library} PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)

@@ -50,7 +50,7 @@ template <class Graph>
 inline constexpr std::size_t seen_of = count_seen<Graph>();
 /// The column of a pack, behind the observations, that says whether the first of them is finite.
 template <class Graph>
-inline constexpr std::size_t told_at = kTerms + terms_of<Graph> + seen_of<Graph>;
+inline constexpr std::size_t reported_at = kTerms + terms_of<Graph> + seen_of<Graph>;
 
 /// How a step ended.
 struct Ends {

@@ -65,7 +65,7 @@ class Traced {
   }
   Traced(const Traced&) = delete;
   Traced& operator=(const Traced&) = delete;
-  /// What was in a file stays there if no episode came.
+  /// A file keeps its contents if no episode follows.
   ~Traced() {
     if (!has_begun()) file_.discard();
   }
@@ -89,7 +89,7 @@ class Traced {
   }
 
   bool has_begun() const { return episode_ > 0; }
-  /// The file ends; throws Problem if something of it is lost. The hash goes on.
+  /// The file ends; throws Problem if something of it is lost. The hash continues.
   void end_file() {
     if (!file_.is_open()) return;
     if (has_begun()) {
@@ -133,7 +133,7 @@ struct Traces {
   std::unique_ptr<Traced<Graph>> now;
   std::unique_ptr<Traced<Graph>> next;
 
-  /// What cannot be written leaves the old trace. Throws Problem.
+  /// A trace that cannot be written leaves the old one. Throws Problem.
   void begin(const std::string& path, bool draws) {
     if (next && next->writes_to(path)) return;
     if (now && now->writes_to(path)) now->end_file();
@@ -145,7 +145,7 @@ struct Traces {
     next.reset();
     if (now) now->end_file();
   }
-  /// At a reset: the trace that goes on, null if there is none.
+  /// At a reset: the running trace, null if there is none.
   Traced<Graph>* take() {
     if (next) now = std::move(next);
     return now.get();

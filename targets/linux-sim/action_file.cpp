@@ -50,7 +50,7 @@ bool parse_cell(std::string_view text, T& value) {
 
 bool CsvFile::read(const std::string& path, ActionProblem& problem) {
   path_ = path;
-  // A pipe that nobody writes or a device would be read for ever.
+  // A pipe without a writer, or a device, would be read for ever.
   struct stat status {};
   if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
     problem = {"error: cannot read `" + path + "`: it is no file", kBadFile};

@@ -171,8 +171,8 @@ int run_with(const Options& given, GraphProgram& program) {
   std::optional<RemoteAgent> agent;
   if (options.agent == kDdsAgent)
     agent.emplace(options, facts, fields, zero.data(), program.action_bytes());
-  return run_told({options, fields, table, settings, faults, reconnection, measures}, program,
-                  agent ? &*agent : nullptr);
+  return run_session({options, fields, table, settings, faults, reconnection, measures}, program,
+                     agent ? &*agent : nullptr);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The seam between a graph's program and the library that is compiled once for all graphs: what the
-// library is told of a graph, and what it calls. The program's own text (app.hpp) has the loop over
+// The seam between a graph's program and the library that is compiled once for all graphs: the
+// library's view of a graph, and what it calls. The program's own text (app.hpp) has the loop over
 // steps and all that knows the graph's types; whatever is done with files, options, clocks,
 // terminals and texts is the library's.
 #pragma once
@@ -31,7 +31,7 @@ struct GraphFacts {
   const char* engine;
   std::uint64_t graph_hash;  // of what the program was generated from
   target::RunPlan plan;
-  target::Agent agent;    // where nobody names another
+  target::Agent agent;    // unless another one is named
   const char* agent_csv;  // its file, if it is `csv`
   bool has_policy;
   bool has_fast_policy;
@@ -134,7 +134,7 @@ class GraphProgram {
   virtual bool is_real() const = 0;
   /// Null: nothing is shown.
   virtual Pictures* pictures() const = 0;
-  /// To part `part` of GraphFacts::parts. Null: there are not so many.
+  /// To part `part` of GraphFacts::parts. Null: there are fewer.
   virtual SplitLink* link(std::size_t part) = 0;
 
   /// The episodes of `watch.plan()`; ends early when `watch` says so. Safe when it returns.

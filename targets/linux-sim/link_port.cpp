@@ -41,7 +41,8 @@ speed_t speed_of(std::uint32_t baud) {
 constexpr std::string_view kUnix = "unix:";
 
 /// Whether a program listens on the socket `address`, without disturbing it: a datagram cannot be
-/// sent to a stream, which only a living one says. Sockets of others that we may not ask count.
+/// sent to a stream, which only a living one says. Sockets of other users that we may not ask
+/// count.
 bool is_alive(const sockaddr_un& address) {
   const int file = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (file < 0) return true;
@@ -98,7 +99,7 @@ bool LinkPort::fail(const std::string& what) {
 void LinkPort::close() {
   if (file_ < 0) return;
   if (records_.is_open()) {
-    // The other end is told that this is the end, and that nobody has cut the line.
+    // Announces a regular end to the other end, as opposed to a cut line.
     if (sealed_begin_ == sealed_end_)
       static_cast<void>(send(file_, sealed_.data(), records_.seal(nullptr, 0, sealed_.data()),
                              MSG_NOSIGNAL | MSG_DONTWAIT));
@@ -109,7 +110,7 @@ void LinkPort::close() {
 }
 
 bool LinkPort::is_interrupted() {
-  host::stop_if_told();
+  host::stop_if_requested();
   return host::interrupted();
 }
 
@@ -244,7 +245,7 @@ bool LinkPort::open_tcp(const std::string& address, Say say) {
       if (bind(file, item->ai_addr, item->ai_addrlen) == 0 &&
           ::listen(file, key_.sodium == nullptr ? 1 : kWaiting) == 0) {
         say("listens on " + address_of_end(file) +
-            (key_.sodium != nullptr ? ", for who has the key"
+            (key_.sodium != nullptr ? ", for holders of the key"
              : is_local             ? ", for this machine only"
                                     : ""));
         return key_.sodium != nullptr ? accept_sealed(file, say) : accept_on(file, say);
@@ -326,7 +327,7 @@ void LinkPort::flush() {
   const std::size_t size = std::exchange(out_size_, 0);
   const std::uint64_t until = std::min(now_ns() + kPatienceNs, write_until_ns_);
   if (!records_.is_open()) {
-    // Nobody reads: the frame is sent again, or the run ends for want of an answer.
+    // The peer does not read: the frame is sent again, or the run ends for want of an answer.
     write_bytes(out_.data(), size, until);
   } else if (send_sealed(until) && size > 0) {
     sealed_begin_ = 0;
@@ -356,8 +357,8 @@ std::size_t LinkPort::write_bytes(const std::uint8_t* bytes, std::size_t size,
   return sent;
 }
 
-/// What is sealed has its place in the order, so it has to go before anything else: what there is
-/// no time for is never sealed. Whether all of it went.
+/// A sealed frame has its place in the order, so it has to go before anything else: a frame that is
+/// out of time is never sealed. Whether all of it went.
 bool LinkPort::send_sealed(std::uint64_t until_ns) {
   sealed_begin_ +=
       write_bytes(sealed_.data() + sealed_begin_, sealed_end_ - sealed_begin_, until_ns);

@@ -12,7 +12,7 @@
 namespace eagerx::linux_sim {
 
 /// Reads and writes without allocating. A closed line stays closed. TCP beyond this machine needs a
-/// key; with one, what goes over TCP is sealed, and who has not the key is nobody.
+/// key; with one, what goes over TCP is sealed, and a peer without the key is dropped.
 class LinkPort {
  public:
   LinkPort() = default;
@@ -25,14 +25,14 @@ class LinkPort {
   /// `unix:PATH`, `HOST:PORT`, or the path of a serial line or a socket. A serial line is ours
   /// alone as long as it is open. A line that was open is closed before. False: error() says why.
   bool open(const std::string& address, std::uint32_t baud);
-  /// The other side of a socket: waits for one peer, who has kGreetingS to say something. While it
-  /// is connected others are refused. With a key strangers are dropped until one comes who has it.
+  /// The other side of a socket: waits for one peer, which has kGreetingS to say something. While
+  /// it is connected others are refused. With a key, peers without it are dropped.
   /// `:PORT` listens on this machine only. A socket that another
-  /// program listens on is left alone. `say(text)` is told where it listens, and of peers that say
+  /// program listens on is left alone. `say(text)` receives where it listens, and which peers say
   /// nothing.
   bool listen(const std::string& address, void (*say)(const std::string& text));
   /// For listen(): a peer that is gone without a word, as when its cable is cut, is gone after
-  /// kCutS; and nobody is waited for longer than `most_wait_ns`.
+  /// kCutS; and no wait is longer than `most_wait_ns`.
   void notice_cuts(std::uint64_t most_wait_ns) {
     notices_cuts_ = true;
     most_wait_ns_ = most_wait_ns;
@@ -54,7 +54,7 @@ class LinkPort {
   int get() { return get(UINT64_MAX); }
   /// CLOCK_MONOTONIC.
   static std::uint64_t now_ns();
-  /// Whether somebody wants the run to end; a program that is told to stop does so in here.
+  /// Whether the run must end; a program that is to stop (Ctrl-Z) does so in here.
   static bool is_interrupted();
 
   static constexpr int kGreetingS = 5;

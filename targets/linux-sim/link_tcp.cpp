@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kNsOfMs = 1'000'000;
 constexpr std::uint64_t kNsOfSecond = 1'000'000'000;
-constexpr std::uint64_t kLookAgainNs = 50 * kNsOfMs;  // for somebody who wants the end
+constexpr std::uint64_t kLookAgainNs = 50 * kNsOfMs;  // for a request to end
 
 /// Milliseconds from now on, rounded up.
 int ms_until(std::uint64_t until_ns) {
@@ -44,19 +44,19 @@ bool send_all(int file, key::Bytes bytes) {
          static_cast<ssize_t>(bytes.size());
 }
 
-enum class Step : std::uint8_t { goes_on, hung_up, wrong };
+enum class Step : std::uint8_t { continues, hung_up, wrong };
 
 /// Reads what is there of a greeting, and answers it.
 Step take_step(int file, key::Greeting& greeting) {
   std::array<std::uint8_t, key::Greeting::kMostBytes> bytes{};
   const ssize_t count = recv(file, bytes.data(), greeting.wanted(), MSG_DONTWAIT);
-  if (count < 0) return errno == EAGAIN || errno == EINTR ? Step::goes_on : Step::hung_up;
+  if (count < 0) return errno == EAGAIN || errno == EINTR ? Step::continues : Step::hung_up;
   if (count == 0) return Step::hung_up;
   if (!greeting.take({bytes.data(), static_cast<std::size_t>(count)})) return Step::wrong;
   const key::Bytes answer = greeting.to_send();
   if (!answer.empty() && !send_all(file, answer)) return Step::hung_up;
   greeting.sent();
-  return Step::goes_on;
+  return Step::continues;
 }
 
 /// A connection that has not shown yet that it has the key.
@@ -79,7 +79,7 @@ class Door {
       if (each.file >= 0) ::close(each.file);
   }
 
-  /// The socket of who has the key; -1: errno says why there is none.
+  /// The socket of the peer that has the key; -1: errno says why there is none.
   int wait(std::uint64_t most_ns, key::Records& records) {
     for (;;) {
       if (LinkPort::now_ns() >= most_ns) return errno = ETIMEDOUT, -1;
@@ -106,7 +106,7 @@ class Door {
     const Step step = take_step(who.file, who.greeting);
     if (step == Step::hung_up) drop(who, "hung up before it showed that it has the key");
     if (step == Step::wrong) drop(who, "has not the key");
-    return step == Step::goes_on && who.greeting.is_done();
+    return step == Step::continues && who.greeting.is_done();
   }
   void drop_late() {
     const std::uint64_t now = LinkPort::now_ns();
@@ -117,10 +117,10 @@ class Door {
   void drop(Unknown& who, const std::string& why) {
     ::close(std::exchange(who.file, -1));
     who.greeting.forget();
-    // Whoever comes again and again fills no disk.
+    // Repeated connections fill no disk.
     constexpr std::uint64_t kBase = 10;
-    if (++dropped_ != told_) return;
-    told_ *= kBase;
+    if (++dropped_ != next_note_) return;
+    next_note_ *= kBase;
     say_("note: a stranger " + why + " and was dropped" +
          (dropped_ == 1 ? std::string() : ", as " + std::to_string(dropped_) + " so far"));
   }
@@ -143,7 +143,7 @@ class Door {
   int greeting_s_;
   void (*say_)(const std::string& text);
   std::array<Unknown, kMost> unknown_{};
-  std::uint64_t dropped_ = 0, told_ = 1;
+  std::uint64_t dropped_ = 0, next_note_ = 1;
 };
 
 }  // namespace
@@ -193,9 +193,9 @@ int connect_until(int file, const sockaddr* address, socklen_t size, std::uint64
 std::string greet(int file, const KeyInUse& key, std::uint64_t until_ns, key::Records& records) {
   key::Greeting greeting;
   greeting.begin(*key.sodium, key.key, key::Role::connects);
-  Step step = send_all(file, greeting.to_send()) ? Step::goes_on : Step::hung_up;
+  Step step = send_all(file, greeting.to_send()) ? Step::continues : Step::hung_up;
   greeting.sent();
-  while (step == Step::goes_on && !greeting.is_done()) {
+  while (step == Step::continues && !greeting.is_done()) {
     if (!wait_for_events(file, POLLIN, until_ns))
       return "who listens there does not show in time that it has the key\n"
              "help: is it started with `--key`, and with the same key?";

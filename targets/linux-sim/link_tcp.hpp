@@ -1,5 +1,5 @@
-// TCP lines between the programs of a split graph: who may speak, and how long nobody is waited
-// for.
+// TCP lines between the programs of a split graph: which peers may speak, and how long a wait
+// lasts.
 #pragma once
 
 #include <sys/socket.h>
@@ -16,7 +16,7 @@ struct KeyInUse {
   key::Key key{};
 };
 
-/// Whether nobody but this machine can be at the other end.
+/// Whether only this machine can be at the other end.
 bool is_of_this_machine(const sockaddr* address);
 /// "127.0.0.1:5000", of this end.
 std::string address_of_end(int file);
@@ -33,9 +33,8 @@ int connect_until(int file, const sockaddr* address, socklen_t size, std::uint64
 /// The greeting of who connects. Empty, and `records` is open; or what is wrong.
 std::string greet(int file, const KeyInUse& key, std::uint64_t until_ns, key::Records& records);
 
-/// Waits until `until_ns` for one who has the key; everybody else is dropped meanwhile, and nobody
-/// has longer than `greeting_s`. Returns its socket, or -1: errno says why. `say` is told of
-/// strangers.
+/// Waits until `until_ns` for a peer that has the key; others are dropped, and have no longer than
+/// `greeting_s`. Returns its socket, or -1: errno says why. `say` receives notes about strangers.
 int accept_known(int listener, const KeyInUse& key, int greeting_s, std::uint64_t until_ns,
                  void (*say)(const std::string& text), key::Records& records);
 

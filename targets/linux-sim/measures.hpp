@@ -1,4 +1,4 @@
-// --until, --measure, --summary: when an episode ends, and what is told of all of them.
+// --until, --measure, --summary: when an episode ends, and what is reported of all of them.
 #pragma once
 
 #include <array>

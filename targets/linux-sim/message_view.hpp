@@ -1,4 +1,4 @@
-// Messages without their types: what of a graph the library of linux-sim is told.
+// Messages without their types: what the library of linux-sim knows of a graph.
 #pragma once
 
 #include <cstddef>

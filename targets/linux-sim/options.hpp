@@ -64,7 +64,7 @@ struct Options {
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
   double reconnect_s = 0.0;  // how long a part that is lost is waited for; 0: not
-  bool lockstep = false;     // with parts, also where delays would let the program go on
+  bool lockstep = false;     // with parts, also where delays would let the program continue
   bool strict_spaces = false;
   bool csv_states = false;
   std::string until;  // a condition; empty: none

@@ -20,7 +20,7 @@ void MonotonicClock::sleep_until(std::int64_t ns) {
   const timespec until{static_cast<time_t>(ns / kNsPerSecond),
                        static_cast<long>(ns % kNsPerSecond)};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
-    if (host::interrupted() || host::is_told_to_stop()) return;
+    if (host::interrupted() || host::is_stop_requested()) return;
   }
 }
 

@@ -59,7 +59,7 @@ class PacerOn {
     start_ns_ += ns;
     due_ns_ += ns;
   }
-  /// 2^`power` times as fast as it was told, from step `n` on.
+  /// 2^`power` times as fast as requested, from step `n` on.
   void set_speed(std::uint64_t n, int power) {
     if (power == speed_) return;
     const double period_ns = period_ns_ * std::ldexp(1.0, speed_ - power);

@@ -72,7 +72,7 @@ int serve(int argc, char** argv) {
     std::fprintf(stderr,
                  "error: wrong usage\nhelp: %s --link TTY, or --listen unix:PATH, :PORT (for this "
                  "machine only) or HOST:PORT, which beyond this machine needs --key FILE; with "
-                 "--reconnect S it waits so many seconds for a hub that it has lost; serves the "
+                 "--reconnect S it waits S seconds for a hub that it has lost; serves the "
                  "part of `%s` that the hub's program leaves out\n",
                  argv[0], Graph::kName);
     return kBadUsage;

@@ -41,8 +41,8 @@ std::string as_note(const std::string& problem) {
   return "note: " + (text.starts_with(kError) ? text.substr(kError.size()) : text);
 }
 
-/// Whether a program in another language ends when its line does. Whoever starts it anew is waited
-/// for as for any other.
+/// Whether a program in another language ends when its line does. The hub waits
+/// for its restart as for any other.
 bool ends_with_its_line(const link::PartFacts& part) {
   constexpr std::array<std::string_view, 2> kTargets{"python", "c"};
   return std::ranges::find(kTargets, std::string_view(part.target)) != kTargets.end();
@@ -57,10 +57,10 @@ std::string Reconnection::problem_of_options() const {
   if (options_.reconnect_s <= 0.0) return {};
   const GraphFacts& facts = program_.facts();
   if (options_.plan.episodes < 2)
-    return "error: `--reconnect` goes on with the next episode, and there is only one\n"
+    return "error: `--reconnect` continues with the next episode, and there is only one\n"
            "help: say how many there are, `--episodes N`";
   if (facts.waits_in_resets)
-    return "error: `--reconnect` does not go together with reset nodes: their resets go on from "
+    return "error: `--reconnect` does not go together with reset nodes: their resets continue from "
            "where the last episode ended, which a part that begins anew does not know\n"
            "help: leave it out";
   for (std::size_t part = 0; part < facts.part_count; ++part)
@@ -113,14 +113,14 @@ bool Reconnection::wait_for_parts(std::uint64_t until_ns) {
   for (;;) {
     bool is_ready = true;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-      // Whose line is whole is not told before all others are there: it may be long until then.
+      // Completed lines are reported only once all others are there: it may be long until then.
       const bool is_turn = parts_[part].is_away || std::ranges::none_of(parts_, is_away);
       if (!parts_[part].is_ready && is_turn) parts_[part].is_ready = try_part(part, until_ns);
       if (is_someone_else(part)) return give_up(part), false;
       is_ready = is_ready && parts_[part].is_ready;
     }
     if (is_ready) return true;
-    host::stop_if_told();
+    host::stop_if_requested();
     if (host::interrupted()) return false;
     host::make_safe_now();  // again: hardware may have lost its power meanwhile
     if (LinkPort::now_ns() < until_ns) {
@@ -146,7 +146,7 @@ bool Reconnection::try_part(std::size_t part, std::uint64_t until_ns) {
   return state.problem.empty();
 }
 
-/// Whether another program is in its place, which nobody need wait for.
+/// Whether another program is in its place, so that no wait is needed.
 bool Reconnection::is_someone_else(std::size_t part) const {
   using link::Problem;
   constexpr std::array kWrong{Problem::other_protocol, Problem::other_runtime, Problem::other_graph,

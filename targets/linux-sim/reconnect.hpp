@@ -18,8 +18,8 @@ class Reconnection {
 
   /// What `--reconnect` cannot do in this run, or nothing.
   std::string problem_of_options() const;
-  /// After a link is over; `steps` are done. True: all parts begin anew. False: nobody waits for
-  /// parts, the time is over, or somebody wants the end.
+  /// After a link is over; `steps` are done. True: all parts begin anew. False: there is no wait
+  /// for parts, the time is over, or the run must end.
   bool link_again(std::uint64_t steps);
   bool has_lost() const { return losses_ > 0; }
   /// Counts for the summary; `broken` becomes why the run is over, if a part has not come back.

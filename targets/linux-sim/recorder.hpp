@@ -33,7 +33,7 @@ class Recorder {
   bool takes_part() const { return replay_ != nullptr || experiment_ != nullptr; }
   /// Whether keep() has something to do.
   bool keeps() const { return keeps_; }
-  /// A message may become another one. False: nobody else wants to see it.
+  /// A message may become another one. False: no other observer wants it.
   bool before(std::uint32_t channel, Seq seq, MessageView message);
   void keep(std::uint32_t channel, Seq seq, MessageView message);
   bool experiments() const { return experiment_ != nullptr; }

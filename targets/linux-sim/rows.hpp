@@ -93,7 +93,7 @@ void list_actions(FieldListener& listener) {
 
 template <class Graph>
 void list_observations(FieldListener& listener) {
-  // Nobody looks into its windows.
+  // Its windows are not read.
   using Observation = typename Graph::Observation;
   static_assert(std::is_trivially_copyable_v<Observation>);
   const auto any = std::bit_cast<Observation>(std::array<std::byte, sizeof(Observation)>{});

@@ -5,35 +5,35 @@
 
 namespace eagerx::linux_sim {
 
-RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
+RunWatch::RunWatch(GraphProgram& program, const RunInputs& inputs, host::TextFile& csv,
                    host::TextFile& trace)
-    : Watch(told.options.plan, told.options.agent, csv),
+    : Watch(inputs.options.plan, inputs.options.agent, csv),
       facts_(program.facts()),
-      told_(told),
-      measures_(told.measures),
+      inputs_(inputs),
+      measures_(inputs.measures),
       spaces_(program.spaces),
       pictures_(program.pictures()),
-      states_(told.fields.states),
-      observations_(told.fields.observations),
-      sizes_(told.fields.observations.size()),
-      record_(told.fields.states),
-      task_record_(told.fields.outcomes),
+      states_(inputs.fields.states),
+      observations_(inputs.fields.observations),
+      sizes_(inputs.fields.observations.size()),
+      record_(inputs.fields.states),
+      task_record_(inputs.fields.outcomes),
       csv_(csv),
       trace_(trace),
-      pacer_(facts_.period_s(), program.is_real() ? 0.0 : told.options.real_time_factor,
+      pacer_(facts_.period_s(), program.is_real() ? 0.0 : inputs.options.real_time_factor,
              facts_.safety.max_lateness_ns),
-      progress_(plan_.episodes * plan_.steps, !told.options.quiet) {
+      progress_(plan_.episodes * plan_.steps, !inputs.options.quiet) {
   writes_ = csv.is_open();
   paces_ = pacer_.paces();
   // A row of the table has the action.
-  looks_ =
-      measures_.reads_messages() || told.options.strict_spaces || (facts_.part_decides && writes_);
-  has_faults_ = !told.faults.empty();
-  tunes_ = told.settings.tunes();
+  looks_ = measures_.reads_messages() || inputs.options.strict_spaces ||
+           (facts_.part_decides && writes_);
+  has_faults_ = !inputs.faults.empty();
+  tunes_ = inputs.settings.tunes();
 }
 
 bool RunWatch::go_on() {
-  host::stop_if_told();
+  host::stop_if_requested();
   host::send_heartbeat(episodes_, steps_);
   if (pictures_ != nullptr && pictures_->ends_run()) return false;
   return !(host::interrupted() || csv_.failed() || trace_.failed() || left_space());
@@ -64,15 +64,15 @@ bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
 
 void RunWatch::measure_states() {
   const StateRow now = record_.current();
-  for (std::uint32_t i = 0; i < told_.fields.states.size(); ++i) {
-    const MessageType& type = told_.fields.states[i].type;
+  for (std::uint32_t i = 0; i < inputs_.fields.states.size(); ++i) {
+    const MessageType& type = inputs_.fields.states[i].type;
     if (now.has_value[i])
       measures_.set_message(Variable::Kind::state, i, {now.messages[i], type.scalar, type.size});
   }
 }
 
 bool RunWatch::tune(std::uint32_t episode, Seq step, StateRow states) {
-  std::fill_n(states.has_value, told_.fields.states.size(), false);
+  std::fill_n(states.has_value, inputs_.fields.states.size(), false);
   if (!set_parameters(step, states)) return false;
   record_.begin(states);
   if (measures_.is_used()) measure_states();
@@ -127,18 +127,18 @@ void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
 }
 
 void RunWatch::state_column_names() {
-  if (told_.options.csv_states) record_.column_names(csv_);
+  if (inputs_.options.csv_states) record_.column_names(csv_);
 }
 void RunWatch::state_columns() {
-  if (told_.options.csv_states) record_.columns(csv_);
+  if (inputs_.options.csv_states) record_.columns(csv_);
 }
 
 const void* RunWatch::given_action(Seq step) {
-  return step < told_.table.size() ? told_.table[step] : nullptr;
+  return step < inputs_.table.size() ? inputs_.table[step] : nullptr;
 }
 
 bool RunWatch::left_space() const {
-  return told_.options.strict_spaces && spaces_.is_any();
+  return inputs_.options.strict_spaces && spaces_.is_any();
 }
 
 std::string RunWatch::not_finite() const {
@@ -162,7 +162,7 @@ void RunWatch::finish(Summary& summary) {
   }
   task_record_.end_episode();
   task_record_.count(summary);
-  if (told_.options.summary) task_record_.describe(summary);
+  if (inputs_.options.summary) task_record_.describe(summary);
   summary.paced = pacer_.paces();
   summary.overruns = pacer_.overruns();
   summary.worst_overrun_s = pacer_.worst_s();

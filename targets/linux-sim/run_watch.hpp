@@ -21,8 +21,8 @@
 
 namespace eagerx::linux_sim {
 
-/// What a run is told, checked and read.
-struct Told {
+/// The inputs of a run, checked and read.
+struct RunInputs {
   const Options& options;
   const Fields& fields;
   const ActionTable& table;
@@ -34,11 +34,12 @@ struct Told {
 
 class RunWatch : public Watch {
  public:
-  RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace);
+  RunWatch(GraphProgram& program, const RunInputs& inputs, host::TextFile& csv,
+           host::TextFile& trace);
   virtual ~RunWatch() = default;
 
   bool go_on() override;
-  bool link_again() override { return told_.reconnection.link_again(steps_); }
+  bool link_again() override { return inputs_.reconnection.link_again(steps_); }
   bool ends_early() const override;
   bool begin_episode(EpisodeKey key, StateRow states) override;
   StateRow states() final { return states_.row(); }
@@ -52,8 +53,8 @@ class RunWatch : public Watch {
   void applied(const void* /*action*/) override {}
   EpisodeKey key(EpisodeKey planned) override { return planned; }
   ObservationRow observations() final { return {observations_.data(), sizes_.data()}; }
-  ObservationRow seen(Seq step) final { return told_.faults.seen(step, observations()); }
-  void given(Seq step, void* action) override { told_.faults.given(step, action); }
+  ObservationRow seen(Seq step) final { return inputs_.faults.seen(step, observations()); }
+  void given(Seq step, void* action) override { inputs_.faults.given(step, action); }
 
   /// Whether a message has ended the run: --strict-spaces.
   bool left_space() const;
@@ -64,13 +65,13 @@ class RunWatch : public Watch {
   void finish(Summary& summary);
 
  protected:
-  /// Puts what is told into the states that an episode begins with. False: nothing.
+  /// Puts the values of --set into the states that an episode begins with. False: nothing.
   virtual bool set_states(EpisodeKey key, StateRow states) {
-    return told_.settings.apply(key, states);
+    return inputs_.settings.apply(key, states);
   }
   /// The same of what is set before a step, all of it tunable.
   virtual bool set_parameters(Seq step, StateRow states) {
-    return told_.settings.apply_at(step, states);
+    return inputs_.settings.apply_at(step, states);
   }
   /// The two parts of step(), between which an external agent has its answer. A class that has more
   /// to do in one of them has its own, and its own step().
@@ -91,7 +92,7 @@ class RunWatch : public Watch {
   void hand_on(bool now);
 
   const GraphFacts& facts_;
-  const Told& told_;
+  const RunInputs& inputs_;
   Measures& measures_;
   const SpaceCounts& spaces_;
   Pictures* pictures_;

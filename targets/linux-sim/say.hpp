@@ -8,7 +8,7 @@ namespace eagerx::linux_sim {
 /// Prints `text` on the standard error and returns `exit_code`.
 int fail(const std::string& text, int exit_code);
 
-/// Prints a note on the standard error; the program goes on.
+/// Prints a note on the standard error; the program continues.
 void say_note(const std::string& text);
 
 /// Notes that a name was accepted, and how it is spelled.

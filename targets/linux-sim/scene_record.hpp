@@ -1,4 +1,4 @@
-// The scenes of `render:` in a trace: what `--trace-scenes` adds for whoever plays it back.
+// The scenes of `render:` in a trace: what `--trace-scenes` adds for its players.
 #pragma once
 
 #include <algorithm>

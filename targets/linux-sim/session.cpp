@@ -81,9 +81,9 @@ std::string close_pictures(Pictures* pictures, Summary& summary) {
 
 class Session {
  public:
-  Session(const Told& told, GraphProgram& program, RemoteAgent* agent)
-      : options_(told.options),
-        told_(told),
+  Session(const RunInputs& inputs, GraphProgram& program, RemoteAgent* agent)
+      : options_(inputs.options),
+        inputs_(inputs),
         program_(program),
         facts_(program.facts()),
         agent_(agent) {}
@@ -109,10 +109,10 @@ class Session {
   template <class Watch, class... More>
   int run_watched(More&... more) {
     if (agent_ != nullptr)
-      return run_by<AgentWatch<Watch>>(*agent_, program_, told_, csv_, trace_, more...);
+      return run_by<AgentWatch<Watch>>(*agent_, program_, inputs_, csv_, trace_, more...);
     if (outside_)
-      return run_by<OutsideWatch<Watch>>(*outside_, program_, told_, csv_, trace_, more...);
-    return run_by<Watch>(program_, told_, csv_, trace_, more...);
+      return run_by<OutsideWatch<Watch>>(*outside_, program_, inputs_, csv_, trace_, more...);
+    return run_by<Watch>(program_, inputs_, csv_, trace_, more...);
   }
   template <class Watch, class... Arguments>
   int run_by(Arguments&... arguments) {
@@ -134,14 +134,14 @@ class Session {
     std::string unseen = problem_of_scenes(options_, facts_);
     if (unseen.empty()) unseen = open_pictures(options_, program_);
     if (unseen.empty() && !options_.publish.empty()) {
-      publishing_.emplace(options_, program_, told_.fields);
+      publishing_.emplace(options_, program_, inputs_.fields);
       // Again: by now there are files that were not there before.
       unseen = problem_with_files(options_);
       if (unseen.empty()) unseen = publishing_->open();
     }
     if (unseen.empty() && agent_ != nullptr) unseen = agent_->open();
     if (unseen.empty() && options_.agent == kOutsideAgent) {
-      outside_.emplace(options_, told_.fields, program_, is_traced());
+      outside_.emplace(options_, inputs_.fields, program_, is_traced());
       unseen = outside_->open();
     }
     const bool is_file = unseen.starts_with("error: cannot write");
@@ -151,7 +151,7 @@ class Session {
   }
 
   bool is_traced() const {
-    return options_.hash || trace_.is_open() || publishing_ || told_.measures.reads_messages();
+    return options_.hash || trace_.is_open() || publishing_ || inputs_.measures.reads_messages();
   }
 
   void begin() {
@@ -176,7 +176,7 @@ class Session {
         program_.recorder.keep_scenes(&trace_, &*scenes_);
       }
     }
-    if (is_traced) program_.recorder.measure(told_.measures);
+    if (is_traced) program_.recorder.measure(inputs_.measures);
     if (publishing_) program_.recorder.publish(&*publishing_);
     program_.run(watch, is_traced);
     if (is_traced) {
@@ -194,7 +194,7 @@ class Session {
     const std::string problem_of_pictures = close_pictures(program_.pictures(), summary_);
     const std::string unpublished = publishing_ ? publishing_->finish(summary_) : "";
     std::string broken = agent_ != nullptr ? agent_->problem() : end_links(program_, summary_);
-    told_.reconnection.finish(summary_, broken);
+    inputs_.reconnection.finish(summary_, broken);
     if (!watch.has_begun()) {
       csv_.discard();
       trace_.discard();
@@ -205,7 +205,7 @@ class Session {
     std::FILE* const out = options_.csv == "-" || options_.trace == "-" ? stderr : stdout;
     std::string text = options_.quiet ? "" : summary_text(summary_);
     // The hash of a run with a hole is that of no run.
-    const bool is_whole = broken.empty() && !told_.reconnection.has_lost();
+    const bool is_whole = broken.empty() && !inputs_.reconnection.has_lost();
     if (options_.hash && is_whole && is_right) text += hash_line(hash_);
     const bool printed = text.empty() || print(out, text);
     if (!broken.empty()) fail(broken + "\n" + place_of(summary_), kBadFile);
@@ -218,7 +218,7 @@ class Session {
       fail("error: " + program_.spaces.first() + "\n" + place_of(summary_), kLeftSpace);
     const std::string not_finite = watch.not_finite();
     if (!not_finite.empty()) fail(not_finite, kNotFinite);
-    host::end_as_told();
+    host::end_by_signal();
     if (!broken.empty()) return kBadFile;
     if (!is_right) return kSelfTestFailed;
     if (!not_finite.empty()) return kNotFinite;
@@ -237,7 +237,7 @@ class Session {
   };
 
   const Options& options_;
-  const Told& told_;
+  const RunInputs& inputs_;
   GraphProgram& program_;
   const GraphFacts& facts_;
   RemoteAgent* const agent_;
@@ -252,8 +252,8 @@ class Session {
 
 }  // namespace
 
-int run_told(const Told& told, GraphProgram& program, RemoteAgent* agent) {
-  return Session(told, program, agent).run();
+int run_session(const RunInputs& inputs, GraphProgram& program, RemoteAgent* agent) {
+  return Session(inputs, program, agent).run();
 }
 
 }  // namespace eagerx::linux_sim

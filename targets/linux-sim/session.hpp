@@ -9,6 +9,6 @@ namespace eagerx::linux_sim {
 
 /// Runs with everything checked and read; writes files and summary. `agent`: null, or where actions
 /// come from. Returns the exit code.
-int run_told(const Told& told, GraphProgram& program, RemoteAgent* agent);
+int run_session(const RunInputs& inputs, GraphProgram& program, RemoteAgent* agent);
 
 }  // namespace eagerx::linux_sim

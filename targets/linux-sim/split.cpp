@@ -25,7 +25,7 @@ std::string version(std::uint16_t runtime) {
 constexpr std::string_view kLoadAnew =
     "\nhelp: build and load all programs of one run of `eagerx-gen build`";
 
-/// A part that nobody has given a name.
+/// A part without a name.
 bool is_board(const link::PartFacts& part) {
   return std::string_view(part.name) == "board";
 }
@@ -268,7 +268,7 @@ std::string end_links(GraphProgram& program, Summary& summary) {
     link::Report report;
     PartFaults faults(summary, " " + (is_one ? at_part(facts.parts[part]) : "in `" + name + "`"));
     link->forget_silence();  // the engine has stopped, and its hardware is given back
-    // Where one is gone, nobody waits for the others to tell what they counted.
+    // If one is gone, the hub does not wait for the counts of the others.
     if (link->ok() && links_are_whole(program)) link->finish(report, faults);
     if (broken.empty() && !link->ok()) broken = why_over(*link, facts);
     describe_link(summary, *link, report, is_one);

@@ -26,7 +26,7 @@ class SplitLink {
   virtual const link::Statistics& statistics() const = 0;
   /// Whether the hub may ask its parts, all of them, for messages before it needs these.
   virtual void set_runs_ahead(bool runs_ahead) = 0;
-  /// Nobody waits for the board any more.
+  /// The hub no longer waits for the board.
   virtual void forget_silence() = 0;
   virtual bool finish(link::Report& report, CountListener& counts) = 0;
 

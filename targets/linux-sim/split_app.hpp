@@ -1,4 +1,4 @@
-// The links of a hub to the parts of its graph, beside app.hpp.
+// The links of a hub to the parts of its graph, in addition to app.hpp.
 #pragma once
 
 #include <cstddef>

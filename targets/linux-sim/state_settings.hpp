@@ -1,4 +1,4 @@
-// --set: values of states for this run, in place of the graph's.
+// --set: values of states for this run, instead of the graph's.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@ template <class Graph>
 struct Untraced : NoTrace, Shows<Graph> {
   SpaceCounts* spaces = nullptr;
 
-  static bool is_interrupted() { return host::stop_if_told(), host::ends_reset(); }
+  static bool is_interrupted() { return host::stop_if_requested(), host::ends_reset(); }
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {
     spaces->see<Graph>(channel, seq, message);
@@ -30,7 +30,7 @@ inline constexpr bool shows_scene = requires {
   requires !target::ImageShape<typename Graph::Rendered>::is_image;
 };
 
-/// What shows pictures, and keeps their scenes if told so.
+/// What shows pictures, and keeps their scenes on request.
 template <class Graph>
 struct ShowsAndKeeps : Shows<Graph> {
   Recorder* recorder = nullptr;
@@ -56,7 +56,7 @@ class Traced : public ShowsAndKeeps<Graph> {
   using ShowsAndKeeps<Graph>::recorder;
   SpaceCounts* spaces = nullptr;
 
-  static bool is_interrupted() { return host::stop_if_told(), host::ends_reset(); }
+  static bool is_interrupted() { return host::stop_if_requested(), host::ends_reset(); }
   bool runs_engine() const { return recorder->runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 

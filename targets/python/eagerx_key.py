@@ -1,7 +1,7 @@
 """A line with a key, of which this is the end that listens: the key's file, the greeting, and records, as the section
 "With a key" of targets/PROTOCOL.md says them. All that is cryptography is libsodium's, through ctypes.
 
-No sockets are in here: bytes go in and out. What is wrong with a key is a KeyProblem, who has not the key a Stranger,
+No sockets are in here: bytes go in and out. What is wrong with a key is a KeyProblem, a peer without the key a Stranger,
 and what the other end did not send a Forged.
 """
 import ctypes
@@ -119,7 +119,7 @@ class Key:
 
 
 class Greeting:
-    """The first bytes each way. Whoever connects has shown that it has the key, and is there now, when `is_done`."""
+    """The first bytes each way. The peer has shown that it has the key, and is there now, when `is_done`."""
 
     def __init__(self, key):
         self._sodium, self._key = key.sodium, key.bytes
@@ -154,7 +154,7 @@ class Greeting:
     def _answer(self, other):
         own = self._own.raw
         received, sent = _room(_SHARED), _room(_SHARED)
-        # A number that nobody draws, or our own one.
+        # A number that is never drawn, or our own one.
         if own == other or self._sodium.crypto_kx_server_session_keys(received, sent, self._own, self._secret, other):
             raise Stranger
         self._said = TITLE + other + own

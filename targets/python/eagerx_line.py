@@ -15,7 +15,7 @@ import time
 from eagerx_key import MOST_BYTES, Forged, Greeting, Stranger
 
 GREETING_S = 5  # that a peer has to say something, or to show that it has the key
-WRITE_S = 1  # after which what nobody takes is dropped
+WRITE_S = 1  # after which bytes that the peer does not take are dropped
 MOST_UNKNOWN = 16  # connections that have not shown yet that they have the key
 NEEDS_KEY = ("beyond this machine TCP needs a key\n"
              "help: `eagerx-gen key new FILE` writes one; both sides take it with `--key FILE`")
@@ -39,7 +39,7 @@ class Port:
 
     def __init__(self, file, knows_peer, keep=None):
         self.file, self._keep = file, keep
-        self.knows_peer = knows_peer  # nobody else can be at the other end
+        self.knows_peer = knows_peer  # only the peer can be at the other end
         os.set_blocking(file, False)
 
     def read(self):
@@ -71,7 +71,7 @@ class Port:
         return data
 
     def write(self, data):
-        """What nobody takes in time is dropped: the hub asks again."""
+        """Bytes that the peer does not take in time are dropped: the hub asks again."""
         self.send(data, time.monotonic() + WRITE_S)
 
     def close(self):
@@ -98,10 +98,10 @@ class SealedPort:
             try:
                 self._records.take(self._port.read())
             except LinkClosed as end:
-                raise LinkClosed(f"it was cut, as nobody has said an end: {end}") from None
+                raise LinkClosed(f"it was cut, without an announced end: {end}") from None
 
     def write(self, data):
-        """What there is no time for is never sealed."""
+        """A frame that is out of time is never sealed."""
         until = time.monotonic() + WRITE_S
         for begin in range(0, len(data), MOST_BYTES):
             self._rest = self._port.send(self._rest, until)
@@ -110,7 +110,7 @@ class SealedPort:
             self._rest = self._port.send(self._records.seal(data[begin:begin + MOST_BYTES]), until)
 
     def close(self):
-        """Says that this is the end, and that nobody has cut the line."""
+        """Announces a regular end, as opposed to a cut line."""
         if self._rest:
             return
         try:
@@ -136,12 +136,12 @@ def _first_that_speaks(listener):
 
 
 class _Door:
-    """Lets the first one in who has the key."""
+    """Admits the first peer that has the key."""
 
     def __init__(self, listener, key):
         self._listener, self._key = listener, key
         self._unknown = {}  # socket → (until, Greeting), oldest first
-        self._dropped, self._told = 0, 1
+        self._dropped, self._next_note = 0, 1
         listener.setblocking(False)
 
     def wait(self):
@@ -187,8 +187,8 @@ class _Door:
         peer.close()
         del self._unknown[peer]
         self._dropped += 1
-        if self._dropped == self._told:  # whoever comes again and again fills no disk
-            self._told *= 10
+        if self._dropped == self._next_note:  # repeated connections fill no disk
+            self._next_note *= 10
             say(f"note: a stranger {why} and was dropped" +
                 ("" if self._dropped == 1 else f", as {self._dropped} so far"))
 
@@ -229,7 +229,7 @@ def _listen_unix(path):
         os.fchmod(listener.fileno(), 0o600)  # only its owner may connect, from the first moment on
         listener.bind(path + "~")
         listener.listen(1)
-        os.rename(path + "~", path)  # whoever sees the socket can connect
+        os.rename(path + "~", path)  # once the socket is visible, a peer can connect
     finally:
         os.close(folder)
     say(f"listens on unix:{path}")
@@ -265,7 +265,7 @@ def _listen_tcp(address, key):
     listener = _tcp_listener(address, key)
     host, port = listener.getsockname()[:2]
     said = f"[{host}]" if ":" in host else host
-    say(f"listens on {said}:{port}, " + ("for this machine only" if key is None else "for who has the key"))
+    say(f"listens on {said}:{port}, " + ("for this machine only" if key is None else "for holders of the key"))
     return _first_that_speaks(listener) if key is None else _Door(listener, key).wait()
 
 

@@ -95,7 +95,7 @@ def cobs_decode(data):
 
 
 def encode_frame(kind, number, payload, crc_start=0):
-    """A frame as it goes on the line."""
+    """A frame as transmitted."""
     body = _HEADER.pack(kind, number) + payload
     return b"\0" + cobs_encode(body + _CRC.pack(crc32c(body, crc_start))) + b"\0"
 
@@ -155,7 +155,7 @@ class PartLink:
         self._greeted = False
 
     def read(self, size):
-        """So many bytes of the hub's messages."""
+        """This number of bytes of the hub's messages."""
         parts = []
         while size > 0:
             if self._read == len(self._request):

@@ -1,4 +1,4 @@
-"""A part of a graph in Python: reads part.json beside it, talks with the hub and calls the nodes.
+"""A part of a graph in Python: reads part.json next to it, talks with the hub and calls the nodes.
 
 `python3 FOLDER --listen unix:PATH` serves one hub. nodes.py has what the nodes do: for each node a class with
 `__init__(config)`, `reset(**states)` and `step(n, **inputs)`.

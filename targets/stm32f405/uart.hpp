@@ -35,7 +35,7 @@ class Uart {
     if (divider < kLeastDivider || divider > kMostDivider) return false;
     open<Memory>(port_.gate);
     Gpio<Memory>::make_alternate(transmit, port_.function);
-    // A line that nobody drives reads as idle.
+    // An undriven line reads as idle.
     Gpio<Memory>::make_alternate(receive, port_.function, PinPull::up);
     Memory::write(port_.base + kBaudRate, divider);
     Memory::write(port_.base + kControl1, kOn);

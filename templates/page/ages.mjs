@@ -103,7 +103,7 @@ export function makeAgesView(panel) {
     panel.append(card(
         "Unknown",
         el("p", {},
-           "Over these connections nobody can say how old data become: they are too slow, or their delay is too long."),
+           "The age of data over these connections is unknown: they are too slow, or their delay is too long."),
         el("ul", {}, data.info.ages_unknown.map((name) => el("li", {}, name)))));
   const {link} = data.info;
   if (link.messages.length)

@@ -1,4 +1,4 @@
-// What the generator has put into the page, and what is known of it, found fast. All of it comes from files of others:
+// What the generator has put into the page, and what is known of it, found fast. All of it comes from foreign files:
 // it becomes text, never markup.
 import {parse} from "./numbers.mjs";
 
@@ -13,8 +13,8 @@ const kNoGraph = {
     policies: [], source: {name: "", lines: []}, diagnostics: [], images: [], logs: [], shows: ""
   }
 };
-const told = JSON.parse(document.getElementById("data").textContent);
-export const data = told.nodes ? told : {...kNoGraph, ...told};
+const page = JSON.parse(document.getElementById("data").textContent);
+export const data = page.nodes ? page : {...kNoGraph, ...page};
 
 export const nodes = data.nodes;
 nodes.forEach((node, number) => {

@@ -1,4 +1,4 @@
-// What the server of `eagerx-gen serve` is asked and told: one question after the other, so that an edit always knows
+// The client of the server of `eagerx-gen serve`: one request after the other, so that an edit always knows
 // the newest revision. generator/tools/serve/README.md has the protocol.
 
 const kJson = {
@@ -19,7 +19,7 @@ export class EditClient {
     return done;
   }
 
-  /** {status, body}. Status 0: nobody answered. */
+  /** {status, body}. Status 0: no answer. */
   async call(address, body) {
     const options = body === undefined ? {} : {method: "POST", headers: kJson, body: JSON.stringify(body)};
     try {
@@ -36,7 +36,7 @@ export class EditClient {
   take(state, why) {
     const known = this.state;
     if (known && state.page === undefined) state.page = known.page;
-    // What the last change of the text was is shown beside it.
+    // The result of the last change of the text, shown next to it.
     if (known && known.text !== state.text) this.before = known.text;
     if (!known) this.before = state.text;
     this.state = state;
@@ -90,7 +90,7 @@ export class EditClient {
     });
   }
 
-  /** Waits for the next change that is not this page's own. False: nobody answers. */
+  /** Waits for the next change that is not this page's own. False: no answer. */
   async follow() {
     const {status, body} = await this.call(`./changes?revision=${this.state.revision}`);
     const wasLost = this.lost;

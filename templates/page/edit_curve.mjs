@@ -3,7 +3,7 @@ import {prepare} from "./canvas.mjs";
 import {paintChart} from "./charts.mjs";
 import {el} from "./elements.mjs";
 
-/** [steps, value] of a column of the curve that can be plotted, by the first of `names` that there is. */
+/** [steps, value] of a column of the curve that can be plotted, by the first of `names` that exists. */
 export function curveOf(columns, rows, names) {
   const x = columns.findIndex((name) => /step/.test(name)),
         y = names.map((name) => columns.indexOf(name)).find((at) => at >= 0);

@@ -1,4 +1,4 @@
-// Fields of forms: made from manifests and from keys of the format, with what is wrong beside each.
+// Fields of forms: made from manifests and from keys of the format, with its problem next to each.
 import {faultOf, flowText, limitsOf, parameterText} from "./edit_values.mjs";
 import {el} from "./elements.mjs";
 

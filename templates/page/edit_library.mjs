@@ -1,4 +1,4 @@
-// The library beside the drawing: what can be added, found by words; and the form of what is being added.
+// The library next to the drawing: what can be added, found by words; and the form of what is being added.
 import {editSvg, inDrawing} from "./edit_drawing.mjs";
 import {field, parameterFields, parametersOf} from "./edit_forms.mjs";
 import {takenNames} from "./edit_model.mjs";

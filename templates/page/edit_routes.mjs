@@ -34,7 +34,7 @@ function heightOfReturn(places, source, target, left, right) {
 }
 
 /**
- * The d of each wire. Wires that return lie side by side. `isFree`: nobody chose a place, so lanes are where they were
+ * The d of each wire. Wires that return lie side by side. `isFree`: no place was chosen, so lanes are where they were
  * made.
  */
 export function wireRoutes(model, places, isFree) {

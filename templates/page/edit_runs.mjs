@@ -26,23 +26,28 @@ const kNothingYet = {
 };
 
 /** Adds what the server tells: lines from `next` on, rows of the curve. True: there is something new. */
-export function takeRun(known, told) {
-  if (told.id !== known.id) {
+export function takeRun(known, answer) {
+  if (answer.id !== known.id) {
     const wasAskedFromThere = known.next > 0 || known.row > 0;
-    Object.assign(known, structuredClone(kNothingYet), {id: told.id});
+    Object.assign(known, structuredClone(kNothingYet), {id: answer.id});
     if (wasAskedFromThere) return true;  // of another run: this one is asked for from its beginning
   }
-  const isOther = known.running !== told.running;
-  Object.assign(
-      known, {kind: told.kind, running: told.running, exit_code: told.exit_code, result: told.result, next: told.next});
-  known.lines.push(...told.lines);
+  const isOther = known.running !== answer.running;
+  Object.assign(known, {
+    kind: answer.kind,
+    running: answer.running,
+    exit_code: answer.exit_code,
+    result: answer.result,
+    next: answer.next
+  });
+  known.lines.push(...answer.lines);
   known.lines.splice(0, known.lines.length - kMostShown);
-  if (told.curve) {
-    known.columns = told.curve.columns;
-    known.rows.push(...told.curve.rows);
-    known.row = told.curve.next;
+  if (answer.curve) {
+    known.columns = answer.curve.columns;
+    known.rows.push(...answer.curve.rows);
+    known.row = answer.curve.next;
   }
-  return isOther || told.lines.length > 0 || (told.curve?.rows.length ?? 0) > 0;
+  return isOther || answer.lines.length > 0 || (answer.curve?.rows.length ?? 0) > 0;
 }
 
 const linesBox = el("pre.lines", {tabIndex: 0, "aria-label": "What the program prints", "aria-live": "polite"});
@@ -74,16 +79,16 @@ export function showRun() {
 }
 
 let following = false;
-/** Asks for more until the program has ended and all is told. */
+/** Asks for more until the program has ended and everything has arrived. */
 export async function followRun() {
   if (following) return;
   following = true;
   for (let more = true; more;) {
-    const told = await editing.client.get(`run?after=${run.next}&row=${run.row}`);
-    if (!told) break;
-    const isNew = takeRun(run, told);
+    const answer = await editing.client.get(`run?after=${run.next}&row=${run.row}`);
+    if (!answer) break;
+    const isNew = takeRun(run, answer);
     showRun();
-    more = told.running || isNew;
+    more = answer.running || isNew;
   }
   following = false;
 }

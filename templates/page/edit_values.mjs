@@ -80,7 +80,7 @@ export function parameterText(parameter, text) {
   return trimmed;
 }
 
-/** "float, 0 … 10 Hz, default 2": what there is to know of a parameter beside its text. */
+/** "float, 0 … 10 Hz, default 2": the facts of a parameter besides its text. */
 export function limitsOf(parameter) {
   const {type, unit, low, high} = parameter;
   const range = low !== undefined && high !== undefined ? `${low} … ${high}` :

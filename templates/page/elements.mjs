@@ -101,7 +101,7 @@ export function pairs(list) {
           .map(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
 }
 
-/** Where a name may go on in the next line. */
+/** Where a name may continue on the next line. */
 export function piecesOf(name) {
   return name.split(/(?<=[._/])(?=[^._/])|(?=\[)/);
 }

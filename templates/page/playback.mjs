@@ -70,7 +70,7 @@ function playFrame(now) {
   requestAnimationFrame(playFrame);
 }
 
-/** What stands beside the plots; of a trace without scenes, how they get into it. */
+/** The card next to the plots; of a trace without scenes, how they get into it. */
 export function playbackCard() {
   if (!runs.some((run) => run.episode.film)) {
     if (data.shows !== "scene") return null;

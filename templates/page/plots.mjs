@@ -95,7 +95,7 @@ export function drawElement(context, points, element, {x, y}, fill, frame = plot
 /** Several runs have a colour each; a single one has one for each element. */
 export function colourOf(run, element) {
   const place = chosenRuns().indexOf(run);
-  return shade(plots.runs.size > 1 ? place + (plots.beside ? element : 0) : element);
+  return shade(plots.runs.size > 1 ? place + (plots.sideBySide ? element : 0) : element);
 }
 
 function drawCanvas(row, cell, range, last) {

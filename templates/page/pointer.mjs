@@ -1,4 +1,4 @@
-// What follows the pointer: a tip beside it, and drags.
+// What follows the pointer: a tip next to it, and drags.
 import {el} from "./elements.mjs";
 
 const tip = document.getElementById("tip");

@@ -16,7 +16,7 @@ runs.forEach((run, number) => {
 export const plots = {
   runs: new Set(),
   series: new Set(),
-  beside: false,
+  sideBySide: false,
   begin: 0,
   span: 1,
   cursor: null,

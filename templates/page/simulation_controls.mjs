@@ -117,7 +117,7 @@ export class StateControls {
         card(
             "An episode begins with",
             el("p.note", {},
-               "Drawn as the graph says; where the box is ticked, it is the value beside it from the next reset on" +
+               "Drawn as the graph says; where the box is ticked, it is the value next to it from the next reset on" +
                    (about.tunable.length ? ". What is tunable (bold) changes at once, too." : ".")),
             el("div.numbers", {},
                this.controls.map(

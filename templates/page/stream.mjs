@@ -1,11 +1,11 @@
-// What a run sends while it goes on: a client of Foxglove's WebSocket protocol, at the server that shows this page.
+// The messages of a running program: a client of Foxglove's WebSocket protocol, at the server that shows this page.
 
 const kStreamProtocol = "foxglove.websocket.v1";
 
 export class StreamClient {
-  /** `told(topic, message, time_ns)` of each message; `changed(text)` when the connection is another one. */
-  constructor(told, changed) {
-    this.told = told;
+  /** `onMessage(topic, message, time_ns)` of each message; `changed(text)` when the connection is another one. */
+  constructor(onMessage, changed) {
+    this.onMessage = onMessage;
     this.changed = changed;
     this.wanted = new Set();      // topics
     this.channels = new Map();    // topic: id
@@ -44,7 +44,7 @@ export class StreamClient {
     const topic = this.topics.get(view.getUint32(1, true));
     if (topic === undefined) return;
     const message = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 13)));
-    this.told(topic, message, Number(view.getBigUint64(5, true)));
+    this.onMessage(topic, message, Number(view.getBigUint64(5, true)));
   }
 
   /** From now on, these topics and no others. */

@@ -1,4 +1,4 @@
-// The view of a run while it goes on.
+// The view of a running program.
 import {onFrame, prepare} from "./canvas.mjs";
 import {data, nodes} from "./data.mjs";
 import {add, breakable, card, el, table, tiles} from "./elements.mjs";

@@ -13,7 +13,7 @@ export const timetable = {
   span: 1,
   scroll: 0,
   measured: null,
-  stream: null,  // of pages that are told what a run sends: {choose(whether its times are shown)}
+  stream: null,  // of pages that receive the messages of a run: {choose(whether its times are shown)}
   canvas: el("canvas"),
   draw: null
 };

@@ -40,15 +40,15 @@ function layOutPlots() {
     const title = series.node !== null ?
         button(breakable(series.title), () => select({node: series.node}), {className: "plain"}) :
         el("span", {}, breakable(series.title));
-    const groups = plots.beside ? of.map((run) => [run]) : [of];
+    const groups = plots.sideBySide ? of.map((run) => [run]) : [of];
     const cells = groups.map((group) => ({runs: group, canvas: el("canvas")}));
-    const element =
-        el("article.plot", {}, el("header", {}, title, el("small", {}, more), values),
-           el("div.cells", {},
-              cells.map(
-                  (cell) =>
-                      el("div.cell", {}, plots.beside && of.length > 1 ? el("small.over", {}, cell.runs[0].name) : null,
-                         cell.canvas))));
+    const element = el(
+        "article.plot", {}, el("header", {}, title, el("small", {}, more), values),
+        el("div.cells", {},
+           cells.map(
+               (cell) => el(
+                   "div.cell", {}, plots.sideBySide && of.length > 1 ? el("small.over", {}, cell.runs[0].name) : null,
+                   cell.canvas))));
     return {series, element, cells, values};
   });
   layOutPictures();
@@ -65,7 +65,7 @@ export function plotNode(number) {
   layOutPlots();
 }
 
-/** Shows these runs, beside each other if they are several. */
+/** Shows these runs, side by side if there are several. */
 export function plotRuns(chosen) {
   showView("traces");
   plots.runs = new Set(chosen.map((run) => run.number));
@@ -195,8 +195,8 @@ export function makeTracesView(panel) {
     el("div.toolbar", {},
        runs.length > 1 ? segment(
                              "Episodes", [[false, "Overlaid"], [true, "Side by side"]], false,
-                             (beside) => {
-                               plots.beside = beside;
+                             (sideBySide) => {
+                               plots.sideBySide = sideBySide;
                                layOutPlots();
                              }) :
                          null,
@@ -204,7 +204,7 @@ export function makeTracesView(panel) {
           button("+", () => zoomPlots(0.8)), button("Fit", fitPlots)),
        runChooser(), plots.time),
     ...data.logs.map(logNote), statesNote(),
-    el("div.split", {}, el("div.beside", {}, playbackCard(), seriesChooser()), plots.stage)
+    el("div.split", {}, el("div.side", {}, playbackCard(), seriesChooser()), plots.stage)
   ]);
   let scale = 0;
   plots.stage.addEventListener("pointerdown", (event) => {

@@ -1,4 +1,4 @@
-// What a training has left: its curves, what it was told, how it ended, its best and its worst episode.
+// The record of a training: its curves, its settings, how it ended, its best and its worst episode.
 import {prepare} from "./canvas.mjs";
 import {chartBox} from "./charts.mjs";
 import {data} from "./data.mjs";
@@ -18,7 +18,7 @@ const endings = {
   interrupted: "it was interrupted",
   failed: "a problem has ended it"
 };
-const endingOf = ({ended}) => endings[ended] ?? "it goes on, or was killed";
+const endingOf = ({ended}) => endings[ended] ?? "it is running, or was killed";
 const percent = (part, of) => (of ? `${short((100 * part) / of, 4)} %` : "–");
 
 // Where the time of all threads went, and how fast each of them was.
@@ -53,9 +53,9 @@ function trainingCard(training) {
     evaluation ? ["return", short(evaluation.return ), `${short(evaluation.lowest)} to ${short(evaluation.highest)}`] :
                  null
   ];
-  const told = [
+  const given = [
     ["algorithm", training.algorithm], ["seed", best.seed], ["until the return is", training.until_return],
-    ["goes on from", training.resume], ["began with", training.from], ["failure replay", training.failure_replay],
+    ["continues", training.resume], ["began with", training.from], ["failure replay", training.failure_replay],
     ["stages", training.stages?.join(", ")], ["learnt from logs", training.replay?.join(", ")], ["policy", best.policy],
     ["kernels", best.kernels]
   ];
@@ -63,7 +63,7 @@ function trainingCard(training) {
       training.trainings.length > 1 ? `Training: the best of ${counted(training.trainings.length, "seed")}` :
                                       "Training",
       tiles(facts.filter(Boolean)), best.problem ? el("p.problem", {}, best.problem) : null,
-      best.help ? el("p.note", {}, best.help) : null, holdsIt(best), pairs(told));
+      best.help ? el("p.note", {}, best.help) : null, holdsIt(best), pairs(given));
 }
 
 /** What the trainer has said of one that did not succeed. */
@@ -152,7 +152,7 @@ function episodeBox(training, episode) {
   ].filter(Boolean);
   return el(
       "div.episode", {}, el("h3", {}, `The ${episode.what}`), el("p", {}, text.join(" · ")), moments(run),
-      run ? el("p", {}, button(run.episode.film ? "Play it beside its plots" : "Its plots", () => plotRuns([run]))) :
+      run ? el("p", {}, button(run.episode.film ? "Play it next to its plots" : "Its plots", () => plotRuns([run]))) :
             null,
       el("pre.lines", {}, `${training.run} ${episode.command}`));
 }
@@ -166,7 +166,7 @@ function episodesCard(training) {
          training.why_not ? `They are not shown: ${training.why_not}.` :
                             "Run again by the graph's program: their returns are those of the training, to the bit."),
       training.shown.map((episode) => episodeBox(training, episode)),
-      both.length > 1 ? button("Both beside each other", () => plotRuns(both)) : null);
+      both.length > 1 ? button("Both side by side", () => plotRuns(both)) : null);
 }
 
 // ---- Settings, policy -----------------------------------------------------------------------------------------------

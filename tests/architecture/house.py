@@ -66,7 +66,7 @@ class Declared:
         return found
 
     def foreign(self, name):
-        """Libraries of others that only this target links, by the names their packages have."""
+        """Foreign libraries that only this target links, by the names their packages have."""
         found = set()
         for library in self.targets[name].links:
             if library not in self.targets:

@@ -120,7 +120,7 @@ TEST_F(ByTheClock, EpisodesDoNotKnowOfEachOther) {
   EXPECT_EQ(rows[0].all, (Numbers{1, 2, 3, 4, 5}));
 }
 
-/// Somebody who wants the run to end from the start.
+/// A request to end the run from the start.
 struct Interrupted : eagerx::NoTrace {
   static bool is_interrupted() { return true; }
 };

@@ -69,7 +69,7 @@ def make_nodes(count, rates_hz=RATES_HZ):
 
 
 def graph_text(name, nodes, half):
-    """The graph file. The last sensing layer is observed, the last acting one is for nobody."""
+    """The graph file. The last sensing layer is observed, the last acting one has no reader."""
     observed = nodes[max(0, half - 1) * WIDTH:half * WIDTH][:8]
     lines = [
         f"# {len(nodes)} trivial nodes, made by tests/bench/make_graph.py.",

@@ -6,7 +6,7 @@ if(NOT EAGERX_SANITIZE) # a library that is opened by programs without sanitizer
   add_test(NAME commands_full_files COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/full_files ${PROJECT_BINARY_DIR}
                                             $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
   set_tests_properties(commands_full_files PROPERTIES SKIP_RETURN_CODE 77)
-  # Links, devices, FIFOs, files of others in the place of every output.
+  # Links, devices, FIFOs, foreign files in the place of every output.
   add_test(NAME commands_every_kind COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/every_kind ${PROJECT_BINARY_DIR}
                                             $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
   # Two programs with one output.

@@ -63,7 +63,7 @@ class Comparison:
         self.tolerances = {}
 
     def begins_late(self):
-        """A reset node whose feedthrough is delayed goes on passing it on for a while in EAGERx."""
+        """A reset node whose feedthrough is delayed still passes it on for a while in EAGERx."""
         for name in self.recording.reset_nodes():
             ours = [tick for tick, item in self.episode.ticks.get(name, {}).items() if item.phase]
             theirs = [record["tick"] for record in self.recording.phase(name, self.index)]
@@ -92,7 +92,7 @@ class Comparison:
         readers = [name for name, item in self.recording.nodes.items() if name != "engine"
                    for port in item["inputs"] if port["source"].startswith(node + "/outputs/")]
         if readers or node in self.episode.ticks:
-            self.fail(node, 0, "pictures", "nobody reads them", f"read by {readers}")
+            self.fail(node, 0, "pictures", "nothing reads them", f"read by {readers}")
         if node not in self.totals.pictures:
             self.totals.pictures.append(node)
 

@@ -170,7 +170,7 @@ class Builder:
         except Failure:
             if not any(self.fails_alone(code) for code in codes):
                 raise  # they do not fit together
-            return  # those are told of when they are asked for
+            return  # those are reported when they are requested
         for code in codes:
             self.programs[code.key] = [threading.Lock(), program]
 

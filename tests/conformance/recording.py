@@ -78,7 +78,7 @@ class Recording:
         return states
 
     def stale_states(self, episode):
-        """In EAGERx a node may get the state of the reset before; its program goes on with what it got."""
+        """In EAGERx a node may get the state of the reset before; its program continues with what it got."""
         if episode == 0:
             return {}
         asked, before = self.episodes[episode]["states"], self.episodes[episode - 1]["states"]

@@ -1,4 +1,4 @@
-"""Words that documents avoid: words.yaml lists them, and how many are left in each file that is not yet rewritten."""
+"""Words to avoid, in documents and in all other texts: words.yaml lists them, and the files that may keep some."""
 import re
 
 import yaml
@@ -9,10 +9,10 @@ PLACE = "tests/documents/words.yaml"
 BEFORE = "instead of"  # the head of a table's first column, which quotes what not to write
 
 
-def pattern_of(words):
+def pattern_of(words, before=r"[\w-]", after=r"[\w-]"):
     """One expression for all words; each is whole, and `*` in it is any end of a word."""
     parts = [re.escape(word).replace(r"\*", r"\w*") for word in sorted(words, key=len, reverse=True)]
-    return re.compile(rf"(?<![\w-])(?:{'|'.join(parts)})(?![\w-])", re.IGNORECASE)
+    return re.compile(rf"(?<!{before})(?:{'|'.join(parts)})(?!{after})", re.IGNORECASE)
 
 
 def sentences(text):
@@ -28,23 +28,35 @@ def sentences(text):
         yield number, re.sub(r"^\s*\|[^|]*", "", shown) if quotes else shown
 
 
-def found_in(text, pattern):
+def code_lines(text):
+    """(line, text) of a file that is no document, without the marks that comments begin with."""
+    for number, line in enumerate(text.splitlines(), 1):
+        yield number, re.sub(r"^\s*(?:///?|#+|\*+|--|;|\")?\s*", "", line)
+
+
+def found_in(lines, pattern):
     """(line, word as it stands there) of every word to avoid; a word may go over the end of a line."""
-    lines = list(sentences(text))
+    lines = list(lines)
     for index, (number, line) in enumerate(lines):
         following = lines[index + 1] if index + 1 < len(lines) else (0, "")
         joined = f"{line} {following[1].lstrip()}" if following[0] == number + 1 else line
         yield from ((number, match.group(0)) for match in pattern.finditer(joined) if match.start() < len(line))
 
 
-def words_of(root, pattern):
-    """The words of every document, by its path."""
+def words_of(root, words):
+    """The words of every text, by its path. In code, parts of names count too: `is_told`."""
+    prose, code = pattern_of(words), pattern_of(words, "[A-Za-z-]", "[A-Za-z-]")
     found = {}
     for path in files(root):
-        if path.suffix == ".md":
-            each = list(found_in(path.read_text(encoding="utf-8"), pattern))
-            if each:
-                found[str(path.relative_to(root))] = each
+        if path.parent == root / "tests" / "documents":
+            continue  # speaks of words
+        try:
+            text = path.read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            continue  # not a text
+        each = list(found_in(sentences(text), prose) if path.suffix == ".md" else found_in(code_lines(text), code))
+        if each:
+            found[str(path.relative_to(root))] = each
     return found
 
 
@@ -53,7 +65,13 @@ def check_words(root):
         return [], "0 words to avoid"
     listed = yaml.safe_load((root / PLACE).read_text(encoding="utf-8"))
     avoided, left = listed["avoid"], listed.get("left") or {}
-    found, problems = words_of(root, pattern_of(avoided)), []
+    found, problems = words_of(root, avoided), []
+    for file, kept in (listed.get("keep") or {}).items():
+        there = [each for each in found.get(file, []) if each[1].lower() == kept["word"]]
+        if there:
+            found[file] = [each for each in found[file] if each not in there]
+        else:
+            problems.append(f"{PLACE}: {file} has no `{kept['word']}`: delete its line")
     for file, words in found.items():
         if len(words) > left.get(file, 0):
             allowed = f"; {PLACE} lets it keep {left[file]}" if file in left else ""
@@ -62,9 +80,9 @@ def check_words(root):
         now = len(found.get(file, []))
         if now < count:
             problems.append(f"{PLACE}: {file} has {now} words to avoid, not {count}: " + (f"write {now}" if now else "delete its line"))
-    return problems, f"{sum(len(words) for words in found.values())} words to avoid in {len(found)} documents"
+    return problems, f"{sum(len(words) for words in found.values())} words to avoid in {sum(map(bool, found.values()))} files"
 
 
 def advice_of(word, avoided):
-    """What to write for a word as it stands in a document."""
+    """The words to write instead of a word as it stands in a text."""
     return next(advice for each, advice in avoided.items() if pattern_of([each]).fullmatch(word))

@@ -288,8 +288,8 @@ static void check_calls(void) {
   expect(eagerx_trace(batch, 0, "check.trace") == 0, "a trace");
   expect_error(eagerx_trace(batch, 1, "check.trace") != 0, "another environment's trace goes into",
                "two traces of a batch into one file");
-  expect_error(eagerx_trace(other, 0, "./check.trace") != 0, "another environment's trace goes into",
-               "two traces of two batches into one file");
+  expect_error(eagerx_trace(other, 0, "./check.trace") != 0,
+               "another environment's trace goes into", "two traces of two batches into one file");
   expect(eagerx_trace(batch, 0, NULL) == 0 && eagerx_trace(other, 0, "check.trace") == 0,
          "the file is free again");
   eagerx_destroy(other);
@@ -301,7 +301,7 @@ static void check_calls(void) {
                "states out of their space");
   expect(eagerx_step(batch, b.action, NULL) == 0, "a step without rows");
   memset(b.mask, 0, 4);
-  expect(eagerx_reset(batch, b.mask, NULL, NULL) == 0, "a reset of nobody");
+  expect(eagerx_reset(batch, b.mask, NULL, NULL) == 0, "a reset of no environment");
   expect(eagerx_hash(batch, 0) == 0, "no hash without a trace");
   uint8_t pixels[3];
   expect_error(eagerx_picture(batch, 0, 1, 1, pixels) != 0, "draw nothing",

@@ -1,4 +1,4 @@
-"""Wrong calls of the Python package, of its wrappers and of the C functions, and right ones beside them (see misuse)."""
+"""Wrong calls of the Python package, of its wrappers and of the C functions, and right ones next to them (see misuse)."""
 import copy
 import ctypes
 import os
@@ -390,7 +390,7 @@ def threads(library, draws, tally):
     used, fresh = (eagerx_gen.Environments(library, n, threads=2) for _ in range(2))
     used.reset(seeds=seeds)
     closes, c = draws.random() < 0.5, library.c
-    in_c = not closes and draws.random() < 0.5  # where nothing but the library itself sees that there are two
+    in_c = not closes and draws.random() < 0.5  # where only the library itself sees both
 
     def checked(result):
         if result != 0:

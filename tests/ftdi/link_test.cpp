@@ -161,7 +161,7 @@ TEST_F(FtdiLinkTest, WrongModesAndSelectsAreRefusedBeforeAnythingIsSent) {
   EXPECT_EQ(sample(), BusError::none);
 }
 
-/// A device of any mode, which answers what it was told with the word before.
+/// A device of any mode, which answers with the previous word.
 class Echo final : public emulated::SpiSlave {
  public:
   unsigned mode() const override { return mode_; }

@@ -1,5 +1,5 @@
-// Any bytes as the checkpoint of a training: no crash, and either what a training can go on from or
-// a reason. What was read is written and read again.
+// Any bytes as the checkpoint of a training: no crash, and either what a training can continue from
+// or a reason. What was read is written and read again.
 #include <fmt/format.h>
 
 #include <cstddef>

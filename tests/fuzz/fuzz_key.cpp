@@ -39,7 +39,7 @@ Line said_by(key::Greeting& who) {
   return copy;
 }
 
-/// Nobody without the key is let in, whatever is said and in whatever pieces.
+/// No peer without the key is let in, whatever it sends and in whatever pieces.
 void greet_stranger(key::Role role, const std::uint8_t* data, std::size_t size) {
   key::Greeting greeting;
   greeting.begin(functions(), key_of(1), role);
@@ -89,7 +89,7 @@ int open_all(key::Records& by, const Line& line, const Line& text) {
           if (size != 0) std::abort();
           return opened;
         case key::Records::Found::end:
-          std::abort();  // nobody has said so
+          std::abort();  // no reason was given
         case key::Records::Found::nothing:
           more = false;
       }

@@ -21,7 +21,7 @@ namespace {
 using namespace eagerx::gen;
 
 /// Knows two keys, and finds nothing wrong.
-class Nobody final : public lsp::Analyst {
+class StubAnalyst final : public lsp::Analyst {
  public:
   Checked check(const std::string& /*path*/, const std::string& /*text*/) override { return {}; }
   const lsp::LibraryFacts& of_graph(const std::string& /*path*/,
@@ -104,9 +104,9 @@ void edits(const std::string& text, std::size_t at) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
-  static Nobody nobody;
+  static StubAnalyst analyst;
   if (size > 0 && data[0] == 0xff) {
-    lsp::Server server(nobody);
+    lsp::Server server(analyst);
     lsp::MessageReader reader;
     reader.add(input.substr(1));
     server.take(R"({"method":"initialize","id":1})");
@@ -119,10 +119,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t at = size == 0 ? 0 : data[size - 1] * size / 255;
   const Cursor cursor = cursor_at(text, at);
   if (cursor.word.begin > at || cursor.word.end < at || cursor.word.end > size) std::abort();
-  lsp::complete(nobody.of_graph({}, {}), text, at);
-  lsp::complete(nobody.of_graph({}, {}), text, at, true);
-  lsp::hover(nobody.of_graph({}, {}), text, at, nobody.resolved({}).get());
-  for (const auto& hint : lsp::inlay_hints(outline_of(text), *nobody.resolved({}), {0, size})) {
+  lsp::complete(analyst.of_graph({}, {}), text, at);
+  lsp::complete(analyst.of_graph({}, {}), text, at, true);
+  lsp::hover(analyst.of_graph({}, {}), text, at, analyst.resolved({}).get());
+  for (const auto& hint : lsp::inlay_hints(outline_of(text), *analyst.resolved({}), {0, size})) {
     if (hint.at > size) std::abort();
   }
   edits(text, at);

@@ -1,5 +1,5 @@
-// Any bytes as an MCAP file, in one piece and in two: no crash, the same messages, and what is told
-// lies within the bytes.
+// Any bytes as an MCAP file, in one piece and in two: no crash, the same messages, and what is
+// reported lies within the bytes.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

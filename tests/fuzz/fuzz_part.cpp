@@ -60,7 +60,7 @@ constexpr eagerx_part kPart = {"part",   "fuzz", kHash,  kRuntime, kToPart,    k
                                kPeriods, 2,      1,      1,        messages,   kSensor, 1,
                                kBefore,  3,      kAfter, 0,        reset_nodes};
 
-// --- the line: what the data are, and nobody who listens ---
+// --- the line: what the data are, and no listener ---
 const std::uint8_t *at = nullptr, *end = nullptr;
 Line answered;
 
@@ -182,7 +182,7 @@ key::Key key_in_cpp() {
   return key;
 }
 
-/// Nobody without the key is let in, whatever is said and in whatever pieces.
+/// No peer without the key is let in, whatever it sends and in whatever pieces.
 void greet_stranger(const Line& said) {
   const eagerx_key key = key_in_c();
   eagerx_greeting greeting;

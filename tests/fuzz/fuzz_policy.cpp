@@ -37,7 +37,7 @@ void answer(const eagerx::gen::Network& network) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   eagerx::gen::Diagnostics diagnostics;
-  // A file beside it has half of the same bytes.
+  // A file next to it has half of the same bytes.
   eagerx::gen::ReadContext context;
   context.files = [bytes](const std::string& /*name*/, std::string& /*why*/) {
     return std::optional<std::string>(bytes.substr(bytes.size() / 2));

@@ -1,4 +1,4 @@
-// Any bytes as the tables that a trainer goes on from, the results of a sweep and the runs of a
+// Any bytes as the tables that a trainer continues from, the results of a sweep and the runs of a
 // campaign: no crash, and either rows of finite numbers or a reason. Results are written again as
 // they were.
 #include <unistd.h>

@@ -15,7 +15,7 @@ namespace {
 
 using namespace eagerx;
 
-/// What is shown is of a channel that there is, and all of its values are there.
+/// What is shown is of a known channel, and all of its values are there.
 struct Listener : telemetry::Listener {
   explicit Listener(const telemetry::Layout& of) : layout(of) {}
   void message(const telemetry::Message& message) override {

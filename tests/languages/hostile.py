@@ -63,7 +63,7 @@ class Started(Part):
                 continue
             answer = self.receive(len(data))
             if answer != data:
-                return f"{answer.hex(' ')} in place of {data.hex(' ')}"
+                return f"{answer.hex(' ')} instead of {data.hex(' ')}"
         return ""
 
     def send(self, data):
@@ -95,7 +95,7 @@ def hostile_frame(pick, good):
         return bytes(bad)
     if kind == 3:  # not its turn
         return link.encode_frame(link.REQUEST, pick.choice([0, 2, 3, 9, 0x80000000, 0xFFFFFFFF]), RESET, CRC_START)
-    if kind == 4:  # a kind that there is not, or that a hub does not send
+    if kind == 4:  # an unknown kind, or that a hub does not send
         return link.encode_frame(pick.choice([0, 2, 4, 5, 6, 255]), 1, RESET, CRC_START)
     if kind == 5:  # cut off
         return good[:pick.randrange(1, len(good) - 1)] + b"\0"
@@ -119,7 +119,7 @@ def frames(command):
 
 
 def graphs(command):
-    """Hubs of other graphs and versions are told which one this is, and nothing more."""
+    """Hubs of other graphs and versions receive which one this is, and nothing more."""
     part = Started(command)
     pick = random.Random(6)
     good = True
@@ -164,7 +164,7 @@ def slow(command):
 
 
 def wrong_commands(command):
-    for what, payload in (("a command that there is not", b"\x63"), ("a step before a reset", b"\1\0"),
+    for what, payload in (("an unknown command", b"\x63"), ("a step before a reset", b"\1\0"),
                           ("a safe step of a graph that has none", RESET + b"\4\0")):
         part = Started(command)
         part.says_the_page(SCRIPT[:2])

@@ -92,13 +92,13 @@ def known_answers():
             return
         cut = pick.randrange(size + 1)
         if link.crc32c(data[cut:], link.crc32c(data[:cut])) != link.crc32c(data):
-            expect("a CRC goes on from another one", False, data.hex())
+            expect("a CRC continues from another one", False, data.hex())
             return
-    expect("COBS gives back what it was given, and a CRC goes on: 2000 texts", True)
+    expect("COBS gives back what it was given, and a CRC continues: 2000 texts", True)
 
 
 def hostile_frames():
-    """10,000 frames that no hub sends: nothing of them is applied, and the session goes on."""
+    """10,000 frames that no hub sends: nothing of them is applied, and the session continues."""
     served = Served()
     served.greet()
     pick = random.Random(2)
@@ -131,8 +131,8 @@ def refused():
     expect("a peer that is no hub", isinstance(end, link.ProtocolError) and "no greeting" in str(end), repr(end))
     served = Served()
     welcome = served.greet(graph=GRAPH ^ 1)
-    told = int.from_bytes(welcome[2][4:12], "little")
-    expect("a hub of another graph is told which one this is", told == GRAPH, hex(told))
+    answered = int.from_bytes(welcome[2][4:12], "little")
+    expect("a hub of another graph receives which one this is", answered == GRAPH, hex(answered))
     served.request(1, b"\2" + bytes(17))
     end = served.over()
     expect("and nothing that it sends is applied", isinstance(end, line.LinkClosed), repr(end))
@@ -140,7 +140,7 @@ def refused():
     served.greet()
     served.request(1, b"\x63")
     end = served.over()
-    expect("a command that there is not", isinstance(end, link.ProtocolError) and "99" in str(end), repr(end))
+    expect("an unknown command", isinstance(end, link.ProtocolError) and "99" in str(end), repr(end))
     served = Served()
     served.greet()
     served.request(1, b"\1\0")

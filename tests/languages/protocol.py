@@ -56,7 +56,7 @@ class Part:
         sys.exit(f"FAIL a part never says {pattern}")
 
     def receive(self, size):
-        """So many bytes, or what there is before the end."""
+        """This number of bytes, or fewer before the end."""
         data = b""
         while len(data) < size:
             try:
@@ -117,7 +117,7 @@ class Drawn:
 
 
 class Silent:
-    """A socket of nobody."""
+    """A socket without a listener."""
 
     def __init__(self, answers):
         self.answers, self.sent = answers, []

@@ -94,7 +94,7 @@ def cmake(text):
                     at += 2
                 else:
                     if text[at:at + 2] in ("${", "$<") or text[at] == "@":
-                        value += "\0"  # is looked at by CMake: not what a text of others may have
+                        value += "\0"  # is looked at by CMake: not allowed in foreign text
                     value += text[at]
                     at += 1
             found.append(("string", value))

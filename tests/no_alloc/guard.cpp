@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kBytes = 64;
 
-/// Seen by nobody but the compiler, which must not take the allocation out.
+/// Seen by the compiler only, which must not take the allocation out.
 void* volatile sink = nullptr;
 
 bool use_heap(std::string_view how, void* before) {

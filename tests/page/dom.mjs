@@ -66,7 +66,7 @@ export class Element {
     this.replaceChildren(String(text));
   }
   set innerHTML(_) {
-    throw new Error("text of others may become markup");
+    throw new Error("foreign text may become markup");
   }
   get children() {
     return this.childNodes.filter((child) => child instanceof Element);

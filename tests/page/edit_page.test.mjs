@@ -350,7 +350,7 @@ test("problems mark their box and offer their help", async () => {
   assert.equal(placeText(["connections", 0, "from"]), "connections › 1. › from");
 });
 
-test("what the server refuses is told, and the state of the disk is taken over", async () => {
+test("the page shows what the server refuses, and the state of the disk is taken over", async () => {
   await show({tree: kServo});
   const newest = {...server.state, revision: 99, tree: {name: "other"}, text: "name: other\n"};
   server.refuse = [{error: "the file was changed on the disk", help: "look at it", state: newest}, 409];
@@ -408,21 +408,21 @@ test("agents, words of a command line, output of programs, curves", () => {
   assert.deepEqual([undefined, "zero", {policy: "a"}, {csv: "a"}].map(kindOfAgent), ["", "zero", "policy", "csv"]);
   assert.deepEqual(wordsOf("--steps 300  --name \"a b\" 'c d'"), ["--steps", "300", "--name", "a b", "c d"]);
   const known = {id: 1, next: 5, row: 2, lines: [{text: "old"}], columns: [], rows: [[1]]};
-  const told =
+  const answer ==
       {id: 2, kind: "train", running: true, exit_code: null, next: 1, result: false, lines: [{n: 0, text: "new"}]};
-  assert.ok(takeRun(known, {...told, next: 9, lines: []}));  // lines before the fifth were not told
+  assert.ok(takeRun(known, {...answer, next: 9, lines: []}));  // lines before the fifth were not sent
   assert.deepEqual([known.id, known.next, known.lines.length], [2, 0, 0]);
-  assert.ok(takeRun(known, {...told, curve: {columns: ["steps", "return"], rows: [[10, 1]], next: 1}}));
+  assert.ok(takeRun(known, {...answer, curve: {columns: ["steps", "return"], rows: [[10, 1]], next: 1}}));
   assert.deepEqual([known.lines.length, known.rows, known.row], [1, [[10, 1]], 1]);
-  assert.ok(!takeRun(known, {...told, lines: [], curve: {columns: ["steps", "return"], rows: [], next: 1}}));
+  assert.ok(!takeRun(known, {...answer, lines: [], curve: {columns: ["steps", "return"], rows: [], next: 1}}));
   assert.deepEqual(curveOf(["steps", "return"], [[10, 1], [20, ""]], ["return"]), [[10, 1]]);
   assert.deepEqual(curveOf(["a", "b"], [[1, 2]], ["return"]), []);
 });
 
 test("the client asks one thing after the other, and takes over what changed on the disk", async () => {
-  const told = [], asked = [];
+  const notes = [], asked = [];
   let revision = 1, on_disk = 1;
-  const client = new EditClient((why) => told.push(why), async (address, options) => {
+  const client = new EditClient((why) => notes.push(why), async (address, options) => {
     asked.push(address);
     if (address.startsWith("./changes")) return {status: 200, json: async () => ({revision: on_disk})};
     if (options?.method === "POST") on_disk = ++revision;
@@ -436,11 +436,11 @@ test("the client asks one thing after the other, and takes over what changed on 
   on_disk = 7;
   assert.ok(await client.follow());
   assert.equal(client.state.revision, 7);
-  assert.match(told.at(-1), /changed on the disk/);
+  assert.match(notes.at(-1), /changed on the disk/);
   client.ask = async () => {
     throw new Error("connection refused");
   };
   assert.ok(!await client.follow());
-  assert.match(told.at(-1), /does not run any more/);
+  assert.match(notes.at(-1), /does not run any more/);
   assert.match(await client.edit([]), /does not run any more/);
 });

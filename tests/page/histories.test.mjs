@@ -68,7 +68,7 @@ test("scenes of a trace: forwards, backwards and far away they are what they wer
   assert.equal(film.end_s, 60);
 });
 
-test("the scene of a time is the newest that there is", () => {
+test("the scene of a time is the newest known scene", () => {
   const film = new Film(encoded([[0, Array(16).fill(1)], [4, Array(16).fill(2)], [6, Array(16).fill(3)]]));
   assert.deepEqual([0, 0.39, 0.4, 0.59, 0.6, 99, -1].map((time) => film.numberAt(time)), [0, 0, 1, 1, 2, 2, 0]);
 });

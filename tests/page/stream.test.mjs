@@ -28,10 +28,10 @@ class Socket {
 globalThis.WebSocket = Socket;
 
 function opened() {
-  const told = [], changes = [];
-  const client = new StreamClient((...words) => told.push(words), (text) => changes.push(text));
+  const received = [], changes = [];
+  const client = new StreamClient((...words) => received.push(words), (text) => changes.push(text));
   client.socket.open();
-  return {client, socket: client.socket, told, changes};
+  return {client, socket: client.socket, received, changes};
 }
 const kChannels = [{id: 3, topic: "/a"}, {id: 9, topic: "/b"}];
 
@@ -63,15 +63,15 @@ test("it subscribes to what is wanted and there, and leaves what is not wanted a
   ]);
 });
 
-test("messages are told by topic, and what is none is not", () => {
-  const {socket, told} = opened();
+test("messages arrive by topic, and other data do not", () => {
+  const {socket, received} = opened();
   socket.say({op: "advertise", channels: kChannels});
   socket.onmessage({data: message(9, "{\"value\":[1]}")});
   socket.onmessage({data: message(4, "{}")});
   socket.onmessage({data: message(9, "{}", 7n, 2)});
   socket.onmessage({data: Uint8Array.of(1, 9, 0, 0, 0).buffer});
   socket.say({op: "status", level: 1});
-  assert.deepEqual(told, [["/b", {value: [1]}, 7]]);
+  assert.deepEqual(received, [["/b", {value: [1]}, 7]]);
 });
 
 test("the live view shows what the monitor says, and subscribes to what it plots", async () => {

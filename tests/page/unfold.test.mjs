@@ -9,7 +9,7 @@ import {pageOf} from "./generator.mjs";
 const namesIn = (drawing) =>
     drawing.boxes.flatMap((box) => (box.inside ? [box.composite, ...namesIn(box.inside)] : []));
 
-/** What is wrong with places: boxes over each other, outside of their frame, wires that end beside their ports. */
+/** What is wrong with places: boxes over each other, outside of their frame, wires that do not end at their ports. */
 function check(drawing, name) {
   const inside = (box, frame) => box.x >= frame.x && box.y >= frame.y && box.x + box.width <= frame.x + frame.width &&
       box.y + box.height <= frame.y + frame.height;

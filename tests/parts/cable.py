@@ -3,7 +3,7 @@
 
     unshare -rn tests/parts/cable.py [--latency S] [--loss P] [--seed N] COMMAND...
 
-Makes the device `cable` and runs COMMAND beside it, which may take it down (`ip link set cable down`). Each IP packet
+Makes the device `cable` and runs COMMAND next to it, which may take it down (`ip link set cable down`). Each IP packet
 is late by S seconds; of a hundred, P are lost, so that TCP sends them again. Addresses of this machine, so that no key
 is needed. Ends with COMMAND's exit code; 77 without a device, as where namespaces are not allowed.
 """

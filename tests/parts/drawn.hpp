@@ -1,5 +1,5 @@
 // A graph in one program, and the same in parts whose lines are memory: ./drawn makes programs that
-// compare both. The hub goes on as long as it can: a part runs only while the hub waits for it.
+// compare both. The hub continues as long as it can: a part runs only while the hub waits for it.
 #pragma once
 
 #include <cstdint>

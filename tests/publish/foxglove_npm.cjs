@@ -1,4 +1,4 @@
-// What foxglove_npm runs beside the packages: node client.cjs PORT STEPS. Prints what it had as JSON.
+// foxglove_npm runs this next to the packages: node client.cjs PORT STEPS. Prints what it had as JSON.
 const { FoxgloveClient } = require("@foxglove/ws-protocol");
 const { SceneUpdate } = require("@foxglove/schemas/jsonschema");
 const { WebSocket } = require("ws");

@@ -5,7 +5,7 @@ if(TARGET no_alloc_swing_up)
 endif()
 # With libwebsockets, and in a program that was built without it.
 eagerx_add_graph(TARGET publish_without_websockets GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml)
-# In place of the library's one object, which then has nothing that is missing.
+# Replaces the library's one object, which then has nothing that is missing.
 target_sources(publish_without_websockets PRIVATE ${PROJECT_SOURCE_DIR}/runtime/host/web_socket/no_web_socket.cpp
                                                   ${PROJECT_SOURCE_DIR}/runtime/host/web_socket/listener.cpp)
 add_test(NAME publish.foxglove COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/foxglove $<TARGET_FILE:replay_swing_up>

@@ -1,4 +1,4 @@
-# eagerx_gen.make(…, real_time_factor=…): an agent in Python beside a program in real time, in simulation and on the emulated
+# eagerx_gen.make(…, real_time_factor=…): an agent in Python next to a program in real time, in simulation and on the emulated
 # adapter. Ten thousands of steps with agents that fail: tests/real_time/campaign.
 if(EAGERX_SANITIZE)
   return() # the emulated adapter takes the place of clocks that a sanitizer looks at; tests/fuzz has the requests

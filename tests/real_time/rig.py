@@ -1,4 +1,4 @@
-"""The robot on the emulated adapter, and what its motor was told."""
+"""The robot on the emulated adapter, and the commands of its motor."""
 import os
 import pathlib
 import sys
@@ -14,7 +14,7 @@ import eagerx_gen  # noqa: E402
 
 PERIOD_S = 0.01
 LATE = 3  # of robot.yaml
-# Declared: the LATE-th step in a row without an action is safe, so it is 0 V before so many steps after the last observation
+# Declared: the LATE-th step in a row without an action is safe, so it is 0 V before LATE steps after the last observation
 # that the agent was given are over.
 LIMIT_S = LATE * PERIOD_S
 FULL = np.float32([2.0])
@@ -45,7 +45,7 @@ def commands_in(path):
 
 
 def safe_s(commands, from_s, until_s=np.inf):
-    """How long after `from_s` the motor was told 0 V for good, or until then; infinite if it was not."""
+    """How long after `from_s` the motor was commanded 0 V for good, or until then; infinite if it was not."""
     commands = commands[commands[:, 0] < until_s]
     pushes = np.flatnonzero(commands[:, 1])
     first = pushes[-1] + 1 if len(pushes) else 0

@@ -51,7 +51,7 @@ def wait(what, seconds=20.0):
         if found:
             return found
         time.sleep(0.05)
-    raise SystemExit("waited in vain")
+    raise SystemExit("no window appeared")
 
 
 def main():

@@ -93,7 +93,7 @@ class Node:
         self.inputs, self.outputs = list(inputs), list(outputs)
         self.thing = thing  # of engine nodes: their object
         self.add = add or {}  # output: what its processor adds
-        # Of reset nodes: what they pass on in an episode, the object whose state they bring about in so many callbacks.
+        # Of reset nodes: what they pass on in an episode, the object whose state they bring about in that number of callbacks.
         self.feedthroughs, self.target, self.callbacks = list(feedthroughs), target, callbacks
         self.times = []  # of each tick, as far as it was asked for
 

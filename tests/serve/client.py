@@ -27,11 +27,11 @@ class Server:
         self.address = self.process.stdout.readline().strip()
         match = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]{32})/", self.address)
         if match is None:
-            told = self.process.communicate(timeout=10)[1]
-            if "libcpp-httplib-dev" in told:
+            error = self.process.communicate(timeout=10)[1]
+            if "libcpp-httplib-dev" in error:
                 print(f"SKIPPED: there is no cpp-httplib (toolchains/install-packages serve)")
                 sys.exit(LEFT_OUT)
-            raise AssertionError(f"{self.address!r} {told}")
+            raise AssertionError(f"{self.address!r} {error}")
         self.port, self.token = int(match[1]), match[2]
         self.update()
         return self

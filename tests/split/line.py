@@ -5,8 +5,8 @@
             [--seed N] [--hang-up-after N] [--silent-after N] [--note FILE]
 
 FROM: unix:PATH to listen on for the host's program, or pty:PATH for a pseudo terminal with a link at PATH.
-TO: unix:PATH to connect to, or pty:PATH as well. P are percent of frames, which are told apart by the zeros between
-them. What a frame suffers depends on the seed and its number alone. FILE gets the time, in ns since 1970, at which the
+TO: unix:PATH to connect to, or pty:PATH as well. P are percent of frames, which the zeros between them
+separate. What a frame suffers depends on the seed and its number alone. FILE gets the time, in ns since 1970, at which the
 line is cut or falls silent.
 """
 import argparse

@@ -1,8 +1,8 @@
 // What a board sent, against the trace of the same run:
 //   telemetry_check telemetry.json CAPTURE TRACE [lossy | damage COUNT SEED]
 // Every value that the decoder shows must be that of the trace, and there must be all of them;
-// `lossy`: some may be missing; `damage`: so many frames are damaged first, and exactly these must
-// be missing. Prints what was counted.
+// `lossy`: some may be missing; `damage`: this number of frames is damaged first, and exactly these
+// must be missing. Prints what was counted.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 // Preloaded into a rank: kills it in a phase of a training that the environment names.
-//   KILL_RANK=1 KILL_PHASE=rollout|update|evaluation KILL_ITERATION=7   in the iteration of this number, from 1 on
-//   KILL_RANK=0 KILL_PHASE=checkpoint KILL_ITERATION=2                  when the 2nd file is renamed to KILL_FILE
-// A training asks its ranks for one byte each before an iteration, gathers eight bytes (sizes) before what was seen, and
-// exchanges gradients in updates only: this is how phases are told from each other.
+//   KILL_RANK=1 KILL_PHASE=rollout|update|evaluation KILL_ITERATION=7   in the iteration of this
+//   number, from 1 on KILL_RANK=0 KILL_PHASE=checkpoint KILL_ITERATION=2                  when the
+//   2nd file is renamed to KILL_FILE
+// A training asks its ranks for one byte each before an iteration, gathers eight bytes (sizes)
+// before what was seen, and exchanges gradients in updates only: this distinguishes the phases.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <mpi.h>
@@ -26,8 +27,8 @@ static void die(void) {
   raise(SIGKILL);
 }
 
-int MPI_Iallgatherv(const void* out, int count, MPI_Datatype type, void* in, const int counts[], const int places[],
-                    MPI_Datatype in_type, MPI_Comm comm, MPI_Request* request) {
+int MPI_Iallgatherv(const void* out, int count, MPI_Datatype type, void* in, const int counts[],
+                    const int places[], MPI_Datatype in_type, MPI_Comm comm, MPI_Request* request) {
   if (count == 1) {
     ++iteration;
     updates = 0;
@@ -37,10 +38,12 @@ int MPI_Iallgatherv(const void* out, int count, MPI_Datatype type, void* in, con
   return PMPI_Iallgatherv(out, count, type, in, counts, places, in_type, comm, request);
 }
 
-int MPI_Ialltoallv(const void* out, const int counts[], const int places[], MPI_Datatype type, void* in, const int in_counts[],
-                   const int in_places[], MPI_Datatype in_type, MPI_Comm comm, MPI_Request* request) {
+int MPI_Ialltoallv(const void* out, const int counts[], const int places[], MPI_Datatype type,
+                   void* in, const int in_counts[], const int in_places[], MPI_Datatype in_type,
+                   MPI_Comm comm, MPI_Request* request) {
   if (++updates == 3 && is_in("update", iteration)) die();
-  return PMPI_Ialltoallv(out, counts, places, type, in, in_counts, in_places, in_type, comm, request);
+  return PMPI_Ialltoallv(out, counts, places, type, in, in_counts, in_places, in_type, comm,
+                         request);
 }
 
 int rename(const char* from, const char* to) {

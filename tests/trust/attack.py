@@ -77,7 +77,7 @@ def over(stage, address, of_hub, of_part):
 
 
 def cost_of_a_step(stage):
-    """Whoever asks for it by name gets the least of three runs, as whatever else runs here only adds to it."""
+    """Requested by name, it is the least of three runs, because whatever else runs here only adds to it."""
     steps, runs = 10_000, 3 if sys.argv[3:] else 1
     run = ["--agent", "random", "--steps", str(steps)]
 
@@ -93,7 +93,7 @@ def cost_of_a_step(stage):
 
 
 def a_second_implementation(stage):
-    """Between them is one who has the key and is written in Python: so the page says enough."""
+    """A program in Python that has the key is between them: so the page says enough."""
     part, port = stage.left("--key", stage.key)
     key, server = key_of(stage.key), socket.create_server(("127.0.0.1", 0))
     noise, wrong = generator(3), []
@@ -103,7 +103,7 @@ def a_second_implementation(stage):
         to_part = Sealed(socket.create_connection(("127.0.0.1", port)), key, connects=True)
 
         def carry(source, target):
-            # Who has the key may still send what is no frame: it is ignored, as on every line.
+            # A peer with the key may still send what is no frame: it is ignored, as on every line.
             for number in range(MANY):
                 target.send(b"\0" + bytes(noise.randrange(1, 256) for _ in range(number % 60)) + b"\0")
             try:
@@ -123,12 +123,12 @@ def a_second_implementation(stage):
     check("left: frames ignored" in hub.said(), "noise is counted", hub.said())
 
 
-# --- who has not the key ---
+# --- a peer without the key ---
 def another_key(stage):
     part, port = stage.left("--key", stage.key)
     nothing_of = stage.hub(port, "--key", "left=" + os.path.join(WORK, "other.key"), key=False)
     check(nothing_of.wait() == 3 and "has not this key" in nothing_of.said(), "a hub with another key", nothing_of.said())
-    check(part.process.poll() is None, "the part goes on listening")
+    check(part.process.poll() is None, "the part continues to listen")
     same_hash(stage.hub(port))
 
 
@@ -234,7 +234,7 @@ def hostile_answers(stage):
     check(hub.wait() == 3 and "has not this key" in hub.said(), "reflected", hub.said())
 
 
-# --- who has the line between them ---
+# --- an attacker on the line between them ---
 def changed_on_the_way(stage):
     part, port = stage.left("--key", stage.key)
     between = Between(port)

@@ -19,7 +19,7 @@ def until(condition, what, seconds=SOON_S):
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:
-            raise AssertionError("waited in vain for " + what)
+            raise AssertionError("never saw " + what)
         time.sleep(0.01)
 
 
@@ -78,7 +78,7 @@ class Stage:
         return "right=unix:" + path
 
     def hub(self, port, *options, host="127.0.0.1", key=True, run=None, before=()):
-        """Starts it; with the key unless told otherwise."""
+        """Starts it; with the key by default."""
         self.trace = os.path.join(self.scratch, "trace%d" % len(self.started))
         keys = ["--key", "left=" + self.key] if key else []
         return self.start([*before, *self.program("hub"), *(RUN if run is None else run), "--link", self.right(), "--link",
@@ -141,7 +141,7 @@ class Way:
 
 
 class Between:
-    """Somebody who has the line between hub and part, and no key."""
+    """An attacker on the line between hub and part, without a key."""
 
     def __init__(self, port, to_part=None, to_hub=None):
         self.server = socket.create_server(("127.0.0.1", 0))

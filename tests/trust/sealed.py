@@ -1,4 +1,4 @@
-"""The sealed line of runtime/host/key/README.md, in Python: a second one beside that in C++, which the tests speak with.
+"""The sealed line of runtime/host/key/README.md, in Python: a second one besides that in C++, which the tests speak with.
 
     line = Sealed(socket, key_of("camera.key"), connects=True)
     line.send(bytes_of_the_link); data = line.receive()
@@ -72,7 +72,7 @@ class In:
 
 
 class Sealed:
-    """A line with another who has the key; Refused where it is somebody else."""
+    """A line to a peer that has the key; Refused for any other peer."""
 
     def __init__(self, connection, key, connects):
         self.connection = connection
@@ -119,7 +119,7 @@ class Sealed:
         size = struct.unpack("<H", length)[0]
         data, tag = self.into.open(receive_exactly(self.connection, size + SEAL), length)
         if (tag == FINAL) != (not data) or tag not in (MESSAGE, FINAL):
-            raise Refused("a record that nobody sends")
+            raise Refused("a record that is never sent")
         return data
 
     def end(self):

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // Modules of WebAssembly that eagerx-gen has not made, as simulation.js and the page get them: node
-// tests/wasm/hostile.js Each is refused with an error that says why; none changes anything beside itself. Needs no
+// tests/wasm/hostile.js Each is refused with an error that says why; none changes anything but itself. Needs no
 // Emscripten: the modules are written here, byte by byte.
 "use strict";
 const path = require("path");

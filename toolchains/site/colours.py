@@ -35,7 +35,7 @@ class Code:
         self.words, self.graph_keys, self.manifest_keys, self.settings_keys = words, graph_keys, manifest_keys, settings_keys
 
     def block(self, text, language, page):
-        """A block as HTML. Without a language it is what one types, or what a program says."""
+        """A block as HTML. Without a language it is typed text, or output of a program."""
         if language in ("yaml", "yml"):
             shown = self.yaml(text, page)
         elif language in LANGUAGES:

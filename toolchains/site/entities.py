@@ -21,7 +21,7 @@ def escape(text):
 
 
 def number(value):
-    """A number as one writes it, a list in brackets; what is long becomes its first and its last."""
+    """A number as written in a graph, a list in brackets; a long list becomes its first and its last number."""
     if isinstance(value, list):
         return "[" + ", ".join(number(item) for item in value) + "]"
     if isinstance(value, bool):

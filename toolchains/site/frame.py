@@ -54,7 +54,7 @@ class Frame:
         return "".join(out)
 
     def __call__(self, page, title, body, headings=()):
-        """The text of a page. `headings`: (level, title, anchor) for the list beside it."""
+        """The text of a page. `headings`: (level, title, anchor) for the list next to it."""
         inner = [(level, text, anchor) for level, text, anchor in headings if 2 <= level <= 3]
         contents = "".join(f'<li class="l{level}"><a href="#{anchor}">{html.escape(text, quote=False)}</a></li>'
                            for level, text, anchor in inner)

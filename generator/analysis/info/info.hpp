@@ -50,7 +50,7 @@ std::string telemetry_text(const Plan& plan);
 Json telemetry_json(const Plan& plan);
 /// Ages from sensors to actuators, and the link.
 std::string timing_text(const PlanInfo& report);
-/// What goes over the links of a graph with parts, beside the key `parts` of its `budget:`; empty
+/// The traffic on the links of a graph with parts, next to the key `parts` of its `budget:`; empty
 /// without parts.
 std::string parts_text(const Plan& plan, const std::optional<YamlValue>& budget);
 /// "1 exchange, 34 bytes with their frames", of a step.
@@ -68,7 +68,7 @@ std::string task_text(const Graph& graph);
 Json task_json(const Graph& graph);
 /// A time as its exact fraction and in seconds.
 Json time_json(const Rational& seconds);
-/// One JSON object with all of it; fractions as texts, beside them numbers in seconds.
+/// One JSON object with all of it: fractions as strings, and next to them numbers in seconds.
 Json info_json(const PlanInfo& report);
 
 /// The keys `age`, `link` and `telemetry` of a graph's `budget:`. Exceeded: E0420, with the

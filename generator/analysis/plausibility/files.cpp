@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "generator/analysis/plausibility/plausibility.hpp"
-#include "generator/support/files/beside.hpp"
+#include "generator/support/files/missing_file.hpp"
 
 namespace eagerx::gen {
 
@@ -13,14 +13,14 @@ void check_files(const Judged& judged, Diagnostics& diagnostics) {
   const AgentSpec& agent = judged.spec.agent;
   if (agent.kind != AgentSpec::Kind::csv) return;
   const std::string& name = agent.file.value;
-  // It is looked for where the program is started: here, or most likely beside the graph.
-  const fs::path beside = fs::path(judged.spec.path).parent_path() / name;
+  // The program looks for it where it is started: here, or most likely in the folder of the graph.
+  const fs::path next_to_graph = fs::path(judged.spec.path).parent_path() / name;
   std::error_code error;
-  if (fs::exists(name, error) || fs::exists(beside, error)) return;
-  const Help help = help_for_missing(beside.string(), name);
+  if (fs::exists(name, error) || fs::exists(next_to_graph, error)) return;
+  const Help help = help_for_missing(next_to_graph.string(), name);
   diagnostics
       .warning("W0118", agent.file.span,
-               fmt::format("there is no file `{}`, neither here nor beside the graph", name))
+               fmt::format("there is no file `{}`, neither here nor next to the graph", name))
       .help = !help.empty() ? help
                             : "the program reads a row of numbers for each step, from the folder "
                               "that it is started in";

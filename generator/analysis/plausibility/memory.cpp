@@ -49,7 +49,7 @@ Buffers buffers_of(const Judged& judged, std::optional<std::size_t> part) {
   return result;
 }
 
-/// The input that needs the most messages of the ring; nullptr if nobody reads it.
+/// The input that needs the most messages of the ring; nullptr if no input reads it.
 const Input* neediest(const Judged& judged, std::size_t ring) {
   const Input* result = nullptr;
   std::uint64_t most = 0;

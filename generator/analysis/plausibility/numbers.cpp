@@ -26,7 +26,7 @@ std::vector<SecondsSpec> written_delays(const ConnectionSettings& settings) {
   return result;
 }
 
-/// A delay of seconds that nobody has written a unit behind, and many steps long.
+/// A delay in seconds without a written unit that is many steps long.
 void check_delay(const Judged& judged, const ConnectionSettings& settings,
                  Diagnostics& diagnostics) {
   constexpr std::int64_t kManySteps = 10;

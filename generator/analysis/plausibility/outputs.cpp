@@ -68,7 +68,7 @@ void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics) {
       "write `safety: {{outputs: {{{}}}}}` with values that are safe, or {} if nothing acts on "
       "what "
       "leaves",
-      join(values, ", "), graph.cut ? "`none` in place of a value" : "`outputs: none`");
+      join(values, ", "), graph.cut ? "`none` instead of a value" : "`outputs: none`");
 }
 
 }  // namespace eagerx::gen

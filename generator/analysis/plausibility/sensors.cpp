@@ -68,7 +68,7 @@ void check_rates(const Judged& judged, Diagnostics& diagnostics) {
   }
 }
 
-/// A policy was trained on numbers of some size; without bounds nobody can see that these are not.
+/// A policy was trained on numbers of some size; without bounds, no check shows that these differ.
 void check_policy(const Judged& judged, Diagnostics& diagnostics) {
   const AgentSpec& agent = judged.spec.agent;
   if (agent.kind != AgentSpec::Kind::policy || agent.normalize) return;

@@ -1,4 +1,4 @@
-// States of objects that go on from one episode to the next.
+// States of objects that continue from one episode to the next.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,8 +30,8 @@ std::set<std::string> moved_by(const Entity& engine_state, const Config& config)
   return result;
 }
 
-/// Where an episode ends because of what has happened in it. One that is only cut off by time may
-/// well go on where the last one stood.
+/// Whether an episode ends because of what happens in it. One that only a time limit cuts off may
+/// well continue where the last one stopped.
 const TaskExpression* end_of_episodes(const Task& task) {
   for (const auto* conditions : {&task.terminated, &task.truncated}) {
     for (const TaskExpression& condition : *conditions) {
@@ -56,7 +56,7 @@ bool is_brought_about(const Graph& graph, std::size_t object) {
   });
 }
 
-/// States that nobody sets, and of which other states do not set everything. Where one of them
+/// States that are never set, and of which other states do not set everything. Where one of them
 /// would set what another one does, it alone.
 std::vector<const KeptState*> still_moving(const Object& object) {
   std::set<std::string> set;

@@ -72,7 +72,7 @@ std::vector<Burst> bursts(const Judged& judged) {
   const std::vector<bool> news = readers.with_news();
   std::vector<Burst> result;
   // By its first action, in the order of the file.
-  std::vector<bool> told(graph.nodes.size(), false);
+  std::vector<bool> reported(graph.nodes.size(), false);
   for (std::size_t a = 0; a < graph.environment().outputs.size(); ++a) {
     std::vector<std::size_t> direct;
     for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
@@ -85,10 +85,10 @@ std::vector<Burst> bursts(const Judged& judged) {
     for (const std::size_t n : direct) reached[n] = true;
     for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
       const GraphNode& node = graph.nodes[n];
-      if (!reached[n] || told[n] || news[n] || node.drawn ||
+      if (!reached[n] || reported[n] || news[n] || node.drawn ||
           node.rate_hz <= graph.environment().rate_hz || readers.is_seen_whole(n))
         continue;
-      told[n] = true;
+      reported[n] = true;
       const auto same = ranges::find(result, node.rate_hz, &Burst::rate_hz);
       if (same != result.end()) {
         same->nodes.push_back(node.name);

@@ -76,12 +76,12 @@ void check_listed(const Selection& listed, const char* key, const std::string& o
                   const GraphSpec& spec, Diagnostics& diagnostics) {
   if (!listed || !is_plain_list(*listed)) return;
   const bool sensors = std::string_view(key) == "sensors";
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const auto& connection : spec.connections) {
     const Spanned<std::string>& end = sensors ? connection.from : connection.to;
     const PortName port = parse_port(end.value);
     if (port.owner != object || (!port.section.empty() && port.section != key)) continue;
-    if (find_named(*listed, port.name) != nullptr || !told.insert(port.name).second) continue;
+    if (find_named(*listed, port.name) != nullptr || !reported.insert(port.name).second) continue;
     diagnostics
         .warning("W0105", end.span,
                  fmt::format("`{}.{}` is connected, but `{}:` of `{}` leaves it out", object,

@@ -154,7 +154,7 @@ class Measurement {
     return {};
   }
 
-  /// The map beside program.hpp; it stays empty for an image of no generated program.
+  /// The map next to program.hpp; it stays empty for an image of no generated program.
   bool read_map() {
     const std::string program = find_program();
     if (program.empty()) return true;

@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// In place of std::regex, which takes seconds to compile and stack for every character.
+/// Replaces std::regex, which takes seconds to compile and stack for every character.
 class Pattern {
  public:
   /// `expression` is one of ours: a mistake in it is a bug (std::logic_error).

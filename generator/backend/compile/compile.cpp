@@ -189,16 +189,17 @@ class CompileCheck {
     const auto messages = messages_in(compile("program.cpp", {"-c", "-o", folder_ + "/program.o"}));
     const auto error = ranges::find_if(messages, &CompilerMessage::error);
     if (error != messages.end()) {
-      // What is wrong with a class that there is not follows from that; others from the first one.
+      // A missing class causes further errors; other problems count from the first error on.
       if (find_classes()) report(*error);
       return false;
     }
-    std::set<std::pair<std::string, std::uint32_t>> told;  // one constant makes a line of doubles
+    std::set<std::pair<std::string, std::uint32_t>>
+        reported;  // one constant makes a line of doubles
     for (const CompilerMessage& message : messages) {
-      report_wrong_memory(message, told);
+      report_wrong_memory(message, reported);
       if (message.text.find("[-Wdouble-promotion]") == std::string::npos ||
           plan_.graph->double_precision || !is_of_portable_entity(message.file) ||
-          !told.insert({message.file, message.line}).second)
+          !reported.insert({message.file, message.line}).second)
         continue;
       broken(span_of(message.file, message.line, message.column),
              "calculates in double, but the graph in float")
@@ -209,7 +210,7 @@ class CompileCheck {
 
   /// A constant index beyond a message; a variable without a value.
   void report_wrong_memory(const CompilerMessage& message,
-                           std::set<std::pair<std::string, std::uint32_t>>& told) {
+                           std::set<std::pair<std::string, std::uint32_t>>& reported) {
     const auto says = [&](std::string_view words) {
       return message.text.find(words) != std::string::npos;
     };
@@ -219,7 +220,7 @@ class CompileCheck {
     places.insert(places.end(), message.inlined_at.begin(), message.inlined_at.end());
     const auto place =
         ranges::find_if(places, [&](const auto& each) { return is_of_entity(each.file); });
-    if (place == places.end() || !told.insert({place->file, place->line}).second) return;
+    if (place == places.end() || !reported.insert({place->file, place->line}).second) return;
     const Span span = span_of(place->file, place->line, place->column);
     const std::string text = message.text.substr(0, message.text.find(" [-W"));
     if (is_outside)
@@ -254,15 +255,16 @@ class CompileCheck {
   }
 
   void look_for_calls() {
-    std::set<std::pair<std::string, std::uint32_t>> told;
+    std::set<std::pair<std::string, std::uint32_t>> reported;
     std::set<std::string> variables;  // each where it is used first
     for (const ForbiddenCall& call : forbidden_calls(folder_ + "/program.o")) {
       const auto place = ranges::find_if(
           call.places, [&](const auto& each) { return is_of_portable_entity(each.file); });
-      if (place == call.places.end() || !told.insert({place->file, place->line}).second) continue;
+      if (place == call.places.end() || !reported.insert({place->file, place->line}).second)
+        continue;
       const bool named = call.variable.starts_with('_');
       if (named && !variables.insert(call.variable).second) continue;
-      broken(span_of(place->file, place->line, 0), call.what).help = call.mend;
+      broken(span_of(place->file, place->line, 0), call.what).help = call.fix;
     }
   }
 
@@ -293,7 +295,7 @@ class CompileCheck {
     return problem;
   }
 
-  /// Whose part of program.hpp it is, or whose member the line names; empty if it is nobody's.
+  /// Whose part of program.hpp it is, or whose member the line names; empty if it is in neither.
   std::string node_of(const CompilerMessage& message) {
     const std::string map_name = plan_.graph->name + "/program.map";
     const auto file = ranges::find(files_, map_name, &GeneratedFile::path);
@@ -356,7 +358,7 @@ class CompileCheck {
             static_cast<std::uint32_t>(text.size() - begin)};
   }
 
-  /// As the manifest beside it is named in messages.
+  /// As messages name the manifest in the same folder.
   std::string shown(const std::string& file) const {
     const UsedClass& owner = *class_of(file);
     const fs::path manifest = sources_.name(owner.span.file);

@@ -17,7 +17,7 @@ struct CompileOptions {
   std::vector<std::string> packages;         // pkg-config's names of libraries
 };
 
-/// A folder of its own for files that nobody else needs; removed with what is in it.
+/// A temporary folder that no other process uses; removed with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -33,8 +33,8 @@ class TemporaryFolder {
 
 /// Compiles the program in `files`, which emit() made for the output `folder`, and judges the code
 /// of its entities. An entity that needs an operating system may use a heap. Problems: E0510 a
-/// class that there is not, E0511 code that does not compile, E0512 a broken promise, E0513 no
-/// compiler, E0901 the files cannot be written.
+/// missing class, E0511 code that does not compile, E0512 a broken promise, E0513 no compiler,
+/// E0901 the files cannot be written.
 void check_entities(const Plan& plan, const std::vector<GeneratedFile>& files,
                     const TemporaryFolder& folder, const CompileOptions& options,
                     SourceMap& sources, Diagnostics& diagnostics);

@@ -18,7 +18,7 @@ namespace eagerx::gen {
 namespace {
 
 struct Kind {
-  std::string_view what, mend;
+  std::string_view what, fix;
   std::vector<std::string_view> names;
 };
 
@@ -63,12 +63,12 @@ std::pair<std::string, std::string> judge(std::string_view name) {
         fmt::format("calls `{}` of <cmath>, whose last bit differs from machine to machine", name),
         "use the function of this name in <eagerx/math.hpp>"};
   for (const Kind& kind : kinds()) {
-    if (ranges::contains(kind.names, name)) return {std::string(kind.what), std::string(kind.mend)};
+    if (ranges::contains(kind.names, name)) return {std::string(kind.what), std::string(kind.fix)};
   }
   return {};
 }
 
-/// Memory that a program writes to, beside that of its own objects. Constants lie in .rodata, and
+/// Memory that a program writes to, besides that of its own objects. Constants lie in .rodata, and
 /// in .data.rel.ro if they have addresses in them.
 bool is_writable(std::string_view section) {
   constexpr std::array<std::string_view, 4> kWritable = {".bss", ".data", ".tbss", ".tdata"};
@@ -167,13 +167,13 @@ std::vector<ForbiddenCall> forbidden_calls(const std::string& object) {
     constexpr std::size_t kName = 4;
     if (section.empty() || words.size() <= kName) continue;
     const std::string_view name = words[kName].substr(0, words[kName].find('@'));
-    auto [what, mend] = judge(name);
+    auto [what, fix] = judge(name);
     const std::string symbol(name);
     const bool variable = what.empty() && (is_writable(name) || variables.contains(symbol));
-    if (variable) std::tie(what, mend) = judge_variable(symbol);
+    if (variable) std::tie(what, fix) = judge_variable(symbol);
     if (what.empty()) continue;
     (variable ? uses : calls)
-        .push_back({std::move(what), std::move(mend),
+        .push_back({std::move(what), std::move(fix),
                     places_of(object, section, std::string(words[0])), variable ? symbol : ""});
   }
   calls.insert(calls.end(), uses.begin(), uses.end());

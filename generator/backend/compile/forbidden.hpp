@@ -17,7 +17,7 @@ struct ForbiddenCall {
     std::uint32_t line = 0;
   };
   std::string what;  // "takes memory from a heap (`operator new`)"
-  std::string mend;
+  std::string fix;
   std::vector<Place> places;
   std::string variable;  // its symbol, or its section where it has none; empty: a call
 };

@@ -163,11 +163,11 @@ class Emitter {
   }
 
   /// program.hpp, and what of it belongs to which node.
-  void add_program(const std::string& folder, const ProgramNames& names, bool beside_packs) {
+  void add_program(const std::string& folder, const ProgramNames& names, bool with_packs) {
     View view = program_view(plan_, names);
     view.set("has_memory", network_ && network_->has_memory());
     view.set("indented", indented());
-    view.set("beside_packs", beside_packs);
+    view.set("with_packs", with_packs);
     add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(view));
     if (failed_) return;
     MarkedText program = take_marks(files_.back().text);
@@ -193,7 +193,7 @@ class Emitter {
     put_hash("kPolicyHash", policies.empty() ? 0 : hash_of(policies));
   }
 
-  /// How to read what a board sends, for who has no C++.
+  /// How to read what a board sends, for programs not written in C++.
   void add_telemetry(const std::string& folder) {
     View view = telemetry_view(plan_);
     view.set("hash", fmt::format("0x{:016x}", hash_));

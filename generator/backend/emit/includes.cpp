@@ -146,8 +146,8 @@ void check_headers(const Plan& plan, const std::string& here, Diagnostics& diagn
         diagnostics
             .io_error("E0301", cpp.header.line > 0 ? cpp.header : place,
                       fmt::format("there is no header `{}`", header.filename().string()))
-            .help =
-            fmt::format("`header:` is a file beside the manifest, with the class `{}`", cpp.name);
+            .help = fmt::format("`header:` is a file in the manifest's folder, with the class `{}`",
+                                cpp.name);
       });
 }
 

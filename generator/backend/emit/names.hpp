@@ -44,7 +44,7 @@ struct ProgramNames {
   std::vector<Loop> loops;
   /// As the body of a loop calls everything: "servo_[i]".
   [[nodiscard]] ProgramNames inside(const Loop& loop) const;
-  /// What there is in this program of a split graph; of a whole one everything.
+  /// The contents of this program of a split graph; of a whole one, everything.
   [[nodiscard]] bool is_split() const { return part_ != Part::whole; }
   [[nodiscard]] bool is_placed() const { return part_.is_placed(); }
   [[nodiscard]] bool is_hub() const { return part_ == Part::hub; }
@@ -101,7 +101,7 @@ struct ProgramNames {
   }
   /// How many of the nodes before this one it asks for: the node's place in `taken_`.
   [[nodiscard]] std::size_t place_in_taken(std::size_t node) const;
-  /// `count` messages of a node, once so many are there where they may be on their way.
+  /// `count` messages of a node, once that many are there and may be in flight.
   [[nodiscard]] std::string awaited(std::size_t node, const std::string& count) const;
   /// Which link, before the arguments of its functions: "part::kVision, "; empty where there is
   /// one.
@@ -151,7 +151,7 @@ View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& pa
 bool guards_outputs(const Plan& plan, const ProgramNames& names);
 /// Spaces and `safety:`.
 View limits_view(const Plan& plan, const ProgramNames& names);
-/// The header of a library: what a main loop of one's own needs to know.
+/// The header of a library: what a main loop of your own needs to know.
 View library_view(const Plan& plan, bool has_policy, bool has_memory);
 /// Of the main loops of packages, and of the two functions that their users write.
 View loop_view(const Plan& plan, bool has_policy, bool has_memory);

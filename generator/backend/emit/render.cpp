@@ -28,7 +28,7 @@ std::size_t begin_of_lone_tag(const std::string& line) {
   return is_tag ? begin : std::string::npos;
 }
 
-/// A template with those that it includes, `{{>NAME}}` on a line of its own: NAME.mustache beside
+/// A template with those that it includes, `{{>NAME}}` on a line of its own: NAME.mustache next to
 /// it. (kainjow parses a partial anew wherever it is rendered: three quarters of the time for 1,000
 /// nodes.) Another tag alone on its line leaves nothing behind, neither its indentation nor the end
 /// of its line. (kainjow keeps the line of a section that is not rendered.)

@@ -25,7 +25,7 @@ inline View text_or_false(const std::string& text) {
 /// A section whose lines are indented by two more columns.
 View indented();
 
-/// Renders the template file for the file `output`; `{{>NAME}}` includes NAME.mustache beside it.
+/// Renders the template file for the file `output`; `{{>NAME}}` includes NAME.mustache next to it.
 /// `{{NAME}}` is escaped as the language of `output` wants it at that place (quote/language.hpp);
 /// `{{{NAME}}}` is written as it is, for lines and tables that the generator itself made. A
 /// template that cannot be read, does not parse, names a key that the view does not have, or has a

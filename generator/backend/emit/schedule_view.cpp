@@ -69,7 +69,7 @@ class ScheduleView {
     const std::size_t own = plan_.nodes[Graph::kEnvironment].rate;
     const auto observes = [&](std::uint64_t mask) { return (mask >> own & 1U) != 0; };
     std::uint64_t most = 0, since = 0;
-    // Twice, because the last ones go on at the beginning.
+    // Twice, because the last ones continue at the beginning.
     for (std::size_t i = 0; i < 2 * schedule_.masks.size(); ++i) {
       ++since;
       if (!observes(schedule_.masks[i % schedule_.masks.size()])) continue;

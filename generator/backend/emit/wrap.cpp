@@ -180,10 +180,9 @@ std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t
     all += (all.empty() ? "" : ", ") + std::string(element);
   all += braces.tail;
   const bool fits_below = deeper + columns_of(all) <= kColumns;
-  const std::string beside = in_lines(braces, aligned, braces.is_designated());
-  const auto lines = std::ranges::count(beside, '\n') + 1;
-  if (!beside.empty() && !(fits_below && lines > 2))
-    return begin + std::string(braces.head) + beside;
+  const std::string aside = in_lines(braces, aligned, braces.is_designated());
+  const auto lines = std::ranges::count(aside, '\n') + 1;
+  if (!aside.empty() && !(fits_below && lines > 2)) return begin + std::string(braces.head) + aside;
   std::string result = begin + std::string(braces.head) + "\n";
   if (fits_below) return result + std::string(deeper, ' ') + all;
   for (std::size_t i = 0; i < braces.elements.size(); ++i) {
@@ -350,7 +349,7 @@ bool is_needless_blank(std::string_view text) {
 
 std::string wrapped(std::string_view text) {
   std::string result;
-  std::string carried;  // the rest of a comment, which the next line goes on with
+  std::string carried;  // the rest of a comment, which continues on the next line
   bool on = true;
   for (std::size_t begin = 0; begin < text.size();) {
     if (on && text.substr(begin).starts_with("#include ")) {

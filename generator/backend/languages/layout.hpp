@@ -1,5 +1,5 @@
-// What a part of a placed graph is for who has no C++: its messages, the order on its line, its
-// nodes and when they run.
+// A part of a placed graph as programs in other languages than C++ need it: its messages, the order
+// on its line, its nodes and when they run.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +42,8 @@ struct PartLayout {
 /// `plan` is of a placed graph.
 PartLayout layout_of_part(const Plan& plan, std::size_t part);
 
-/// What the hub and one part tell each other, as hash_of_part() of eagerx/link/frame.hpp: FNV-1a
-/// that goes on from the hash of the graph.
+/// What the hub and one part agree on, as hash_of_part() of eagerx/link/frame.hpp: FNV-1a
+/// continued from the hash of the graph.
 inline std::uint64_t hash_of_part(std::uint64_t graph, std::string_view part) {
   return host::fnv1a(part, graph);
 }
@@ -51,7 +51,7 @@ inline std::uint64_t hash_of_part(std::uint64_t graph, std::string_view part) {
 /// Reports what of a part only a program in C++ can do: E0350.
 void check_languages(const Plan& plan, std::size_t part, Diagnostics& diagnostics);
 
-/// What it is called beside the program of a part.
+/// Its file name next to the program of a part.
 inline constexpr const char* kLayoutFile = "part.json";
 /// Its text. `hash`: of the part.
 std::string layout_json(const Plan& plan, const PartLayout& layout, std::uint64_t hash,

@@ -42,7 +42,7 @@ std::vector<GeneratedFile> files_of_nodes(const Plan& plan, const PartLayout& la
         diagnostics
             .io_error("E0301", node.entity->id.span,
                       fmt::format("cannot read `{}`: {}", path, file.reason))
-            .help = "`python:` is a file beside the manifest";
+            .help = "`python:` is a file in the manifest's folder";
       } else {
         files.push_back({name, std::move(file.bytes)});
       }

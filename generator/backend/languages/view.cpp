@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A text of others for a docstring or a comment of any language.
+/// Foreign text for a docstring or a comment of any language.
 std::string plain_text(const std::string& text) {
   std::string result = in_comment(text);
   std::ranges::replace_if(

@@ -1,5 +1,5 @@
 // program.map: which lines and members of a generated program.hpp belong to which node. `emit`
-// writes it beside program.hpp, `size` reads it; what it looks like is known here only.
+// writes it next to program.hpp, and `size` reads it; only this file knows its form.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace eagerx::gen {
 
-/// What nodes share, beside them in reports and budgets.
+/// What nodes share, listed after them in reports and budgets.
 inline constexpr std::array<std::string_view, 7> kSharedParts = {
     "board", "other", "policy", "rings", "runtime", "schedule", "simulators"};
 

@@ -130,7 +130,7 @@ void missing(const std::string& program, const std::string& packages, Diagnostic
 }
 
 /// "there is no PROGRAM: install it with `apt install PACKAGES`", as toolchain files say, in
-/// messages that CMake has wrapped. True if it is there and told.
+/// messages that CMake has wrapped. True if it is found and reported.
 bool tell_missing(const std::string& output, Diagnostics& diagnostics) {
   std::string text;
   for (const char c : output) {
@@ -189,11 +189,11 @@ std::string how_far(const std::string& output) {
 /// Whether there is a ccache that can write into its folder; else it fails, and the build with it.
 bool has_compiler_cache() {
   if (find_program("ccache").empty()) return false;
-  const auto told = run_process({"ccache", "--get-config", "cache_dir"}, {});
-  if (!told || told->exit_code != 0) return false;
+  const auto answer = run_process({"ccache", "--get-config", "cache_dir"}, {});
+  if (!answer || answer->exit_code != 0) return false;
   std::error_code error;
-  fs::path folder = told->output.substr(0, told->output.find('\n'));
-  // What is not there is made in the nearest that is.
+  fs::path folder = answer->output.substr(0, answer->output.find('\n'));
+  // A folder that does not exist is created in the nearest one that does.
   while (folder.has_relative_path() && !fs::exists(folder, error)) folder = folder.parent_path();
   return fs::is_directory(folder, error) && access(folder.c_str(), W_OK | X_OK) == 0;
 }
@@ -259,7 +259,7 @@ class Builder {
   }
 
  private:
-  /// What was compiled: Ninja lists it, and for Make each object has a file beside it.
+  /// What was compiled: Ninja lists it, and for Make each object has a file next to it.
   void keep(const Digests& digests) {
     const bool is_ninja = !text_of(fs::path(tree_.build) / "build.ninja").empty();
     const auto listed = is_ninja ? run_process({"ninja", "-C", tree_.build, "-t", "deps"})

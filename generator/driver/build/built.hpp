@@ -41,7 +41,7 @@ void compile_entities(Run& run, const std::vector<const Target*>& targets,
                       Diagnostics& diagnostics);
 
 /// build_tree() of a graph's program for `target`. What does not build because of the class of an
-/// entity is told with its place in that entity, as compile_entities() tells it.
+/// entity is reported with its place in that entity, as compile_entities() reports it.
 bool build_program(Run& run, const Tree& tree, const Target& target, const std::string& name,
                    bool quiet, const std::string& cmake_target = {});
 

@@ -36,7 +36,7 @@ class Digests {
 };
 
 /// What was compiled, as `ninja -t deps` prints it, of a build folder of Make: from the files `*.d`
-/// that compilers write beside objects.
+/// that compilers write next to object files.
 std::string listed_in_depfiles(const std::string& build);
 
 /// The file in the build folder that has them.

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The program of a part, in whatever language, and what it says with its hub. `hash`: of the
-/// graph, 0 as long as nobody knows it: what it is made of is the same in every language.
+/// graph, 0 as long as it is unknown: its input is the same in every language.
 std::optional<std::vector<GeneratedFile>> emit_part(Run& run, const EmitOptions& options,
                                                     std::size_t part, std::uint64_t hash) {
   const PlacedPart& placed = run.graph->placement->parts[part];

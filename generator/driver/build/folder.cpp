@@ -84,14 +84,14 @@ bool KeptFolders::keep(const std::string& path, const std::function<void()>& wai
   auto folder = Folder::open(path);
   if (!folder) return false;
   if (folder->is_kept()) return true;
-  bool is_told = false;
+  bool is_reported = false;
   for (const auto begin = std::chrono::steady_clock::now();;) {
     const bool is_ours = flock(folder->self_.number(), LOCK_EX | LOCK_NB) == 0;
     // Some file systems have no locks; then runs at the same time are the user's to avoid.
     if (is_ours || (errno != EWOULDBLOCK && errno != EINTR)) break;
     const auto waited = std::chrono::steady_clock::now() - begin;
     if (waited > kPatience) return errno = EWOULDBLOCK, false;
-    if (waited > kTells && !std::exchange(is_told, true)) waiting();
+    if (waited > kTells && !std::exchange(is_reported, true)) waiting();
     std::this_thread::sleep_for(10ms);
   }
   all().push_back(std::move(*folder));

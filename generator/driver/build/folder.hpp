@@ -72,7 +72,7 @@ class Folder {
 };
 
 /// Folders that no other process writes or builds in until this one ends or becomes what it has
-/// built: nobody gets the program of somebody else's options.
+/// built: no process gets a program built with the options of another.
 class KeptFolders {
  public:
   /// Makes the folder, and waits for it for ten minutes, as builds take; `waiting` is called once

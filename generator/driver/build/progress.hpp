@@ -7,7 +7,7 @@
 namespace eagerx::gen {
 
 /// Lines on the standard error, on a terminal one over the other. What is done within half a second
-/// is not told.
+/// is not printed.
 class Progress {
  public:
   Progress(std::string what, bool quiet);

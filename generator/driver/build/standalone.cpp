@@ -235,16 +235,16 @@ class Carrier {
     std::vector<fs::path> places;
     const auto origin = from_.find(line.file);
     if (line.name.quoted) {
-      const fs::path beside = origin == from_.end()
-                                  ? fs::path(output_) / fs::path(line.file).parent_path()
-                                  : origin->second.parent_path();
-      places.push_back(beside / name);
+      const fs::path same_folder = origin == from_.end()
+                                       ? fs::path(output_) / fs::path(line.file).parent_path()
+                                       : origin->second.parent_path();
+      places.push_back(same_folder / name);
     }
-    const std::size_t beside_it = places.size();
+    const std::size_t in_same_folder = places.size();
     places.push_back(fs::path(run_.root) / "runtime" / name);
     for (const auto& root : roots_) places.push_back(root / name);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (i == beside_it && generated_.contains(kHeaderFolder + name)) return std::nullopt;
+      if (i == in_same_folder && generated_.contains(kHeaderFolder + name)) return std::nullopt;
       const auto path = found_at(places[i]);
       if (!path) continue;
       auto relative = relative_to_root(*path);
@@ -281,7 +281,8 @@ class Carrier {
                fmt::format("`{}` includes `{}`, which is in no folder of entities", line.file,
                            path.string()))
         .help =
-        "move it below the folder that `library:` or `--path` names, or beside that folder: a tree "
+        "move it below the folder that `library:` or `--path` names, or next to that folder: a "
+        "tree "
         "has what lies there, too";
   }
 

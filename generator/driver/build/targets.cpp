@@ -67,7 +67,7 @@ void check_serial_port(Run& run, const Target& target) {
   } else {
     problem.notes.push_back({"its manifest says no `baud`", target.id.span, ""});
     problem.help =
-        "write `baud:` into the manifest and uart_offer() beside uart_write(), as "
+        "write `baud:` into the manifest and uart_offer() next to uart_write(), as "
         "targets/README.md says under \"Add a board\"";
   }
 }
@@ -100,7 +100,7 @@ void check_target(Run& run, const Target& target) {
       .error("E0335", placement.span(),
              is_linux ? fmt::format("target `{}` runs whole graphs only", target.id.value)
                       : fmt::format(
-                            "target `{1}` cannot run the part beside `{0}`: that part needs Linux",
+                            "target `{1}` cannot run the part next to `{0}`: that part needs Linux",
                             placement.parts.front().target->id.value, target.id.value))
       .help = is_linux ? fmt::format(
                              "make it by itself and without `--split`, `--target {}` alone: "
@@ -109,7 +109,7 @@ void check_target(Run& run, const Target& target) {
                        : "leave out `--target`, or name a target of Linux";
 }
 
-/// Refuses a target that `eagerx-gen new` has made and nobody has filled in yet.
+/// Refuses a target that `eagerx-gen new` has made and whose blanks are not filled in yet.
 void check_filled(Run& run, const Target& target) {
   std::vector<std::string> files;
   std::error_code error;

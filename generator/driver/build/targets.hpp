@@ -17,7 +17,7 @@ std::uint64_t warnings_in(const Diagnostics& diagnostics);
 std::string folder_for_options(std::string folder, const GraphOptions& options);
 
 /// Those of the command line. Problems: E0316 unknown, E0335, E0337, E0341 and those of
-/// check_system() where the graph cannot run, E0340 what nobody has filled in yet.
+/// check_system() where the graph cannot run, E0340 blanks that are not filled in.
 std::vector<const Target*> find_targets(Run& run, const GraphOptions& options);
 
 }  // namespace eagerx::gen

@@ -115,7 +115,7 @@ class Writer {
     return good;
   }
 
-  /// Writes what changes beside its place.
+  /// Writes what changes under temporary names in the same folder.
   bool stage(const std::vector<GeneratedFile>& files, std::vector<Change>& changes) {
     std::set<std::string> paths;
     for (const auto& file : files) {
@@ -148,7 +148,7 @@ class Writer {
     }
   }
 
-  /// From here on the new output is the valid one: whoever comes next completes it.
+  /// From here on the new output is the valid one: the next run completes it.
   bool commit(const std::vector<Change>& changes) {
     std::string text;
     for (const auto& change : changes) text += change.staged + ":" + change.path + "\n";

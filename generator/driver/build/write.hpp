@@ -18,13 +18,13 @@ struct WriteResult {
 bool are_different(const std::string& folder, const std::vector<GeneratedFile>& files,
                    Diagnostics& diagnostics);
 
-/// Writes `files` below `folder`. Everything is written beside its place first, then a journal says
-/// where it belongs: from that moment the output is the new one, and a run that is killed while it
-/// renames is completed by the next one. Until then, or if the disk is full, the previous output
-/// stays as it was. Links below `folder` are not followed. Files of an earlier run that are no
-/// longer made are removed; the list is kept in `eagerx-gen.files`. A file that is not in that list
-/// is left alone, and so is one with `yours` that is there. Problems: E0901, E0903 a file of
-/// somebody else, E0906 a file that is read, or two outputs that are one file; nullopt.
+/// Writes `files` below `folder`. Every file is written under a temporary name first, then a
+/// journal says where it belongs: from that moment the output is the new one, and a run that is
+/// killed while it renames is completed by the next one. Until then, or if the disk is full, the
+/// previous output stays as it was. Links below `folder` are not followed. Files of an earlier run
+/// that are no longer made are removed; the list is kept in `eagerx-gen.files`. A file that is not
+/// in that list is left alone, and so is one with `yours` that is there. Problems: E0901, E0903 a
+/// file of somebody else, E0906 a file that is read, or two outputs that are one file; nullopt.
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics);
 

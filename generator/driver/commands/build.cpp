@@ -162,13 +162,13 @@ bool build_program(Run& run, const Tree& tree, const Target& target, const std::
   const auto is_of_compiler = [](const Diagnostic& each) { return each.code == "E0514"; };
   if (ranges::any_of(building.all(), is_of_compiler)) compile_entities(run, {&target}, entities);
   const auto tell = [&](const Diagnostics& from, auto&& wanted) {
-    bool told = false;
+    bool reported = false;
     for (const Diagnostic& each : from.all()) {
       if (!wanted(each)) continue;
       (each.io ? run.diagnostics.io_error("", {}, "") : run.diagnostics.error("", {}, "")) = each;
-      told = true;
+      reported = true;
     }
-    return told;
+    return reported;
   };
   const auto is_code = [](const Diagnostic& each) {
     return each.code == "E0510" || each.code == "E0511";

@@ -35,7 +35,7 @@ Command table(CampaignOptions& options) {
             "eagerx-gen campaign pendulum.yaml --faults angle=silent+10"},
            {"a long one that can be interrupted",
             "eagerx-gen campaign robot.yaml --runs 1000000 --checkpoint robot.campaign"},
-           {"and goes on", "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"},
+           {"continue it", "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"},
            {"on four processes, for an eagerx-gen with MPI",
             "mpirun -n 4 eagerx-gen campaign robot.yaml --runs 1000000"}},
       .arguments = joined({{graph(options), agent_policy(options)},

@@ -84,7 +84,8 @@ int perform(const DocsOptions& options) {
   const Json words = site.empty() ? nullptr : words_of(site);
   if (!words.is<Json::Object>()) {
     complain(
-        "error: there is no reference beside this eagerx-gen\nhelp: `cmake --build BUILD --target "
+        "error: this eagerx-gen is installed without its reference\nhelp: `cmake --build BUILD "
+        "--target "
         "site` makes it; it needs the Debian packages cmark-gfm and python3-yaml\n");
     return kInputOutput;
   }

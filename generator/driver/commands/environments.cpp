@@ -26,7 +26,8 @@ std::string without_settings(const std::string& said) {
   return said.starts_with("settings: ") ? said.substr(said.find('\n') + 1) : said;
 }
 
-/// The exit code of the program's own look at its words; not kDone where that has been told.
+/// The exit code of the program's own check of its arguments; not kDone if it has reported a
+/// problem.
 int check_words(const Helper& helper, const std::vector<std::string>& words) {
   const auto checked = run_process(with({helper_program(helper.checker), "--check"}, words));
   if (!checked || checked->exit_code == 0) return kDone;
@@ -52,7 +53,7 @@ Arguments handed_on(std::span<const eagerx::options::Row> rows, EnvironmentsOpti
     if (row.who != eagerx::options::For::all) continue;
     Argument argument = handed_on(row.names, row.about, row.value, options.of_program);
     if (row.use == eagerx::options::Use::writes) argument = writes(argument, row.otherwise);
-    if (row.use == eagerx::options::Use::reads) argument = reads(argument, row.goes_on);
+    if (row.use == eagerx::options::Use::reads) argument = reads(argument, row.continues);
     if (row.use == eagerx::options::Use::folder) argument = folder(argument);
     argument.repeated = row.repeated;
     all.push_back(std::move(argument));

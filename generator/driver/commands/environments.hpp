@@ -12,7 +12,7 @@
 
 namespace eagerx::gen {
 
-/// Programs beside eagerx-gen that work on a library of environments.
+/// Programs next to eagerx-gen that work on a library of environments.
 struct Helper {
   const char* program;
   const char* checker;  // looks at the options with --check, before anything is built

@@ -36,7 +36,7 @@ std::vector<Spanned<std::string>> library_of(const ImportCommandOptions& options
   return result;
 }
 
-/// What `check` says of the graph that was written: somebody may go on with it by hand.
+/// What `check` reports about the written graph: somebody may continue by hand.
 int check_written(const ImportCommandOptions& options, const std::string& text) {
   GraphOptions of_check;
   of_check.graph = options.output.empty() ? "<standard output>" : options.output;

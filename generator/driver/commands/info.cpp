@@ -1,4 +1,4 @@
-// eagerx-gen info: what there is, and what one entity takes.
+// eagerx-gen info: lists all entities, and explains one.
 #include "generator/analysis/info/info.hpp"
 
 #include <fmt/format.h>
@@ -293,7 +293,7 @@ int perform(const InfoOptions& options) {
 Command table(InfoOptions& options) {
   return {.name = "info",
           .about = "list entities and targets, or explain one or a graph",
-          .examples = {{"list what there is", "eagerx-gen info"},
+          .examples = {{"list all entities", "eagerx-gen info"},
                        {"ports and parameters of an entity", "eagerx-gen info ButterworthFilter"},
                        {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"},
                        {"what goes over the links, where a part of it runs elsewhere",

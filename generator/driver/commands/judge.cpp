@@ -45,7 +45,7 @@ void check_graph(Run& run, const std::vector<const Target*>& targets, const std:
     check_plausibility({*run.spec, *run.graph, *run.plan, targets}, run.diagnostics);
 }
 
-/// In place of a graph without problems the nodes of `--of`; false if they cannot be.
+/// Replaces a graph without problems by the nodes of `--of`; false if that is not possible.
 bool cut_graph(Run& run, const GraphOptions& options, const std::string& output) {
   check_graph(run, {}, output);
   if (run.diagnostics.has_errors()) return false;

@@ -35,7 +35,7 @@ int perform(const KeyNewOptions& options) {
 Command table(KeyNewOptions& options) {
   return {
       .name = "new",
-      .about = "write a new key, which nobody but you can read (mode 0600)",
+      .about = "write a new key, readable only by you (mode 0600)",
       .examples = {{"for the line to a part on another machine", "eagerx-gen key new camera.key"}},
       .arguments =
           joined({{required(writes(text("file", options.file, "where no file is", "FILE")))},
@@ -48,7 +48,7 @@ Command table(KeyNewOptions& options) {
 Command key_command() {
   return {
       .name = "key",
-      .about = "make a key: who has it may be a part of a graph, or its hub, over TCP",
+      .about = "make a key: a program that has it may be a part of a graph, or its hub, over TCP",
       .examples = {{"for the line to a part on another machine", "eagerx-gen key new camera.key"}},
       .commands = {with_options<KeyNewOptions>(table)}};
 }

@@ -22,7 +22,7 @@ struct Kind {
   [[nodiscard]] std::string with_article() const;
 };
 
-/// Names of the kinds that there are, sorted; empty if the templates are not found.
+/// Names of all kinds, sorted; empty if the templates are not found.
 std::vector<std::string> kinds_of_new();
 
 /// One kind. Problems: E0301 there is none, E02xx its kind.yaml is wrong.

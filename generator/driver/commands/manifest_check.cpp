@@ -130,7 +130,7 @@ class Trial {
 };
 
 /// The folder of the library that a manifest is in: one of `options`, or what installed manifests
-/// are in, or else its own folder with those beside it.
+/// are in, or else its own folder with the folders next to it.
 LibraryOptions with_folder_of(LibraryOptions options, const Run& run, const fs::path& path) {
   std::vector<std::string> folders = options.paths;
   for (const char* const part : {"models", "targets"})
@@ -151,7 +151,7 @@ LibraryOptions with_folder_of(LibraryOptions options, const Run& run, const fs::
   return options;
 }
 
-/// While a manifest is checked its text is what is told, saved or not.
+/// While a manifest is checked, the editor's text counts, saved or not.
 class Meanwhile {
  public:
   Meanwhile(std::string path, const std::string& text)

@@ -112,7 +112,7 @@ bool is_free_place(const fs::path& folder, Diagnostics& diagnostics) {
 void write_new_folder(const fs::path& folder, const std::vector<NewFile>& files,
                       Diagnostics& diagnostics) {
   std::error_code error;
-  // Beside its place: a folder without some of its files would not be taken for a broken one.
+  // Under a temporary name first: a folder without some of its files would look complete.
   const fs::path begun =
       folder.parent_path() / fmt::format(".{}.eagerx-gen.new", folder.filename().string());
   fs::remove_all(begun, error);  // of a run that was killed

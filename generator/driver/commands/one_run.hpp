@@ -8,7 +8,7 @@
 namespace eagerx::gen {
 
 /// "eagerx-gen run GRAPH …" with the graph, policy, variant, engine, rates and libraries of
-/// `options`; in place of `run` another command.
+/// `options`; `command` replaces `run`.
 std::string command_on_graph(const GraphOptions& options, const char* command = "run");
 
 }  // namespace eagerx::gen

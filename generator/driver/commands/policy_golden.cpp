@@ -1,4 +1,4 @@
-// eagerx-gen policy golden: known answers for whoever has none.
+// eagerx-gen policy golden: known answers for a policy that has none.
 #include <fmt/core.h>
 
 #include <utility>

@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// The program beside `eagerx-gen` that has all commands; it can be left out of a build.
+/// The program next to `eagerx-gen` that has all commands; it can be left out of a build.
 constexpr std::string_view kToolsProgram = "eagerx-gen-tools";
 
 /// The command line of eagerx-gen with these commands.

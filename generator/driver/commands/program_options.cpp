@@ -137,7 +137,7 @@ class Checker {
     const std::string all = ranges::contains(known, "--help")
                                 ? "`eagerx-gen run GRAPH.yaml -- --help` lists what it takes"
                                 : fmt::format("it takes {}", join(usage, ", "));
-    // What nobody knows went to the program, which may have been meant for eagerx-gen.
+    // Unknown options went to the program, but may have been meant for eagerx-gen.
     GenerateOptions ignored;
     for (const Argument& argument : on_building(ignored)) {
       if (!argument.is_option()) continue;

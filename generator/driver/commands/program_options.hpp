@@ -1,4 +1,4 @@
-// Options of a program that is run: what it takes stands in a file beside its main loop.
+// Options of a program that is run: a file next to its main loop lists them.
 #pragma once
 
 #include <string>

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "generator/support/diagnostics/search.hpp"
-#include "generator/support/files/beside.hpp"
+#include "generator/support/files/missing_file.hpp"
 #include "generator/support/process/companions.hpp"
 #include "generator/support/quote/quote.hpp"
 
@@ -72,8 +72,8 @@ std::string key_of(const PlacedPart& part, const std::vector<std::string>& words
   return found.empty() ? part.key : found;
 }
 
-/// What is brought to another machine, and what is typed there beside it: a program, or the folder
-/// of one that is interpreted.
+/// What is copied to another machine, and what to type there: a program, or the folder of an
+/// interpreted one.
 std::pair<std::string, std::string> to_copy(const Run& run, const BuiltProgram& program) {
   const fs::path image = program.image;
   const auto command = command_to_start(run, program);
@@ -106,9 +106,9 @@ std::string how_elsewhere(const Run& run, const BuiltProgram& program, const std
 void tell_elsewhere(Run& run, const BuiltProgram& program, const std::vector<std::string>& words) {
   const PlacedPart& part = *program.part;
   run.diagnostics
-      .error(
-          "E0518", part.span,
-          fmt::format("part `{}` runs on {}, where nobody here can start it", part.name, part.host))
+      .error("E0518", part.span,
+             fmt::format("part `{}` runs on {}, and this machine cannot start it there", part.name,
+                         part.host))
       .help = how_elsewhere(run, program, key_of(part, words));
 }
 

@@ -1,4 +1,4 @@
-// The parts of a placed graph that run on this machine, beside its hub.
+// The parts of a placed graph that run on this machine, together with its hub.
 #pragma once
 
 #include <string>

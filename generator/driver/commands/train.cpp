@@ -68,7 +68,7 @@ Command table(TrainOptions& options) {
             "eagerx-gen train pendulum.yaml --record training.json"},
            {"a long one that can be interrupted",
             "eagerx-gen train robot.yaml --steps 50000000 --checkpoint robot.checkpoint"},
-           {"and goes on",
+           {"continue it",
             "eagerx-gen train robot.yaml --steps 50000000 --resume robot.checkpoint"},
            {"over settings: a table of how good each is, and the best policy",
             "eagerx-gen train robot.yaml --sweep sweep.yaml --csv settings.csv"},
@@ -82,11 +82,10 @@ Command table(TrainOptions& options) {
                        "settings of the algorithm; `eagerx-gen help "
                        "train-settings` lists them",
                        "FILE.yaml")),
-            reads(
-                text("--sweep", options.sweep,
-                     "train with each of these settings, beside each other, and say how good each "
-                     "is; a file with lists and ranges, see `eagerx-gen help train-settings`",
-                     "FILE.yaml"))},
+            reads(text("--sweep", options.sweep,
+                       "train with each of these settings in parallel, and print how good each "
+                       "is; a file with lists and ranges, see `eagerx-gen help train-settings`",
+                       "FILE.yaml"))},
            handed_on(eagerx::options::kTrain, options),
            on_environments(options)}),
       .run = [&options] { return perform(options); }};

@@ -45,10 +45,10 @@ FormatPtr range_format(const FormatPtr& value) {
        {.name = "to", .format = value, .required = true, .about = "the greatest value"},
        {.name = "count",
         .format = format::integer("a number of values", 2, kMostPoints),
-        .about = "so many values, at equal distances; not with `random`, where any is drawn"},
+        .about = "number of values, at equal distances; not with `random`, where any is drawn"},
        {.name = "logarithmic",
         .format = format::boolean(),
-        .about = "equal quotients in place of equal distances (default: false)"}});
+        .about = "equal quotients instead of equal distances (default: false)"}});
 }
 
 FormatPtr swept_format(const SettingRow& row) {
@@ -85,7 +85,7 @@ const Format& train_sweep_format() {
           .about = "trainings with each (default: 1)"},
          {.name = "random",
           .format = format::integer("how many are drawn", 1, static_cast<double>(kMostCases)),
-          .about = "draw so many (default: all combinations)"},
+          .about = "number of combinations to draw (default: all)"},
          {.name = "seed",
           .format = format::integer("a seed", 0, kMostSeed),
           .about = "of these draws (default: 1)"}});
@@ -170,7 +170,7 @@ class Reader {
       problem.help = "leave `count` out, or write a list of values";
     } else if (!draws_ && count == nullptr) {
       auto& problem = diagnostics_.error("E0202", value.span, "missing key `count` in a range");
-      problem.help = "say how many values, or draw some: `random: 20` beside `settings:`";
+      problem.help = "say how many values, or draw some: `random: 20` next to `settings:`";
     } else if (count != nullptr) {
       const std::int64_t points = parse_int(count->text).value_or(2);
       for (std::int64_t i = 0; i < points; ++i)
@@ -198,7 +198,7 @@ class Reader {
       if (count <= kMostCases) continue;
       auto& problem = diagnostics_.error("E0204", yaml_.find("settings")->span,
                                          fmt::format("more than {} combinations", kMostCases));
-      problem.help = "draw some of them: `random: 20` beside `settings:`";
+      problem.help = "draw some of them: `random: 20` next to `settings:`";
       return {};
     }
     std::vector<std::string> all;
@@ -252,7 +252,7 @@ class Reader {
     words += fmt::format("{}{}={}", words.empty() ? "" : " ", one.row->name, value);
   }
 
-  /// What there is already would be trained twice.
+  /// Skips what is already there, which would be trained twice.
   static void add(std::vector<std::string>& all, std::string& words) {
     if (!ranges::contains(all, words)) all.push_back(std::move(words));
   }

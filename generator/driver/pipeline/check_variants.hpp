@@ -1,4 +1,4 @@
-// The variants of a graph, which nobody has chosen.
+// Checks the variants of a graph that were not chosen.
 #pragma once
 
 #include <cstddef>

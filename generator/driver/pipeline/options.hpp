@@ -11,7 +11,7 @@
 
 namespace eagerx::gen {
 
-/// How problems are told.
+/// How problems are printed.
 struct MessageOptions {
   bool json = false;  // --diagnostics=json
   bool quiet = false;
@@ -31,7 +31,7 @@ enum class Purpose : std::uint8_t {
   recording,   // the whole graph, with its agent, for a library that is cut out of it
 };
 
-/// A graph, and what is wanted in place of what its file says.
+/// A graph, and what replaces parts of its file.
 struct GraphOptions : LibraryOptions {
   std::string graph;
   std::string variant;                              // empty: the graph as it is written
@@ -52,7 +52,7 @@ struct GenerateOptions : GraphOptions {
   std::string depfile;
   std::string part;  // of a placed graph: only this one, in the language that `packages` names
   std::vector<std::string> packages;  // kinds of packages that the output is to be as well
-  bool library = false;               // headers for a main loop of one's own, no program
+  bool library = false;               // headers for your own main loop, no program
   bool standalone = false;            // the output has all headers it needs
   bool sanitize = false;              // programs are built with sanitizers, and check indexes
   bool for_this_machine = false;      // packs of environments for its processor alone

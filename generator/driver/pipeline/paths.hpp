@@ -1,5 +1,5 @@
-// Where models, targets and templates are: beside an installed eagerx-gen, or in the source tree it
-// was built from.
+// Where models, targets and templates are: next to an installed eagerx-gen, or in the source tree
+// it was built from.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace eagerx::gen {
 /// The folder that holds models/, targets/, templates/, toolchains/; EAGERX_HOME in the environment
 /// wins. Empty if there is none.
 std::string data_root();
-/// The folder of eagerx-gen's CMake package: beside it, or in the build folder that it is in. Empty
-/// if there is none.
+/// The folder of eagerx-gen's CMake package: next to it, or in the build folder that it is in.
+/// Empty if there is none.
 std::string package_folder();
-/// A program that only other commands start: where it is installed, or beside eagerx-gen in the
+/// A program that only other commands start: where it is installed, or next to eagerx-gen in the
 /// build folder.
 std::string helper_program(const std::string& name);
 /// The build folder of an image, as was said, or else the folder that it lies in.

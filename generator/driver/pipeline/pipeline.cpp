@@ -189,7 +189,7 @@ void take_rates(Run& run, const GraphOptions& options) {
     run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();
 }
 
-/// `--policy FILE` in place of the graph's agent; the graph names files beside itself.
+/// `--policy FILE` replaces the graph's agent; the graph names files relative to itself.
 void take_policy(Run& run, const GraphOptions& options) {
   if (options.agent_policy.empty()) return;
   const Span span =

@@ -59,7 +59,7 @@ CompositeSpec shown_composite(const std::string& name, Span span, const Entity& 
 YamlValue joined(const YamlValue& connection, const Spanned<std::string>& from,
                  const Spanned<std::string>& to, const std::vector<YamlValue>& settings);
 
-/// `map` with `value` under `key`, in place of what was there.
+/// `map` with `value` under `key`, which replaces a previous value.
 void set_entry(YamlValue& map, const std::string& key, Span span, YamlValue value);
 /// The value under `key`, made if it is not there, as an empty mapping.
 YamlValue& map_at(YamlValue& map, const std::string& key, Span span);

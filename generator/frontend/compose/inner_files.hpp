@@ -1,5 +1,5 @@
-// Files that a composite, or a graph that is extended, names are beside it; a graph names files
-// beside itself.
+// Files that a composite, or a graph that is extended, names are in its folder; a graph names files
+// relative to its own.
 #pragma once
 
 #include <filesystem>

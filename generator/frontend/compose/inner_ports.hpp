@@ -13,8 +13,9 @@
 namespace eagerx::gen {
 
 struct InnerPorts {
-  Ends ends;                                       // of composites
-  std::map<std::string, const Entity*> entity_of;  // of others; nullptr: unknown, or a policy
+  Ends ends;  // of composites
+  std::map<std::string, const Entity*>
+      entity_of;  // of other composites; nullptr: unknown, or a policy
 
   /// Names of the ports of an owner that send, or receive; nullopt where they are not known.
   [[nodiscard]] std::optional<std::vector<std::string>> known(const PortName& name,

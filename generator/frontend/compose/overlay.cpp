@@ -111,8 +111,8 @@ bool take_away(YamlValue& yaml, std::string_view path, bool top) {
   return take_away(found->value, rest, false);
 }
 
-/// What could have been meant: the keys beside the one that is not there.
-std::vector<std::string> names_beside(YamlValue& graph, std::string_view path) {
+/// Candidates for a suggestion: the keys next to the missing one.
+std::vector<std::string> sibling_names(YamlValue& graph, std::string_view path) {
   YamlValue* at = &graph;
   std::string prefix;
   for (std::string_view rest; YamlValue::Entry* const next = entry_at(*at, path, rest);) {
@@ -140,7 +140,7 @@ void remove_named(YamlValue& graph, const YamlValue& list, Diagnostics& diagnost
     }
     auto& problem =
         diagnostics.error("E0395", item.span, fmt::format("there is no `{}` to remove", item.text));
-    problem.help = did_you_mean(item.text, names_beside(graph, item.text),
+    problem.help = did_you_mean(item.text, sibling_names(graph, item.text),
                                 "write the keys that lead to it, with dots: `nodes.filter`; a "
                                 "connection by where it goes: `connections.motor.u`");
   }

@@ -10,8 +10,8 @@ namespace eagerx::gen {
 inline constexpr const char* kRemovedEntities = "remove[d]";
 
 /// `base` with what `over` says. Mappings are laid over each other key by key, but one with another
-/// `type` takes the place of the one below; connections are told apart by the port that they go
-/// to; everything else is replaced. Before, what `remove:` names goes (E0395 if it is not there).
+/// `type` takes the place of the one below; the target port identifies a connection
+/// ; everything else is replaced. Before, what `remove:` names goes (E0395 if it is not there).
 YamlValue laid_over(YamlValue base, YamlValue over, Diagnostics& diagnostics);
 
 /// Whether a connection has an end at something that was removed: E0395.

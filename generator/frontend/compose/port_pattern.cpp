@@ -169,8 +169,7 @@ class Ranges {
   }
 
   bool report_endless(const PortPattern& pattern) {
-    diagnostics_
-        .error("E0391", pattern.span, "how many there are cannot be told from these two ports")
+    diagnostics_.error("E0391", pattern.span, "these two ports do not say how many there are")
         .help = "one of them is of an array, whose `count:` says it: `leg[*].torque`";
     return false;
   }

@@ -50,7 +50,7 @@ using CountOf = std::function<std::optional<std::int64_t>(const std::string&)>;
 std::vector<IndexedPort> indexed_ports(const PortPattern& pattern, const CountOf& count_of,
                                        Diagnostics& diagnostics);
 /// The connections of two patterns, which share their names. Problems: E0391 counts that differ,
-/// no value that fits, several messages for one input; E0392 an index that there is not.
+/// no value that fits, several messages for one input; E0392 an index out of range.
 std::vector<IndexedConnection> indexed_connections(const PortPattern& from, const PortPattern& to,
                                                    const CountOf& count_of,
                                                    Diagnostics& diagnostics);

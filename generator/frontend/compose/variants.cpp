@@ -48,7 +48,7 @@ class Chooser {
   Chooser(SourceMap& sources, Diagnostics& diagnostics)
       : sources_(sources), diagnostics_(diagnostics) {}
 
-  /// The file with what it extends, and its variants still beside it.
+  /// The file with what it extends; its variants are still separate.
   YamlValue with_base(YamlValue root, const std::string& path) {
     const auto extends = root.is_map() ? taken(root, kExtends) : std::nullopt;
     if (!extends) return root;

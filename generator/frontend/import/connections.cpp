@@ -275,7 +275,7 @@ void warn_of_nothing(Translation& t, const SavedEntity& environment, const char*
 
 void translate_environment(Translation& t) {
   const SavedEntity& environment = *t.saved.find("environment");
-  warn_of_nothing(t, environment, "inputs", "observations", "nobody has to look at it");
+  warn_of_nothing(t, environment, "inputs", "observations", "no agent has to look at it");
   warn_of_nothing(t, environment, "outputs", "actions", "its nodes may act alone");
   for (const auto& name : environment.selected.at("outputs")) add_action(t, environment, name);
   for (const auto& name : environment.selected.at("inputs")) add_observation(t, environment, name);

@@ -114,7 +114,7 @@ bool is_kind(const Entity& entity, Use use) {
   return !ranges::contains(kOthers, entity.kind);
 }
 
-/// Scripts share the name of their module, so these are nobody's.
+/// Scripts share the name of their module, so the name identifies none of them.
 bool is_of_script(const std::string& id) {
   return id.starts_with("__main__/");
 }
@@ -294,7 +294,7 @@ bool Counterparts::may_stand_in(const Entity& entity, const SavedEntity& saved,
                           "{} is a class of a script, `{}`, and another one than `{}`, which has "
                           "other {}",
                           user, id, entity.id.value, where);
-  if (!told_.insert(text).second) return where.empty();  // of another connection of an action
+  if (!reported_.insert(text).second) return where.empty();  // of another connection of an action
   if (where.empty()) {
     diagnostics_.warning("E0806", saved.id.span, text).help = fmt::format(
         "compare the script with `eagerx-gen info {}`; an entity of yours with `eagerx: [{}]`, in "
@@ -370,7 +370,7 @@ std::optional<ProcessorSpec> Counterparts::processor(const SavedPort& port,
                        fmt::format("the processor of {} has no `processor_type`", user));
     return std::nullopt;
   }
-  // The parameters stand beside the type, or under `config`.
+  // The parameters stand next to the type, or under `config`.
   const YamlValue* config = saved->find("config");
   const YamlValue& parameters = config != nullptr && config->is_map() ? *config : *saved;
   const Entity* entity =

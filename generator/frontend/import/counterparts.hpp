@@ -28,7 +28,7 @@ class Counterparts {
   Counterparts(const Library& library, Diagnostics& diagnostics)
       : library_(library), diagnostics_(diagnostics) {}
 
-  /// Our entity for `id` with these parameters, or nullptr. `user`: who needs it, as messages say
+  /// Our entity for `id` with these parameters, or nullptr. `user`: what needs it, as messages say
   /// it ("the node `smooth`").
   const Entity* find(const Spanned<std::string>& id, const YamlValue& config, Use use,
                      const std::string& user);
@@ -70,7 +70,7 @@ class Counterparts {
   const Library& library_;
   Diagnostics& diagnostics_;
   std::map<std::string, Missing> missing_;
-  std::set<std::string> told_;  // about stand-ins
+  std::set<std::string> reported_;  // about stand-ins
 };
 
 /// Every entity that the file needs, those inside objects that are not known too.

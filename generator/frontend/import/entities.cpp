@@ -230,7 +230,7 @@ class EntityTranslator {
     return false;
   }
 
-  /// Whether the engine node of a sensor runs although nobody selected the sensor, because it
+  /// Whether the engine node of a sensor runs although the sensor is not selected, because it
   /// follows an actuator that is in use.
   bool hangs_on_actuator(const SavedEntity& saved, const Entity& entity, std::string_view section,
                          const std::string& name) {

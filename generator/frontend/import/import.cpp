@@ -52,7 +52,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   t.result.spec.path = path;
   translate_names(t);
   translate_entities(t);
-  // With something missing the rest goes on, for its own problems.
+  // If something is missing, the rest is still translated, to find its problems.
   if (whole && !counterparts.any_missing()) {
     choose_engine(t);
     if (!saved->flattened()) add_states_of_engine_nodes(t);

@@ -35,7 +35,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
                                           const Library& library, const ImportOptions& options,
                                           Diagnostics& diagnostics);
 
-/// An entity that a file needs and nobody has written in C++, with its interface as a manifest.
+/// An entity that a file needs and that does not exist in C++, with its interface as a manifest.
 struct MissingEntity {
   struct Port {
     std::string name, space;

@@ -226,7 +226,7 @@ class ManifestWriter {
   MissingEntity made_;
 };
 
-/// The class's own name, if nobody has it here.
+/// The class's own name, if it is free here.
 std::string free_type(const std::string& id, const Library& library, std::set<std::string>& taken) {
   std::string name = id.substr(id.rfind('/') + 1);
   std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });

@@ -32,7 +32,7 @@ class PictureRemover {
     for (const SavedEntity& entity : saved_.entities) {
       if (is_for_display(entity)) drawing_.insert(entity.name.value);
     }
-    // Nodes that draw into pictures of others, unless there is a counterpart.
+    // Nodes that draw into pictures of other nodes, unless there is a counterpart.
     for (const SavedEntity& entity : saved_.entities) {
       if (entity.kind == SavedEntity::Kind::node && gives_pictures(entity) &&
           !counterparts_.knows(entity.id.value))
@@ -185,7 +185,7 @@ void translate_pictures(Translation& t, const Pictures& pictures) {
     if (!pictures.sensor.empty()) left_out.push_back(pictures.sensor);
   } else {
     add_render(t, pictures, source);
-    text = fmt::format("`render:` shows `{}` in place of {}", source, pictures.sensor);
+    text = fmt::format("`render:` shows `{}` instead of {}", source, pictures.sensor);
   }
   if (!left_out.empty()) {
     text += fmt::format("{}left out, as {} only for pictures: {}", text.empty() ? "" : "; ",

@@ -87,7 +87,7 @@ class Matcher {
     std::stable_partition(ports.begin(), ports.end(), [&](const SavedPort* port) {
       return backup_.is_selected(section, port->name.value);
     });
-    // The work grows with the third power; no object of a person has so many.
+    // The work grows with the third power; no object that a person writes has this many.
     constexpr std::size_t kMost = 200;
     if (std::max(open.size(), ports.size()) > kMost) {
       for (const auto& candidate : open) {
@@ -101,7 +101,7 @@ class Matcher {
     pass([](const Candidate& c, const SavedPort& p) {
       return c.place.first.starts_with(p.name.value + "_") && same_interface(c, p);
     });
-    // From here on nothing is told by names, so only what is in use is looked at.
+    // From here on names decide nothing, so only what is in use is looked at.
     std::erase_if(open, [](const Candidate& c) { return !c.used; });
     std::vector<const SavedPort*> others;
     std::erase_if(ports, [&](const SavedPort* port) {

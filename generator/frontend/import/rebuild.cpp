@@ -1,5 +1,5 @@
-// BaseEnv.save writes engine nodes in place of objects. This puts the objects back: which engine
-// node stands for which sensor and actuator is told by the object's manifest.
+// BaseEnv.save writes engine nodes instead of objects. This file restores the objects: an object's
+// manifest says which engine node stands for which sensor and actuator.
 #include <fmt/format.h>
 
 #include <set>

@@ -1,4 +1,4 @@
-// An object that is put back in place of its engine nodes.
+// An object that replaces its engine nodes.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// What a file needs, before anything is made of it: so that all that is missing is told at once.
+// What a file needs, before anything is made of it: one run reports everything that is missing.
 #include <fmt/format.h>
 
 #include "generator/frontend/import/counterparts.hpp"
@@ -40,7 +40,7 @@ class Requirements {
     processors(entity);
   }
 
-  /// Whether there is an object of ours in place of the engine nodes.
+  /// Whether an object of ours replaces the engine nodes.
   bool is_whole(const SavedObject& object) {
     const SavedEntity* backup = find_named(saved_.backup, object.name.value);
     if (backup == nullptr) return true;  // another problem

@@ -90,7 +90,7 @@ bool is_python_object(const YamlValue& yaml);
 /// The number that a double in the file stands for, exactly; nullopt if it is no number.
 std::optional<Rational> meant_number(const YamlValue& yaml);
 
-/// Our object in place of the engine nodes of each object, as Graph.save would have written it.
+/// Our object instead of the engine nodes of each object, as Graph.save would have written it.
 /// False: it could not be done (E0801, E0805); the engine nodes are gone all the same.
 class Counterparts;
 bool rebuild_objects(SavedGraph& saved, Counterparts& counterparts, Diagnostics& diagnostics);

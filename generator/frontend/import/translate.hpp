@@ -77,7 +77,7 @@ std::optional<Rational> saved_delay(const YamlValue& yaml, Diagnostics& diagnost
 std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& port,
                                       const std::vector<Setting>& settings);
 
-/// The space as saved, without bounds that only say that there are none; nullopt if it says
+/// The space as saved, without infinite bounds; nullopt if it says
 /// nothing. Not checked: that is for what goes into the graph.
 std::optional<SpaceSpec> saved_space(const SavedPort& port);
 /// Reports what a graph could not say (E02xx).

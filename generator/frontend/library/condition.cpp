@@ -209,7 +209,7 @@ bool speaks_of(const Expression& tree, const std::string& name) {
 
 bool refers_to(const YamlValue& yaml, const Reference& reference) {
   if (is_expression(yaml)) {
-    ExpressionText text(yaml.text);  // what is wrong with it is told of where it is computed
+    ExpressionText text(yaml.text);  // its computation reports problems
     const auto tree = expression::parse(text, NameForm::dollar);
     return tree && speaks_of(*tree, to_string(reference));
   }

@@ -201,7 +201,7 @@ std::string_view to_string(EntityKind kind);
 /// where it was named. Of the `installed` folders, which come after the others, it reads the ids
 /// alone, for parsing all takes 60 ms: a manifest is parsed when the library is asked for its id.
 /// So `sources` and `diagnostics` have to stay. Codes: E0301 a folder that cannot be read, E0302 an
-/// id defined twice, E0303 an implementation of an object that there is not, E02xx what is wrong in
+/// id defined twice, E0303 an implementation of a missing object, E02xx what is wrong in
 /// a manifest.
 Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
                      Diagnostics& diagnostics,

@@ -173,7 +173,7 @@ void refuse_settings_of_sensors(const std::vector<ConnectionSpec>& connections,
       auto& problem = diagnostics.error(
           "E0208", setting->span,
           fmt::format("`{}` does nothing on a connection to `{}`", key, connection.to.value));
-      problem.label = "nobody receives messages here";
+      problem.label = "nothing receives messages here";
       problem.help = help;
     };
     const std::string of_graph =
@@ -212,7 +212,7 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
                                     entry.key));
     } else if (owner != nullptr) {
       if (const YamlValue* config = entry.value.find("config")) {
-        diagnostics.error("E0208", config->span, "`config` does nothing beside `node`").help =
+        diagnostics.error("E0208", config->span, "`config` does nothing next to `node`").help =
             "write it for that node";
       }
       result.node_states.push_back({{entry.key, entry.key_span}, {owner->text, owner->span}});

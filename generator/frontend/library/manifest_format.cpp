@@ -96,7 +96,7 @@ Fields about(const std::string& kind, FormatPtr id) {
           {"description", format::text("a text"), false, "equations, units, sources"}};
 }
 
-/// A file beside the manifest.
+/// A file in the manifest's folder.
 FormatPtr header_format() {
   return format::path("a header", true);
 }
@@ -119,7 +119,7 @@ FormatPtr system_format() {
 
 Fields cpp(bool is_needed = true) {
   return {
-      {"header", header_format(), is_needed, "header beside the manifest"},
+      {"header", header_format(), is_needed, "header in the manifest's folder"},
       {"class", format::text("a C++ class template"), is_needed, "C++ class template over its Io"},
       {"pkg_config",
        format::list("a list of names of libraries", format::file_name("the name of a library")),
@@ -130,9 +130,10 @@ Fields cpp(bool is_needed = true) {
 }
 
 Fields python() {
-  return {{"python", format::path("a file in Python", true), false,
-           "file beside the manifest with a class of the name `id`, for parts in Python; without "
-           "`header` and `class` it is one of these alone"}};
+  return {
+      {"python", format::path("a file in Python", true), false,
+       "file in the manifest's folder with a class of the name `id`, for parts in Python; without "
+       "`header` and `class` it is one of these alone"}};
 }
 
 /// Of what ticks or converts; a reset runs alone.
@@ -180,19 +181,19 @@ Fields implementation() {
                       {"config", config_format(), false, "its parameters"},
                       {"node", format::port("`NODE.STATE`"), false,
                        "the state of an engine node that it stands for"}});
-  return {
-      {"model",
-       format::record("a model", {{"header", header_format(), true, "header beside the manifest"},
-                                  {"class", format::text("a C++ class template"), true,
-                                   "what the engine simulates"},
-                                  {"vectorized", format::boolean(), false,
-                                   "whether it also calculates with SIMD vectors, one lane an "
-                                   "environment (default: false)"}}),
-       true, "what the engine simulates"},
-      {"nodes", engine_nodes_format(), false, "engine nodes"},
-      {"connections", connections_format(), false,
-       "connections between them, `sensors` and `actuators`"},
-      {"states", format::map("states", engine_state), false, "engine states"}};
+  return {{"model",
+           format::record(
+               "a model",
+               {{"header", header_format(), true, "header in the manifest's folder"},
+                {"class", format::text("a C++ class template"), true, "what the engine simulates"},
+                {"vectorized", format::boolean(), false,
+                 "whether it also calculates with SIMD vectors, one lane an "
+                 "environment (default: false)"}}),
+           true, "what the engine simulates"},
+          {"nodes", engine_nodes_format(), false, "engine nodes"},
+          {"connections", connections_format(), false,
+           "connections between them, `sensors` and `actuators`"},
+          {"states", format::map("states", engine_state), false, "engine states"}};
 }
 
 FormatPtr object_engine_format() {
@@ -300,7 +301,7 @@ Field inner_graph() {
                           {"nodes", entities, false, "as in a graph; `rate` may be `$(rate)`"},
                           {"connections", format::list("a list of connections", format::any("")),
                            false, "between what is inside, as in a graph"}}),
-          true, "what it is made of, in place of a class"};
+          true, "its components, instead of a class"};
 }
 
 }  // namespace
@@ -333,7 +334,7 @@ const Format* manifest_format(std::string_view kind) {
                                                 {{"class", format::text("a C++ class template"),
                                                   true, "class template over a model"},
                                                  {"header", header_format(), false,
-                                                  "header beside the manifest"}}),
+                                                  "header in the manifest's folder"}}),
                                  true, "what holds an object's state"}})},
       {"engine_node",
        format::record("an engine node", common("engine_node") + cpp() + packs() + engines() +

@@ -28,7 +28,7 @@ std::optional<ConditionNumber> bound_at(const YamlValue& yaml, const char* key) 
   return number ? std::optional<ConditionNumber>(*number) : std::nullopt;
 }
 
-/// Options are enumerators of the class beside them.
+/// Options are enumerators of the class of the same manifest.
 void check_options(const YamlValue& options, Diagnostics& diagnostics) {
   for (const auto& option : options.items) {
     if (is_identifier(option.text)) continue;

@@ -23,7 +23,7 @@ OutlineNode scalar_from(std::size_t begin, std::size_t end) {
   return node;
 }
 
-/// One pass over the text. `at_` is always at the next byte that nobody has taken.
+/// One pass over the text. `at_` is always at the next byte that is not read yet.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
@@ -119,9 +119,9 @@ class Scanner {
       const std::size_t start = at_;
       OutlineNode word = scalar();
       const std::size_t after = at_;
-      const bool goes_on = next_line() && column() == indent && !at_item() && line_has_key();
+      const bool continues = next_line() && column() == indent && !at_item() && line_has_key();
       at_ = after;
-      if (!goes_on) return rest_of(std::move(word), indent);
+      if (!continues) return rest_of(std::move(word), indent);
       at_ = start;
     }
     return map(indent, depth);
@@ -170,7 +170,7 @@ class Scanner {
     return block(indent + 1, depth + 1);
   }
 
-  /// Lines that go on with what a value was.
+  /// Lines that continue a value.
   OutlineNode rest_of(OutlineNode node, std::size_t indent) {
     skip_deeper(indent);
     return node;

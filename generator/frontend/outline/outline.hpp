@@ -1,5 +1,5 @@
-// What can be told of a YAML file while it is written: keys, values, and where they are. Where
-// read/ refuses a file, this goes on with the lines that are whole.
+// The outline of a YAML file while it is being written: keys, values, and where they are. Where
+// read/ refuses a file, this continues with the lines that are whole.
 #pragma once
 
 #include <cstddef>

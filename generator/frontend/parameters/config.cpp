@@ -224,7 +224,7 @@ bool is_exact_as_double(std::string_view text, std::optional<Dtype> dtype) {
   if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
   std::uint64_t magnitude = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), magnitude);
-  if (error != std::errc() || end != text.data() + text.size()) return true;  // told of elsewhere
+  if (error != std::errc() || end != text.data() + text.size()) return true;  // reported elsewhere
   constexpr auto kInt64 = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   constexpr auto kUint64 = std::numeric_limits<std::uint64_t>::max();
   if (magnitude == kInt64 && dtype != Dtype::uint64) return true;
@@ -272,7 +272,7 @@ Config resolve_config(const Library& library, const Entity& entity,
 namespace {
 
 /// Whether it was refused before, as the value of a parameter.
-bool is_told(const Span& span, const Diagnostics& diagnostics) {
+bool is_reported(const Span& span, const Diagnostics& diagnostics) {
   return ranges::any_of(diagnostics.all(), [&](const Diagnostic& each) {
     return each.code == "E0322" && each.span.file == span.file && each.span.line == span.line &&
            each.span.column == span.column;
@@ -287,7 +287,7 @@ std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics
     const auto number = item.is_scalar() && !item.quoted ? any_number_of(item) : std::nullopt;
     if (!number && is_unresolved(item)) return std::nullopt;
     if (!number) {
-      if (!is_told(item.span, diagnostics))
+      if (!is_reported(item.span, diagnostics))
         diagnostics.error("E0322", item.span,
                           fmt::format("expected a number, found {}", describe(item)));
       return std::nullopt;

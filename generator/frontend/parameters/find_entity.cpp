@@ -18,7 +18,7 @@ std::string with_article(EntityKind kind) {
 
 const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
                           Diagnostics& diagnostics) {
-  if (id.value.empty()) return nullptr;  // told of when the graph was read
+  if (id.value.empty()) return nullptr;  // reported when the graph was read
   const Entity* entity = library.find(id.value);
   if (entity != nullptr && entity->kind == kind) return entity;
   if (entity != nullptr) {
@@ -54,7 +54,7 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
                     join(known, ", "));
   } else {
     problem.help =
-        "`eagerx-gen info` lists what there is; folders of your own are given with `library:` or "
+        "`eagerx-gen info` lists all entities; folders of your own are given with `library:` or "
         "`--path`";
   }
   return nullptr;

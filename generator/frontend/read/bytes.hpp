@@ -16,7 +16,7 @@ std::optional<std::uint64_t> parse_bytes(std::string_view text);
 /// The units, the common ones first.
 const std::vector<std::string>& units_of_memory();
 
-/// What to write in place of a size whose unit is wrong: "64 kib" → "64 KiB"; empty if there is
+/// The correction of a size whose unit is wrong: "64 kib" → "64 KiB"; empty if there is
 /// nothing near.
 std::string with_right_unit_of_memory(std::string_view text);
 

@@ -39,7 +39,7 @@ std::optional<Rational> parse_quantity(std::string_view text, Quantity quantity)
 /// number with a unit of the same quantity. What was written without a unit stays as it is.
 std::optional<std::string> number_in(std::string_view text, const Unit& unit);
 
-/// What to write in place of a number whose unit is wrong: "30 hz" → "30 Hz", a time for a rate
+/// The correction of a number whose unit is wrong: "30 hz" → "30 Hz", a time for a rate
 /// "10 ms" → "100 Hz"; empty if there is nothing near.
 std::string with_right_unit(std::string_view text, Quantity wanted);
 

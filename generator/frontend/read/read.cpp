@@ -16,7 +16,7 @@
 #include "generator/frontend/read/wide_space.hpp"
 #include "generator/frontend/read/yaml_error.hpp"
 #include "generator/support/diagnostics/search.hpp"
-#include "generator/support/files/beside.hpp"
+#include "generator/support/files/missing_file.hpp"
 
 namespace eagerx::gen {
 namespace {

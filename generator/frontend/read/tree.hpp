@@ -18,7 +18,7 @@ enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 enum class Origin : std::uint8_t {
   written,
   computed,    // a number that an expression gave, perhaps a fraction: `1/3`
-  unresolved,  // not known, and somebody was told why: nothing more is said of it
+  unresolved,  // not known, and already reported: no further message about it
   python,      // an object that only Python knows; its text names it
 };
 
@@ -70,7 +70,7 @@ enum class Tags : std::uint8_t { refuse, accept };
 YamlValue read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
                          Tags tags = Tags::refuse, const ReadLimits& limits = {});
 /// The first half of it: the file's text is in `sources`; nullopt and an error where it cannot be
-/// loaded. One that cannot be read is told of where it is named, at `mention`, as `written`.
+/// loaded. One that cannot be read is reported where it is named, at `mention`, as `written`.
 std::optional<FileId> load_yaml_file(const std::string& path, SourceMap& sources,
                                      Diagnostics& diagnostics, const ReadLimits& limits = {},
                                      Span mention = {}, const std::string& written = {});

@@ -78,7 +78,7 @@ class TreeBuilder : public YAML::EventHandler {
   void close();
   /// Puts a finished value where it belongs: root, item, key or value.
   void attach(Built built, YAML::anchor_t anchor);
-  /// yaml-cpp lets a quoted text go on to the end of the file.
+  /// In yaml-cpp, an unclosed quoted text continues to the end of the file.
   void check_closed(std::size_t begin);
   void report_bad_key(const YamlValue& key);
   void take_key(Frame& map, const YamlValue& key);

@@ -230,7 +230,7 @@ bool report_escape(const Failure& failure) {
 }
 
 /// A line whose key nothing separates from its value, `rate = 30`: YAML reads it as a text that
-/// goes on in the next line.
+/// continues on the next line.
 struct GluedLine {
   Extent separator;
   GluedKey glued;

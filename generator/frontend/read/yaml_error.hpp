@@ -1,4 +1,4 @@
-// yaml-cpp's messages in the words of someone who writes graphs.
+// yaml-cpp's messages in the words of users who write graphs.
 #pragma once
 
 #include <cstddef>

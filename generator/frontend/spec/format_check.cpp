@@ -38,7 +38,8 @@ const Field* missing_field(const YamlValue& yaml, const Format& format) {
   return missing == format.fields.end() ? nullptr : &*missing;
 }
 
-/// `pendlum: {states: …}` beside `pendulum: {type: …}`, as a variant that mistypes a name makes it.
+/// `pendlum: {states: …}` next to `pendulum: {type: …}`, as a variant that mistypes a name makes
+/// it.
 class Neighbours {
  public:
   Neighbours(const YamlValue& map, const Format& format) : map_(map), format_(format) {}
@@ -137,11 +138,11 @@ std::string report_renamed_key(const YamlValue& yaml, const YamlValue::Entry& en
   return now;
 }
 
-/// Returns the key that was meant; empty if nobody can say. `told`: the helps for misplaced keys of
+/// Returns the key that was meant; empty if unclear. `reported`: the helps for misplaced keys of
 /// the record so far; several that belong to one place are one mistake.
 std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Format& format,
-                               const std::vector<std::string>& known, std::set<std::string>& told,
-                               Diagnostics& diagnostics) {
+                               const std::vector<std::string>& known,
+                               std::set<std::string>& reported, Diagnostics& diagnostics) {
   const YamlValue::Entry& entry = yaml.entries[i];
   if (std::string now = report_renamed_key(yaml, entry, format, diagnostics); !now.empty())
     return now;
@@ -164,7 +165,7 @@ std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Forma
   }
   const std::string misplaced = help_for_misplaced(yaml, i, format, known);
   if (!misplaced.empty()) {
-    if (told.insert(misplaced).second) report(misplaced);
+    if (reported.insert(misplaced).second) report(misplaced);
     return {};
   }
   if (near.empty()) near = foreign_word(entry.key, known);
@@ -179,7 +180,7 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
   bool good = true;
   const std::vector<std::string> known = names_of(format.fields);
   std::vector<std::string> meant;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (std::size_t i = 0; i < yaml.entries.size(); ++i) {
     const auto& entry = yaml.entries[i];
     if (const Field* field = find_named(format.fields, entry.key)) {
@@ -193,7 +194,7 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
     }
     good = false;
     if (!report_decimal_comma(yaml.entries, i, diagnostics))
-      meant.push_back(report_unknown_key(yaml, i, format, known, told, diagnostics));
+      meant.push_back(report_unknown_key(yaml, i, format, known, reported, diagnostics));
   }
   for (const auto& field : format.fields) {
     if (!field.required || yaml.find(field.name) != nullptr) continue;

@@ -31,7 +31,8 @@ std::string mapping_text(const Format& format) {
   return keys.empty() ? "{KEY: …}" : fmt::format("{{{}: …}}", join(keys, ": …, "));
 }
 
-/// What to write in place of a list, a mapping or one value, where another of these is expected.
+/// Suggests what to write instead of a list, a mapping or one value where another of these is
+/// expected.
 Help other_form(const YamlValue& yaml, const Format& format) {
   using Kind = Format::Kind;
   const auto any_is = [&](auto&& fits) {

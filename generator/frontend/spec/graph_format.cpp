@@ -93,7 +93,7 @@ Field rate_field(bool required, const char* about) {
 }
 Field count_field() {
   return {"count", format::integer("a number of elements", 1, kLongestArray), false,
-          "makes an array of so many: `leg[0]`, `leg[1]`, …"};
+          "makes an array with this number of elements: `leg[0]`, `leg[1]`, …"};
 }
 Field states_field() {
   return {
@@ -162,7 +162,7 @@ FormatPtr node_format() {
       {{"type", format::name("the id of a node"), false,
         "the id of an entity as `eagerx-gen info` lists them"},
        {"policy", node_policy_format(), false,
-        "a trained policy in place of a type: it gets the inputs in their order and gives the "
+        "a trained policy instead of a type: it gets the inputs in their order and gives the "
         "outputs"},
        rate_field(true, "its rate in Hz"),
        count_field(),

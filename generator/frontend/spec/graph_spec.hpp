@@ -40,7 +40,7 @@ struct StateSpec {
   Spanned<std::string> name;
   std::optional<RandomSpec> random;  // without: only the program's interface sets it
   std::optional<ProcessorSpec> processor;
-  std::optional<SpaceSpec> space = {};  // in place of the manifest's bounds
+  std::optional<SpaceSpec> space = {};  // replaces the manifest's bounds
 };
 
 /// What decides: the agent of a graph, or a node that runs a policy.
@@ -114,10 +114,10 @@ struct PlacementSpec {
   Spanned<std::string> target;  // that the part is a program for
   Spanned<std::string> part;    // its name; empty: its host's, or its target's
   Spanned<std::string> host;    // the machine; empty: this one, or a board
-  Spanned<std::string> key;     // a file, beside the graph; empty: none
+  Spanned<std::string> key;     // a file in the graph's folder; empty: none
 };
 
-/// A node or an object that is made of others, of which the flat graph has only what is inside.
+/// A node or an object that contains others; the flat graph has only its contents.
 struct CompositeSpec {
   std::string name;                    // "arm/shoulder"
   std::string type, about;             // id and summary of its manifest
@@ -180,7 +180,7 @@ const std::vector<SafetyDefault>& safety_defaults();
 std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::string& path,
                                          Diagnostics& diagnostics,
                                          GraphForm form = GraphForm::written);
-/// A manifest in place of a graph: E0210.
+/// A manifest instead of a graph: E0210.
 bool refuse_manifest(const YamlValue& root, Diagnostics& diagnostics);
 
 // Pieces that manifests are written in too.

@@ -19,7 +19,7 @@ Elsewhere rate_of_steps();
 
 /// Where the unknown key of entry `i` belongs, as help for the user: into the value of another key
 /// of this record, with the others that do, or where the record's format says, or among the
-/// parameters of its type. Empty if nobody knows. `known`: the record's keys.
+/// parameters of its type. Empty if unknown. `known`: the record's keys.
 std::string help_for_misplaced(const YamlValue& record, std::size_t i, const Format& format,
                                const std::vector<std::string>& known);
 

@@ -18,7 +18,7 @@ const std::vector<SafetyDefault>& safety_defaults() {
 
 namespace {
 
-/// What leaves in place of an output: `0.0`, `none`, or all that can be said of it.
+/// The safe value of an output: `0.0`, `none`, or all that can be said of it.
 FormatPtr safe_output_format(const FormatPtr& values) {
   const FormatPtr number = format::number("a number");
   const FormatPtr hold =
@@ -65,22 +65,22 @@ FormatPtr safety_format() {
         "graphs without an engine: what leaves as an observation while a measurement is missing, "
         "not finite or late; `none`: nothing acts on it (default: zero, moved into its space)"},
        {"frozen", format::map("frozen", format::integer("a number of steps", 2, kMost)), false,
-        "graphs without an engine: for so many steps in a row an action, which is a measurement, "
-        "may have exactly the same value before safe outputs take over (default: for ever)"},
+        "graphs without an engine: number of steps in a row for which an action, which is a "
+        "measurement, may have exactly the same value before safe outputs take over (default: for "
+        "ever)"},
        {"nodes", format::keyword({"reset", "hold"}), false,
         "graphs without an engine: what the nodes do when a safe output is over. reset: they begin "
-        "as after a reset; hold: they go on from where they stood (default reset)"},
+        "as after a reset; hold: they continue from where they stopped (default reset)"},
        {"late", count, false,
-        "the safe action takes over after so many instants in a row that were later than "
-        "`max_lateness` (default 1)"},
+        "number of instants in a row later than `max_lateness` after which the safe action "
+        "takes over (default 1)"},
        {"max_lateness", time, false,
         "how many seconds late an instant may be in real time (default 0: one period)"},
        {"missed", count, false,
-        "the safe action takes over after so many instants in a row without a valid value of a "
-        "sensor "
-        "(default 2)"},
+        "number of instants in a row without a valid value of a sensor after which the safe "
+        "action takes over (default 2)"},
        {"recover", format::integer("a number of instants", 0, kMost), false,
-        "the agent is back after so many good instants in a row; with 0 only in the next episode "
+        "number of good instants in a row after which the agent is back; 0: in the next episode "
         "(default 3)"},
        {"limits", format::keyword({"clip", "safe"}), false,
         "clip: an action outside of its space is moved into it; safe: the safe action takes over "

@@ -52,7 +52,7 @@ struct SecondsSpec {
 struct ConnectionSettings {
   std::optional<YamlValue> window;  // a number of messages; in manifests also `$(…)`
   std::optional<SecondsSpec> delay;
-  std::optional<RandomSpec> random_delay;  // drawn at every reset, in place of `delay`
+  std::optional<RandomSpec> random_delay;  // drawn at every reset, replaces `delay`
   std::optional<SecondsSpec> max_delay;    // a reset may change the delay up to these seconds
   std::optional<Spanned<bool>> skip;
   std::optional<ProcessorSpec> processor;

@@ -68,7 +68,7 @@ FormatPtr stages_format() {
            {"states", drawn_states_format(), false,
             "states that it draws otherwise: `{pendulum.model_state: {uniform: …}}`"},
            {"weights", format::map("terms of the reward", format::number("a number")), false,
-            "weights of terms in place of the graph's"},
+            "weights of terms that replace the graph's"},
            {"until",
             format::record("`until`", {{"success", format::number("a share"), false,
                                         "share of the episodes that succeed, 0 to 1"},

@@ -10,7 +10,7 @@
 
 namespace eagerx::gen {
 
-/// Problems of one file that are told; more are not of use to anybody.
+/// The number of problems of one file that are reported; more are of no use.
 inline constexpr std::size_t kMostCsvProblems = 100;
 
 struct CsvCell {

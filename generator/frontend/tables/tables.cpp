@@ -13,7 +13,7 @@
 #include "generator/frontend/tables/csv.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
-#include "generator/support/files/beside.hpp"
+#include "generator/support/files/missing_file.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -184,7 +184,7 @@ class TableReader {
   fs::path folder_;
   SourceMap& sources_;
   Diagnostics& diagnostics_;
-  std::map<std::string, std::optional<CsvTable>> tables_;  // by path; nullopt: told of
+  std::map<std::string, std::optional<CsvTable>> tables_;  // by path; nullopt: reported
 };
 
 }  // namespace

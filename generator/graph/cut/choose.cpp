@@ -18,7 +18,7 @@ Diagnostic& refuse(Diagnostics& diagnostics, const std::string& what) {
   return diagnostics.error("E0397", {}, what);
 }
 
-/// Names that a user knows: composites and arrays in place of what is in them.
+/// Names that a user knows: composites and arrays instead of their contents.
 std::vector<std::string> known_names(const Graph& whole) {
   std::set<std::string> names;
   for (const auto& node : whole.nodes) {

@@ -45,7 +45,8 @@ class ReadAhead {
     for (std::size_t part = 0; part < split_.links.size(); ++part)
       if (split_.links[part].posts) look_at(part);
     if (ranges::none_of(split_.links, &PartLink::posts)) return;
-    // The first message after a reset, and the one that is being sent, beside those on their way.
+    // The first message after a reset, and the one that is being sent, in addition to those in
+    // flight.
     constexpr double kMoreSteps = 2.0;
     double steps = kMoreSteps, ticks = 1.0;
     for (std::size_t part = 0; part < split_.links.size(); ++part) {

@@ -14,8 +14,8 @@ struct Settled {
   std::int64_t received = 0, tick = 0;  // as in Hop
 };
 
-/// From the first ticks, which the formula treats apart, to the sum that goes on for ever; nullopt
-/// if that takes too long.
+/// From the first ticks, which the formula treats apart, to the sum that continues without end;
+/// nullopt if that takes too long.
 std::optional<Settled> settle(const Hop& hop, const Counts& counts) {
   std::int64_t total = 0;
   const std::int64_t most = ceil_div(counts.a, counts.b);

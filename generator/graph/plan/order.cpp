@@ -24,7 +24,7 @@ class Sorter {
       }
     }
     if (!graph.asynchronous) return;
-    // The engine waits for a slot's instant; nobody who goes by its clock begins before that.
+    // The engine waits for a slot's instant; nothing that runs by its clock begins before that.
     for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
       if (n == Graph::kEngine || n == Graph::kEnvironment) continue;
       ++waits_for_[n];

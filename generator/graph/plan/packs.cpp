@@ -61,7 +61,8 @@ std::string why_no_phases(const Plan& plan, const Schedule& schedule) {
   const Graph& graph = *plan.graph;
   const Rational& rate_hz = graph.environment().rate_hz;
   const bool counts_down = schedule.form == ScheduleForm::countdown;
-  // Where an environment goes on alone is the same slot only if its own program has the same ones.
+  // Where an environment continues alone is the same slot only if its own program has the same
+  // ones.
   const bool own_slots = schedule.masks != plan.schedule.masks;
   if (!counts_down && !own_slots && steps_in_phases(plan, schedule) <= kMostPhases) return {};
   for (const auto& node : graph.nodes) {

@@ -25,13 +25,13 @@ std::size_t steps_in_hyperperiod(const Plan& plan);
 std::vector<bool> rates_of_packs(const Plan& plan);
 /// The slots of packs, with the masks of the plan: without those in which only pictures are due,
 /// and without regard to reset nodes, whose routines end in any slot, but not in packs. Where an
-/// environment goes on in its own program, that is where its reset has left it, a step like any
-/// other but for its pictures, which nobody sees.
+/// environment continues in its own program, that is where its reset has left it, a step like any
+/// other but for its pictures, which are never shown.
 Schedule schedule_of_packs(const Plan& plan);
 
-/// By ring of a plan with the schedule of packs, whether nobody but the step that writes a message
-/// reads it: packs need not keep it then. None where that is not plain to see, or where a reset
-/// goes on from messages of the last episode.
+/// By ring of a plan with the schedule of packs, whether only the step that writes a message
+/// reads it: packs need not keep it then. None where that is not obvious, or where a reset
+/// continues from messages of the last episode.
 std::vector<bool> passing_rings(const Plan& plan);
 
 }  // namespace eagerx::gen

@@ -162,7 +162,7 @@ class Planner {
       const GraphNode& node = graph_.nodes[ring.node];
       const std::string name = (ring.node == Graph::kEnvironment ? "actions" : node.name) + "." +
                                node.outputs[ring.output].name;
-      if (ring.why.empty()) {  // nobody reads it
+      if (ring.why.empty()) {  // nothing reads it
         diagnostics_
             .error("E0403", node.outputs[ring.output].span,
                    fmt::format("`{}` has messages of {} bytes", name, bytes))

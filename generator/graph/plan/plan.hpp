@@ -108,8 +108,8 @@ struct PartLink {
                                 // where they are read
   std::size_t depth = 1;        // exchanges on their way at most
   std::string why_no_more;      // what keeps the hub from going further
-  /// By node: so many of its ticks after it has sent a message, the hub hands that on to this part,
-  /// and the part expects it; message 0 at once.
+  /// By node: the number of its ticks after it has sent a message at which the hub hands that on to
+  /// this part, and the part expects it; message 0 at once.
   std::vector<std::uint64_t> lags;
 };
 struct Split {
@@ -126,7 +126,7 @@ struct TelemetryGroup {
     std::uint64_t offset = 0;  // in the record
   };
   std::size_t rate = 0;     // index of its RateClass
-  std::uint32_t every = 1;  // so many messages, one is sent
+  std::uint32_t every = 1;  // one of this many messages is sent
   std::uint64_t bytes = 0;  // of a record, its header among them
   std::vector<Place> channels;
 };
@@ -134,7 +134,7 @@ struct TelemetryPlan {
   std::vector<TelemetryGroup> groups;  // fastest first
   Rational share;                      // of the line that it may take
   std::uint32_t baud = 0;
-  std::uint32_t greet_every = 1;             // records, so that there is a greeting a second
+  std::uint32_t greet_every = 1;             // records between greetings, one greeting a second
   std::size_t cells = 0;                     // records that the ring has room for
   double bytes_per_s = 0.0;                  // on the line
   std::optional<double> wanted_bytes_per_s;  // if that was too much: before it was made less

@@ -76,8 +76,8 @@ class Teller {
     }
     if (result_.groups.size() <= kMostGroups) return fits;
     diagnostics_.error("E0426", telemetry_.span,
-                       fmt::format("telemetry with {} groups of channels: at most {} can be told "
-                                   "apart",
+                       fmt::format("telemetry with {} groups of channels: at most {} can be "
+                                   "distinguished",
                                    result_.groups.size(), kMostGroups));
     return false;
   }

@@ -106,7 +106,7 @@ void WayFinder::mark_behind_sources() {
   }
 }
 
-/// Where a way begins; empty if it goes on.
+/// The beginning of a path; empty if the path continues.
 std::string WayFinder::source_of(const Hop& hop) const {
   const Input& input = plan_.graph->nodes[hop.node].inputs[hop.input];
   const GraphNode& source = plan_.graph->nodes[input.source_node];

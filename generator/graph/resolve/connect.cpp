@@ -192,7 +192,7 @@ class Connector {
         suggestion(port.name, known, "only reset nodes have feedthroughs: one for each output");
   }
 
-  /// What may be meant in place of what takes messages: "; what it gets is `smooth.filtered`".
+  /// The probable intent, instead of a receiver of messages: "; what it gets is `smooth.filtered`".
   [[nodiscard]] std::string sender_to(std::string_view port) const {
     const auto found = sender_of_.find(port);
     return found == sender_of_.end() ? "" : fmt::format("; what it gets is `{}`", found->second);

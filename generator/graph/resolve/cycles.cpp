@@ -84,7 +84,7 @@ std::string source_name(const Draft& draft, const DraftEdge& edge) {
                      node.outputs[edge.output].name);
 }
 
-/// What mends it. A cycle through the environment begins with it: it waits for an observation.
+/// The fix. A cycle through the environment begins with it: it waits for an observation.
 std::string help_for(const Draft& draft, const std::vector<std::size_t>& cycle,
                      const std::string& first) {
   if (cycle.front() != Graph::kEnvironment)
@@ -122,7 +122,7 @@ void check_cycles(Draft& draft) {
     const bool all = places.size() - 1 <= kMostNotes;
     for (std::size_t i = 1; i < (all ? places.size() : kMostNotes); ++i) {
       problem.notes.push_back(
-          {fmt::format("the cycle goes on with `{}`", names[i]), places[i], ""});
+          {fmt::format("the cycle continues with `{}`", names[i]), places[i], ""});
     }
     if (!all)
       problem.notes.push_back(

@@ -36,7 +36,7 @@ void draw_delay(const RandomSpec& spec, Input& input, Diagnostics& diagnostics) 
       spec.kind == RandomSpec::Kind::uniform || spec.kind == RandomSpec::Kind::log_uniform;
   if (ranged && !spec.first && !input.max_delay_s) {
     diagnostics.error("E0327", spec.span, "this delay has no range to be drawn from").help =
-        "give `max_delay` beside it, or the range: `{low: …, high: …}`";
+        "write `max_delay` next to it, or the range: `{low: …, high: …}`";
     return;
   }
   input.random_delay = read_random("delay", seconds, spec, diagnostics);
@@ -44,7 +44,7 @@ void draw_delay(const RandomSpec& spec, Input& input, Diagnostics& diagnostics) 
   if (!input.max_delay_s) input.max_delay_s = longest_delay(*input.random_delay);
   if (!input.max_delay_s) {
     diagnostics.error("E0327", spec.span, "this delay has no longest value").help =
-        "give `max_delay` beside it, so that enough memory is set aside";
+        "write `max_delay` next to it, so that enough memory is reserved";
   }
 }
 

@@ -176,7 +176,7 @@ double bound_of(const std::vector<double>& bounds, std::size_t element, double o
 double rounded(const Space& space, double value);
 /// Whether what arrives has the dtype and shape that are declared, where they are.
 bool fits(const PartialSpace& declared, const Space& arriving);
-/// Applies what is said of an output beside its manifest: a processor, and the space of what is
+/// Applies what a graph adds to an output of a manifest: a processor, and the space of what is
 /// published.
 void settle(DraftOutput& output, const ComponentSpec& said, const std::string& written,
             Diagnostics& diagnostics);

@@ -74,7 +74,7 @@ struct Input {
   std::string sensor;  // that it reads: "pendulum.theta"; empty if it reads none
   Space space;         // as the callback sees it, after the processor
   std::optional<Processor> processor;
-  std::size_t of_sensor = 0;  // so many of its stages, the first, make the sensor's message
+  std::size_t of_sensor = 0;  // the number of its first stages that make the sensor's message
   bool original = false;      // before the processor of its output, which is that of a sensor
   std::uint32_t window = 1;
   Rational delay_s;
@@ -105,7 +105,7 @@ struct ResetTarget {
 struct State {
   std::string name;
   Space space;
-  bool settable = true;          // named in the graph; a node also has states that nobody sets
+  bool settable = true;          // named in the graph; a node also has states that are never set
   bool tunes_running = false;    // can be set while an episode runs
   std::optional<Random> random;  // without: only set through the program's interface
   std::optional<Processor> processor;  // `space` is before it, as States holds it
@@ -336,7 +336,7 @@ struct Graph {
   std::optional<Cut> cut;
   bool asynchronous = false;  // inputs take what has arrived instead of counting
   Rational reset_timeout_s = Rational(60);
-  std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from
+  std::vector<std::string> include_roots;  // further folders with headers, besides the built-in one
   Span span;
 
   static constexpr std::size_t kEnvironment = 0;

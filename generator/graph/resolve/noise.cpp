@@ -95,7 +95,7 @@ class NoiseAdder {
   }
 
   /// What the observation gets goes to `signal`; window, delay and skip stay where they are, so
-  /// that each message has its noise once, and the delay is that of before.
+  /// that each message gets its noise once, and the delay stays the same.
   void insert(DraftInput& signal, DraftInput& observation) {
     signal.edge = observation.edge;
     signal.sensor = std::exchange(observation.sensor, {});

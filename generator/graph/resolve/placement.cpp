@@ -207,7 +207,7 @@ class Placer {
       if (is_placeable(n)) take(n);
   }
 
-  /// `board`, if nobody has given it a name.
+  /// `board`, if the graph gives it no name.
   void name_the_only_part(const std::vector<PlacementSpec>& items) {
     const bool is_named = ranges::any_of(items, [](const PlacementSpec& item) {
       return !item.part.value.empty() || !item.host.value.empty();

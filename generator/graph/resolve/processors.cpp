@@ -93,7 +93,7 @@ std::optional<Processor> make_processor(Draft& draft, const ProcessorSpec& spec,
 
 std::vector<std::string> fitting_processors(const Library& library, const PartialSpace& takes,
                                             const Space& arriving) {
-  // More would be a list of numbers, not a mend.
+  // More would be a list of numbers, not a fix.
   constexpr std::uint64_t kMostElements = 16;
   std::vector<std::string> found;
   if (!takes.shape || arriving.size() > kMostElements) return found;

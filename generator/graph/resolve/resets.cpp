@@ -198,7 +198,7 @@ class ResetTargetResolver {
     node.node.reset_targets.push_back(std::move(reset_target));
   }
 
-  /// A reset node that nobody asks for anything would never run.
+  /// A reset node without a request would never run.
   void report_idle(const DraftNode& node) {
     const Entity* entity = node.node.entity;
     if (entity == nullptr || node.node.role != NodeRole::node || !entity->is_reset_node()) return;

@@ -96,7 +96,7 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
   for (const auto& port : entity.actuators) {
     const std::string& name = port.name.value;
     const std::string written = object.name.value + "." + name;
-    Diagnostics quiet;  // what is wrong with the space is told of where it is used
+    Diagnostics quiet;  // problems of the space are reported where it is used
     PartialSpace partial = partial_space(port.space, references, quiet);
     if (object.actuators) {
       const ComponentSpec* set = find_named(*object.actuators, name);
@@ -110,7 +110,7 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
     Span span = object.name.span;
     if (draft.spec.safety) {
       const Setting* setting = find_named(draft.spec.safety->actuators, written);
-      // The action's own value is told of with the action.
+      // The action reports problems of its own value.
       Diagnostics& diagnostics = setting != nullptr ? draft.diagnostics : quiet;
       if (setting == nullptr) setting = of_connected_action(draft.spec, object.name.value, name);
       const auto value = setting != nullptr

@@ -184,7 +184,7 @@ class SpaceResolver {
   }
 
   /// What comes out of the processor of an output or a sensor must be what is said of it. A
-  /// connection's is wrong itself; elsewhere it is written beside the space.
+  /// connection's is wrong itself; elsewhere it stands next to the space.
   bool publishes(const std::string& written, const PartialSpace& said, const Processor& processor,
                  bool of_connection) {
     if (fits(said, processor.output)) return true;

@@ -40,7 +40,7 @@ DraftOutput output_of(const std::string& name, Dtype dtype, Span span) {
   return output;
 }
 
-/// A term's channel stands beside those of the whole.
+/// A term's channel stands next to those of the whole.
 void check_term_name(const Spanned<std::string>& name, const DraftNode& node,
                      Diagnostics& diagnostics) {
   if (!ranges::contains(node.outputs, name.value, &DraftOutput::name)) return;

@@ -17,7 +17,7 @@ class UnknownOwners {
  public:
   explicit UnknownOwners(Draft& draft) : draft_(draft) {}
 
-  /// Whether the next name that is unknown is compared with those that there are.
+  /// Whether the next unknown name is compared with the known ones.
   [[nodiscard]] bool helps() const { return unknown_.size() < kMostHelped; }
   /// Port `port` at `span` has an owner that is none of `known`. Returns the one that is meant, or
   /// nothing.
@@ -27,7 +27,7 @@ class UnknownOwners {
   void report();
 
  private:
-  static constexpr std::size_t kMostHelped = 100;  // nobody reads more
+  static constexpr std::size_t kMostHelped = 100;  // more is of no use
 
   struct Place {
     std::string port;

@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "generator/policy/network/limits.hpp"
-#include "generator/support/files/beside.hpp"
 #include "generator/support/files/files.hpp"
+#include "generator/support/files/missing_file.hpp"
 
 namespace eagerx::gen {
 
@@ -48,7 +48,7 @@ std::optional<std::string> read_bytes(const std::string& path, const std::string
   return bytes;
 }
 
-FilesBeside files_beside(const std::string& path) {
+FilesInFolder files_in_folder_of(const std::string& path) {
   return [path](const std::string& name, std::string& why) -> std::optional<std::string> {
     const std::filesystem::path file = std::filesystem::path(path).parent_path() / name;
     std::error_code error;

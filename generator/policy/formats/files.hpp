@@ -1,4 +1,4 @@
-// Bytes of files, and what is told of those that cannot be used.
+// Bytes of files, and the problems of those that cannot be used.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ std::optional<std::string> read_bytes(const std::string& path, const std::string
                                       Span mention, const char* what, Diagnostics& diagnostics);
 
 /// Files in the folder of `path`, no links, no larger than policies may be.
-FilesBeside files_beside(const std::string& path);
+FilesInFolder files_in_folder_of(const std::string& path);
 
 /// Adds "{what} `{name}` {problem}" at `mention`.
 void report_problem(const PolicyProblem& problem, const char* what, const std::string& name,

@@ -10,7 +10,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// Puts `layers`, a chain, between the observation and the layers that there are.
+/// Puts `layers`, a chain, between the observation and the existing layers.
 void put_in_front(Network& network, std::vector<Layer> layers) {
   const auto count = static_cast<std::int32_t>(layers.size());
   for (Layer& layer : network.layers) {

@@ -14,7 +14,7 @@
 #include "generator/policy/formats/statistics.hpp"
 #include "generator/policy/formats/tensors/containers.hpp"
 #include "generator/policy/formats/torchscript/read_torchscript.hpp"
-#include "generator/support/files/beside.hpp"
+#include "generator/support/files/missing_file.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -81,7 +81,7 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
                   fmt::format("leave the graph's `{}` out",
                               context.activation ? "activation" : "output_activation"));
   }
-  // The reader of ONNX is the last one: what it does not know, nobody knows.
+  // The reader of ONNX comes last: what it does not recognize is unknown.
   if (!network && problem.code == "E0603") problem = none_of_the_formats();
   return network;
 }
@@ -182,7 +182,7 @@ std::optional<Network> read_policy(const PolicyRequest& request, Diagnostics& di
   const auto bytes = read_bytes(request.path, request.name, request.span, "policy", diagnostics);
   if (!bytes) return std::nullopt;
   ReadContext context = request.context;
-  if (!context.files) context.files = files_beside(request.path);
+  if (!context.files) context.files = files_in_folder_of(request.path);
   auto network = read_policy_bytes(*bytes, request.name, request.span, diagnostics, context);
   if (!network) return std::nullopt;
   if (!request.normalize_path.empty() && !add_normalization(request, *network, diagnostics)) {

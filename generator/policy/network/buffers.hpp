@@ -11,7 +11,7 @@
 namespace eagerx::gen {
 
 /// The last layer that takes a value: [0] of the observation, [i + 1] of the result of layer i.
-/// What nobody takes lasts to the end.
+/// A value that no layer takes lasts to the end.
 std::vector<std::size_t> last_uses_of(const Network& network);
 
 /// The first number that a layer takes if it takes neighbours in their order: its result is a part

@@ -32,7 +32,7 @@ struct LayerDifference : Difference {
 struct PolicyDifference {
   std::size_t rows = 0;
   std::vector<OutputDifference> outputs;  // [outputs]
-  std::size_t worst = 0;                  // output that is farthest off beside its limit
+  std::size_t worst = 0;                  // output that is farthest off relative to its limit
   std::vector<double> observation;        // [inputs], where that is so
   std::vector<double> first, second;      // [outputs], the answers there
   std::optional<double> actions;          // largest difference, if both have bounds

@@ -142,7 +142,7 @@ class Judge {
   static constexpr double kOfValue = 1e-5;
   static constexpr double kSmallest = 1e-6;
 
-  /// The error that is largest beside its limit.
+  /// The error that is largest relative to its limit.
   struct Worst {
     std::size_t row = 0;
     double error = 0.0, limit = kSmallest;

@@ -117,7 +117,7 @@ RoundingError rounding_error(const Network& given, const Network& rounded, const
   error.golden = rows != nullptr;
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  Memory<float> memory;  // each network goes on from its own
+  Memory<float> memory;  // each network continues from its own
   Memory<float> rounded_memory;
   for (const std::vector<float>& input : inputs_of(given, rows)) {
     if (is_first(rows, error.rows)) {

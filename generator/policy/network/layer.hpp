@@ -71,7 +71,7 @@ struct Recurrence {
   bool is_lstm = false;
   std::vector<float> hidden_weights;          // [gates * outputs][outputs]
   std::vector<float> hidden_bias;             // [gates * outputs]
-  std::vector<std::int8_t> hidden_rounded{};  // in place of hidden_weights; empty: float32
+  std::vector<std::int8_t> hidden_rounded{};  // instead of hidden_weights; empty: float32
   std::vector<float> hidden_scales{};         // [gates * outputs]
   [[nodiscard]] std::uint32_t gates() const { return is_lstm ? 4 : 3; }
 };
@@ -127,7 +127,7 @@ const char* to_string(Reduction::Kind kind);
 using LayerForm = std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder,
                                Combination, Function, Reduction>;
 
-/// y = activation(norm(W x + b)), or what `form` says in place of W x + b.
+/// y = activation(norm(W x + b)), or what `form` says instead of W x + b.
 struct Layer {
   std::uint32_t inputs = 0;
   std::uint32_t outputs = 0;
@@ -137,7 +137,7 @@ struct Layer {
   float slope = 0.0F;  // elu: its alpha; leaky relu: its negative slope
   std::optional<LayerNorm> norm{};
   LayerForm form{};
-  std::vector<std::int8_t> rounded{};  // as weights, in place of them; empty: float32
+  std::vector<std::int8_t> rounded{};  // as weights, instead of them; empty: float32
   std::vector<float> scales{};         // as bias: a weight is rounded times this
   /// What it takes: -1 the observation, i the result of layer i. Empty: the result of the layer
   /// before it, as in a chain.

@@ -33,7 +33,7 @@ bool check_observations(const Network& network, const GoldenRows& rows, const st
 /// Whether answering `rows` rows takes seconds to minutes, not days. E0760.
 bool check_work(const Network& network, std::size_t rows, Diagnostics& diagnostics);
 
-/// Puts the network's answers in float64 into `rows`, in place of those that were there: outputs,
+/// Puts the network's answers in float64 into `rows`, replacing previous ones: outputs,
 /// actions where their bounds are known, normalised observations where it has statistics. E0759 if
 /// an answer is not finite.
 bool add_answers(const Network& network, GoldenRows& rows, Diagnostics& diagnostics);

@@ -81,9 +81,9 @@ Argument whole(std::string names, std::optional<std::uint64_t>& value, std::stri
       fmt::format("is no whole number from {} to {}", low, high));
 }
 
-Argument reads(Argument argument, std::string goes_on) {
+Argument reads(Argument argument, std::string continues) {
   argument.use = FileUse::reads;
-  argument.goes_on = std::move(goes_on);
+  argument.continues = std::move(continues);
   return argument;
 }
 

@@ -1,4 +1,4 @@
-// A bug of ours is told as one, however it ends the program.
+// Reports a bug of eagerx-gen as one, however it ends the program.
 #pragma once
 
 #include <functional>

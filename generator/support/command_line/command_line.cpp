@@ -97,7 +97,7 @@ std::string remember_files(const Command& command, const GivenFiles& given) {
   };
   const auto is_gone_on_with = [&](const Argument& input, const std::string& value) {
     return ranges::any_of(command.arguments, [&](const Argument& output) {
-      if (long_name(output) != input.goes_on) return false;
+      if (long_name(output) != input.continues) return false;
       std::error_code ignored;
       return ranges::any_of(values_of(output), [&](const std::string& path) {
         return path == value || std::filesystem::equivalent(path, value, ignored);
@@ -127,7 +127,7 @@ const Command& given(const CLI::App& app, const Command& command) {
 }
 
 /// The exit code of a command, once all that it printed has been taken.
-int told(int code) {
+int exit_code_of(int code) {
   const auto why = flush_output();
   if (!why) return code;
   Diagnostics diagnostics;
@@ -225,7 +225,7 @@ std::string forgotten_value(const Command& top, const std::vector<std::string>& 
     if (option == nullptr || option->type.empty() || word.find('=') != std::string::npos) continue;
     const std::string& next = arguments[i + 1];
     if (next.starts_with("--") && find_option(*command, next) != nullptr)
-      return fmt::format("error: `{}` needs a value\nhelp: `{} --help` says what there is\n", word,
+      return fmt::format("error: `{}` needs a value\nhelp: `{} --help` lists the options\n", word,
                          typed);
     i += option->values;
   }
@@ -293,7 +293,7 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
   if (!line.top.commands.empty()) add(*app.add_subcommand(help.name, help.about), help, files);
   if (!line.top.commands.empty() && !arguments.empty() && arguments.front() == help.name &&
       !ranges::contains(arguments, "--help"))
-    return told(print_help(line, app, {arguments.begin() + 1, arguments.end()}));
+    return exit_code_of(print_help(line, app, {arguments.begin() + 1, arguments.end()}));
   if (const std::string problem = put_command_first(app, line, arguments); !problem.empty()) {
     complain_text(problem);
     return kWrongUsage;
@@ -319,14 +319,14 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
     const int code = app.exit(error, shown, problem);
     say_text(shown.str());
     complain_text(problem.str());
-    return told(code == 0 ? kDone : kWrongUsage);
+    return exit_code_of(code == 0 ? kDone : kWrongUsage);
   }
   const Command& command = given(app, line.top);
   if (const std::string problem = remember_files(command, files); !problem.empty()) {
     complain_text(problem);
-    return told(kWrongUsage);
+    return exit_code_of(kWrongUsage);
   }
-  return told(command.run());
+  return exit_code_of(command.run());
 }
 
 }  // namespace eagerx::gen

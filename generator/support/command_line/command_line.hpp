@@ -22,7 +22,7 @@ enum class FileUse : std::uint8_t {
   none,
   reads,
   writes,
-  folder,  // what is read or written there is told by whoever does it
+  folder,  // the code that reads or writes there reports the files
 };
 
 /// An option or a positional argument.
@@ -40,7 +40,7 @@ struct Argument {
   bool required = false;
   FileUse use = FileUse::none;
   std::string otherwise = {};  // of an output: the file that is written if none is given
-  std::string goes_on = {};    // of an input: the option whose output may be the same file
+  std::string continues = {};  // of an input: the option whose output may be the same file
 
   [[nodiscard]] bool is_option() const { return names.starts_with('-'); }
 };
@@ -101,8 +101,8 @@ Argument checked(Argument argument, std::function<bool(const std::string&)> good
 /// An option with a whole number from `low` to `high`.
 Argument whole(std::string names, std::optional<std::uint64_t>& value, std::string about,
                std::uint64_t low, std::uint64_t high);
-/// The argument names files that are read, or with `goes_on` one that this output goes on with.
-Argument reads(Argument argument, std::string goes_on = {});
+/// The argument names files that are read, or with `continues` one that this output continues.
+Argument reads(Argument argument, std::string continues = {});
 /// The argument names the file that is written; `otherwise`: its name if it is not given.
 Argument writes(Argument argument, std::string otherwise = {});
 Argument folder(Argument argument);

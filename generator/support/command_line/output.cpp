@@ -15,7 +15,7 @@
 namespace eagerx::gen {
 namespace {
 
-int first_problem = 0;  // errno; 0: none, or told of
+int first_problem = 0;  // errno; 0: none, or reported
 bool broken = false;    // what comes later has no place either
 
 void note_problem() {

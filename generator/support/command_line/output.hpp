@@ -1,5 +1,5 @@
-// What commands print: the only way to the standard output, so that a full disk is told of, and
-// text of others cannot steer a terminal.
+// The output of commands: the only way to the standard output, so that a full disk is reported, and
+// foreign text cannot control a terminal.
 #pragma once
 
 #include <fmt/format.h>

@@ -134,7 +134,7 @@ void add_rows(const std::string& name, const Command& command, std::string& rows
     const std::string choice = each.choices.empty() ? "" : each.choices.front();
     rows += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", name, each.names, each.type,
                         kUses[static_cast<std::size_t>(each.use)], each.required, each.values,
-                        each.goes_on, choice, each.about);
+                        each.continues, choice, each.about);
   }
   for (const Command& inner : command.commands) add_rows(name + " " + inner.name, inner, rows);
 }

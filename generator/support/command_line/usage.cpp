@@ -69,7 +69,7 @@ std::string too_much(const CLI::App& reached, const std::string& typed,
 std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
   std::string typed;
   const CLI::App* reached = command_reached(app, typed);
-  const std::string otherwise = fmt::format("`{} --help` says what there is", typed);
+  const std::string otherwise = fmt::format("`{} --help` lists the options", typed);
   const std::vector<std::string> commands = names_of_commands(*reached);
   const auto is = [&](CLI::ExitCodes code) {
     return problem.get_exit_code() == static_cast<int>(code);

@@ -44,7 +44,7 @@ std::string indent_lines(std::string_view text, std::size_t indent) {
   }
 }
 
-// Errors, and as many warnings and notes: nobody reads more, and a file that is no graph may have
+// Errors, and as many warnings and notes: more are of no use, and a file that is no graph may have
 // hundreds of thousands.
 constexpr std::size_t kMostShown = 100;
 

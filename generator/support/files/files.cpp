@@ -37,7 +37,7 @@ class Place {
     if (!there_) where_ = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
   }
 
-  /// Folders and devices are written by nobody, or on purpose; `-` is the standard output.
+  /// Folders and devices are never written, or on purpose; `-` is the standard output.
   [[nodiscard]] bool is_file() const { return !there_ || S_ISREG(status_.st_mode); }
 
   friend bool operator==(const Place& a, const Place& b) {

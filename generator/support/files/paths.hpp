@@ -7,7 +7,7 @@
 namespace eagerx::gen {
 
 /// The absolute path; as it is where the working folder has been deleted, so that what is done with
-/// it says that there is no such file.
+/// it reports a missing file.
 inline std::filesystem::path absolute_path(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::path result = std::filesystem::absolute(path, error);

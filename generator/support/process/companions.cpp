@@ -23,7 +23,7 @@ constexpr milliseconds kLook(10);
 constexpr int kLooksToStart = 6000;  // a minute: an emulator on a busy machine
 constexpr int kLooksToEnd = 200;     // before it is killed
 
-/// A file beside its ready one says that companion `which` has ended.
+/// A file next to its ready file says that companion `which` has ended.
 std::string mark_of(const std::string& folder, std::size_t which) {
   return folder + "/ended." + std::to_string(which);
 }

@@ -86,7 +86,7 @@ void take_lines(std::string& text, bool ended, const ProcessOptions& options) {
   text.erase(0, text.size() - rest.size());
 }
 
-/// What comes through `end`, until nobody writes to it any more; nothing if it goes to `line`.
+/// What comes through `end`, until its last writer closes it; nothing if it goes to `line`.
 std::string read_all(int end, const ProcessOptions& options) {
   constexpr int kWaitMs = 200;
   std::string output;
@@ -117,7 +117,7 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& command
     close(ends[0]);
     return std::nullopt;
   }
-  setpgid(child, child);  // as the child does itself: whoever comes first
+  setpgid(child, child);  // as the child does itself: the order does not matter
   const PassSignals signals(child);
   ProcessResult result;
   result.output = read_all(ends[0], options);

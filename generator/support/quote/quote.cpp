@@ -80,7 +80,7 @@ std::string in_comment(std::string_view text) {
     const char before = result.empty() ? '\0' : result.back();
     const bool ends_or_begins = (c == '/' && before == '*') || (c == '*' && before == '/');
     const bool trigraph = c == '?' && before == '?';
-    // A comment of CMake that begins so goes on to the next `]]`.
+    // A comment of CMake that begins so continues to the next `]]`.
     const bool bracket = c == '[' && result.empty();
     if (is_hidden(point) || c == '\\' || ends_or_begins || trigraph || bracket)
       result += visible(point, bytes);

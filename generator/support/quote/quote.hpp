@@ -1,4 +1,4 @@
-// Text of others as a part of a language: one function a language, and no other way.
+// Foreign text as a part of a language: one function a language, and no other way.
 #pragma once
 
 #include <string>

@@ -99,8 +99,8 @@ bool is_wrong_at(const Run& run, const Span& place, const std::string& path) {
   });
 }
 
-/// Makes the first change of `text` that the help of an error names and that mends it: then nothing
-/// is wrong at its place any more. (Elsewhere more may be told of now, which it hid.) False: there
+/// Makes the first change of `text` that the help of an error names and that fixes it: then no
+/// error is left at its place. (Elsewhere, errors that it hid may appear.) False: there
 /// is none.
 bool fix_one(std::unique_ptr<Run>& run, const EditOptions& options, std::string& text) {
   for (const Diagnostic& each : run->diagnostics.all()) {

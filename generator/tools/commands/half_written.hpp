@@ -7,7 +7,7 @@
 
 namespace eagerx::gen {
 
-/// With the folders that `library:` of the text names beside the file `path`, if they are there.
+/// With the folders that `library:` of the text names, relative to the file `path`, if they exist.
 LibraryOptions with_folders_of(LibraryOptions options, const std::string& path,
                                const std::string& text);
 

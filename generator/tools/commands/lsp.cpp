@@ -170,7 +170,7 @@ class Workshop final : public lsp::Analyst {
   std::optional<lsp::LibraryFacts> of_manifests_;
 };
 
-/// False: nobody reads any more.
+/// False: the reader is gone.
 bool write_all(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());

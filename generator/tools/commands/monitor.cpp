@@ -33,7 +33,7 @@ Argument seconds(std::string name, double& value, std::string about) {
       "is not a number of seconds above 0");
 }
 
-/// The text of the file, or nothing; then it has been told why.
+/// The text of the file, or nothing; then the reason has been printed.
 std::optional<std::string> read_layout(const std::string& path) {
   constexpr std::size_t kMostBytes = 1 << 20;
   LoadedFile file = load_file(path, kMostBytes);
@@ -107,8 +107,8 @@ Command table(MonitorCommandOptions& options) {
                        "of another graph is refused",
                        "GRAPH.yaml")),
             reads(text("--layout", options.layout,
-                       "what a board sends, in place of what the graph says: the file "
-                       "telemetry.json beside its program",
+                       "what a board sends, instead of the graph's channels: the file "
+                       "telemetry.json next to its program",
                        "FILE")),
             flag("--once", monitor.once, "print one table of lines, then end"),
             flag("--lines", monitor.lines,

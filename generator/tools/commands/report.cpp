@@ -47,7 +47,7 @@ std::vector<PageImage> read_images(Run& run, const ReportOptions& options) {
 }
 
 /// The module of target wasm that simulates the graph, built. Nothing if there is a problem, which
-/// has been told; `code` is the exit code.
+/// has been reported; `code` is the exit code.
 std::optional<std::string> build_module(const ReportOptions& options, int& code) {
   GenerateOptions wasm = options;
   wasm.targets = {"wasm"};
@@ -85,7 +85,7 @@ bool make_with_training(Run& run, ReportOptions& options,
 }
 
 /// Traces that were given, and those of episodes of a training. Nothing if there is a problem,
-/// which has been told.
+/// which has been reported.
 std::optional<Json> traces_of(Run& run, const ReportOptions& options,
                               std::optional<ReportedTraining>& training, int& code) {
   const std::size_t points = options.points.value_or(0);

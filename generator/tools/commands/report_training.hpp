@@ -16,21 +16,21 @@ class ReportedTraining {
   static std::optional<ReportedTraining> read(const std::string& path, SourceMap& sources,
                                               Diagnostics& diagnostics);
 
-  /// The graph is to be made with the policy that was trained, if it is there and nobody named
-  /// another one; without any if there is none that can be read: a page shows what there is.
+  /// The graph is shown with the trained policy, if it exists and no other one is named; without
+  /// any if it cannot be read: the page shows what is available.
   void choose_policy(GraphOptions& options);
   /// Whether it is of this graph. Problems: E0361.
   bool check(const Graph& graph, Diagnostics& diagnostics) const;
   /// The traces of the best and the worst episode, as read_logs() gives them: run again by the
   /// graph's program, which is built. None if that cannot be, which the page says. Nothing if there
-  /// is a problem, which has been told; `code` is the exit code.
+  /// is a problem, which has been reported; `code` is the exit code.
   std::optional<Json> run_episodes(const Run& run, const GenerateOptions& options,
                                    std::size_t points, int& code);
   /// Says on the page why no episodes are run.
   void leave_episodes_out(const std::string& why);
   /// What the page shows, with commands to type next.
   Json page(const Graph& graph, const GraphOptions& options) const;
-  /// Why there are no episodes; empty: there are, or nobody knows of any.
+  /// Why there are no episodes; empty: there are, or none are known.
   [[nodiscard]] const std::string& why_not() const { return why_not_; }
 
  private:

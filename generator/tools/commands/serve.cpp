@@ -121,7 +121,7 @@ class ServeWorkshop final : public serve::Workshop {
 
  private:
   static Json page_of_run(const Run& run) {
-    Diagnostics of_budget;  // which have been told
+    Diagnostics of_budget;  // which have been reported
     const PlanInfo info = info_of(*run.plan, run.spec->budget, of_budget);
     PageContents contents;
     contents.spec = &*run.spec;

@@ -82,7 +82,7 @@ struct Drawing {
   std::vector<BoxGroup> groups;  // of a drawing that is not nested
 };
 
-/// All boxes and wires beside each other; each box says in which group it is.
+/// All boxes and wires side by side; each box says in which group it is.
 Drawing drawing_of(const Graph& graph, const std::vector<CompositeSpec>& composites,
                    GraphView view);
 /// Each group as one box with a drawing inside, and wires that pass its ports.

@@ -20,7 +20,7 @@ std::optional<std::size_t> group_around(const GroupOf& groups, std::string_view 
 }
 
 /// Nodes that compose/ adds are called `mux/` and the port that they send to, whose owner has them
-/// beside it.
+/// next to it.
 std::optional<std::size_t> group_of(const GroupOf& groups, std::string_view name) {
   constexpr std::string_view kAdded = "mux/";
   if (!name.starts_with(kAdded)) return group_around(groups, name);

@@ -119,7 +119,7 @@ Layers layers_of(const Drawing& drawing) {
     result.count += shared > 0 ? 1 : 0;
     result.layer[1] = result.count - 1;
   }
-  // What nothing drives stands beside its reader, and the observations at the right edge.
+  // What nothing drives stands next to its reader, and the observations at the right edge.
   for (std::size_t box = 0; box < n; ++box) {
     if (drawing.boxes[box].kind == BoxKind::observations) result.layer[box] = result.count - 1;
     if (has_sender[box] || readers[box].empty() || drawing.boxes[box].kind == BoxKind::actions ||

@@ -324,7 +324,7 @@ class Arrangement {
   std::vector<std::vector<std::size_t>> passing_;        // items of each wire
   std::vector<std::vector<std::size_t>> into_, out_of_;  // pieces of each item
   std::vector<std::int64_t> widths_, lefts_;             // of each layer
-  std::vector<std::int64_t> used_left_, used_right_;     // tracks beside each layer
+  std::vector<std::int64_t> used_left_, used_right_;     // tracks next to each layer
   std::int64_t lane_y_ = 0;
 };
 

@@ -73,8 +73,8 @@ std::optional<Bytes> port_behind(std::string_view text, std::size_t at, std::siz
     while (last < end && is_letter(text[last])) ++last;
     const Bytes place{at + 1, last};
     if (place.begin == place.end) return std::nullopt;
-    const bool goes_on = last < end && text[last] == '.';
-    if (!goes_on || !is_port_list(part(text, place))) return place;
+    const bool continues = last < end && text[last] == '.';
+    if (!continues || !is_port_list(part(text, place))) return place;
     at = last;
   }
   return std::nullopt;

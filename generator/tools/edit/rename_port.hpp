@@ -34,7 +34,7 @@ std::vector<Bytes> uses_of_port_in_manifest(std::string_view manifest, const std
 std::vector<Bytes> uses_of_port_in_header(std::string_view header, const std::string& port);
 
 /// Why a port of this manifest cannot get that name; empty: it can. One whose name the manifest
-/// also has for something else is not renamed: nobody could tell which is meant.
+/// also has for something else is not renamed: it would be ambiguous.
 std::string why_no_port(std::string_view manifest, const std::string& from, const std::string& to);
 
 }  // namespace eagerx::gen

@@ -28,7 +28,7 @@ struct KeyValue {
 struct NewEntry {
   std::string section, name;
   std::string type = {};                  // the id of an object or a node
-  std::vector<KeyValue> keys = {};        // beside `type`
+  std::vector<KeyValue> keys = {};        // in addition to `type`
   std::vector<KeyValue> parameters = {};  // under `config:`
 };
 
@@ -45,8 +45,8 @@ Change set_value(std::string_view text, const OutlinePath& path, const std::stri
 /// observation also its connections, and `render` if it shows a port of it.
 Change remove_entry(std::string_view text, const OutlinePath& path);
 
-/// Adds a connection with `keys` beside its ends. Where the owner of a port has a list of its
-/// ports, the port is added there, too.
+/// Adds a connection with `keys` in addition to its two ports. Where the owner of a port has a list
+/// of its ports, the port is added there, too.
 Change connect_ports(std::string_view text, const std::string& from, const std::string& to,
                      const std::vector<KeyValue>& keys);
 

@@ -45,7 +45,7 @@ bool out_of_flow(Written& written, const OutlineNode& node, std::size_t index) {
   return true;
 }
 
-/// What stands in place of the only entry of a value, behind the key or dash of its owner.
+/// The replacement of the only entry of a value, behind the key or dash of its owner.
 bool empty_value(Written& written, const OutlinePath& owner_path, OutlineNode::Kind kind) {
   const OutlineEntry* const owner = written.entry(owner_path);
   if (owner == nullptr) return owner_path.empty();

@@ -73,7 +73,7 @@ bool Written::is_in_flow(const OutlinePath& path) const {
 }
 
 std::size_t Written::end_of(const OutlineEntry& entry) const {
-  // What is on lines ends with the last of it; comments and empty lines behind are nobody's.
+  // What is on lines ends with the last of it; comments and empty lines behind belong to no value.
   const OutlineNode& value = entry.value;
   if (!value.flow && !value.entries.empty()) return end_of(value.entries.back());
   std::size_t end = std::min(entry.whole.end, text_.size());

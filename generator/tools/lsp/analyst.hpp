@@ -26,7 +26,7 @@ class Analyst {
   /// What `eagerx-gen check` finds in a graph, or in a manifest, of this text. The file itself is
   /// not looked at.
   virtual Checked check(const std::string& path, const std::string& text) = 0;
-  /// The same of a text that nobody has: it is not remembered.
+  /// The same of a text of no document: it is not remembered.
   virtual Checked try_out(const std::string& path, const std::string& text) = 0;
   /// What the last text of this graph comes to that had no error; nullptr: there was none.
   virtual std::shared_ptr<const Resolved> resolved(const std::string& path) = 0;

@@ -73,8 +73,7 @@ std::vector<Server::Change> Server::changes_of(const PortToRename& port, const s
   return changes;
 }
 
-/// A name that is written where nobody looked for it is an error now: the first one that there was
-/// not before.
+/// A name that the rename missed is an error now: the first error that was not there before.
 std::string Server::why_not(const std::vector<Change>& changes) {
   std::vector<std::size_t> before;
   for (const auto& [uri, document] : documents_)

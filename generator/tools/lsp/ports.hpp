@@ -24,7 +24,7 @@ struct NamedPort {
   std::string name;  // as a connection writes it: "pendulum.theta", "actions.voltage"
   std::string about;
   PortSide side = PortSide::sends;
-  bool is_chosen = false;  // the graph names it where it is, or all that there are
+  bool is_chosen = false;  // the graph names it where it is, or all ports
 };
 
 /// Ports of the objects and nodes that have a type, of the agent, and of nodes with a policy whose

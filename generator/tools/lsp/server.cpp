@@ -239,7 +239,7 @@ void Server::check(Document& document) {
 
 void Server::publish(Document& document) {
   std::map<std::string, Json> lists;
-  for (const std::string& uri : document.told) lists[uri] = Json::list();
+  for (const std::string& uri : document.reported) lists[uri] = Json::list();
   lists[document.uri] = Json::list();
   for (const Diagnostic& each : document.diagnostics.all()) {
     const FileId file = each.span.file;
@@ -263,11 +263,11 @@ void Server::publish(Document& document) {
     Json& list = lists.try_emplace(uri, Json::list()).first->second;
     list.push_back(std::move(one));
   }
-  document.told.clear();
-  // The document's own come last: with its version everything is told.
+  document.reported.clear();
+  // The document's own come last: its version completes the diagnostics.
   auto own = lists.extract(document.uri);
   for (auto& [uri, list] : lists) {
-    document.told.push_back(uri);
+    document.reported.push_back(uri);
     send("textDocument/publishDiagnostics", Json{{"uri", uri}, {"diagnostics", std::move(list)}});
   }
   send("textDocument/publishDiagnostics", Json{{"uri", document.uri},

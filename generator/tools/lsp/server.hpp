@@ -1,4 +1,4 @@
-// The language server of graph files: what an editor asks, and what it is told.
+// The language server of graph files: requests of an editor, and the answers.
 #pragma once
 
 #include <map>
@@ -22,8 +22,8 @@ class Server {
 
   /// Takes one message; what is no JSON-RPC gets an answer that says so.
   void take(std::string_view content);
-  /// Checks the documents that were changed since. Whoever calls this first takes all messages that
-  /// are there, so that nobody waits for the check of a text that is no more.
+  /// Checks the documents that were changed since. The first call takes all messages that are
+  /// there, so that no request waits for the check of an outdated text.
   void check_changed();
   /// What is to be sent: the contents of messages.
   std::vector<std::string> take_answers();
@@ -36,8 +36,8 @@ class Server {
     std::string uri, path, text;
     std::int64_t version = 0;
     bool changed = false;
-    std::vector<std::string> told;  // URIs that have diagnostics because of this document
-    Diagnostics diagnostics;        // of the last check
+    std::vector<std::string> reported;  // URIs that have diagnostics because of this document
+    Diagnostics diagnostics;            // of the last check
     SourceMap sources;
   };
 

@@ -50,9 +50,9 @@ class FoxgloveSource final : public Source, private web_socket::WebSocketListene
     }
     const bool has_more = client_->service();
     const std::uint64_t too_large = client_->too_large();
-    if (too_large > told_too_large_)
-      listener.fault(StreamFault::crowded_out, too_large - told_too_large_);
-    told_too_large_ = too_large;
+    if (too_large > reported_too_large_)
+      listener.fault(StreamFault::crowded_out, too_large - reported_too_large_);
+    reported_too_large_ = too_large;
     if (is_refused_) return State::failed;
     if (client_->state() == Is::closed) return State::ended;
     if (client_->state() == Is::refused) {
@@ -83,7 +83,7 @@ class FoxgloveSource final : public Source, private web_socket::WebSocketListene
   StreamListener* listener_ = nullptr;
   std::int64_t now_ns_ = 0, again_ns_ = 0;
   int taken_ = 0;  // messages of this read()
-  std::uint64_t told_too_large_ = 0;
+  std::uint64_t reported_too_large_ = 0;
   StreamFacts facts_;
   bool has_begun_ = false, is_refused_ = false;
   std::map<std::uint32_t, Channel> channels_;  // by their numbers, which subscriptions have, too

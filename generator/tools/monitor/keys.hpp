@@ -35,7 +35,7 @@ struct ScreenView {
   std::optional<std::string> zoomed;  // a channel that is shown alone
   std::size_t selected = 0;           // of the channels that the filter leaves
   std::size_t first = 0;              // row that is the uppermost
-  std::size_t rows = 1;               // that there is room for, as was drawn last
+  std::size_t rows = 1;               // that fit, as last drawn
 };
 
 /// The channels that the filter leaves, by their places in the model.

@@ -17,8 +17,8 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr int kServeMs = 10;                   // readers are served so often
-constexpr std::int64_t kTellNs = 200'000'000;  // /monitor is told so often
+constexpr int kServeMs = 10;                     // readers are served at this interval
+constexpr std::int64_t kUpdateNs = 200'000'000;  // /monitor is updated at this interval
 
 /// 128 bits of the system's generator; empty: it has none.
 std::string new_key() {
@@ -82,7 +82,7 @@ void Live::read() {
 }
 
 int Live::run(foxglove::Server& server) {
-  std::int64_t told_ns = 0;
+  std::int64_t updated_ns = 0;
   while (!is_interrupted()) {
     read();
     if (const std::string why = failure(); !why.empty()) {
@@ -90,8 +90,8 @@ int Live::run(foxglove::Server& server) {
       return model_.refusal().empty() ? kInputOutput : kProblems;
     }
     if (!recording_.problem().empty()) return kInputOutput;
-    if (steady_ns() - told_ns < kTellNs) continue;
-    told_ns = steady_ns();
+    if (steady_ns() - updated_ns < kUpdateNs) continue;
+    updated_ns = steady_ns();
     server.say(0, time_ns_, monitor_text(model_, arrivals_, note()));
   }
   return kDone;

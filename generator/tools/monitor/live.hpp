@@ -15,7 +15,7 @@ struct LiveOptions {
 };
 
 /// Prints the address of the page, whose key is another one each time, and serves it until it is
-/// interrupted. Returns the exit code; what is wrong is told.
+/// interrupted. Returns the exit code; problems are printed.
 int serve_live(LiveOptions options, const WatchedGraph& graph);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// What the live page is told of a stream besides its messages. Inside monitor/ only.
+// What the live page receives of a stream besides its messages. Inside monitor/ only.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class Arrivals {
 /// The topic `/monitor`.
 foxglove::Topic monitor_topic();
 /// A message of it: all that `eagerx-gen monitor` shows. `note`: what became of the source; empty:
-/// it goes on.
+/// it continues.
 std::string monitor_text(const Model& model, const Arrivals& arrivals, const std::string& note);
 
 }  // namespace eagerx::gen

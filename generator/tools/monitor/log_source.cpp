@@ -171,7 +171,7 @@ class LogSource final : public Source {
 }  // namespace
 
 std::unique_ptr<Source> open_log_source(const std::string& path, std::string& problem) {
-  // A pipe that nobody writes must not keep us here.
+  // Opening a pipe without a writer must not block.
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   struct stat status {};
   if (file < 0 || fstat(file, &status) != 0 || S_ISDIR(status.st_mode)) {

@@ -39,7 +39,7 @@ struct WatchedChannel {
   const ExpectedChannel* expected = nullptr;
 };
 
-/// What is told of a channel besides its values.
+/// The counts of a channel besides its values.
 struct ChannelState {
   std::optional<double> measured_hz;
   std::optional<double> age_s;

@@ -24,7 +24,7 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::int64_t kNsPerMs = 1'000'000, kNsPerSec = 1'000'000'000;
-// A file that grows is looked at so often, and a screen is drawn so often.
+// Polling interval of a growing file, and redraw interval of the screen.
 constexpr std::int64_t kLookNs = 20 * kNsPerMs, kDrawNs = 100 * kNsPerMs;
 constexpr std::int64_t kServeNs = 10 * kNsPerMs;  // of who is served
 
@@ -69,7 +69,7 @@ class Watching {
     }
     return code;
   }
-  /// To be told once the terminal is as it was; empty: nothing.
+  /// Printed once the terminal is as it was; empty: nothing.
   [[nodiscard]] const std::string& last_words() const { return last_words_; }
 
  private:
@@ -145,7 +145,7 @@ std::optional<int> Watching::gives_up(std::int64_t began_ns) const {
   return kProblems;
 }
 
-/// False: nobody takes it.
+/// False: the output is closed.
 bool Watching::print() {
   model_.now(steady_ns());
   say_table(lines_text(model_));

@@ -31,7 +31,7 @@ struct WatchedGraph {
   std::uint64_t hash = 0;  // of its program
 };
 
-/// `graph`: null: none was named. Returns the exit code; what is wrong is told.
+/// `graph`: null: none was named. Returns the exit code; problems are printed.
 int watch(const MonitorOptions& options, const WatchedGraph* graph);
 
 }  // namespace eagerx::gen

@@ -12,7 +12,8 @@
 namespace eagerx::gen {
 namespace {
 
-/// Not written beside its place first, as generated files are: it is to be read while it grows.
+/// Unlike generated files, it is not written under a temporary name first: it is read while it
+/// grows.
 class GrowingFile : public publish::PublishSink {
  public:
   explicit GrowingFile(std::string path) : path_(std::move(path)) {}

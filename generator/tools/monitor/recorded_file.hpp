@@ -1,5 +1,5 @@
-// Files that grow while a stream goes on: a reader, or somebody who kills the monitor, has all that
-// came before the last second. Inside monitor/ only.
+// Files that grow while a stream continues: a reader, or a user who kills the monitor, has
+// everything up to the last second. Inside monitor/ only.
 #pragma once
 
 #include <memory>

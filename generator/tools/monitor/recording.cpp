@@ -113,7 +113,7 @@ class Recording::Destinations {
     }
     return problem;
   }
-  /// What the user should know, told once.
+  /// What the user should know, printed once.
   std::string take_notes() { return std::exchange(notes_, {}); }
   foxglove::Server* serve(foxglove::Site site, std::vector<foxglove::Topic> topics,
                           std::string& problem) {
@@ -141,7 +141,7 @@ class Recording::Destinations {
       sink->scene({scene.episode, time_ns, scene.rows.data(), scene.rows.size() / kSceneColumns});
   }
 
-  /// Another run begins: its time goes on behind that of the one before.
+  /// Another run begins: its time continues after that of the previous run.
   void next_run() {
     if (has_begun_) base_ns_ = last_ns_ + static_cast<std::int64_t>(kNsInSecond);
     has_begun_ = true;
@@ -200,7 +200,7 @@ class Recording::Destinations {
     return is_udp ? publish::udp_sink(address, channels_, hash_)
                   : publish::teleplot_sink(address, channels_);
   }
-  /// What nobody says of a channel is not known: its messages are arrays then.
+  /// A channel without a known type: its messages are arrays then.
   [[nodiscard]] dds::Graph dds_graph() const {
     dds::Graph graph{facts_.graph, {}};
     for (const trace_log::RecordedChannel& channel : channels_) {
@@ -255,7 +255,7 @@ class Recording::Destinations {
   std::string notes_;
   bool has_scenes_ = false, has_clients_ = false, has_begun_ = false;
   std::int64_t base_ns_ = 0, last_ns_ = 0;
-  std::uint64_t steps_ = 0;  // so far, where nobody says their numbers
+  std::uint64_t steps_ = 0;  // so far, where messages have no numbers
 };
 
 Recording::Recording(const Expected* expected)

@@ -25,7 +25,7 @@ class Recording final : public StreamListener {
   void record(const std::string& path);
   /// `udp:HOST:PORT`, `teleplot:HOST:PORT`, `foxglove:[HOST:]PORT` or `dds[:DOMAIN][@INTERFACE]`.
   void forward(const std::string& destination);
-  /// Serves the messages of the graph and a page of this machine from now on, with topics of one's
+  /// Serves the messages of the graph and a page of this machine from now on, with topics of its
   /// own; the server is null and `problem` says why if it cannot. Only with a known graph.
   foxglove::Server* serve(foxglove::Site site, std::vector<foxglove::Topic> topics,
                           std::string& problem);

@@ -11,7 +11,7 @@
 
 namespace eagerx::gen {
 
-/// How a part of a line looks. Nothing is told by that alone: not every terminal has colours.
+/// How a part of a line looks. Color alone carries no information: not every terminal has colors.
 enum class Ink : std::uint8_t { plain, title, head, dim, selected, warning };
 
 struct InkedText {
@@ -31,7 +31,7 @@ inline constexpr std::size_t kLeastRows = 8, kLeastColumns = 40;
 std::vector<ScreenLine> screen_lines(const Model& model, ScreenView& view, const ScreenSize& size,
                                      const std::string& source, const std::string& note);
 
-/// `text` in exactly so many columns: cut, or filled up with blanks.
+/// `text` in exactly `columns` columns: cut, or filled up with blanks.
 std::string fitted(std::string_view text, std::size_t columns, bool to_the_right = false);
 
 }  // namespace eagerx::gen

@@ -114,17 +114,17 @@ class SerialSource final : public Source, private telemetry::Listener {
 
   void tell_counts() {
     const telemetry::Counts& now = decoder_.counts();
-    tell(StreamFault::damaged, now.damaged, told_.damaged);
-    tell(StreamFault::lost, now.lost, told_.lost);
-    tell(StreamFault::dropped, now.dropped, told_.dropped);
-    tell(StreamFault::late_slots, now.late, told_.late);
+    tell(StreamFault::damaged, now.damaged, reported_.damaged);
+    tell(StreamFault::lost, now.lost, reported_.lost);
+    tell(StreamFault::dropped, now.dropped, reported_.dropped);
+    tell(StreamFault::late_slots, now.late, reported_.late);
   }
   /// What the board counts begins at 0 when it does.
   template <class T>
-  void tell(StreamFault fault, T count, T& told) {
-    if (count < told) told = 0;
-    if (count > told) listener_->fault(fault, count - told);
-    told = count;
+  void tell(StreamFault fault, T count, T& reported) {
+    if (count < reported) reported = 0;
+    if (count > reported) listener_->fault(fault, count - reported);
+    reported = count;
   }
 
   const std::string path_;
@@ -134,7 +134,7 @@ class SerialSource final : public Source, private telemetry::Listener {
   const StreamFacts facts_;
   trace_log::LogClock clock_;
   telemetry::Decoder decoder_;
-  telemetry::Counts told_;
+  telemetry::Counts reported_;
   std::vector<std::size_t> firsts_;  // of groups: their first channel in facts_
   std::size_t channels_ = 0;
   std::vector<std::int64_t>
@@ -181,7 +181,7 @@ std::unique_ptr<Source> open_serial_source(const std::string& path, const std::s
   if (layout_text.empty()) {
     problem =
         "error: nothing says what the board sends\nhelp: name its graph, which has `telemetry:`, "
-        "with `--graph`, or the file `telemetry.json` beside its program with `--layout`";
+        "with `--graph`, or the file `telemetry.json` next to its program with `--layout`";
     return nullptr;
   }
   auto layout = read_telemetry_layout(layout_text, problem);

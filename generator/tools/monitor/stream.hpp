@@ -25,7 +25,7 @@ struct StreamFacts {
   std::uint64_t seed = 0;
   std::uint32_t environment = 0;
   std::vector<trace_log::RecordedChannel> channels;
-  std::vector<std::uint64_t> every;  // of so many messages of a channel one comes; empty: all
+  std::vector<std::uint64_t> every;  // one of this many messages of a channel comes; empty: all
   bool timed_by_sender = false;      // StreamMessage::real_ns is of the sender's clock
   bool one_message_a_step = false;   // of each channel, the last one
   bool has_scenes = false;           // there is a drawing
@@ -37,9 +37,10 @@ struct StreamMessage {
   const std::uint64_t* bits = nullptr;  // of all of them, as the trace hashes them; null: not known
   std::uint64_t elements = 0;           // that the message has
   std::uint32_t episode = 0;
-  std::optional<std::uint64_t> seq = {};  // of the channel, or the step where nobody says it
+  std::optional<std::uint64_t> seq =
+      {};                    // of the channel, or the step where messages have no number
   std::int64_t time_ns = 0;  // of the graph's clock, without steps back between episodes
-  /// When it was sent or came, by a clock of real time; nothing if nobody knows.
+  /// When it was sent or came, by a clock of real time; nothing if unknown.
   std::optional<std::int64_t> real_ns = {};
   std::uint32_t part = 0;  // of the episode, where its times begin anew within it
 };
@@ -73,12 +74,12 @@ class StreamListener {
  public:
   virtual ~StreamListener() = default;
   /// Before the first message, and when another run or graph begins. False: the stream is refused,
-  /// and nothing more of it is told.
+  /// and ends here.
   virtual bool begin(const StreamFacts& facts) = 0;
   virtual void message(const StreamMessage& message) = 0;
   virtual void step(const StreamStep& step) = 0;
   virtual void fault(StreamFault fault, std::uint64_t count) = 0;
-  /// What `render:` shows; told only to who wants it.
+  /// What `render:` shows; only for listeners that want it.
   virtual void scene(const StreamScene& /*scene*/) {}
   [[nodiscard]] virtual bool wants_scenes() const { return false; }
 };

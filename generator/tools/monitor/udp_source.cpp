@@ -63,7 +63,7 @@ class UdpSource final : public Source {
     StreamFacts facts;
     facts.hash = datagram.graph_hash;
     facts.one_message_a_step = true;
-    // What is refused changes nothing of a run that goes on.
+    // A refused datagram changes nothing of a running stream.
     if (place == Place::first && !listener.begin(facts))
       return listener.fault(StreamFault::foreign, 1);
     order_ = order;

@@ -62,7 +62,7 @@ std::optional<std::string> page_of(const std::string& folder, const PageForm& fo
 std::optional<std::string> load_module(const std::string& path, Diagnostics& diagnostics);
 
 /// Traces, thinned to the least and the greatest value of each part of the time, so that no plot
-/// has more than `points` of these; 0: so many that all plots stay below 3 MB. Each must be of this
+/// has more than `points` of these; 0: as many that all plots stay below 3 MB. Each must be of this
 /// graph: its name, and every channel one of the graph's with the same type, size and rate.
 /// Problems: E0361 it is not, E0362 a file cannot be read.
 Json read_logs(const std::vector<std::string>& paths, const Plan& plan, std::size_t points,

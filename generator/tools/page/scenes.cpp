@@ -1,4 +1,4 @@
-// The film of a trace: scenes as they change, so many that the page stays small.
+// The film of a trace: the scenes that differ, thinned so that the page stays small.
 #include "generator/tools/page/scenes.hpp"
 
 #include <algorithm>
@@ -71,7 +71,7 @@ class Encoder {
   std::size_t scenes_ = 0;
 };
 
-/// Every so many scenes of an episode.
+/// Every n-th scene of an episode.
 Encoder encode(const Log& log, std::uint32_t episode, std::size_t every) {
   Encoder encoder;
   Canvas canvas;

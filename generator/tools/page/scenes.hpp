@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// The film of an episode, of long ones every so many scenes so that it has at most so many
+/// The film of an episode, of long ones every n-th scene, so that it has at most `most_bytes`
 /// bytes; null if the log has none.
 Json scenes_json(const trace_log::Log& log, std::uint32_t episode, std::size_t most_bytes);
 

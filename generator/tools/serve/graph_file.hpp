@@ -27,9 +27,9 @@ class GraphFile {
   [[nodiscard]] bool may_have_changed() const;
 
   enum class Written : unsigned char { done, changed, failed };
-  /// Puts `text` where `expected` is (nothing: where no file is). It is written beside its place
-  /// and exchanged with it; if what was there is not `expected`, the two are exchanged back:
-  /// `changed`. `failed`: problem() says why, and nothing was changed.
+  /// Puts `text` where `expected` is (nothing: where no file is). It is written under a temporary
+  /// name and exchanged with the file; if what was there is not `expected`, the two are exchanged
+  /// back: `changed`. `failed`: problem() says why, and nothing was changed.
   Written write(const std::optional<std::string>& expected, const std::string& text);
   [[nodiscard]] const std::string& problem() const { return problem_; }
 

@@ -37,7 +37,7 @@ class History {
   void forget_oldest();
 
   std::deque<Step> steps_;
-  std::size_t done_ = 0;  // so many of them are in the text
+  std::size_t done_ = 0;  // the number of them in the text
   std::size_t bytes_ = 0;
 };
 

@@ -42,7 +42,7 @@ class HttpHandler {
 };
 
 /// A server on 127.0.0.1. A connection has one request, and a thread of its own, of which there are
-/// a fixed number: one that is slow lets others go on.
+/// a fixed number: a slow one does not block others.
 class HttpServer {
  public:
   static constexpr std::size_t kMostBody = 1U << 20U;  // bytes

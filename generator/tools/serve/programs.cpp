@@ -19,7 +19,7 @@
 
 #include "generator/support/diagnostics/search.hpp"
 #include "generator/support/files/paths.hpp"
-#include "generator/support/process/beside.hpp"
+#include "generator/support/process/background_process.hpp"
 #include "generator/tools/serve/status.hpp"
 
 namespace eagerx::gen::serve {
@@ -147,10 +147,10 @@ Reply Programs::start(const Json& request) {
   if (kind == "simulate") command.emplace_back("--simulate");
   if (kind == "train") {
     const auto own = ranges::find(*words, "--csv");
-    const bool is_told = own != words->end() && own + 1 != words->end();
+    const bool is_given = own != words->end() && own + 1 != words->end();
     curve_file_ =
-        is_told ? (fs::path(graph_).parent_path() / *(own + 1)).string() : place_of(kCurve);
-    if (!is_told) command.insert(command.end(), {"--csv", curve_file_});
+        is_given ? (fs::path(graph_).parent_path() / *(own + 1)).string() : place_of(kCurve);
+    if (!is_given) command.insert(command.end(), {"--csv", curve_file_});
     old_curve_ = written_at(curve_file_);
   }
   command.insert(command.end(), words->begin(), words->end());
@@ -175,7 +175,7 @@ void Programs::run(const std::vector<std::string>& command) {
     if (ended_) signal(SIGTERM);
     if (interrupted_) signal(SIGINT);  // Stop came before there was anything to stop
   };
-  const auto code = run_beside(command, options);
+  const auto code = run_in_background(command, options);
   if (!code) add(fmt::format("error: cannot start eagerx-gen: {}", std::strerror(errno)), true);
   const std::lock_guard lock(mutex_);
   exit_code_ = code.value_or(kCannotStart);

@@ -39,7 +39,7 @@ class Programs {
   Json running();
   /// The page that the last `report` or `simulate` wrote.
   std::optional<std::string> result();
-  /// Nobody waits any more, and what runs is ended.
+  /// Requests stop waiting, and running programs are ended.
   void end();
 
  private:

@@ -13,7 +13,7 @@ struct ServeOptions {
 };
 
 /// Prints the address and serves it until SIGINT, SIGTERM or SIGHUP. Returns the exit code; what is
-/// wrong is told.
+/// wrong is printed.
 int serve(Workshop& workshop, const ServeOptions& options);
 
 }  // namespace eagerx::gen::serve

@@ -43,9 +43,9 @@ class Session {
   Json library();
   Json schema();
 
-  /// Looks at the disk: whoever calls this often lets changes() answer soon.
+  /// Looks at the disk: frequent calls make changes() answer soon.
   void look();
-  /// Nobody waits any more.
+  /// Requests stop waiting.
   void end();
 
  private:

@@ -10,7 +10,7 @@
 
 namespace eagerx::gen::serve {
 
-/// What can be told of a graph that may be half written.
+/// The state of a graph, which may be incomplete.
 Json outline_json(std::string_view text);
 
 /// All of it as it is nested: texts, lists and mappings, null where nothing is written.

@@ -1,4 +1,4 @@
-// telemetry.json, which the generator wrote beside a program: nothing in it is trusted.
+// telemetry.json, which the generator wrote next to a program: nothing in it is trusted.
 #pragma once
 
 #include <optional>

@@ -16,7 +16,7 @@ std::string converted(const trace_log::Log& log, TraceFormat format);
 
 /// Of a table: "a/b", or "a/b[1]" of a message with several numbers.
 std::string column_name(const trace_log::RecordedChannel& channel, std::uint64_t element);
-/// Text of others as a string of JSON.
+/// Foreign text as a string of JSON.
 std::string quoted_json(const std::string& text);
 /// "[0.5,-1]" or, of a message with one number, "0.5". Numbers have the fewest digits that give the
 /// same bits; what is not finite is null.

@@ -65,7 +65,7 @@ class Fields {
 /// A training of a record, and how it ended.
 struct Training {
   LearningCurve curve;
-  Json end = nullptr;  // {ended, …} as the page has it; null: it goes on, or was killed
+  Json end = nullptr;  // {ended, …} as the page has it; null: it is running, or was killed
   std::vector<TrainingEpisode> episodes;
   std::string policy, policy_hash;
   double successes = 0.0, mean_return = 0.0;

@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// Nothing with a problem, which has been told.
+/// Nothing with a problem, which has been reported.
 std::optional<TrainingRecord> read_record(TrainingLines& lines);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// The settings of a training beside their defaults.
+// The settings of a training and their defaults.
 #pragma once
 
 #include <string_view>

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kCells = 10;
 constexpr std::size_t kMostRows = 100'000;
-constexpr std::size_t kMostNames = 100;  // settings; there are not so many
+constexpr std::size_t kMostNames = 100;  // settings; there are fewer
 
 /// A training of a sweep.
 struct SweptTraining {
@@ -77,7 +77,7 @@ class SweepReader {
   bool read_row(const std::vector<std::string_view>& cells) {
     if (cells.size() != kCells)
       return lines_.fail(
-          fmt::format("it has {} in place of {}", counted(cells.size(), "cell"), kCells));
+          fmt::format("it has {} instead of {}", counted(cells.size(), "cell"), kCells));
     if (rows_.size() >= kMostRows) return lines_.fail("there are more trainings than may be");
     SweptTraining row;
     if (!read_settings(cells[1], row)) return false;

@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// Nothing with a problem, which has been told. `header`: the first line, which has been read.
+/// Nothing with a problem, which has been reported. `header`: the first line, which has been read.
 std::optional<TrainingRecord> read_curves(std::string_view header, TrainingLines& lines);
 std::optional<TrainingRecord> read_sweep(TrainingLines& lines);
 

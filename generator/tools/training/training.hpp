@@ -23,7 +23,7 @@ struct TrainingEpisode {
 struct TrainingRecord {
   Json page;          // what the page shows, but for episodes that are run again
   std::string graph;  // its name; empty: a table does not say
-  /// The file of the best policy, as the training was told, and a hash of what was written there;
+  /// The file of the best policy, as passed to the training, and a hash of what was written there;
   /// empty: none was.
   std::string policy, policy_hash;
   std::vector<TrainingEpisode> episodes;  // of that policy; empty: they are not known
@@ -34,7 +34,7 @@ struct TrainingRecord {
 std::optional<TrainingRecord> read_training(const std::string& path, SourceMap& sources,
                                             Diagnostics& diagnostics);
 
-/// The same of `bytes` in place of the file's.
+/// The same of `bytes` instead of the file's bytes.
 std::optional<TrainingRecord> read_training_text(const std::string& path, std::string bytes,
                                                  SourceMap& sources, Diagnostics& diagnostics);
 

@@ -22,8 +22,8 @@ class Mcp4921 {
   /// The word that switches the output off (500 kΩ to ground).
   static constexpr std::uint16_t shutdown_command() { return kGainOne; }
 
-  /// The nearest code for `volts` with a reference of `reference` V, limited to what there is; NaN
-  /// is 0.
+  /// The nearest code for `volts` with a reference of `reference` V, limited to the codes that
+  /// exist; NaN is 0.
   template <class Real>
   static constexpr std::uint16_t code_of(Real volts, Real reference) {
     const Real code = volts / reference * Real(4096) + Real(0.5);

@@ -8,7 +8,7 @@
 
 namespace eagerx::models {
 
-/// What becomes of an action out of the limits.
+/// How an action out of the limits is handled.
 enum class OutOfLimits : std::uint8_t { clip, safe };
 
 /// Every tick: next action := last action [n] within its limits, which is also the output; the safe

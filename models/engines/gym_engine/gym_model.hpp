@@ -9,7 +9,7 @@
 
 namespace eagerx::models {
 
-/// What a step says besides the observation.
+/// The results of a step besides the observation.
 template <class Real>
 struct GymOutcome {
   Real reward{};

@@ -64,7 +64,7 @@ class GymSimulator {
   using Count = CountOf<Real>;
 
   Count steps_{};
-  Count unread_{};  // 1 if sum_ holds rewards that nobody took
+  Count unread_{};  // 1 if sum_ holds rewards that were not taken
   Real reward_{};
   Real sum_{};
 };

@@ -49,7 +49,7 @@ struct Constant {
   static constexpr bool is(Lane value) { return kUniform && kValues[0] == value; }
 };
 
-/// What is zero for certain.
+/// A value that is always zero.
 struct Zero {};
 [[gnu::always_inline]] inline Zero plus(Zero /*a*/, Zero /*b*/) {
   return {};

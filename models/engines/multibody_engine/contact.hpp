@@ -20,7 +20,7 @@ struct ContactSettings {
   Lane dt;                  // [s]
 };
 
-/// What there is to know of a point before the step.
+/// The facts of a point before the step.
 template <class Real>
 struct PointMotion {
   Vec<Real> at;        // from the base's reference point, at the bottom of the sphere

@@ -26,7 +26,7 @@ template <class Real>
   return {a.now * s, a.slope * s};
 }
 
-/// What an actuator wants of a joint, in the link's coordinate. Torques are N·m or N.
+/// An actuator's command for a joint, in the link's coordinate. Torques are N·m or N.
 template <class Real>
 struct JointDrive {
   Real torque;          // without a servo
@@ -66,7 +66,7 @@ inline constexpr Lane kStopCorrection = Lane(0.2);
 template <class Lane>
 inline constexpr Lane kStopSpeed = Lane(5);
 
-/// What a joint does in the step without motor and stops, as far as its own inertia says.
+/// The motion of a joint in the step without motor and stops, by its own inertia.
 template <class Real>
 struct FreeJoint {
   Real inertia;   // with what slopes add to it

@@ -18,7 +18,7 @@
 
 namespace eagerx::models::multibody {
 
-/// What is kept of a limb until the base is known.
+/// The results for a limb that are kept until the base is known.
 template <class Real, std::size_t n, std::size_t P>
 struct LimbRecord {
   Real inverse[n];     // of D

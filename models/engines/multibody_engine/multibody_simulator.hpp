@@ -163,7 +163,7 @@ class MultibodySimulator {
 
   // ---- for actuate() of the model, and for engine nodes
   // No actuator has more torque than the joint's max_torque.
-  /// Held until it is set again, in place of torques.
+  /// Held until it is set again, instead of torques.
   void set_joint_servo(std::size_t joint, const JointServoOf<Real>& servo) {
     const std::size_t link = link_of(joint);
     auto& drive = state_.drive[link];

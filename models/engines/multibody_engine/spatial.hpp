@@ -93,7 +93,7 @@ template <class Real>
            {two * (q.x * q.z + q.w * q.y), two * (q.y * q.z - q.w * q.x),
             one - two * (q.x * q.x + q.y * q.y)}}};
 }
-/// What `m` turned into the world's axes is in the link's.
+/// `m` in the link's axes, given in the world's.
 template <class Real>
 [[gnu::always_inline]] inline Vec<Real> in_axes_of(const Mat<Real>& m, const Vec<Real>& v) {
   return {dot(m.column[0], v), dot(m.column[1], v), dot(m.column[2], v)};

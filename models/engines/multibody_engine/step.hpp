@@ -155,7 +155,7 @@ class Step : public Impulses<Model> {
                     __attribute__((always_inline)) { this->equation_.rhs[j] -= needed[j]; });
     factor_base();
   }
-  /// LᵀDL as of limbs, from the angular end; L in place of A.
+  /// LᵀDL as of limbs, from the angular end; L replaces A.
   [[gnu::always_inline]] void factor_base() {
     auto& a = this->equation_.a;
     unrolled<6>([&](auto back) __attribute__((always_inline)) {

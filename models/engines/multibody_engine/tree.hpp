@@ -9,7 +9,7 @@
 
 namespace eagerx::models::multibody {
 
-// Beside the operators of spatial.hpp.
+// In addition to the operators of spatial.hpp.
 using models::operator+;
 using models::operator-;
 
@@ -166,7 +166,7 @@ constexpr Point point_of(const RigidGeometry& geometry, std::size_t i) {
   return point;
 }
 
-/// What tree_of() makes.
+/// The result of tree_of().
 template <std::size_t Bodies, std::size_t Links, std::size_t Points>
 struct TreeData {
   std::array<Link, Links> links{};

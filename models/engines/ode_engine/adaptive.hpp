@@ -9,7 +9,7 @@
 
 namespace eagerx::models {
 
-/// What a step must satisfy: with e_i the estimated error of state i in this step, the Euclidean
+/// The condition on a step: with e_i the estimated error of state i in this step, the Euclidean
 /// norm of e_i / (atol + rtol·|x_i|) must be at most 1, where |x_i| is the larger one at both ends
 /// of the step.
 template <class Real>
@@ -71,8 +71,9 @@ constexpr Real step_factor(Real error_squared, int order) {
 }
 
 /// Integrates `x` [N] over `span_s` seconds with steps of `method` that are chosen by the error.
-/// `next_step_s` is the step to begin with (0: not known, span/100 is tried) and gets the one to go
-/// on with. If the outcome is not `done`, `x` is the last state that met the tolerances, at some
+/// `next_step_s` is the step to begin with (0: not known, span/100 is tried) and receives the one
+/// to continue with. If the outcome is not `done`, `x` is the last state that met the tolerances,
+/// at some
 /// earlier time. A method has
 ///   static constexpr int kErrorOrder;   // the error of a step is of the order h^kErrorOrder
 ///   void begin(x);                      // a first step from x follows
@@ -83,7 +84,7 @@ constexpr AdaptiveOutcome integrate(Method& method, Array<Real, N>& x, Real span
                                     Real& next_step_s, const AdaptiveSettings<Real>& settings) {
   // A remainder that is this much longer than a step is covered by one step.
   constexpr auto kStretch = Real(1.01);
-  // Steps below the resolution of time within the span would go on forever.
+  // Steps below the resolution of time within the span would never end.
   const Real resolution_s = span_s * std::numeric_limits<Real>::epsilon();
   const Real shortest_s = eagerx::max(settings.shortest_s, resolution_s);
 
@@ -105,7 +106,7 @@ constexpr AdaptiveOutcome integrate(Method& method, Array<Real, N>& x, Real span
       x = step.end;
       remaining_s -= tried_s;
       most_growth = std::numeric_limits<Real>::max();
-      if (last) {  // cut short by the end of the span: no reason to go on with less than planned
+      if (last) {  // cut short by the end of the span: no reason to continue with less than planned
         next_step_s = limited(eagerx::max(step_s, proposed_s));
         return AdaptiveOutcome::done;
       }

@@ -13,14 +13,14 @@
 
 namespace eagerx::models {
 
-/// What integrate() has in its variables, for each lane.
+/// The variables of integrate(), for each lane.
 template <class Real, std::size_t N>
 struct LaneSteps {
   Array<Real, N> x;
   Real step_s;       // to try next
   Real remaining_s;  // of the span
   Real most_growth;
-  Real next_step_s;  // to go on with after the span
+  Real next_step_s;  // to continue with after the span
 
   LaneSteps() = default;
   LaneSteps(const Array<Real, N>& begin, LaneOf<Real> span_s, const Real& first_step_s,
@@ -45,7 +45,7 @@ struct LaneSteps {
 /// How far the lanes are: in the same number of tries.
 template <class Real>
 struct LaneProgress {
-  TruthOf<Real> goes_on = true;
+  TruthOf<Real> continues = true;
   TruthOf<Real> failed = false;  // whose outcome is not `done`
   std::uint32_t tries = 0;
 };
@@ -61,7 +61,7 @@ template <std::size_t Bytes, std::size_t N>
 }
 
 /// integrate() for packs, line by line; lanes that are done wait. Ends when no more than
-/// `few_lanes` go on: a narrower pack is then the faster one. A method has besides
+/// `few_lanes` continue: a narrower pack is then the faster one. A method has besides
 ///   void go_on(step, x, taken);         // the step was taken in these lanes: now they are at x
 template <class Method, class Real, std::size_t N>
 [[gnu::always_inline]] inline void take_steps(Method& method, LaneSteps<Real, N>& at,
@@ -83,24 +83,24 @@ template <class Method, class Real, std::size_t N>
     const Real factor = step_factor(error, Method::kErrorOrder);
     const Real proposed_s = tried_s * eagerx::min(factor, at.most_growth);
     const auto good = error <= one;
-    const auto taken = progress.goes_on && good;
+    const auto taken = progress.continues && good;
     for (std::size_t i = 0; i < N; ++i) at.x[i] = select(taken, step.end[i], at.x[i]);
     at.remaining_s = select(taken, at.remaining_s - tried_s, at.remaining_s);
     at.most_growth = select(good, any_growth, one);
     const auto arrived = taken && last;
-    const auto stuck = progress.goes_on && !good && tried_s <= shortest_s;
+    const auto stuck = progress.continues && !good && tried_s <= shortest_s;
     const Real after_s = Steps::limited(eagerx::max(at.step_s, proposed_s), shortest_s, settings);
     at.next_step_s = select(arrived, after_s, select(stuck, Real(Lane(0)), at.next_step_s));
     at.step_s = Steps::limited(proposed_s, shortest_s, settings);
     progress.failed = progress.failed || stuck;
-    progress.goes_on = progress.goes_on && !arrived && !stuck;
+    progress.continues = progress.continues && !arrived && !stuck;
     ++progress.tries;
-    if (count(progress.goes_on) <= few_lanes) return;
+    if (count(progress.continues) <= few_lanes) return;
     method.go_on(step, at.x, taken);
   }
-  at.next_step_s = select(progress.goes_on, at.step_s, at.next_step_s);
-  progress.failed = progress.failed || progress.goes_on;
-  progress.goes_on = false;
+  at.next_step_s = select(progress.continues, at.step_s, at.next_step_s);
+  progress.failed = progress.failed || progress.continues;
+  progress.continues = false;
 }
 
 /// Some lanes of a pack as a narrower one, and back. Both consist of packs alone, of as many.
@@ -128,8 +128,8 @@ inline void scatter(const Narrow& narrow, const std::size_t (&lanes)[Width], Wid
   }
 }
 
-/// The lanes that go on, one register of them after the other. f(lanes, narrow) takes the steps of
-/// `narrow`, which has those of the pack that are in `lanes`, and gives which of them failed.
+/// The lanes that continue, one register of them after the other. f(lanes, narrow) takes the steps
+/// of `narrow`, which has those of the pack that are in `lanes`, and gives which of them failed.
 template <class Narrow, class Real, std::size_t N, class F>
 inline void finish_few(LaneSteps<Real, N>& at, LaneProgress<Real>& progress, const F& f) {
   constexpr auto kWide = static_cast<std::size_t>(lanes<Real>);
@@ -138,7 +138,7 @@ inline void finish_few(LaneSteps<Real, N>& at, LaneProgress<Real>& progress, con
   std::size_t count = 0;
   for (std::size_t k = 0; k < kWide; ++k) {
     waiting[count] = k;
-    count += lane(progress.goes_on, static_cast<int>(k)) ? 1U : 0U;
+    count += lane(progress.continues, static_cast<int>(k)) ? 1U : 0U;
   }
   for (std::size_t k = 0; k < kWidth && count > 0; ++k) waiting[count + k] = waiting[count - 1];
   for (std::size_t first = 0; first < count; first += kWidth) {
@@ -151,7 +151,7 @@ inline void finish_few(LaneSteps<Real, N>& at, LaneProgress<Real>& progress, con
     for (std::size_t k = 0; k < kWidth; ++k)
       set_lane(progress.failed, static_cast<int>(chosen[k]), lane(failed, static_cast<int>(k)));
   }
-  progress.goes_on = false;
+  progress.continues = false;
 }
 
 }  // namespace eagerx::models

@@ -23,7 +23,7 @@ enum class OdeMethod : std::uint8_t { rk4, dopri5, rodas4 };
 /// Advances every object's OdeSimulator by one period of the engine, with its input held constant.
 ///
 /// No callback throws or stops. What could not be integrated as asked is counted in the simulator's
-/// faults(), and the simulation goes on, as EAGERx's does after odeint's warning:
+/// faults(), and the simulation continues, as EAGERx's does after odeint's warning:
 ///   dopri5 and rodas4, more than `mxstep` steps tried, or the tolerances not met in the shortest
 ///   step (also
 ///     because the derivative is NaN or infinite): the state is the last one that met the
@@ -109,7 +109,7 @@ class OdeEngine {
     simulator.add_fault_if(progress.failed);
   }
 
-  /// The whole pack as long as more than half of the lanes go on, then these in packs of half as
+  /// The whole pack as long as more than half of the lanes continue, then these in packs of half as
   /// many registers, and so on: some lanes take many times the steps of the others.
   template <class Model, class Real = typename Model::Real>
   static void finish(const OdeParameterSet<Model>& parameters, const OdeInputs<Model>& input,

@@ -11,7 +11,7 @@
 
 namespace eagerx::models {
 
-/// The step that this thread makes, and who knows the robots in it.
+/// The step that this thread makes, with the names of the robots in it.
 struct StepUnderWay {
   const void* objects = nullptr;
   /// Names the fastest joint of these objects, and its speed; empty if there is none.
@@ -24,7 +24,7 @@ struct StepUnderWay {
   }
 };
 
-/// What the library calls before abort().
+/// Called by the library before abort().
 inline void stop_with_message(int /*number*/, const char* message, va_list arguments) {
   static_cast<void>(std::fflush(stdout));
   const StepUnderWay& now = StepUnderWay::of_thread();

@@ -97,7 +97,7 @@ class OpenDynamicsSimulator {
     joint_wanted_[joint] = true;
     placed_ = false;
   }
-  /// What want_joint() was last given for the next place(), else what it is.
+  /// The last argument of want_joint() for the next place(), else the current value.
   JointCoordinates next_joint(std::size_t joint) const {
     return joint_wanted_[joint] ? wanted_joint_[joint] : present(joint);
   }
@@ -157,7 +157,7 @@ class OpenDynamicsSimulator {
 
   // ---- for actuate() of the model, and for engine nodes
   // No actuator has more torque than the joint's max_torque.
-  /// Held until it is set again, in place of torques.
+  /// Held until it is set again, instead of torques.
   void set_joint_servo(std::size_t joint, JointServo servo) {
     servo.position = finite(servo.position);
     servo.max_torque = eagerx::min(servo.max_torque, Model::kJoints[joint].max_torque);
@@ -365,7 +365,7 @@ class OpenDynamicsSimulator {
   }
 
   /// As a motor that holds 0, which never turns the joint around, with the torque of the velocity
-  /// at the end of the step. A joint has one motor, so beside another it is a torque.
+  /// at the end of the step. A joint has one motor, so next to another it is a torque.
   double damping_torque(std::size_t j, double applied) {
     const RigidJoint& of = Model::kJoints[j];
     if (!(of.damping > 0.0)) return 0.0;

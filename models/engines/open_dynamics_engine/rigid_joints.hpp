@@ -23,7 +23,7 @@ struct JointCoordinates {
   std::array<double, 2> velocity{};
 };
 
-/// What is not finite as 0.
+/// The value, or 0 if it is not finite.
 constexpr JointCoordinates finite_coordinates(JointCoordinates at) {
   for (double& value : at.position) value = eagerx::isfinite(value) ? value : 0.0;
   for (double& value : at.velocity) value = eagerx::isfinite(value) ? value : 0.0;
@@ -60,7 +60,7 @@ constexpr JointServo scaled(JointServo servo, const ActuatorFactors& factors) {
   return servo;
 }
 
-/// What the child's body resists the joint with, if nothing hangs on it [kg·m², kg].
+/// The inertia of the child's body at the joint, without further children [kg·m², kg].
 constexpr double inertia_of_joint(const RigidJoint& joint, const RigidBody& child) {
   if (joint.kind == JointKind::slider) return child.mass;
   const Vector3 &n = joint.axis, &i = child.inertia, &p = child.products;

@@ -193,7 +193,7 @@ constexpr bool is_child(std::size_t body) {
 
 }  // namespace scene
 
-/// What OpenDynamicsEngine simulates of an object: a class template over the object's Io with
+/// The model of an object for OpenDynamicsEngine: a class template over the object's Io with
 ///   using Real = …;
 ///   static constexpr std::array<RigidBody, …> kBodies;          // at least one
 ///   static constexpr std::array<RigidJoint, …> kJoints;

@@ -18,7 +18,7 @@ namespace eagerx::models {
 /// These things are wrong: `late` instants in a row that were later than `max_lateness` (0: a
 /// period), an error of the link, a sensor without a value for `missed` instants, an action that is
 /// not finite, and with `limits: safe` an action out of its limits. A pause of many periods counts
-/// as so many instants, so what comes first after it is the safe action. The safe action stays
+/// as that many instants, so what comes first after it is the safe action. The safe action stays
 /// until `recover` instants in a row were right (0: until the next episode). An engine that is more
 /// than a period late does not catch up: it moves all later instants. `Platform::prepare()` is
 /// called once before, then `Platform::open(link)`.

@@ -7,7 +7,7 @@
 
 namespace eagerx::links {
 
-/// What the chips differ in.
+/// The differences between the chips.
 struct MpsseChip {
   bool open_drain;       // FT232H: outputs can be driven to zero only
   bool high_byte;        // ACBUS/BCBUS is there (not on FT4232H)

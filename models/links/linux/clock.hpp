@@ -8,7 +8,7 @@
 extern "C" {
 /// Whether a signal wants the program to end or to stop; the target's, if it has one.
 [[gnu::weak]] bool eagerx_is_interrupted();
-/// Told that the program stands still on purpose until then; the target's, if it has one.
+/// Notified that the program stands still on purpose until then; the target's, if it has one.
 [[gnu::weak]] void eagerx_sleeps_until(std::int64_t ns);
 }
 
@@ -29,7 +29,7 @@ struct LinuxClock {
     return clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) != EINTR;
   }
 
-  /// What sleep_until() cannot say of a signal that came outside of it.
+  /// Whether a signal arrived outside of sleep_until().
   static bool is_interrupted() {
     return eagerx_is_interrupted != nullptr && eagerx_is_interrupted();
   }

@@ -27,7 +27,7 @@ struct Kernel {
   }
 };
 
-/// An open file. No copy closes it: whoever opened it does.
+/// An open file. No copy closes it: its opener does.
 class File {
  public:
   /// False if it cannot be opened.
@@ -53,7 +53,7 @@ class File {
   int plus_one_ = 0;
 };
 
-/// What an error number of a bus's driver means.
+/// The bus error for an error number of a driver.
 inline BusError error_of(int number) {
   switch (number) {
     case ENXIO:

@@ -13,7 +13,7 @@
 namespace eagerx::models {
 
 /// Every tick: `limited` := the last `action`, each element within [low, high]; zero moved into
-/// them in place of NaN and as long as nothing has come.
+/// them replaces NaN, also as long as nothing has come.
 template <class Io>
 class ActionLimits {
  public:
@@ -35,7 +35,7 @@ class ActionLimits {
     limited_ += one_if<Real>(changed && !in.action.empty());
   }
 
-  /// f(name, count) for each; they go on over episodes.
+  /// f(name, count) for each; they continue over episodes.
   template <class F>
   void for_each_count(F&& f) const {
     f("limited", limited_);

@@ -40,7 +40,7 @@ class FallbackController {
     }
   }
 
-  /// f(name, count) for each; they go on over episodes.
+  /// f(name, count) for each; they continue over episodes.
   template <class F>
   void for_each_count(F&& f) const {
     f("fallback ticks", fallback_ticks_);

@@ -8,7 +8,7 @@
 namespace eagerx::models {
 
 /// Every tick: u := clamp(kp·e + Σ(ki·e)/rate − kd·d + feed_forward, low, high); see the manifest.
-/// What was summed with one ki stays when ki is tuned, so that u does not jump.
+/// The integral keeps its value when ki is tuned, so that u does not jump.
 /// The derivative is that of `measured`, so that nothing jumps with the setpoint.
 template <class Io>
 class PidController {

@@ -44,7 +44,7 @@ class DifferencePid {
 
 /// Drives an angle to a goal near hanging down and says when it is there: angle and speed both
 /// within `threshold` (and 1e-5 of the goal, as numpy.isclose), or more than `timeout` s after the
-/// first call. Angles count from hanging down, so that there is no jump where the pendulum is.
+/// first call. Angles count from hanging down, so that no jump is near the pendulum.
 template <class Io>
 class AngleRoutine {
  public:

@@ -41,7 +41,7 @@ class SlewLimit {
     limited_ += one_if<Real>(limited);
   }
 
-  /// f(name, count) for each; they go on over episodes.
+  /// f(name, count) for each; they continue over episodes.
   template <class F>
   void for_each_count(F&& f) const {
     f("limited", limited_);

@@ -48,7 +48,7 @@ class TransportDelay {
   static_assert(Io::Config::delay <= Io::Config::max_delay,
                 "TransportDelay: `delay` is not above `max_delay`");
 
-  /// What came `delay` seconds ago.
+  /// The value received `delay` seconds ago.
   static Lane at(const std::array<Real, kTicks + 2>& past, Lane delay, int lane_number) {
     const Lane wanted = delay * constant<Real>(Io::Rate::hz);
     // NaN is none.

@@ -75,7 +75,7 @@ class PendulumReal {
     const std::int64_t period_ns = now_ns - at_ns_;
     const bool known = at_ns_ != 0 && period_ns > 0 && period_ns < kTooLongNs;
     at_ns_ = now_ns;
-    if (wraps_) {  // an episode begins: within ±π, and the observer goes on from there
+    if (wraps_) {  // an episode begins: within ±π, and the observer continues from there
       const Real turns = angle - (theta_ + normalized_angle(angle - theta_));
       state_[0] += turns;
       theta_ = angle;

@@ -1,4 +1,4 @@
-// A hub that goes on while its parts calculate: it asks for a message where the message is sent,
+// A hub that continues while its parts calculate: it asks for a message where the message is sent,
 // and waits for it where it is read. What a delay holds back is not waited for, and parts that do
 // not need each other calculate at the same time. Which message is read when, and the order of the
 // trace, stay what they are.
@@ -137,7 +137,7 @@ class Ahead {
     return true;
   }
 
-  /// Returns `count` once so many messages of a node of part `K` are there, of which there are
+  /// Returns `count` once that many messages of a node of part `K` are there, of which there are
   /// `taken`.
   template <std::size_t K>
   Seq need(Owner& owner, PartIndex<K> /*part*/, const Seq& taken, Seq count) {
@@ -159,7 +159,7 @@ class Ahead {
   }
 
   /// Waits for all, and from then on for each message where it is asked for: where parts also send
-  /// what nobody asked for. False if the connection is over.
+  /// messages without a request. False if the connection is over.
   bool hold(Owner& owner) {
     held_ = true;
     return settle(owner);
@@ -205,7 +205,7 @@ class Ahead {
     queue.first = (queue.first + 1) % Most;
     --queue.count;
     if (owner.link().ok() && (owner.*next.take)(next.n, next.record)) return true;
-    // Nobody tells a trace what came after what did not come.
+    // A trace ends at a missing message.
     for (Queue& each : queues_) each.count = 0;
     later_.clear();
     return false;

@@ -14,8 +14,8 @@ inline constexpr int kNothing = -1;
 inline constexpr int kClosed = -2;
 
 /// `ToBoard`, `ToHost`: most bytes of a frame's payload; longer messages take several frames. All
-/// zero at the start. `Depth`: answers that are kept, for a host that sends so many requests before
-/// it waits; a `Port` that holds what comes meanwhile.
+/// zero at the start. `Depth`: answers that are kept, for a host that sends that many requests
+/// before it waits; a `Port` that holds what comes meanwhile.
 template <class Port, std::size_t ToBoard, std::size_t ToHost, std::size_t Depth = 1>
 class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost, Depth>> {
   static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes && Depth >= 1);
@@ -23,7 +23,7 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost, Depth>> {
  public:
   Port port;
 
-  /// `status` is told to the host and, if it is not 0, no session begins.
+  /// The host receives `status`, and, if it is not 0, no session begins.
   void identify(Identity identity, std::uint8_t status) {
     identity_ = identity;
     status_ = status;
@@ -39,7 +39,7 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost, Depth>> {
     open_ = true;
     return true;
   }
-  /// Whether the session goes on. A host that starts anew ends it.
+  /// Whether the session continues. A host that restarts ends it.
   bool ok() const { return open_; }
   std::uint32_t damaged() const { return damaged_ + in_.damaged(); }
 

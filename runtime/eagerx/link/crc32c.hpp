@@ -8,7 +8,7 @@ namespace eagerx::link {
 
 namespace detail {
 
-// A nibble at a time: 64 bytes of flash in place of 1024.
+// A nibble at a time: 64 bytes of flash instead of 1024.
 struct CrcTable {
   std::uint32_t of[16];
   constexpr CrcTable() : of{} {

@@ -55,7 +55,7 @@ constexpr std::uint64_t hash_of_part(std::uint64_t graph, const char* name) {
   return hash;
 }
 
-/// What both programs must agree on.
+/// The values that both programs must agree on.
 struct Identity {
   std::uint64_t graph;    // hash_of_part()
   std::uint16_t runtime;  // version, major * 256 + minor
@@ -82,7 +82,7 @@ struct Greeting {
     write_as(bytes + 4, graph);
     write_as(bytes + 12, session);
   }
-  /// What the CRC of the session's other frames starts from.
+  /// The initial CRC of the session's other frames.
   [[gnu::noinline]] std::uint32_t crc_start() const {
     std::uint8_t bytes[kBytes];
     write(bytes);
@@ -111,7 +111,7 @@ class OutFrame {
     write_as(bytes_ + 1, number);
     write_as(bytes_ + kHeaderBytes + size_, crc32c(bytes_, kHeaderBytes + size_, crc_start));
   }
-  /// put(byte) for everything that goes on the line; the frame stays and can be sent again.
+  /// put(byte) for everything that is sent; the frame stays and can be sent again.
   template <class Put>
   void send(Put&& put) const {
     put(std::uint8_t{0});
@@ -128,7 +128,7 @@ class OutFrame {
 template <std::size_t Payload>
 class InFrame {
  public:
-  /// True if `byte` ends something that can be a frame; its CRC is for the caller to check, who
+  /// True if `byte` ends something that can be a frame; the caller checks its CRC, because it
   /// knows the session. The frame is there until the next byte.
   bool take(std::uint8_t byte) {
     if (byte != 0) {

@@ -44,7 +44,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
   static constexpr std::uint64_t kFirstRepeatNs = 200'000'000;
   static constexpr std::uint64_t kLeastRepeatNs = 20'000'000;
   static constexpr std::uint64_t kMostRepeatNs = 4'000'000'000;
-  static constexpr std::uint64_t kLookNs = 20'000'000;    // for somebody who wants the end
+  static constexpr std::uint64_t kLookNs = 20'000'000;    // for a request to end
   static constexpr std::uint64_t kHurryNs = 250'000'000;  // an answer then takes at most
 
  public:
@@ -90,11 +90,11 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
   }
   bool ok() const { return problem_ == Problem::none; }
   Problem problem() const { return problem_; }
-  /// What the board said of itself, after open().
+  /// The board's description of itself, after open().
   const Greeting& board() const { return other_; }
   const Statistics& statistics() const { return statistics_; }
 
-  /// What the next begin_step() says.
+  /// Sets the lateness that the next begin_step() sends.
   void set_late(std::uint64_t in_a_row) {
     constexpr std::uint64_t kMost = 255;
     late_ = static_cast<std::uint8_t>(in_a_row < kMost ? in_a_row : kMost);
@@ -245,7 +245,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
       }
     }
   }
-  /// Somebody who wants the end does not wait for a board that may be silent.
+  /// A request to end does not wait for a board that may be silent.
   void look(std::uint64_t now_ns) {
     if constexpr (requires { port.is_interrupted(); }) {
       if (hurries_ || !port.is_interrupted()) return;

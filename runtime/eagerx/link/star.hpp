@@ -13,7 +13,7 @@
 
 namespace eagerx::link {
 
-/// What a program is compiled with of a part.
+/// The compile-time constants of a part.
 struct PartFacts {
   const char* name;
   const char* target;   // the id of its board, or of Linux
@@ -25,8 +25,8 @@ struct PartFacts {
 template <std::size_t K>
 struct PartIndex {};
 
-/// What one part sends and another reads with a delay comes to that part `lag` ticks of its node
-/// later, the first message at once: whether one comes at tick `n`, and which.
+/// A message that one part sends and another reads with a delay comes to that part `lag` ticks of
+/// its node later, the first message at once: whether one comes at tick `n`, and which.
 constexpr bool comes_late(Seq n, Seq lag) {
   return n == 0 || n > lag;
 }
@@ -36,7 +36,7 @@ constexpr Seq sent_before(Seq n, Seq lag) {
 
 inline constexpr std::uint32_t kNoChannel = UINT32_MAX;
 
-/// What the hub has of a part's messages, by their channels.
+/// The hub's copies of a part's messages, by channel.
 struct PartProgress {
   std::uint32_t last = kNoChannel;     // that came
   std::uint32_t awaited = kNoChannel;  // asked for after it
@@ -58,7 +58,7 @@ class Star {
   }
   const PartProgress& progress(std::size_t part) const { return progress_[part]; }
 
-  /// Whether all of them go on.
+  /// Whether all of them continue.
   bool ok() const {
     return std::apply([](const auto&... link) { return (link.ok() && ...); }, links_);
   }

@@ -10,15 +10,15 @@
 
 namespace eagerx::link {
 
-/// What the host tells the board to do next; one byte among the messages.
+/// The host's next command to the board; one byte among the messages.
 enum class Command : std::uint8_t {
   step = 1,  // with a byte: instants in a row that the host was late, at most 255
   reset = 2,
   finish = 3,
-  safe_step = 4,  // as `step`, with the safe action in place of the agent's
+  safe_step = 4,  // as `step`, with the safe action instead of the agent's
 };
 
-/// What comes with a reset: both programs draw the same states from the key.
+/// The data of a reset: both programs draw the same states from the key.
 struct Episode {
   EpisodeKey key{};
   std::uint8_t agent = 0;  // where the board decides: which of its agents
@@ -39,7 +39,7 @@ struct Episode {
 /// A command with its episode, the longest.
 inline constexpr std::size_t kCommandBytes = 18;
 
-/// What the board says at the end of a run; a list of counts by name follows, with an empty name at
+/// The board's report at the end of a run; a list of counts by name follows, with an empty name at
 /// its end.
 struct Report {
   std::uint32_t stack_bytes = 0;  // the deepest use; 0: not measured

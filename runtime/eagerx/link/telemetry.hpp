@@ -1,5 +1,5 @@
 // What a board sends of itself while it runs in real time: chosen messages, in the frames of the
-// link (frame.hpp), over a line that nobody answers on. In a slot messages are only copied into a
+// link (frame.hpp), over a line without answers. In a slot messages are only copied into a
 // ring; frames are made and sent in the idle time between slots, a byte at a time, and nothing ever
 // waits. targets/README.md has the format.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace eagerx::link {
 
-/// Kinds of its frames, beside those of Kind.
+/// Kinds of its frames, in addition to those of Kind.
 inline constexpr std::uint8_t kTelemetryGreeting = 5;
 inline constexpr std::uint8_t kTelemetryValues = 6;
 
@@ -31,7 +31,7 @@ inline constexpr std::size_t kTelemetryGreetingBytes = Greeting::kBytes + 12;
 struct TelemetryGroup {
   std::uint16_t bytes;  // of a record
   std::uint16_t mask;   // a bit for each channel
-  std::uint32_t every;  // so many messages, one is sent
+  std::uint32_t every;  // one of this many messages is sent
 };
 inline constexpr std::uint8_t kNoGroup = 255;
 /// Where a message goes.
@@ -187,7 +187,7 @@ class Telemetry {
     dropped_ += made_ - sent_;
     sent_ = made_;
   }
-  /// What a greeting says of the program.
+  /// A greeting's description of the program.
   void set_late(std::uint64_t slots) { late_ = static_cast<std::uint32_t>(slots); }
 
   /// Records that were made, and those of them that found the ring full.
@@ -233,7 +233,7 @@ class Telemetry {
     }
     const bool full = made_ - sent_ == kCells;
     dropped_ += full ? 1 : 0;
-    // What finds no room is copied all the same, to where nobody reads it.
+    // What finds no room is copied all the same, to where it is never read.
     Record& record = full ? spare_ : cell(made_++);
     record.number = number_++;
     record.closed = false;

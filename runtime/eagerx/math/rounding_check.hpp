@@ -1,4 +1,4 @@
-// Whether the compiler was told to change results. Its macros say so for -ffast-math, and g++'s for
+// Whether compiler options may change results. Its macros say so for -ffast-math, and g++'s for
 // most parts of it (vocabulary.hpp refuses these); clang has none for the others.
 #pragma once
 

@@ -76,9 +76,9 @@ template <class R>
   if (any(huge)) [[unlikely]] {
     if constexpr (lanes<R> == 1) return reduce_huge_angle(x);
     // What has an address stays in memory: that is a copy.
-    Reduced<R> mended = reduced;
-    reduce_huge_lanes(R(x), mended);
-    reduced = mended;
+    Reduced<R> corrected = reduced;
+    reduce_huge_lanes(R(x), corrected);
+    reduced = corrected;
   }
   return reduced;
 }

@@ -20,7 +20,7 @@ static_assert(FLT_EVAL_METHOD == 0,
 
 namespace eagerx {
 
-/// What a number, or a pack of numbers, consists of. Packs specialise it.
+/// The element type of a number, or of a pack of numbers. Packs specialize it.
 template <class R>
 struct LaneTraits;
 template <>

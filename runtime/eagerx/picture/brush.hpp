@@ -35,11 +35,11 @@ constexpr Point2 on_circle(int k) {
   return {kCosines[static_cast<std::size_t>(k & (kTurn - 1))],
           kCosines[static_cast<std::size_t>((k - kTurn / 4) & (kTurn - 1))]};
 }
-/// Every so many points are enough for a circle of this radius in pixels.
+/// The stride between points that is enough for a circle of this radius in pixels.
 constexpr int stride_of(float radius) {
   return radius < 1.5F ? 8 : radius < 5.0F ? 4 : radius < 12.0F ? 2 : 1;
 }
-/// By how much a polygon of so many points must be larger to have the circle's area.
+/// The factor by which a polygon with this stride must be larger to have the circle's area.
 constexpr float swell_of(int stride) {
   return stride == 8 ? 1.0539F : stride == 4 ? 1.0130F : stride == 2 ? 1.0032F : 1.0008F;
 }
@@ -94,7 +94,7 @@ class Brush {
     if (radius > 0.5F * width) add_disc(middle, radius - 0.5F * width, true);
   }
 
-  /// What two discs and the lines that touch both enclose.
+  /// The area that two discs and their common tangents enclose.
   void add_hull(Point2 a, float radius_a, Point2 b, float radius_b) {
     const float dx = b.x - a.x, dy = b.y - a.y;
     const float length = eagerx::sqrt(dx * dx + dy * dy);

@@ -208,7 +208,7 @@ class SpacePainter {
     brush_.paint();
   }
 
-  /// What is behind the seams of faces.
+  /// Paints the hull, behind the seams of faces.
   void paint_hull(const Point3* corners, std::size_t count, const Paint& paint) {
     Points p{};
     for (std::size_t i = 0; i < count; ++i) {

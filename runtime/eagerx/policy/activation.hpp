@@ -7,8 +7,8 @@
 
 namespace eagerx {
 
-/// What a layer applies to each of its outputs. NaN stays NaN in all of them, so that a broken
-/// observation shows in the action.
+/// The function that a layer applies to each of its outputs. NaN stays NaN in all of them, so that
+/// a broken observation shows in the action.
 enum class Activation : std::uint8_t {
   identity,
   relu,        ///< x < 0 ? 0 : x

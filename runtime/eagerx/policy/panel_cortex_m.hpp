@@ -156,7 +156,7 @@ namespace eagerx::policy {
 }
 
 /// The same for `In` inputs, the last of which fill no block. A function of its own: its numbers
-/// need no place beside those of the layers.
+/// need no registers in addition to those of the layers.
 template <std::size_t In>
 [[gnu::noinline]] float sum_with_rest(const float* w, const float* x) {
   float last[kChains];

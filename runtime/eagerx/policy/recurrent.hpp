@@ -18,7 +18,7 @@ struct GruWeights {
   Layer<Hidden, 3 * Hidden> hidden;
 };
 
-/// What a GRU remembers; zero when an episode starts.
+/// The state of a GRU; zero when an episode starts.
 template <std::size_t Hidden, class R = float>
 struct GruMemory {
   R h[Hidden];
@@ -55,7 +55,7 @@ struct LstmWeights {
   Layer<Hidden, 4 * Hidden> hidden;
 };
 
-/// What an LSTM remembers; zero when an episode starts.
+/// The state of an LSTM; zero when an episode starts.
 template <std::size_t Hidden, class R = float>
 struct LstmMemory {
   R h[Hidden];

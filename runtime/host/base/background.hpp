@@ -1,4 +1,4 @@
-// Threads beside the one that steps.
+// Threads in addition to the one that steps.
 #pragma once
 
 #include <csignal>

@@ -29,7 +29,7 @@ std::string key_of(const std::string& path) {
          whole.filename().string();
 }
 
-/// What this process has claimed.
+/// The claims of this process.
 std::mutex mutex;
 std::set<std::string>& claimed() {
   static std::set<std::string> keys;

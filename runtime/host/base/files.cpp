@@ -46,7 +46,7 @@ std::string beginning_of_drafts(const fs::path& path) {
 }
 
 /// `a/q.csv` → `a/.q.csv.4711.0123456789abcdef.part`, of process 4711, where no program expects it.
-std::string name_beside(const std::string& path, std::string_view ending) {
+std::string name_next_to(const std::string& path, std::string_view ending) {
   std::uint64_t random = 0;
   if (getrandom(&random, sizeof random, 0) != sizeof random)
     random =
@@ -110,7 +110,7 @@ std::string problem_of_writing(int error) {
     case ENXIO:
       return "no program reads it";
     case ETIMEDOUT:
-      return "nobody reads it, or too slowly";
+      return "its reader is gone, or too slow";
     case EWOULDBLOCK:
       return "another program writes it";
     default:
@@ -141,12 +141,12 @@ Draft::~Draft() {
   if (!draft_.empty()) unlink(draft_.c_str());
 }
 
-int Draft::make_beside(const struct stat* replaced, std::string_view ending, int& file) {
+int Draft::make_next_to(const struct stat* replaced, std::string_view ending, int& file) {
   constexpr int kTries = 8;
   constexpr mode_t kForAll = 0666, kForOwner = 0600;
   remove_left_drafts(place_);
   for (int i = 0; i < kTries && file < 0; ++i) {
-    draft_ = name_beside(place_, ending);
+    draft_ = name_next_to(place_, ending);
     file = open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
                 replaced == nullptr ? kForAll : kForOwner);
     if (file < 0 && errno != EEXIST) break;
@@ -167,7 +167,7 @@ int Draft::begin(std::string_view ending, int& file) {
   if (stat(path_.c_str(), &found) != 0) {
     if (errno != ENOENT) return errno;
     place_ = behind_links(path_);
-    return make_beside(nullptr, ending, file);
+    return make_next_to(nullptr, ending, file);
   }
   if (S_ISDIR(found.st_mode)) return EISDIR;
   if (!takes_output(found)) return S_ISREG(found.st_mode) ? EACCES : EINVAL;
@@ -175,7 +175,7 @@ int Draft::begin(std::string_view ending, int& file) {
   place_ = behind_links(path_);
   // The name of an open descriptor below /proc may lead nowhere.
   if (!S_ISREG(found.st_mode) || !is_same(place_, found)) return 0;
-  return make_beside(&found, ending, file);
+  return make_next_to(&found, ending, file);
 }
 
 int Draft::make(std::string_view ending) {
@@ -224,8 +224,8 @@ int Draft::exchange(const std::optional<std::string>& expected) {
   }
   if (!expected) draft_.clear();
   if (!expected || text_of(draft_) == expected) return 0;  // what was there goes with the draft
-  // Somebody has saved before the exchange: theirs goes back. Whoever has saved since then comes
-  // back, too: theirs is the last.
+  // A process has saved before the exchange: its text goes back. A text saved since then comes
+  // back, too: it is the last.
   if (!swap(RENAME_EXCHANGE)) return errno;
   if (text_of(draft_) != mine && !swap(RENAME_EXCHANGE)) return errno;
   return ECANCELED;

@@ -14,10 +14,11 @@ namespace eagerx::host {
 /// Whether what is written is on the disk, or on its way there.
 enum class Durability : std::uint8_t { synced, cached };
 
-/// A file that is there as a whole or not at all. It is written beside the one that `path` leads to
-/// by links, with a random name that nothing had, and with owner and mode of the one it replaces.
-/// What cannot be replaced so is written into: a device, a FIFO, a file of another owner or in a
-/// folder that takes no new files. A file without write permission is refused, for root too.
+/// A file that is there as a whole or not at all. It is written next to the one that `path` leads
+/// to by links, with a random name that nothing had, and with owner and mode of the one it
+/// replaces. What cannot be replaced so is written into: a device, a FIFO, a file of another owner
+/// or in a folder that takes no new files. A file without write permission is refused, for root
+/// too.
 class Draft {
  public:
   explicit Draft(std::string path);
@@ -41,13 +42,13 @@ class Draft {
 
  private:
   int begin(std::string_view ending, int& file);
-  int make_beside(const struct stat* replaced, std::string_view ending, int& file);
+  int make_next_to(const struct stat* replaced, std::string_view ending, int& file);
   int exchange(const std::optional<std::string>& expected);
   int write_into();
 
   std::string path_;
   std::string place_;     // where the links of path_ lead
-  std::string draft_;     // beside it, while it is there
+  std::string draft_;     // next to it, while it exists
   std::string bytes_;     // for what is written into
   bool is_made_ = false;  // and written by another program
 };
@@ -62,14 +63,14 @@ void remove_left_drafts(const std::string& path);
 /// The name behind all links, where there may be nothing yet.
 std::string behind_links(const std::string& path);
 
-/// What a Draft of `path` meets. Changes nothing, and opens no device and no FIFO.
+/// The file that a Draft of `path` would replace. Changes nothing, and opens no device and no FIFO.
 [[nodiscard]] int problem_of_output(const std::string& path);
 
 /// Whether a Draft replaces what is there. Into anything else, such as a FIFO, all is written once.
 bool is_replaced_by_output(const std::string& path);
 
 /// Whether something of this kind is written at all: no folder, socket or disk, and no file that
-/// nobody may write, which root could.
+/// is not writable, although root could write it.
 bool takes_output(const struct stat& status);
 
 /// Why a file cannot be written.

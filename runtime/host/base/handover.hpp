@@ -12,7 +12,7 @@ inline constexpr const char* kExpectedGraph = "EAGERX_EXPECTED_GRAPH";
 /// Descriptors of folders that nothing else builds in as long as they are open: "5,7".
 inline constexpr const char* kOutputLocks = "EAGERX_OUTPUT_LOCKS";
 
-/// What is wrong if another graph is expected than this one, whose hash is `graph`; empty if
+/// The problem if another graph is expected than this one, whose hash is `graph`; empty if
 /// nothing is. Asks once: what this program starts is something else.
 std::string problem_of_graph(std::string_view graph);
 

@@ -1,4 +1,4 @@
-// The hash of bytes that files and programs are told apart by.
+// The hash of bytes that identifies files and programs.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace eagerx::host {
 
-/// FNV-1a, 64 bits; goes on from `hash`.
+/// FNV-1a, 64 bits; continued from `hash`.
 constexpr std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325U) {
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
   return hash;

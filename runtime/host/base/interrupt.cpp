@@ -17,12 +17,12 @@ namespace {
 // Ends a run. With all real-time signals these are what would end the program by default.
 constexpr std::array kEnds{SIGHUP,    SIGINT,  SIGTERM, SIGQUIT, SIGUSR1, SIGUSR2,  SIGALRM,
                            SIGVTALRM, SIGPROF, SIGXCPU, SIGPOLL, SIGPWR,  SIGSTKFLT};
-// A crash, or somebody who wants it to look like one.
+// A crash, or a signal that looks like one.
 constexpr std::array kCrashes{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGTRAP};
 constexpr std::array kStops{SIGTSTP, SIGTTIN, SIGTTOU};
 
 // Signal handlers and threads read and write these; all are lock-free.
-std::atomic<int> seen_at_end = 0;               // the signal that end_as_told() ends with
+std::atomic<int> ending_signal = 0;             // the signal that end_by_signal() ends with
 std::atomic<int> stop_signal = 0;               // that wants the program to stop
 std::atomic<std::int64_t> first_ctrl_c_ms = 0;  // 0: there was none
 std::atomic<bool> dying = false;
@@ -78,7 +78,7 @@ std::int64_t now_ms() {
 void on_end(int signal) {
   const int before = errno;
   caught = true;
-  if (signal == SIGQUIT) seen_at_end = signal;
+  if (signal == SIGQUIT) ending_signal = signal;
   if (signal == SIGINT) {
     // Two that come together are one Ctrl-C of somebody in a hurry: the first one is at work.
     constexpr std::int64_t kPatienceMs = 1'000;
@@ -93,7 +93,7 @@ void on_end(int signal) {
 void on_crash(int signal, siginfo_t* info, void* /*context*/) {
   const int before = errno;
   const bool is_sent = info->si_code <= 0 && info->si_pid != getpid();
-  if (is_sent && seen_at_end.exchange(signal) != signal) {
+  if (is_sent && ending_signal.exchange(signal) != signal) {
     caught = true;  // nothing has happened to the program: it ends in good order
   } else {
     end_at_once(signal);
@@ -174,14 +174,14 @@ void on_gone(bool (*f)(void*), void* context) {
 
 bool ends_reset() {
   send_heartbeat();
-  return interrupted() || is_told_to_stop() || (gone != nullptr && gone(gone_context));
+  return interrupted() || is_stop_requested() || (gone != nullptr && gone(gone_context));
 }
 
-bool is_told_to_stop() {
+bool is_stop_requested() {
   return stop_signal.load(std::memory_order_relaxed) != 0;
 }
 
-void stop_if_told() {
+void stop_if_requested() {
   send_heartbeat();
   for (int signal = stop_signal.exchange(0); signal != 0; signal = stop_signal.exchange(0)) {
     make_safe_now();
@@ -196,8 +196,8 @@ void stop_if_told() {
   }
 }
 
-void end_as_told() {
-  const int signal = seen_at_end.load();
+void end_by_signal() {
+  const int signal = ending_signal.load();
   if (signal == 0) return;
   set_default(signal);
   raise(signal);

@@ -11,7 +11,7 @@ namespace eagerx::host {
 using Interrupt = std::atomic<bool>;
 static_assert(Interrupt::is_always_lock_free);  // a handler of signals may write it
 
-/// What a second signal of a kind does: what it does to any program, or nothing more.
+/// The effect of a second signal of a kind: the default one, or none.
 enum class Second : std::uint8_t { ends, does_nothing };
 
 /// For programs that nothing waits for: from now on `signals` set what is returned, and
@@ -21,9 +21,9 @@ const Interrupt& watch_interrupts(std::initializer_list<int> signals, Second sec
 /// From now on signals that would end the program set a flag, and the run ends after the current
 /// step, or slot of a reset that waits for something. A second Ctrl-C within a second does nothing
 /// more; a later one makes safe (see on_stop) and ends the program at once. Those that would stop
-/// it (Ctrl-Z) wait for stop_if_told(). A crash makes safe and then is what it was. A closed pipe
-/// and a file that is too large are write errors. What the caller has ignored stays ignored, but
-/// for SIGINT and SIGTERM. To be called by the main thread, before others begin.
+/// it (Ctrl-Z) wait for stop_if_requested(). A crash makes safe and then is what it was. A closed
+/// pipe and a file that is too large are write errors. What the caller has ignored stays ignored,
+/// but for SIGINT and SIGTERM. To be called by the main thread, before others begin.
 void catch_interrupts();
 
 /// Written by handlers of signals.
@@ -33,7 +33,7 @@ inline bool interrupted() {
   return caught.load(std::memory_order_relaxed);
 }
 
-/// What else ends a reset that waits for something: whoever decides is gone. nullptr: nothing.
+/// A further reason to end a waiting reset: the agent is gone. nullptr: nothing.
 void on_gone(bool (*is_gone)(void*), void* context);
 /// For resets: whether the run is to end, or to stop.
 bool ends_reset();
@@ -45,15 +45,15 @@ void on_stop(void (*make_safe)(void*), void* context);
 /// Does so now, for the main thread.
 void make_safe_now();
 
-/// Whether a signal wants the program to stop, and go on later.
-bool is_told_to_stop();
-/// If so: makes safe and stops; returns when the program goes on. For the main thread, where
+/// Whether a signal wants the program to stop, and continue later.
+bool is_stop_requested();
+/// If so: makes safe and stops; returns when the program continues. For the main thread, where
 /// actuators can be commanded: between two steps, or while a link is waited for.
-void stop_if_told();
+void stop_if_requested();
 
 /// After everything is written: ends the program by the signal that ended its run, if that was one
-/// of those after which somebody expects to see it (SIGQUIT, or one that means a crash).
-void end_as_told();
+/// of those whose effect the caller expects (SIGQUIT, or one that means a crash).
+void end_by_signal();
 
 /// As long as it lives, `program` is made safe when something stops it, if it drives hardware.
 template <class Program>

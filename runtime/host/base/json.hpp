@@ -8,10 +8,10 @@
 
 namespace eagerx::host {
 
-/// Text of others as a string of JSON, behind `to`. What is no UTF-8 stays what it is.
+/// Foreign text as a string of JSON, behind `to`. What is no UTF-8 stays what it is.
 void append_json_string(std::string& to, std::string_view text);
 
-/// Writes what it is told to; the caller opens and closes. Commas come by themselves.
+/// Writes JSON; the caller opens and closes. Commas come by themselves.
 class Json {
  public:
   Json& begin_object();

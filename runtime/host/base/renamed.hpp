@@ -9,7 +9,8 @@
 
 namespace eagerx::host {
 
-/// What a name is the name of. A key of a file has the title that messages give its mapping.
+/// The kind of thing that a name denotes. A key of a file has the title that messages give its
+/// mapping.
 inline constexpr std::string_view kAnyMapping = "";  // that has the new name
 inline constexpr std::string_view kTrainSettings = "settings of a training";
 inline constexpr std::string_view kTrainOptions = "options of train";
@@ -77,7 +78,7 @@ inline constexpr auto kRenamed = std::to_array<Renamed>({
     {kTrainOptions, "--hard-starts", "--failure-replay"},
 });
 
-/// What `name` is called now; empty if it is no former name there.
+/// The present name of `name`; empty if it is no former name there.
 constexpr std::string_view new_name(std::string_view where, std::string_view name) {
   for (const Renamed& one : kRenamed) {
     if ((one.where == where || one.where == kAnyMapping) && one.old_name == name)
@@ -86,7 +87,7 @@ constexpr std::string_view new_name(std::string_view where, std::string_view nam
   return {};
 }
 
-/// What `name` was called before; empty if it has always been called so.
+/// The former name of `name`; empty if it was never renamed.
 constexpr std::string_view former_name(std::string_view where, std::string_view name) {
   for (const Renamed& one : kRenamed) {
     if (one.where == where && one.new_name == name) return one.old_name;

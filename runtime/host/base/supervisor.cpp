@@ -30,7 +30,7 @@ struct Signs {
 };
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
-Signs* signs = nullptr;  // of the keeper that there is
+Signs* signs = nullptr;  // of the running supervisor
 
 constexpr std::int64_t kMillisecondNs = 1'000'000;
 constexpr std::int64_t kSecondNs = 1'000'000'000;
@@ -44,7 +44,7 @@ std::int64_t now_ns() {
 
 enum class Seen : std::uint8_t { dismissed, ended, stands_still };
 
-/// What a byte that has come says, or that none can come any more.
+/// The meaning of a received byte, or that the pipe is closed.
 Seen read_line(int line) {
   char byte = 0;
   ssize_t count = 0;
@@ -77,7 +77,7 @@ Seen watch(int line, std::int64_t most_silent_ns) {
   return Seen::stands_still;
 }
 
-/// What the program had open is free once it is no more our parent.
+/// Files that the program had open are free once it is no longer our parent.
 void wait_for_its_end(pid_t program) {
   constexpr int kMostLooks = 2'000;
   constexpr useconds_t kLookUs = 1'000;
@@ -101,7 +101,7 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
       is_safe ? "its hardware has the safe values now"
               : "its hardware could NOT be made safe, as it does not answer",
       signs->steps.load(), signs->episode.load());
-  // Whoever does not read it keeps nobody.
+  // A child that does not read it is no supervisor.
   if (size > 0 && write(STDERR_FILENO, text.data(), static_cast<std::size_t>(size)) < 0) return;
 }
 
@@ -145,7 +145,7 @@ Supervisor::Supervisor(TakeOver take_over, void* context, std::int64_t most_sile
   if (process_ < 0) {
     static_cast<void>(std::fprintf(
         stderr,
-        "warning: nobody makes the hardware safe if this program is killed or stopped: %s\n",
+        "warning: no supervisor makes the hardware safe if this program is killed or stopped: %s\n",
         std::strerror(errno)));
   }
   if (has_line) close(ends[0]);

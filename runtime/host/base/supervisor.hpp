@@ -1,4 +1,4 @@
-// A process beside a program that drives hardware: it makes that safe if the program is killed, or
+// A process next to a program that drives hardware: it makes that safe if the program is killed, or
 // stands still.
 #pragma once
 
@@ -33,9 +33,9 @@ class Supervisor {
 
 // Signs of life, for the main thread. They cost a nanosecond, and nothing without a keeper.
 
-/// So many steps are done in so many episodes. The first of these signs begins the watch.
+/// Reports the number of finished steps and episodes. The first of these signs begins the watch.
 void send_heartbeat(std::uint64_t episodes, std::uint64_t steps);
-/// The program goes on.
+/// The program continues.
 void send_heartbeat();
 /// It waits on purpose until then on CLOCK_MONOTONIC.
 void say_asleep_until(std::int64_t ns);

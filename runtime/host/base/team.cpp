@@ -19,7 +19,7 @@ constexpr std::uint64_t kCome = std::uint64_t{1} << 16U;
 constexpr std::uint64_t kClosed = std::uint64_t{1} << 32U;
 constexpr unsigned kNumberShift = 33;
 
-/// The door of a turn to which nobody has come.
+/// The door of a turn that no thread has joined.
 std::uint64_t door_of(std::uint64_t number) {
   return number << kNumberShift;
 }
@@ -49,7 +49,7 @@ Team::Team(unsigned size, Size kind) : process_(getpid()) {
     if (kind == Size::at_most) return;
     stop();
     throw;
-  } catch (...) {  // a thread that nobody joins would end the program
+  } catch (...) {  // a thread without a join would end the program
     stop();
     throw;
   }
@@ -113,7 +113,7 @@ bool Team::enter(std::uint64_t turn) {
   return true;
 }
 
-/// Nobody may come any more; returns how many have.
+/// Closes the turn to further threads; returns how many have come.
 unsigned Team::close() {
   return come(door_.fetch_or(kClosed, std::memory_order_acq_rel));
 }
@@ -140,7 +140,8 @@ void Team::work(unsigned i) {
     for (int spin = 0; spin < kSpins && turn_.load(std::memory_order_relaxed) == seen; ++spin) {
     }
     turn_.wait(seen, std::memory_order_relaxed);
-    // Whoever takes part in a run() sees its turn, because it waits for all; others may miss some.
+    // A thread that takes part in a run() sees its turn, because run() waits for all; others may
+    // miss some.
     seen = turn_.load(std::memory_order_acquire);
     if ((seen & kMembers) == 0) return;
     if (i >= (seen & kMembers) || !enter(seen)) continue;

@@ -80,7 +80,7 @@ class Team {
   // A turn's number above, how many take part below.
   static constexpr unsigned kMemberBits = 16;
   std::atomic<std::uint64_t> turn_{0};
-  // Of the turn with this number, from above: the number, whether nobody may come any more, how
+  // Of the turn with this number, from above: the number, whether it is closed, how
   // many threads have come, how many of them have returned.
   std::atomic<std::uint64_t> door_{0};
   void (*call_)(void*, unsigned) = nullptr;

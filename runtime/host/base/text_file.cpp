@@ -51,7 +51,7 @@ TextFile::~TextFile() {
 bool TextFile::open(const std::string& path, Writing writing) {
   if (path == "-") return open(STDOUT_FILENO, writing);
   constexpr int kReadWriteForAll = 0666;
-  // Without O_NONBLOCK, a FIFO that nobody reads would be waited for: ENXIO.
+  // Without O_NONBLOCK, opening a FIFO without a reader would block: ENXIO.
   constexpr int kFlags = O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
   int file = ::open(path.c_str(), kFlags);
   const bool is_new = file < 0 && errno == ENOENT;
@@ -215,7 +215,7 @@ void TextFile::write_in_background() {
 }
 
 void TextFile::write(const Buffer& buffer) {
-  // Only now, that there is something to put in its place.
+  // Only now, when its replacement is complete.
   if (replaces_ && buffer.used > 0) {
     replaces_ = false;
     if (ftruncate(descriptor_, 0) != 0) error_ = errno;

@@ -19,7 +19,7 @@ namespace eagerx::host {
 
 /// Who waits for the disk: the caller, when a buffer is full, or a thread of the file's own. The
 /// caller then waits only when all of kBackgroundBuffers are full.
-/// In real time nobody waits for long: a reader that is too slow is an error.
+/// In real time no wait is long: a reader that is too slow is an error.
 enum class Writing : std::uint8_t { direct, background, real_time };
 
 /// A count that a thread waits for. Its waits ask the kernel for the time, so they do not touch the
@@ -50,7 +50,7 @@ class TextFile {
   ~TextFile();
 
   /// Creates `path`, or takes the standard output for "-". What is in a file that exists stays
-  /// until something is written in its place. A FIFO that nobody reads is refused (ENXIO), and so
+  /// until something replaces it. A FIFO without a reader is refused (ENXIO), and so
   /// is what takes_output() refuses (EINVAL, EACCES). False if that is not possible; see error().
   bool open(const std::string& path, Writing writing = Writing::direct);
   /// Writes to what is open already, and will be closed by somebody else.
@@ -74,8 +74,8 @@ class TextFile {
   int error() const { return error_.load(std::memory_order_relaxed); }
 
   void text(std::string_view text);
-  /// Behind a complete row: what there is goes into the file `now`, or if nothing did for half a
-  /// second. A program that is killed leaves it there.
+  /// Behind a complete row: the buffered text goes into the file `now`, or if nothing did for half
+  /// a second. A program that is killed leaves it there.
   void hand_on(bool now) {
     if (used_ > 0 && (now || is_due_.load(std::memory_order_relaxed))) flush();
   }

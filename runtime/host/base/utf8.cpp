@@ -5,7 +5,7 @@ namespace {
 
 constexpr char32_t kReplacement = 0xfffd;
 
-/// What the first byte says: length of the sequence, its payload, and the bounds of the second
+/// The facts in the first byte: length of the sequence, its payload, and the bounds of the second
 /// byte.
 struct Lead {
   std::size_t size = 0;  // 0: not a lead byte

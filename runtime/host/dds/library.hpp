@@ -7,7 +7,7 @@
 namespace eagerx::dds {
 
 // Of Cyclone DDS's headers, versions 0.10: Debian 12 and 13. They are not needed where a program is
-// built, and the library not where nobody asks for DDS.
+// built, and the library not where DDS is unused.
 
 template <class T>
 struct Sequence {
@@ -19,7 +19,7 @@ struct SerializedType {
   unsigned char* data;
   std::uint32_t size;
 };
-/// What the library knows of a type: how its members lie in memory.
+/// The library's description of a type: how its members lie in memory.
 struct TopicType {
   std::uint32_t size, align, flags, keys = 0;
   const char* name;

@@ -36,8 +36,8 @@ bool is_loopback(std::string_view interface) {
   return interface.empty() || interface == "lo" || interface.starts_with("127.");
 }
 
-/// The interfaces of this machine that are up, the loopback first, as the library wants to be told
-/// them; it has at most 4. Others of this machine say that they are at one of these addresses.
+/// The interfaces of this machine that are up, the loopback first, in the library's form; it has at
+/// most 4. Others of this machine say that they are at one of these addresses.
 std::string interfaces() {
   constexpr std::size_t kMost = 4;
   std::vector<std::string> names{"lo"};
@@ -56,7 +56,7 @@ std::string interfaces() {
   return text;
 }
 
-/// Nobody is told by multicast: those of this machine are asked, by the ports that DDS gives to its
+/// Multicast is unused: participants of this machine are asked, by the ports that DDS gives to its
 /// participants.
 std::string this_machine() {
   return "<General><Interfaces>" + interfaces() +
@@ -90,7 +90,7 @@ std::set<int> descriptors() {
   closedir(folder);
   return found;
 }
-/// The library hears every interface, whichever one it is told. Its sockets, those that were not
+/// The library hears every interface, whichever one it is given. Its sockets, those that were not
 /// there before, hear this machine only from now on. 0, or an errno.
 int hear_this_machine(const std::set<int>& before) {
   constexpr char kLoopback[] = "lo";
@@ -188,7 +188,7 @@ Entity Participant::endpoint(const TopicType& type, const std::string& topic, Pr
   if (id < 0) return id;
   Qos* const qos = f.create_qos();
   const bool is_reliable = promise == Promise::event || promise == Promise::exchange;
-  // Nobody waits for a reader: a writer that has no room says so at once.
+  // A writer does not wait for a reader: without room it says so at once.
   f.qset_reliability(qos, is_reliable ? kReliable : kBestEffort, 0);
   f.qset_history(qos, kKeepLast,
                  promise == Promise::clock      ? 1

@@ -14,10 +14,10 @@ struct Network {
   std::uint32_t domain = 0;  // to 232
   std::string interface;     // a name or an IPv4 address; empty: this machine only
 };
-/// What stands behind `dds`. False if it is wrong.
+/// Parses the text behind `dds`. False if it is wrong.
 bool parse_network(std::string_view text, Network& network);
 
-/// What a reader or writer promises.
+/// The quality of service of a reader or writer.
 enum class Promise : std::uint8_t {
   sensor_data,  // ROS 2's profile of this name: what is lost is lost; the last 5
   clock,        // the same, the last one

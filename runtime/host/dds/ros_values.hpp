@@ -63,7 +63,7 @@ void with_dtype(trace_log::Dtype dtype, F&& f) {
   }
 }
 
-/// What the elements of a message are called: `NAME_0`, `NAME_1` …
+/// The names of the elements of a message: `NAME_0`, `NAME_1` …
 class Names {
  public:
   void make(const std::string& name, std::size_t size) {

@@ -28,7 +28,7 @@ struct Topic {
   std::string frame;  // the object, of those with a header
 };
 
-/// What is told of a channel besides its messages.
+/// The description of a channel besides its messages.
 struct Port {
   std::string channel;
   std::string name;  // as graphs call it: "smooth.filtered", "pendulum.theta", "actions.u"

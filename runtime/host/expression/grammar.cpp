@@ -21,7 +21,7 @@ class Grammar {
   }
 
  private:
-  /// What to write for the operator of another language that comes next; empty without one.
+  /// The spelling of the next token if it is an operator of another language; empty without one.
   std::string foreign_operator() {
     if (text_.peek('*')) return "write a power as `x^2`";
     if (text_.peek('&')) return "write `and`: `x > 0 and y > 0`";

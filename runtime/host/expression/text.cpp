@@ -78,9 +78,9 @@ std::string Text::take_name() {
 
 std::string Text::take_dotted_name() {
   std::string name = take_name();
-  const bool goes_on =
+  const bool continues =
       !name.empty() && at_ + 1 < text_.size() && text_[at_] == '.' && is_letter(text_[at_ + 1]);
-  if (!goes_on) return name;
+  if (!continues) return name;
   ++at_;
   return name + "." + take_name();
 }

@@ -14,7 +14,7 @@ namespace eagerx::expression {
 struct Mistyped {
   std::string name, meant;
 };
-/// What is wrong, and from which byte of the text on.
+/// A problem, and the byte of the text where it begins.
 struct Problem {
   std::size_t place = 0;
   std::string message;
@@ -22,7 +22,7 @@ struct Problem {
   Mistyped mistyped = {};
 };
 
-/// After the first problem nothing can be taken any more, so that only that one is told of.
+/// After the first problem nothing can be taken any more, so that only that one is reported.
 class Text {
  public:
   /// `text` must outlive it. More than 1000 characters are a problem.
@@ -49,7 +49,7 @@ class Text {
   /// Digits, and whatever is written together with them.
   std::string take_number();
   std::optional<Expression::Op> take_comparison();
-  /// What comes next, for messages: "`name`", "the end".
+  /// The next token, for messages: "`name`", "the end".
   std::string next();
 
   /// A problem at this place.

@@ -21,7 +21,7 @@
 
 namespace eagerx::expression {
 
-/// What a name stands for.
+/// The meaning of a name.
 struct Variable {
   std::string name;
   bool is_condition = false;         // true or false, else a number
@@ -85,7 +85,7 @@ struct Function {
 /// Those that go element by element, besides min, max and angle_of.
 std::span<const Function> functions();
 
-/// What names stand for, and what to do about one that stands for nothing.
+/// The meaning of names, and the handler of unknown ones.
 struct Names {
   const std::vector<Variable>& variables;
   NameForm form = NameForm::plain;

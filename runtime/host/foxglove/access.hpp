@@ -9,7 +9,7 @@ namespace eagerx::foxglove {
 
 using web_socket::Handshake;
 
-/// Reads `--publish-key`: a file that nobody else can read, with a key of 16 to 512 printable
+/// Reads `--publish-key`: a file that only its owner can read, with a key of 16 to 512 printable
 /// characters in its first line. Empty, or what is wrong.
 std::string read_key(const std::string& path, std::string& key);
 
@@ -23,10 +23,9 @@ struct Access {
   std::string key;  // empty: there is none
   bool is_loopback = true;
   bool is_real = false;
-  std::string only_host =
-      {};  // only a page of this `HOST:PORT`, and nobody without the key; empty: no
+  std::string only_host = {};  // only a page of this `HOST:PORT`, and only with the key; empty: no
 
-  /// The page of `only_host`, for who has called it by that name.
+  /// The page of `only_host`, for a client that has called it by that name.
   bool may_see(const Handshake& who) const {
     return !only_host.empty() && who.host == only_host && is_right(who);
   }

@@ -12,7 +12,7 @@ namespace eagerx::foxglove {
 struct ClientMessage {
   enum class Kind : std::uint8_t {
     wrong,
-    unsupported,  // something of the protocol that this server has told it cannot do
+    unsupported,  // something of the protocol that this server does not offer
     subscribe,
     unsubscribe,
     get_parameters,

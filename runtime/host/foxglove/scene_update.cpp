@@ -66,7 +66,7 @@ class Primitives {
   }
 
  private:
-  /// What came out of bounds while it was placed has no text in JSON.
+  /// A coordinate that is out of bounds after placing has no text in JSON.
   static std::string number(float value) {
     if (!std::isfinite(value)) return "0";
     std::array<char, 32> text{};
@@ -159,7 +159,7 @@ class Drawing {
   /// Lengths on the picture are in heights of it.
   float length(float x) const { return on_screen_ ? x * height_ : x; }
 
-  /// What is neither metres nor points, is one point.
+  /// A width that is neither in meters nor in points is one point.
   Primitives::Line line_of(const Ink& ink, int type = 0) const {
     if (ink.width > 0.0F) return {type, length(ink.width), false};
     return {type, ink.width < 0.0F ? -ink.width : 1.0F, true};

@@ -130,10 +130,10 @@ class FoxgloveServer final : public Server, private WebSocketOwner {
   std::vector<std::vector<Subscriber>> subscribers_;  // by channel, then by topic
   std::string frame_;
   std::deque<Call> calls_;
-  std::uint64_t done_ = 0, told_version_ = 0;
+  std::uint64_t done_ = 0, sent_version_ = 0;
   PublishedStep step_{};
-  std::int64_t time_ns_ = 0, told_time_ns_ = -1;
-  Clock::time_point told_time_, told_parameters_;
+  std::int64_t time_ns_ = 0, sent_time_ns_ = -1;
+  Clock::time_point sent_time_, sent_parameters_;
   std::uint64_t clients_in_all_ = 0;
   std::unique_ptr<WebSocketServer> server_;  // the last, for it still tells who is gone
 };
@@ -158,9 +158,9 @@ std::string FoxgloveServer::open() {
   std::random_device random;
   session_ = std::to_string(random()) + std::to_string(random());
   if (!listener.is_loopback)
-    note_ = "note: `" + to_.said + "` listens beyond this machine: everybody reads it, " +
-            (access_.key.empty() ? "and nobody changes the run"
-                                 : "and who has the key changes the run");
+    note_ = "note: `" + to_.said + "` listens beyond this machine: every client may read it, " +
+            (access_.key.empty() ? "and no client may change the run"
+                                 : "and clients with the key may change the run");
   return {};
 }
 
@@ -190,7 +190,7 @@ void FoxgloveServer::closed(ClientId id) {
   if (steering_ != nullptr && steering_->release(id)) tell_parameters({});
 }
 
-/// Whoever does not take answers is no client for long.
+/// A client that does not take answers is soon dropped.
 void FoxgloveServer::answer(ClientId client, const std::string& text) {
   if (!server_->send(client, true, true, text)) server_->disconnect(client);
 }
@@ -312,7 +312,7 @@ void FoxgloveServer::tell_parameters(const std::vector<std::string>& names) {
     if (!client.wants_all_parameters)
       std::erase_if(values,
                     [&](const auto& value) { return !client.parameters.contains(value.name); });
-    // Who is behind is told of the next change.
+    // A client that is behind receives the next change.
     if (!values.empty() && server_->has_room(each.first))
       answer(each.first, parameter_values_text(values, ""));
   }
@@ -338,7 +338,7 @@ void FoxgloveServer::call(ClientId id, const ClientMessage& message) {
   calls_.push_back({id, message.service, message.call_id, number});
 }
 
-/// What was done before the latest idle(): the messages of that are sent by now.
+/// The work before the latest idle(): its messages are sent by now.
 void FoxgloveServer::answer_calls() {
   while (!calls_.empty() && calls_.front().number <= done_) {
     const Call& call = calls_.front();
@@ -359,9 +359,9 @@ void FoxgloveServer::answer_calls() {
 
 void FoxgloveServer::send_time() {
   const Clock::time_point now = Clock::now();
-  if (time_ns_ == told_time_ns_ || now - told_time_ < 20ms) return;
-  told_time_ = now;
-  told_time_ns_ = time_ns_;
+  if (time_ns_ == sent_time_ns_ || now - sent_time_ < 20ms) return;
+  sent_time_ = now;
+  sent_time_ns_ = time_ns_;
   std::string text;
   text += static_cast<char>(kTime);
   append(text, static_cast<std::uint64_t>(time_ns_));
@@ -375,16 +375,16 @@ void FoxgloveServer::idle() {
     if (steering_->release(Steering::kNobody)) tell_parameters({});
     const std::uint64_t version = steering_->version();
     const Clock::time_point now = Clock::now();
-    if (version != told_version_ && version % 2 == 0 && now - told_parameters_ > 50ms) {
-      told_version_ = version;
-      told_parameters_ = now;
+    if (version != sent_version_ && version % 2 == 0 && now - sent_parameters_ > 50ms) {
+      sent_version_ = version;
+      sent_parameters_ = now;
       tell_parameters({});
     }
   }
   server_->service();
 }
 
-/// Who reads gets the rest; nobody is waited for for long.
+/// Clients that read get the rest; no wait is long.
 std::string FoxgloveServer::close() {
   const Clock::time_point end = Clock::now() + 500ms;
   if (steering_ != nullptr) done_ = steering_->done();

@@ -13,13 +13,13 @@
 
 namespace eagerx::foxglove {
 
-/// A page for a browser of this machine, and the key without which nobody reads anything.
+/// A page for a browser of this machine, and the key that reading requires.
 struct Site {
   std::string page;  // HTML; empty: there is none
   std::string key;
 };
 
-/// What is served. All that it points to lives as long as the server.
+/// The served data. All that it points to lives as long as the server.
 struct Served {
   std::string graph, engine;
   std::uint64_t graph_hash = 0;

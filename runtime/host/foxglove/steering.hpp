@@ -1,4 +1,4 @@
-// What clients may change of a run. Who has a run says how; a server without one only tells.
+// What clients may change of a run. The owner of a run says how; a server without one is read-only.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class Steering {
   virtual bool has(const std::string& name) const = 0;
   /// Empty, or what is wrong.
   virtual std::string set(web_socket::ClientId client, const ClientMessage::Parameter& wanted) = 0;
-  /// What was a client's own is given back. True: there was some.
+  /// Resets the values that a client has set. True: there were any.
   virtual bool release(web_socket::ClientId client) = 0;
   /// Another one each time that parameters change by themselves; odd while they do.
   virtual std::uint64_t version() const = 0;

@@ -172,7 +172,7 @@ void Experiment::note_input(std::size_t object) {
   for (std::size_t i = 0; i < first.size(); ++i) first[i] = inputs_[object].get(i);
 }
 
-/// What the log's actuator was told in its tick `tick`.
+/// The command of the log's actuator in its tick `tick`.
 double Experiment::input_of_tick(std::size_t object, std::size_t element, std::int64_t tick) const {
   const std::uint32_t channel = actuators_[actuator_of_[object]];
   const auto& rows = rows_[channel][episode_];
@@ -183,7 +183,8 @@ double Experiment::input_of_tick(std::size_t object, std::size_t element, std::i
 }
 
 /// The mean over the engine's step that begins at `begin`, in ticks of the engine, of what the
-/// log's actuator was told. In a simulation a message acts from the beginning of the engine's step
+/// commands of the log's actuator. In a simulation a message acts from the beginning of the
+/// engine's step
 /// on that it is sent in (SEMANTICS §6), else from when it is sent.
 double Experiment::mean_input(std::size_t object, std::size_t element, double begin) const {
   const Channel& fact = facts_[actuators_[actuator_of_[object]]];

@@ -23,7 +23,7 @@ struct RepeatingProgram {
   std::uint64_t steps_num = 0, steps_den = 1;  // rate of the environment [Hz]
 };
 
-/// What a run is tried with.
+/// The values that a run is tried with.
 struct Trial {
   std::vector<double> parameters;
   std::vector<double> states;  // [segments][states of all objects]

@@ -22,7 +22,7 @@ std::string list(const std::vector<double>& values, bool is_scalar) {
   return is_scalar ? text : "[" + text + "]";
 }
 
-/// What a graph calls the owner of a state and the state: "robot/body.mass" is the state
+/// The graph's names of the owner of a state and of the state: "robot/body.mass" is the state
 /// `body.mass` of `robot`.
 std::string owner_of(const std::string& name) {
   return name.substr(0, name.find_first_of("./"));

@@ -41,7 +41,7 @@ class Identification {
   const std::vector<Delay>& delays() const { return delays_; }
   /// Lines for people.
   std::string report(const trace_log::Log& log, std::span<const Channel> channels) const;
-  /// What the graph's randomisation can use.
+  /// The ranges for the graph's randomization.
   std::string yaml(const trace_log::Log& log, std::span<const Channel> channels) const;
 
  private:

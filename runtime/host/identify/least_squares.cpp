@@ -157,7 +157,7 @@ bool LeastSquares::differentiate(const Trial& trial, bool with_parameters) {
   return true;
 }
 
-/// What is left over changes in jumps with a delay if sensors read the input. A step that crosses
+/// The residuals jump with a delay if sensors read the input. A step that crosses
 /// one says too much of the delay, so the gentler side counts.
 void LeastSquares::take_gentler_sides(const Trial& trial, const std::vector<double>& residuals) {
   const std::size_t n = unknown_states();
@@ -265,7 +265,7 @@ Trial LeastSquares::moved(const Trial& trial, const Equations& equations, double
   return next;
 }
 
-/// What each segment adds to the cost.
+/// The cost of each segment.
 std::vector<double> LeastSquares::costs(const std::vector<double>& residuals,
                                         std::uint32_t window) const {
   std::vector<double> sums(experiment_.segments(), 0.0);

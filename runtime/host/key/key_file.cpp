@@ -39,7 +39,7 @@ bool read_digits(std::string_view text, Key& key) {
   return true;
 }
 
-/// What is wrong with who may read the file `path`.
+/// The problem with the permissions of the file `path`.
 std::string problem_of_rights(const std::string& path, const struct stat& status) {
   if (!S_ISREG(status.st_mode)) return "it is no file" + std::string(kMakeOne);
   if (status.st_uid != geteuid())
@@ -98,7 +98,7 @@ std::string new_key(const std::string& path) {
   Key key{};
   if (getrandom(key.data(), key.size(), 0) != static_cast<ssize_t>(key.size()))
     return std::strerror(errno);
-  // With its rights from the first moment on, under a name that nobody knows until it is complete.
+  // With its rights from the first moment on, under a random name until it is complete.
   std::string draft = path + ".XXXXXX";
   const int file = mkostemp(draft.data(), O_CLOEXEC);
   if (file < 0) return std::strerror(errno);

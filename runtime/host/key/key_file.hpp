@@ -9,7 +9,7 @@
 namespace eagerx::key {
 
 inline constexpr std::size_t kKeyBytes = 32;
-/// Secret: who has it is trusted.
+/// Secret: its holders are trusted.
 using Key = std::array<std::uint8_t, kKeyBytes>;
 
 /// Reads a file that new_key() wrote. Nothing but this user may be able to read or write it. Empty,

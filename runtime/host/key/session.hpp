@@ -17,7 +17,7 @@ enum class Role : std::uint8_t { connects, listens };
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// What follows a greeting: records of at most kMostBytes each way, each sealed on its own.
+/// The data after a greeting: records of at most kMostBytes each way, each sealed on its own.
 class Records {
  public:
   static constexpr std::size_t kMostBytes = 4096;
@@ -73,11 +73,11 @@ class Greeting {
   ~Greeting() { forget(); }
 
   void begin(const Functions& sodium, const Key& key, Role role);
-  /// Where the session goes on, once it is_done().
+  /// Where the session continues, once it is_done().
   void go_on(Records& records);
   void forget();
 
-  /// What is to be sent now; empty: nothing until the next take().
+  /// The bytes to send now; empty: nothing until the next take().
   Bytes to_send() const { return {send_.data(), send_size_}; }
   void sent() { send_size_ = 0; }
   /// How many bytes are missing until something happens; 0: nothing more is read.

@@ -8,7 +8,7 @@
 namespace eagerx::key {
 
 // Of libsodium's headers, version 1.0.18: Debian 12 and 13. They are not needed where a program is
-// built, and the library not where nobody uses a key. The unit test compares them with the headers.
+// built, and the library not where no key is used. The unit test compares them with the headers.
 
 inline constexpr std::size_t kPublicBytes = 32;  // crypto_kx_PUBLICKEYBYTES
 inline constexpr std::size_t kSecretBytes = 32;  // crypto_kx_SECRETKEYBYTES

@@ -114,7 +114,7 @@ class UdpSink final : public DatagramSink {
     text_ += graph_;
     begun_ = text_.size();
   }
-  /// What does not fit goes into a datagram of its own, or is dropped.
+  /// A record that does not fit goes into a datagram of its own, or is dropped.
   void add(const PublishedStep& step, std::size_t c) {
     field_ = ",";
     host::append_json_string(field_, channels()[c].name);

@@ -35,11 +35,11 @@ class PublishSink {
   virtual ~PublishSink() = default;
   /// Empty, or what is wrong.
   virtual std::string open() = 0;
-  /// What the user should know, once it is open; empty: nothing.
+  /// A note for the user, once it is open; empty: none.
   virtual std::string note() const { return {}; }
   virtual void message(const PublishedMessage& message) = 0;
   virtual void step(const PublishedStep& step) = 0;
-  /// What `render:` shows.
+  /// The scene of `render:`.
   virtual void scene(const PublishedScene& /*scene*/) {}
   /// Called every few milliseconds.
   virtual void idle() {}

@@ -1,5 +1,5 @@
 // Reads what a board sends, byte by byte as it comes. Nothing of it is trusted: what is damaged is
-// counted and not shown, and reading goes on at the next frame. Memory does not grow with what
+// counted and not shown, and reading continues at the next frame. Memory does not grow with what
 // comes in.
 #pragma once
 
@@ -34,7 +34,7 @@ struct Counts {
   std::uint32_t late = 0;     // slots that began after their deadline
 };
 
-/// Who is told of what comes in.
+/// The listener for decoded frames.
 class Listener {
  public:
   virtual ~Listener() = default;

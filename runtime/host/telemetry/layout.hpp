@@ -1,4 +1,4 @@
-// What a board's telemetry consists of: `telemetry.json`, which lies beside the program, as a
+// What a board's telemetry consists of: `telemetry.json`, which lies next to the program, as a
 // struct. targets/README.md has the format.
 #pragma once
 
@@ -22,7 +22,7 @@ struct Channel {
 /// The channels that come in one record.
 struct Group {
   std::uint64_t rate_num = 1, rate_den = 1;  // of the messages [Hz]
-  std::uint64_t every = 1;                   // so many of them, one is sent
+  std::uint64_t every = 1;                   // one of this many is sent
   std::size_t bytes = 0;                     // of a record
   std::vector<Channel> channels;
 };

@@ -5,7 +5,7 @@
 namespace eagerx::trace_log {
 namespace {
 
-/// What a code point begins with, how many bytes follow it, and the least and the most that the
+/// The first byte of a code point, how many bytes follow it, and the least and the most that the
 /// first of these can be: Unicode 15, table 3-7.
 struct Form {
   std::uint8_t first, last;

@@ -55,7 +55,7 @@ bool parse_value(Dtype dtype, std::string_view text, std::uint64_t& bits) {
   return text == "0" || text == "1";
 }
 
-/// What an error shows of the file: at most 40 characters, none that a terminal would obey.
+/// The excerpt of the file in an error: at most 40 characters, none that a terminal would obey.
 std::string shown(std::string_view text) {
   constexpr std::size_t kMost = 40;
   std::string result = "`";
@@ -402,7 +402,7 @@ std::optional<Log> read_log_file(const std::string& path, std::string& problem) 
     problem = "error: cannot read `" + path + "`: " + why;
     return std::nullopt;
   };
-  // A pipe that nobody writes or a device would be read for ever.
+  // A pipe without a writer, or a device, would be read for ever.
   struct stat status {};
   if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
     return fail(S_ISDIR(status.st_mode) ? std::strerror(EISDIR) : "it is no file");

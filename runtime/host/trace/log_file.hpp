@@ -16,7 +16,7 @@
 
 namespace eagerx::trace_log {
 
-/// What an element is. A value is kept as the bits that the trace hashes, see canonical_bits().
+/// The type of an element. A value is kept as the bits that the trace hashes, see canonical_bits().
 enum class Dtype : std::uint8_t {
   float32,
   float64,
@@ -49,14 +49,14 @@ struct Row {
   std::uint32_t episode = 0;
 };
 
-/// What a state of an episode began with, as written: numbers in decimal.
+/// The initial value of a state of an episode, as written: numbers in decimal.
 struct RecordedState {
   std::uint32_t episode = 0;
   std::string name;  // "pendulum/mass"
   std::vector<std::string> values;
 };
 
-/// What was set while an episode ran, before step `step` (from 0), as written.
+/// A value set while an episode ran, before step `step` (from 0), as written.
 struct RecordedSetting {
   std::uint32_t episode = 0;
   std::uint64_t step = 0;
@@ -114,7 +114,7 @@ class LogReader {
 
   bool has_head() const;  // then the channels are known
   const std::string& problem() const;
-  /// What was read so far. Rows, values, states and scenes may be taken away.
+  /// The data read so far. Rows, values, states and scenes may be taken away.
   Log& log();
 
  private:

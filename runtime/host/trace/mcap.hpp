@@ -15,7 +15,7 @@ namespace eagerx::trace_log {
 
 inline constexpr std::size_t kMostMcapChannels = 65'534;
 
-/// What of a file there is so far, but for what was taken away.
+/// The bytes of the file so far, except those taken away.
 class McapFile {
  public:
   /// At most kMostMcapChannels, which live as long as this.

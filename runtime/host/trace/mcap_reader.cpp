@@ -8,7 +8,7 @@ constexpr std::string_view kFileMagic("\x89MCAP0\r\n", 8);
 constexpr std::size_t kRecordHead = 9;
 constexpr std::uint64_t kMostRecordBytes = 64 << 20;
 
-/// The front of `from`, which goes on behind it.
+/// The front of `from`, which then begins behind it.
 template <class T>
 bool take(std::string_view& from, T& value) {
   if (from.size() < sizeof(T)) return false;

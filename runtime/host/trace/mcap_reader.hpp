@@ -1,5 +1,5 @@
-// Reads MCAP files (https://mcap.dev/spec) from front to back, also ones that grow and ones of
-// others: channels and messages, within chunks without compression or outside of them.
+// Reads MCAP files (https://mcap.dev/spec) from front to back, also growing ones and those of
+// other programs: channels and messages, within chunks without compression or outside of them.
 #pragma once
 
 #include <cstdint>

@@ -116,13 +116,13 @@ const Row* Replay::next_row(std::uint32_t channel) const {
 }
 
 bool Replay::has_step(std::uint32_t episode) const {
-  const auto goes_on = [&](std::uint32_t channel) {
+  const auto continues = [&](std::uint32_t channel) {
     const Row* const row = next_row(channel);
     return row != nullptr && row->episode == episode;
   };
-  if (steps_) return goes_on(*steps_);
+  if (steps_) return continues(*steps_);
   for (std::uint32_t i = 0; i < facts_.size(); ++i) {
-    if (goes_on(i)) return true;
+    if (continues(i)) return true;
   }
   return false;
 }

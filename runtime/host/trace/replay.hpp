@@ -74,7 +74,7 @@ class Replay {
   const std::optional<Divergence>& divergence() const { return divergence_; }
   std::uint64_t equal() const { return equal_; }
   std::uint64_t given() const { return given_; }
-  /// What came out, in lines of text.
+  /// The result, in lines of text.
   std::string report(std::string_view graph, std::string_view engine) const;
 
  private:
@@ -102,8 +102,8 @@ class Replay {
   const Log& log_;
   std::span<const Channel> facts_;
   std::vector<ChannelState> channels_;
-  // The channel of an action, which every step has once. Without one, steps go on as long as there
-  // are messages.
+  // The channel of an action, which every step has once. Without one, steps continue as long as
+  // there are messages.
   std::optional<std::uint32_t> steps_;
   bool runs_engine_ = true;
   bool ended_early_ = false;

@@ -87,7 +87,7 @@ void LwsClient::connect() {
   info.protocol = to_.protocol.c_str();
   info.pwsi = &wsi_;
   state_ = State::connecting;
-  // What goes wrong at once has been told by an event, too.
+  // What goes wrong at once has caused an event, too.
   if (lws.client_connect_via_info(&info) == nullptr && state_ == State::connecting)
     end(State::absent);
 }

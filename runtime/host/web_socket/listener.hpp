@@ -6,7 +6,7 @@
 namespace eagerx::web_socket {
 
 struct Listener {
-  int socket = -1;  // of whoever called listen_on()
+  int socket = -1;  // of the caller of listen_on()
   bool is_loopback = false;
   std::string port;  // that it got, if any was good enough
 };

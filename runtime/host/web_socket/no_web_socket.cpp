@@ -1,4 +1,4 @@
-// In place of the other files where libwebsockets is not installed.
+// Replaces the other files where libwebsockets is not installed.
 #include <unistd.h>
 
 #include <runtime/host/web_socket/web_socket.hpp>

@@ -235,10 +235,10 @@ int LwsServer::write(::lws* wsi, Connection& to) {
   return 0;
 }
 
-/// What nobody may see is refused with a status and nothing else. One page a connection.
+/// A forbidden page is refused with a status and nothing else. One page a connection.
 int LwsServer::show(::lws* wsi, Connection& to, std::string_view path) {
   constexpr unsigned kFound = 200, kRefused = 403;
-  // A page of others cannot have this one in a frame, and no other page learns its address.
+  // A foreign page cannot have this one in a frame, and no other page learns its address.
   constexpr std::array<std::array<const char*, 2>, 4> kHeaders = {
       {{"cache-control:", "no-store"},
        {"referrer-policy:", "no-referrer"},

@@ -11,20 +11,20 @@ namespace eagerx::web_socket {
 
 using ClientId = std::uint64_t;
 
-/// What a client says of itself before it is one.
+/// A client's request before it is accepted.
 struct Handshake {
   std::string key;        // of `?key=…` or `Authorization: Bearer …`
   std::string origin;     // of the page in a browser; empty: none
   std::string host = {};  // `HOST:PORT`, as it calls the server
 };
 
-/// What a browser is shown.
+/// A page for a browser.
 struct Page {
   std::string text;
   const char* type = "";  // of MIME
 };
 
-/// What is told of clients, within service() only.
+/// Events of clients, within service() only.
 class WebSocketOwner {
  public:
   /// False: it is refused.
@@ -33,7 +33,7 @@ class WebSocketOwner {
   /// A whole message. False: the client is disconnected.
   virtual bool received(ClientId client, std::string_view message, bool is_text) = 0;
   virtual void closed(ClientId client) = 0;
-  /// What is at a path; it lives as long as the server. Null: nothing, or not for this one.
+  /// The page at a path; it lives as long as the server. Null: nothing, or not for this one.
   virtual const Page* page(std::string_view /*path*/, const Handshake& /*handshake*/) {
     return nullptr;
   }
@@ -47,7 +47,7 @@ struct WebSocketLimits {
   std::size_t message_bytes = 65536;  // of a client
   std::size_t queue_bytes = 4 << 20;  // that a client has not taken yet
   double handshake_s = 5.0;
-  double silence_s = 10.0;  // of a client that takes nothing of what there is for it
+  double silence_s = 10.0;  // of a client that takes none of its messages
 };
 
 /// One thread calls it; no call waits.
@@ -74,7 +74,7 @@ std::unique_ptr<WebSocketServer> web_socket_server(WebSocketOwner& owner, int li
                                                    const WebSocketLimits& limits,
                                                    std::string& problem);
 
-/// What a client is told, within service() only.
+/// Events for a client, within service() only.
 class WebSocketListener {
  public:
   virtual void opened() = 0;
@@ -96,8 +96,8 @@ class WebSocketClient {
   enum class State : std::uint8_t {
     connecting,
     open,
-    absent,   // nobody listens there: connect() again
-    refused,  // by who listens, or it speaks something else
+    absent,   // no server listens there: connect() again
+    refused,  // by the server, or it speaks another protocol
     closed    // it was open
   };
   virtual ~WebSocketClient() = default;
@@ -107,7 +107,7 @@ class WebSocketClient {
   virtual bool service() = 0;
   virtual State state() const = 0;
   virtual void send(std::string_view text) = 0;
-  /// What can be waited on; -1: it is none now.
+  /// The file descriptor to wait on; -1: none now.
   virtual int descriptor() const = 0;
   /// Messages that were larger than the limit, and are lost.
   virtual std::uint64_t too_large() const = 0;

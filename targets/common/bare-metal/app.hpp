@@ -23,7 +23,7 @@
 
 namespace eagerx::board {
 
-/// What a program does; the words are those of linux-sim's options.
+/// The mode of a program; the words are those of linux-sim's options.
 struct Options {
   target::RunPlan plan;
   target::Agent agent = target::Agent::zero;

@@ -69,7 +69,7 @@ function(eagerx_configure_bare_metal executable)
     OPTIONS ${definitions} -fno-tree-loop-distribute-patterns)
 
   set_target_properties(${executable} PROPERTIES SUFFIX .elf)
-  # All of it: what the board's own sources say in place of a weak function is called by nobody else.
+  # All of it: only weak references call what the board's own sources define instead of a weak function.
   target_link_libraries(${executable} PRIVATE -Wl,--whole-archive eagerx_board -Wl,--no-whole-archive)
   target_compile_options(${executable} PRIVATE ${EAGERX_BARE_METAL_FLAGS})
   target_compile_definitions(${executable} PRIVATE EAGERX_TRACE=$<BOOL:${EAGERX_TRACE}>

@@ -6,7 +6,7 @@
 
 namespace eagerx::board {
 
-/// Time since start_clock(), which whoever uses it calls first.
+/// Time since start_clock(), which its user calls first.
 struct BoardTime {
   static std::int64_t now_ns() {
     const std::uint64_t ticks = clock_ticks();
@@ -21,7 +21,7 @@ struct BoardTime {
                    (time % kNsPerSecond * hz + kNsPerSecond - 1) / kNsPerSecond);
     return true;
   }
-  /// A short wait, for drivers. Starts the clock if nobody has.
+  /// A short wait, for drivers. Starts the clock if it is not running.
   static void at_least_ns(std::uint32_t ns) {
     start_clock();
     const std::uint64_t hz = clock_hz();

@@ -5,11 +5,11 @@
 
 namespace eagerx::board {
 
-/// Starts the timer, from 0. One that runs goes on.
+/// Starts the timer, from 0. A running timer continues.
 void start_clock();
 /// Ticks so far.
 std::uint64_t clock_ticks();
-/// Returns when so many ticks are over, as soon as the core can; at once if they are.
+/// Returns when this number of ticks is over, as soon as the core can; at once if they are.
 void wait_for_clock(std::uint64_t ticks);
 /// Ticks a second.
 std::uint64_t clock_hz();

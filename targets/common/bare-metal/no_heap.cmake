@@ -1,5 +1,5 @@
 # The proof that a program never uses a heap, exceptions, type information or guarded statics. In two parts:
-# every way into a heap or an exception is renamed to __wrap_<name>, which nobody defines, so that one use
+# every way into a heap or an exception is renamed to __wrap_<name>, which is not defined, so that one use
 # anywhere fails the link with that name; what the compiler may put in besides is looked for in the symbols of the
 # image.
 function(eagerx_forbid_heap executable)

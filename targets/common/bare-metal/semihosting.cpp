@@ -1,6 +1,6 @@
 #include <targets/common/bare-metal/semihosting.hpp>
 
-#ifdef EAGERX_ARGUMENTS  // CMake's: nobody is there to ask, and a call would be a fault
+#ifdef EAGERX_ARGUMENTS  // CMake's: no host answers, and a call would be a fault
 #include <cstring>
 #include <targets/common/bare-metal/console.hpp>
 

@@ -20,9 +20,9 @@ extern void (*const eagerx_constructors_end[])();
 /// Clocks and pins, before the constructors. A board that needs it defines it.
 [[gnu::weak]] void eagerx_board_start();
 
-/// A fault calls this first, in any state of the program. It switches off outputs that would go on
-/// driving actuators without the program. A board with such outputs defines it. It must use little
-/// of the stack and must not wait.
+/// A fault calls this first, in any state of the program. It switches off outputs that would
+/// continue to drive actuators without the program. A board with such outputs defines it. It must
+/// use little of the stack and must not wait.
 [[gnu::weak]] void eagerx_outputs_off();
 }
 

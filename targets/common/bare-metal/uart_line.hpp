@@ -8,7 +8,7 @@
 namespace eagerx::board {
 
 /// A UartBus over `Port`, which has put(byte) and take(byte&, error&), on `Clock` (now_ns()). It
-/// polls: while nobody reads, only as many characters as the hardware keeps survive.
+/// polls: while the program does not read, only as many characters as the hardware keeps survive.
 template <class Port, class Clock>
 class UartLine {
  public:

@@ -95,7 +95,7 @@ void eagerx_memory_fault() {
   __builtin_trap();
 }
 
-// The stack may be what is broken: report on a fresh one, nobody returns.
+// The stack may be what is broken: report on a fresh one, the handler never returns.
 [[gnu::naked]] void Fault_Handler() {
   asm volatile(
       "mrs r0, msp\n"

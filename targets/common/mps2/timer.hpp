@@ -10,8 +10,8 @@ namespace eagerx::board::mps2 {
 inline constexpr std::uintptr_t kTimer0 = 0x40000000;
 inline constexpr std::uintptr_t kTimer1 = 0x40001000;
 
-/// Counts down 32 bits at the peripherals' clock; whoever reads it makes 64 of them, which must be
-/// at least every 2^32 ticks (171 s at 25 MHz). All bytes are zero until start().
+/// Counts down 32 bits at the peripherals' clock; its reader extends them to 64 bits, which must
+/// happen at least every 2^32 ticks (171 s at 25 MHz). All bytes are zero until start().
 template <class Memory = MappedMemory>
 class Timer {
  public:

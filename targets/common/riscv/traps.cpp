@@ -69,7 +69,7 @@ void eagerx_memory_fault() {
   __builtin_trap();
 }
 
-// The stack may be what is broken: report on a fresh one, nobody returns.
+// The stack may be what is broken: report on a fresh one, the handler never returns.
 [[gnu::naked, gnu::aligned(4)]] void Trap_Handler() {
   asm volatile(
       ".option push\n"

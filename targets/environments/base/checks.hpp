@@ -9,7 +9,7 @@
 
 namespace eagerx::environments {
 
-/// A program may have told the processor to take denormal numbers for zero, or to round otherwise,
+/// A program may have set the processor to take denormal numbers for zero, or to round otherwise,
 /// and then bits would differ: that waits until the call is over. Throws Problem.
 class RightFloats {
  public:
@@ -46,7 +46,7 @@ void check_size(const char* name, std::size_t given, std::size_t wanted);
 void check_side(const char* name, std::uint32_t pixels, std::uint32_t most);
 /// One of `size` environments.
 void check_number(std::uint32_t environment, std::uint32_t size);
-/// Rows that have so many numbers.
+/// Rows of this number of numbers.
 void check_rows(const char* name, const void* rows, std::size_t numbers);
 
 }  // namespace eagerx::environments

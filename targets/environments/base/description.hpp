@@ -45,7 +45,7 @@ std::string describe_render(double rate_hz);
 /// Throws Problem: there is none of this name.
 [[noreturn]] void refuse_stage(const std::string& name, std::span<const char* const> known);
 
-/// Packs of so many lanes; 0: none.
+/// Number of lanes of a pack; 0: no packs.
 struct UsedPacks {
   std::uint32_t lanes;
   const char* isa;

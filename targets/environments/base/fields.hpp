@@ -21,7 +21,7 @@ class Fields {
   /// `columns` stay valid.
   explicit Fields(const Columns& columns) : columns_(columns) {}
 
-  /// `windows` above 1: so many messages, which is the first number of the shape. `low` and `high`:
+  /// `windows` above 1: number of messages, the first number of the shape. `low` and `high`:
   /// bounds of the elements of one message.
   void add(const char* name, const MessageType& type, std::uint32_t windows,
            const std::vector<double>& low, const std::vector<double>& high);

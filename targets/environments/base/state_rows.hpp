@@ -44,7 +44,7 @@ class StateRows {
   std::vector<StateField> fields_;
 };
 
-/// States that are set for environments' next episodes, in place of drawn ones. Allocates with the
+/// States that are set for environments' next episodes, instead of drawn ones. Allocates with the
 /// first set().
 class SetRows {
  public:

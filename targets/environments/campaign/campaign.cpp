@@ -127,7 +127,8 @@ class Campaign {
     if (runs_ == plan_.runs) return tell();
     fmt::print(stderr, "interrupted after {} of {} runs\n", runs_, plan_.runs);
     if (journal_)
-      fmt::print(stderr, "help: the same command with `--resume {}` goes on\n", journal_path());
+      fmt::print(stderr, "help: continue with the same command and `--resume {}`\n",
+                 journal_path());
     return client::kInterrupted;
   }
 
@@ -191,7 +192,7 @@ class Campaign {
   std::string done_;  // [chunks] not 0: before this program began
   std::optional<Journal> journal_;
   Progress progress_;
-  std::mutex mutex_;  // of what stands below, and of all that is told of results
+  std::mutex mutex_;  // of what stands below, and of all output about results
   std::uint32_t runs_ = 0, successes_ = 0;
 };
 

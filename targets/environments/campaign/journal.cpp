@@ -43,7 +43,7 @@ void refuse_full(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return;
   throw Problem(client::kUsage, "there is already something in `" + path + "`",
-                "go on with it: `--resume " + path + "`, or name another file");
+                "continue it: `--resume " + path + "`, or name another file");
 }
 
 void put(const Plan& plan, std::uint32_t chunk, const Results& part, Results& all) {
@@ -72,7 +72,7 @@ void Journal::open(int flags) {
     throw Problem(kInputOutput, "cannot write `" + path_ + "`: " + host::problem_of_writing(error));
   };
   if (file_ >= 0) close(file_);
-  // Without O_NONBLOCK, a FIFO that nobody reads would be waited for.
+  // Without O_NONBLOCK, opening a FIFO without a writer would block.
   file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK | flags, kForAll);
   struct stat status {};
   if (file_ < 0 || fstat(file_, &status) != 0) refuse(errno);

@@ -1,4 +1,4 @@
-// The finished chunks of a campaign on the disk, so that one that was killed can go on.
+// The finished chunks of a campaign on the disk, so that a killed campaign can continue.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ class Journal {
     std::size_t first_damaged = 0;  // where they begin
     bool is_cut_off = false;        // they are the end of the file, as after a kill
   };
-  /// Reads what is there into `results` and goes on behind it. A damaged file is written anew, with
+  /// Reads what is there into `results` and appends to it. A damaged file is written anew, with
   /// what is good of it. Throws Problem if it is no journal, or of another campaign.
   Found resume(const Plan& plan, Results& results);
   /// By one thread at a time. Throws Problem if it cannot be written.

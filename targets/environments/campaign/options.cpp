@@ -72,7 +72,7 @@ Options parse_options(int argc, const char* const* argv) {
   Options options;
   const auto check = [&] {
     if (!options.checkpoint.empty() && !options.resume.empty())
-      refuse("`--resume` goes on in its file: leave out `--checkpoint`");
+      refuse("`--resume` continues in its file: leave out `--checkpoint`");
     if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   };
   client::parse({"campaign", table(options), &options.library, check}, argc, argv);

@@ -12,7 +12,7 @@ class Progress {
  public:
   Progress(std::uint32_t runs, bool is_quiet);
 
-  /// So many runs were done before.
+  /// The number of runs done before.
   void begin(std::uint32_t done);
   void show(std::uint32_t done, std::uint32_t successes);
   /// Removes the line of a terminal.

@@ -30,8 +30,8 @@ std::optional<Record> take_record(std::string_view& bytes, const Plan& plan);
 
 /// Where the next whole record of `bytes` begins, behind `from`: what follows a damaged one is
 /// good. npos: there is none, or `work` is used up.
-/// `work`: so many bytes may be summed up, of which each call takes what it does. Bytes that were
-/// made to look like many records would cost their square.
+/// `work`: the number of bytes that may be summed up, from which each call takes its own. Bytes
+/// that were
 std::size_t find_record(std::string_view bytes, std::size_t from, const Plan& plan,
                         std::size_t& work);
 

@@ -1,4 +1,4 @@
-// What is told of a campaign: the same bytes for the same results.
+// The report of a campaign: the same bytes for the same results.
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,7 @@ struct Row {
   const char* about;
   Use use = Use::none;
   const char* otherwise = "";  // of an output: the file that is written if none is given
-  const char* goes_on = "";    // of an input: the option whose output may be the same file
+  const char* continues = "";  // of an input: the option whose output may be the same file
   bool repeated = false;
   For who = For::all;
   bool ends = false;  // nothing else is looked at, as after --help

@@ -109,19 +109,19 @@ class MpiRanks final : public Ranks {
   }
 
  private:
-  /// Rank 0 gives up when it is told to end and the others do not come. They do not: what they know
-  /// is known to rank 0, which ends them.
+  /// Rank 0 gives up when it is interrupted and the others do not come. They never do: what they
+  /// know is known to rank 0, which ends them.
   void wait(MPI_Request& request) const {
-    std::optional<Clock::time_point> told;
+    std::optional<Clock::time_point> interrupted_at;
     for (int is_done = 0;;) {
       MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
       if (is_done != 0) return;
       sched_yield();
       if (rank_ != 0 || !host::interrupted()) continue;
-      if (!told) told = Clock::now();
-      if (Clock::now() - *told < kPatience) continue;
+      if (!interrupted_at) interrupted_at = Clock::now();
+      if (Clock::now() - *interrupted_at < kPatience) continue;
       throw client::Problem(client::kInterrupted, "another rank is gone, or still at work",
-                            "`--resume` goes on from the last checkpoint");
+                            "`--resume` continues from the last checkpoint");
     }
   }
 

@@ -64,7 +64,7 @@ class Alone final : public Ranks {
   void exchange(std::span<const char> out, std::span<const std::size_t> out_sizes,
                 std::span<char> in, std::span<const std::size_t> in_sizes) override;
 };
-/// For who has no others.
+/// For a program without other ranks.
 Ranks& alone();
 
 /// Of this program. One is alone, or it has the ranks of MPI: two libraries have this function.
@@ -76,7 +76,7 @@ std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv);
 struct Share {
   std::size_t first, end;
 };
-/// Parts beside each other, as many as others have or one more.
+/// Parts side by side, as many as other ranks have or one more.
 Share share_of(std::size_t parts, std::uint32_t rank, std::uint32_t ranks);
 
 /// A command line for other ranks, without the program's name, and what one of them makes of it: a

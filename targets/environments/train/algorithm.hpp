@@ -49,7 +49,7 @@ class Algorithm {
   /// From the next era on, environments are in this stage of the task; empty: as it is written.
   virtual void set_stage(const std::string& name) = 0;
   /// All environments begin anew, with episodes that nothing but the era and the seed decides. A
-  /// training that goes on from here needs what was learnt and the iteration only.
+  /// training that continues from here needs what was learnt and the iteration only.
   virtual void begin_era() = 0;
   /// From now on actions are remembered, which go_on() needs in the middle of an era.
   virtual void remember_actions() = 0;

@@ -1,4 +1,4 @@
-// All that a training goes on from.
+// The state that a training continues from.
 #pragma once
 
 #include <cmath>
@@ -48,7 +48,8 @@ struct Progressed {
   std::vector<float> actions;  // in this era so far; empty: it begins, or all has succeeded
 };
 
-/// What has to be the same when a training goes on, in words: "graph 0x…; seed 1; layers 64,64; …".
+/// The facts that must be the same when a training continues, as text: "graph 0x…; seed 1; layers
+/// 64,64; …".
 std::string conditions(const Settings& settings, const std::string& contract_hash);
 
 /// What has to be the same when another training begins with what was learnt, in words:

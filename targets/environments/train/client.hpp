@@ -34,8 +34,8 @@ using enum client::ExitCode;
 using host::Interrupt;
 using host::Team;
 
-/// Whether a training is to end: somebody has interrupted the program, or what goes on beside it
-/// has failed.
+/// Whether a training is to end: the user has interrupted the program, or a parallel training has
+/// failed.
 class Stop {
  public:
   Stop(const Interrupt& interrupted)  // NOLINT(google-explicit-constructor): most have this one

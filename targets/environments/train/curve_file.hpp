@@ -1,4 +1,4 @@
-// The table of a training that grows, or of several beside each other: whole at any time.
+// The growing table of a training, or of several in parallel: whole at any time.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ class CurveFile {
   std::string path_;
   std::mutex mutex_;
   double next_s_ = 0.0;
-  bool is_told_ = false;
+  bool is_reported_ = false;
 };
 
 }  // namespace eagerx::train

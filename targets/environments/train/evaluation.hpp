@@ -34,7 +34,7 @@ struct Evaluation {
   std::vector<double> far;        // [inputs] share of the steps beyond kFar deviations
   std::vector<Outcome> outcomes;  // [episodes]
 
-  /// Whether so many of the episodes, 0…1, have succeeded.
+  /// Whether this fraction of the episodes, 0…1, has succeeded.
   bool passed(double share) const {
     constexpr double kRounding = 1e-9;  // 0.99 of 100 are 99
     return static_cast<double>(successes) + kRounding >= share * static_cast<double>(episodes);

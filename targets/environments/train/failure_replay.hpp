@@ -22,7 +22,7 @@ class FailureReplay {
 
   std::size_t size() const { return width_ == 0 ? 0 : states_.size() / width_; }
   std::size_t width() const { return width_; }
-  /// Numbers of the states, [width]. NaN: nobody has set it.
+  /// Numbers of the states, [width]. NaN: it is not set.
   const float* at(std::size_t i) const { return &states_[i * width_]; }
 
  private:

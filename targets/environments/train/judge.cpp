@@ -77,9 +77,9 @@ Evaluation Judge::run_some(const Algorithm& algorithm, const Policy& policy,
 }
 
 /// The episodes that each policy is seen in. One that fails in most of the first 32 would not be
-/// good after the others, which are as dear as learning where a step takes long. Where few have to
-/// succeed, 32 say too little: a policy that is just good enough for 0.5 fails them once in 1,000
-/// times, for 0.2 in 93.
+/// good after the others, which are as expensive as learning where a step takes long. Where few
+/// have to succeed, 32 say too little: a policy that is just good enough for 0.5 fails them once in
+/// 1,000 times, for 0.2 in 93.
 Evaluation Judge::see(const Algorithm& algorithm, const Policy& now) {
   constexpr std::size_t kFirst = 2;  // parts
   constexpr double kHalf = 0.5;
@@ -130,7 +130,7 @@ bool Judge::evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point) 
       best = {std::move(now.parameters), seen, judged};
   }
   seen_ = evaluation;
-  // All at once, for who goes on after an exception.
+  // All at once, for callers that continue after an exception.
   point.evaluation_return = evaluation.mean_return;
   if (has_success_) point.evaluation_success = evaluation.success();
   return succeeds;

@@ -51,7 +51,7 @@ struct Kernels {
   /// dx = 0 where y = relu(x) is not above 0.
   void (*relu_slope)(const Pack* y, Pack* dx, std::size_t count);
 
-  /// One step of a memory of so many `units`. `gates` and `products` have what comes of the inputs
+  /// One step of a memory of `units` units. `gates` and `products` have what comes of the inputs
   /// and of h, with their biases; `before` and `after` are h, and c of an LSTM. What
   /// slopes need takes the place of `gates` and `products`.
   void (*gru)(std::size_t units, Pack* gates, Pack* products, const Pack* before, Pack* after);
@@ -64,8 +64,8 @@ struct Kernels {
   void (*lstm_slopes)(std::size_t units, const Pack* gates, const Pack* products,
                       const Pack* before, Pack* dafter, Pack* dgates, Pack* dproducts);
 
-  /// to += goes_on * (x + y).
-  void (*carry)(const Pack& goes_on, const Pack* x, const Pack* y, Pack* to, std::size_t count);
+  /// to += continues * (x + y).
+  void (*carry)(const Pack& continues, const Pack* x, const Pack* y, Pack* to, std::size_t count);
 
   /// to += x.
   void (*add)(const float* x, float* to, std::size_t count);

@@ -25,7 +25,7 @@ void check_all_files(const Options& options) {
   try {
     options.cases.empty() ? check_files(options) : check_files_of_sweep(options);
   } catch (const Problem& problem) {
-    throw options.cases.empty() ? told_in_words(problem, options) : problem;
+    throw options.cases.empty() ? in_words_of(problem, options) : problem;
   }
 }
 

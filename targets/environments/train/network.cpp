@@ -66,7 +66,7 @@ void Network::remember(Pack* row) const {
 
 void Network::backward(const Kernels& kernels, const float* parameters, const Pack* rows,
                        Pack* deltas, std::size_t tiles, Pack* scratch, float* gradient,
-                       const Pack* goes_on) const {
+                       const Pack* continues) const {
   const auto slope = activation_ == Activation::relu ? kernels.relu_slope : kernels.tanh_slope;
   for (std::size_t k = layers_.size(); k-- > 0;) {
     const Layer& layer = layers_[k];
@@ -80,7 +80,7 @@ void Network::backward(const Kernels& kernels, const float* parameters, const Pa
       if (k > 0) slope(rows + t * row_ + layer.from, delta + layer.from, layer.sizes.inputs);
     }
   }
-  cell_->backward(kernels, parameters, rows, deltas, tiles, row_, goes_on, scratch, gradient);
+  cell_->backward(kernels, parameters, rows, deltas, tiles, row_, continues, scratch, gradient);
 }
 
 void Network::input_slopes(const Kernels& kernels, const float* parameters, const Pack* row,

@@ -53,7 +53,7 @@ class Network {
   /// written. With a memory the rows follow one another in time, see Cell::backward().
   void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
                 std::size_t tiles, Pack* scratch, float* gradient,
-                const Pack* goes_on = nullptr) const;
+                const Pack* continues = nullptr) const;
 
   /// Without a memory: fills the rest of `deltas` [row()], whose outputs' places have the
   /// derivatives of something: its derivatives by the inputs are in the first places.

@@ -129,7 +129,7 @@ void set_cases(Options& options) {
     try {
       set_case(one);
     } catch (const Problem& problem) {
-      throw told_in_words(problem, options, one.words);
+      throw in_words_of(problem, options, one.words);
     }
   }
 }
@@ -140,7 +140,7 @@ void check_settings(const Options& options) {
       check_algorithm(options.settings, setting_name(word));
     if (options.cases.empty()) check(options.settings);
   } catch (const Problem& problem) {
-    throw told_in_words(problem, options);
+    throw in_words_of(problem, options);
   }
 }
 
@@ -154,7 +154,7 @@ void check_sweep(Options& options) {
       {"--tensorboard", &options.tensorboard}};
   for (const auto& [name, value] : others) {
     if (!value->empty())
-      refuse(fmt::format("--sweep takes no {}: --results goes on by itself", name));
+      refuse(fmt::format("--sweep takes no {}: --results continues by itself", name));
   }
   set_cases(options);
 }
@@ -169,9 +169,9 @@ Options parse_options(int argc, const char* const* argv) {
   Options options;
   const auto check_all = [&] {
     if (!options.resume.empty() && !options.from.empty())
-      refuse("--resume goes on with one training and --from begins another: give one of them");
+      refuse("--resume continues one training and --from begins another: give one of them");
     if (!options.resume.empty() && !options.replay.empty())
-      refuse("--resume goes on with a training that has its logs already: leave --replay out");
+      refuse("--resume continues a training that has its logs already: leave --replay out");
     apply_preset(options);
     check_settings(options);
     check_sweep(options);
@@ -181,7 +181,7 @@ Options parse_options(int argc, const char* const* argv) {
   return options;
 }
 
-Problem told_in_words(Problem problem, const Options& options, const std::string& words) {
+Problem in_words_of(Problem problem, const Options& options, const std::string& words) {
   std::vector<std::string> given = options.given, found;
   const auto more = words_of(words);
   given.insert(given.end(), more.begin(), more.end());

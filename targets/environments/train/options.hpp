@@ -44,8 +44,8 @@ struct Options {
 Options parse_options(int argc, const char* const* argv);
 
 /// The problem with its settings in the words that gave them, for eagerx-gen, which knows where
-/// they stand in a file; without any if nobody asked for that (--check). `words`: of a case.
-Problem told_in_words(Problem problem, const Options& options, const std::string& words = {});
+/// they stand in a file; without any unless requested (--check). `words`: of a case.
+Problem in_words_of(Problem problem, const Options& options, const std::string& words = {});
 
 /// What --help prints.
 std::string help_text();

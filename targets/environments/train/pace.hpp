@@ -13,7 +13,7 @@ namespace eagerx::train {
 inline constexpr std::uint32_t kLongest = 1000;  // steps of an episode that nothing ends
 
 /// Where a training is: a function of its settings and the number of iterations. The first
-/// iterations are short, because whoever knows little learns much from few steps. Later ones are
+/// iterations are short, because an untrained policy learns much from few steps. Later ones are
 /// longer: what is to be learnt then is finer than the noise of few steps.
 struct Pace {
   /// An iteration has a multiple of `least_steps` of each environment, and no more than the larger

@@ -1,4 +1,4 @@
-// Sixteen samples beside each other: what the networks work on.
+// Sixteen samples side by side, the unit of the networks.
 #pragma once
 
 #include <cstddef>

@@ -44,7 +44,7 @@ std::vector<float> folded(const Network& actor, std::vector<float> parameters,
                           const Statistics& statistics);
 
 /// Changes the first layer so that the network answers as before once its inputs are normalised by
-/// `after` in place of `before`: what is learnt must not move with a running mean (as van Hasselt
+/// `after` instead of `before`: what is learnt must not move with a running mean (as van Hasselt
 /// and others 2016 do for outputs). Inputs behind those of the statistics stay as they are.
 void keep_answers(const Network& network, std::vector<float>& parameters, const Statistics& before,
                   const Statistics& after);

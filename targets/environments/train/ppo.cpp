@@ -139,8 +139,8 @@ std::vector<Episode> Ppo::collect() {
   return episodes;
 }
 
-/// What the networks have learnt from is normalised by the statistics of before: they change when
-/// that is over.
+/// The inputs that the networks learn from keep the previous statistics, which change when that is
+/// over.
 void Ppo::see() {
   if (is_frozen()) return;
   const double scale = model_.returns.scale(0);
@@ -209,9 +209,9 @@ bool Ppo::update(std::size_t minibatch) {
   });
   done_.samples += settings_.n_envs * pace.horizon() / minibatches() * own() / kParts;
   const Stopwatch watch;
-  const bool goes_on = move();
+  const bool continues = move();
   updating_s_ += watch.seconds();
-  return goes_on;
+  return continues;
 }
 
 /// Along the gradients of all parts. False if the policy has moved far enough.

@@ -14,7 +14,7 @@ PpoLearner::PpoLearner(const Settings& settings, const Model& model)
       critic_rows_(block_ * model.critic.row()),
       critic_deltas_(block_ * model.critic.row()),
       scratch_(block_ * kLanes),
-      goes_on_(block_) {}
+      continues_(block_) {}
 
 void PpoLearner::learn(const PpoUpdate& update, const Rollout& rollout, std::size_t first) {
   gradient.clear();
@@ -34,13 +34,13 @@ void PpoLearner::learn(const PpoUpdate& update, const Rollout& rollout, std::siz
 
 void PpoLearner::recall(const Model& model, const Rollout& rollout, std::size_t sequence,
                         std::size_t t) {
-  std::fill_n(goes_on_[t].lane, kLanes, 1.0F);
-  if (t > 0) goes_on_[t] = rollout.goes_on[sequence * block_ + t - 1];
+  std::fill_n(continues_[t].lane, kLanes, 1.0F);
+  if (t > 0) continues_[t] = rollout.continues[sequence * block_ + t - 1];
   const auto from = [&](const Network& network, const Packs& starts, Packs& rows) {
     Pack* row = &rows[t * network.row()];
     const Pack* state = t > 0 ? row - network.row() + network.memory()->after()
                               : &starts[sequence * network.memory()->shape().state()];
-    train::recall(network, goes_on_[t], state, row);
+    train::recall(network, continues_[t], state, row);
   };
   from(model.actor, rollout.actor_starts, actor_rows_);
   from(model.critic, rollout.critic_starts, critic_rows_);
@@ -133,10 +133,10 @@ void PpoLearner::backward(const Kernels& kernels, const Model& model, std::size_
   if (tiles == 0) return;
   model.actor.backward(kernels, model.actor_parameters.data(), actor_rows_.data(),
                        actor_deltas_.data(), tiles, scratch_.data(), gradient.actor.data(),
-                       goes_on_.data());
+                       continues_.data());
   model.critic.backward(kernels, model.critic_parameters.data(), critic_rows_.data(),
                         critic_deltas_.data(), tiles, scratch_.data(), gradient.critic.data(),
-                        goes_on_.data());
+                        continues_.data());
 }
 
 }  // namespace eagerx::train

@@ -52,7 +52,7 @@ class PpoLearner {
   const std::size_t block_;                                        // tiles that are learnt at once
   Packs actor_rows_, actor_deltas_, critic_rows_, critic_deltas_;  // [block_][row]
   Packs scratch_;
-  Packs goes_on_;                // [block_] of a sequence
+  Packs continues_;              // [block_] of a sequence
   std::vector<Choice> choices_;  // of one sample
 };
 

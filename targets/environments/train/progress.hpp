@@ -14,7 +14,7 @@ namespace eagerx::train {
 /// seconds. Goes to stderr.
 class Progress {
  public:
-  /// `name`: of one of several trainings beside each other, whose lines begin with it and are not
+  /// `name`: of one of several parallel trainings, whose lines begin with it and are not
   /// written over. Empty: there is one only.
   Progress(std::uint64_t first_step, std::uint64_t last_step, bool has_success, bool is_quiet,
            std::string name = {});

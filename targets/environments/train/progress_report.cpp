@@ -50,9 +50,9 @@ void ProgressReport::open_events(const std::vector<CurvePoint>& curve) {
              folder_, events_->folder());
 }
 
-void ProgressReport::warn(const std::string& problem, const char* goes_on) {
+void ProgressReport::warn(const std::string& problem, const char* continues) {
   progress_.finish();
-  fmt::print(stderr, "warning: {}; the training goes on {}\n", problem, goes_on);
+  fmt::print(stderr, "warning: {}; the training continues {}\n", problem, continues);
 }
 
 void ProgressReport::write_table(const std::vector<CurvePoint>& curve) {
@@ -62,7 +62,7 @@ void ProgressReport::write_table(const std::vector<CurvePoint>& curve) {
 void ProgressReport::show(const std::vector<CurvePoint>& curve, const Evaluation& seen) {
   progress_.show(curve.back(), stage_of(curve));
   // A disk that is full now may have room in a second; at the end it is an error.
-  // Trainings beside each other have begun at different times.
+  // Parallel trainings have begun at different times.
   const std::chrono::duration<double> now_s = std::chrono::steady_clock::now().time_since_epoch();
   for (const std::string& problem : {table_.grow(now_s.count(), [&] { return table_text_(curve); }),
                                      record_.grow(seed_, now_s.count(), curve, seen)}) {

@@ -1,4 +1,4 @@
-// What one sees of a training while it goes on: its line, its table, its events.
+// The progress of a training on the terminal: its line, its table, its events.
 #pragma once
 
 #include <functional>
@@ -40,8 +40,8 @@ class ProgressReport {
   void tell_stage(const std::vector<CurvePoint>& curve);
   /// What begins when nothing more is learnt, and may take long.
   void tell_last_evaluation(std::size_t episodes);
-  /// "warning: …; the training goes on …"
-  void warn(const std::string& problem, const char* goes_on);
+  /// "warning: …; the training continues …"
+  void warn(const std::string& problem, const char* continues);
   /// The table at the end. Throws Problem.
   void write_table(const std::vector<CurvePoint>& curve);
   /// The record of a training that is over.

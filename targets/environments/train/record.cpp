@@ -44,7 +44,7 @@ std::string head_of(const Options& options, const Description& description) {
   return line_of(head);
 }
 
-/// ,"name":value of a number that there is.
+/// ,"name":value of a known number.
 std::string member(const char* name, double value) {
   return std::isfinite(value) ? fmt::format(",\"{}\":{:.7g}", name, value) : std::string();
 }
@@ -77,8 +77,8 @@ ordered_json evaluation_of(const Evaluation& evaluation) {
           {"saturated", evaluation.saturated}};
 }
 
-/// [seed, environment, return, steps, success] each. The seed is a text: JSON's numbers of others
-/// are doubles.
+/// [seed, environment, return, steps, success] each. The seed is a text, because many readers of
+/// JSON parse numbers as doubles.
 ordered_json episodes_of(const Evaluation& evaluation) {
   ordered_json list = ordered_json::array();
   for (const Outcome& each : evaluation.outcomes)
@@ -173,7 +173,7 @@ void Record::fail(std::uint64_t seed, const std::vector<CurvePoint>& curve,
       {{"seed", seed}, {"ended", "failed"}, {"problem", problem.what()}, {"help", problem.help}});
   try {
     file_.write([&] { return text(); });
-  } catch (const Problem&) {  // NOLINT(bugprone-empty-catch): the first problem is what is told
+  } catch (const Problem&) {  // NOLINT(bugprone-empty-catch): the first problem is what is reported
   }
 }
 

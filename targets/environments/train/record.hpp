@@ -18,8 +18,8 @@
 namespace eagerx::train {
 
 /// First a line that says what is trained. Then, of each training, one for each iteration, with the
-/// names of curve_csv() for what there is, and `terms` of an evaluation; at last one with `ended`.
-/// A training without that one goes on, or was killed. By any thread.
+/// names of curve_csv() for its columns, and `terms` of an evaluation; at last one with `ended`.
+/// A training without that line is running, or was killed. By any thread.
 class Record {
  public:
   /// Of one training, or of all `options.seeds`. Without `options.record` there is none.
@@ -31,7 +31,7 @@ class Record {
                    const Evaluation& seen);
   /// At the end of a training whose policy is written. Throws Problem.
   void end(const Ended& ended, const Evaluation& evaluation);
-  /// It has ended by a problem. What cannot be written then is not told: the problem is.
+  /// It has ended by a problem. A later write error is not reported: the problem is.
   void fail(std::uint64_t seed, const std::vector<CurvePoint>& curve, const Problem& problem);
 
  private:

@@ -43,7 +43,7 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
   const std::size_t packs = rewards_.size() / kLanes;
   inputs.resize(packs * width_);
   actions.resize(packs * numbers_);
-  for (Packs* each : {&log_probability, &advantage, &target, &goes_on}) each->resize(packs);
+  for (Packs* each : {&log_probability, &advantage, &target, &continues}) each->resize(packs);
   const std::size_t states = packs / sequence_ * actor_states_.width();
   for (Packs* each : {&actor_starts, &critic_starts}) each->resize(states);
 }
@@ -164,7 +164,7 @@ Rollout::Place Rollout::place(std::size_t step, std::size_t environment) const {
   return {sequence / kLanes * sequence_ + step % sequence_, sequence % kLanes};
 }
 
-/// What the critic sees, from its row. Environments of a tile are beside each other in a pack, too.
+/// What the critic sees, from its row. Environments of a tile are adjacent in a pack, too.
 void Rollout::note_inputs(std::size_t step, std::size_t tile) {
   const Place to = place(step, tile * kLanes);
   Pack* x = &inputs[to.pack * width_];
@@ -281,7 +281,7 @@ void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environ
   return_sums.add(0, discounted_[e]);
   rewards_[step * count_ + e] = rows_.reward[e] * frozen.reward_scale;
   const Place to = place(step, e);
-  goes_on[to.pack].lane[to.lane] = ended ? 0.0F : 1.0F;
+  continues[to.pack].lane[to.lane] = ended ? 0.0F : 1.0F;
   if (!ended) return;
   if (is_cut_[e] == 0)
     episodes.push_back(
@@ -335,7 +335,7 @@ void Rollout::estimate_advantages(const Settings& settings) {
     for (std::size_t t = horizon_; t-- > 0;) {
       const std::size_t sample = t * count_ + e;
       const Place at = place(t, e);
-      const float goes = goes_on[at.pack].lane[at.lane];
+      const float goes = continues[at.pack].lane[at.lane];
       const float value = value_[sample], next = value_[sample + count_];
       const float surprise = rewards_[sample] + gamma * goes * next - value;
       sum = surprise + gamma * settings.gae_lambda * goes * sum;

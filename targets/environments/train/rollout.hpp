@@ -32,8 +32,8 @@ struct Frozen {
 };
 
 /// One of kParts parts of the environments: some tiles of sixteen, or one of fewer. What is learnt
-/// from is in sequences, of bptt_steps or without a memory of one step, sixteen beside each
-/// other, in order of time: those of a tile, or of a smaller one several in a row of time. So
+/// from is in sequences, of bptt_steps or without a memory of one step, sixteen side by
+/// side, in order of time: those of a tile, or of a smaller one several in a row of time. So
 /// [packs] is [sequences / 16][steps of a sequence].
 class Rollout final : public RolloutStatistics {
  public:
@@ -62,7 +62,7 @@ class Rollout final : public RolloutStatistics {
   Packs actions;            // [packs][numbers] as drawn, in -1…1 or beyond; or the choice
   Packs log_probability;    // [packs] of the actions
   Packs advantage, target;  // [packs] target of the critic
-  Packs goes_on;            // [packs] 1 where the episode went on behind the step, 0 where it ended
+  Packs continues;          // [packs] 1 where the episode went on behind the step, 0 where it ended
   /// [sequences / 16][state] what was remembered at the beginning of each sequence.
   Packs actor_starts, critic_starts;
   bool remembers = false;  // in `taken`

@@ -73,7 +73,7 @@ struct Settings {
   std::size_t n_eval_episodes{};
   double target_success_rate{};  // of them, for the training to end
 
-  /// What learning rate and divergence are multiplied by after so many steps.
+  /// The factor on learning rate and divergence after this number of steps.
   float decay(std::uint64_t steps) const {
     if (decay_steps <= 0.0) return 1.0F;
     return static_cast<float>(1.0 / (1.0 + static_cast<double>(steps) / decay_steps));
@@ -106,8 +106,8 @@ std::vector<Difference> differences(std::string_view theirs, std::string_view ou
 std::string difference(std::string_view theirs, std::string_view ours);
 std::string text_of(const std::vector<Difference>& differences);
 
-/// A training is cut into so many parts, whatever the number of threads: sums are made within
-/// parts, then over them in order.
+/// A training is cut into this number of parts, whatever the number of threads: sums are made
+/// within parts, then over them in order.
 inline constexpr std::size_t kParts = 8;
 
 }  // namespace eagerx::train

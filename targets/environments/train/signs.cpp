@@ -103,7 +103,7 @@ std::string early_ends(const Evaluation& evaluation, const Description& descript
   return fmt::format(
       "{} of {} episodes end early, on average after {:.4g} of {} steps, and the return is below "
       "0: if each step costs and an end does not, ending is learnt. A term that is below 0 where "
-      "`terminated:` holds makes ends dear",
+      "`terminated:` holds makes ends costly",
       count, evaluation.outcomes.size(), evaluation.mean_steps, description.episode_steps);
 }
 

@@ -122,7 +122,7 @@ std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& li
   const std::uint32_t longest = longest_of(library.description());
   if (!is_sac(settings))
     return std::make_unique<Ppo>(settings, library, kernels, team, longest, ranks);
-  // A training that goes on takes the actions of its era from the memory.
+  // A continued training takes the actions of its era from the memory.
   sac::Settings& s = settings.sac;
   const std::size_t era = pace_of(settings, library.description()).era_steps + s.train_freq - 1;
   s.buffer_size = std::max(s.buffer_size, era / s.train_freq * s.train_freq * s.n_envs);

@@ -95,7 +95,7 @@ std::string unfinished(const Ended& ended) {
 std::string notes(const Ended& ended, const Evaluation& evaluation) {
   if (!ended.has_aim)
     return unfinished(ended) +
-           "note: the task has no `success:`, so nobody knows whether this policy is good\n";
+           "note: the task has no `success:`, so it is unknown whether this policy is good\n";
   if (ended.ending == Ending::success) return {};
   std::string text = unfinished(ended);
   for (const std::string& sign : signs_of(ended.curve, evaluation, ended.description))

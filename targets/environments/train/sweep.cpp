@@ -67,7 +67,7 @@ class Sweep {
     if (!options_.is_quiet) print(sweep_text(cases, library_.description().has_success));
     tell_best();
     if (done_ == jobs_.size()) return kDone;
-    fmt::print(stderr, "interrupted after {} of {}\nhelp: the same command goes on\n", done_,
+    fmt::print(stderr, "interrupted after {} of {}\nhelp: the same command continues\n", done_,
                host::counted(jobs_.size(), "training"));
     return kInterrupted;
   }
@@ -142,7 +142,7 @@ class Sweep {
     if (!options_.is_quiet) tell(row);
     const std::string problem = results_.add(std::move(row));
     if (!problem.empty())
-      fmt::print(stderr, "warning: {}; the sweep goes on and tries again\n", problem);
+      fmt::print(stderr, "warning: {}; the sweep continues and tries again\n", problem);
   }
 
   /// Whether it is the best so far.
@@ -207,7 +207,7 @@ void check_files_of_sweep(const Options& options) {
     try {
       if (!options.from.empty()) check_begun_from(learnt, options.from, one.settings);
     } catch (const Problem& problem) {
-      throw told_in_words(problem, options, one.words);
+      throw in_words_of(problem, options, one.words);
     }
   }
   for (const std::string& log : options.replay) read_file(log);

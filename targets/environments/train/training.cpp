@@ -56,7 +56,7 @@ std::uint64_t Training::begin() {
   if (!options_.resume.empty()) {
     algorithm_->restore(read_file(options_.resume), options_.resume, conditions_, progressed_);
     first_iteration_ = algorithm_->pace.iteration;
-    goes_on_ = true;
+    continues_ = true;
   }
   set_stage();
   if (!options_.from.empty())
@@ -200,10 +200,10 @@ void Training::start_iteration() {
   }
   if (begins_era) {
     algorithm_->begin_era();
-  } else if (goes_on_) {
+  } else if (continues_) {
     algorithm_->go_on();
   }
-  goes_on_ = false;
+  continues_ = false;
 }
 
 std::string Training::checkpoint() {

@@ -64,7 +64,7 @@ class Training {
   double evaluating_s_ = 0.0;  // of report_.seconds()
   Saving saving_;
   std::uint32_t first_iteration_ = 0;  // of this run
-  bool goes_on_ = false;               // in the middle of an era
+  bool continues_ = false;             // in the middle of an era
   ProgressReport report_;
 };
 

@@ -98,7 +98,7 @@ bool RemoteAgent::is_there() const {
 std::string RemoteAgent::wait_for_agent() {
   const std::int64_t until = now_ns() + static_cast<std::int64_t>(options_.agent_timeout_s * 1e9);
   while (!is_there()) {
-    host::stop_if_told();
+    host::stop_if_requested();
     look_for_strangers();
     if (host::interrupted()) return {};
     const std::int64_t now = now_ns();
@@ -120,7 +120,7 @@ const void* RemoteAgent::act(Seq step, ObservationRow observations, std::int64_t
   bool is_written = write(observations);
   std::int64_t again = began + kSlice;
   while (!take_all()) {
-    host::stop_if_told();
+    host::stop_if_requested();
     const std::int64_t now = now_ns();
     if (host::interrupted()) return action_.data();
     if (now >= until_ns) {

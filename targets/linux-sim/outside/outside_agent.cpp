@@ -28,8 +28,8 @@ namespace {
 constexpr double kNsInSecond = 1e9;
 // Of the time until something of the graph is due next; the rest is for what is done before.
 constexpr double kPatience = 0.8;
-// Between episodes the safe action is sent again so often: an adapter may have been plugged in
-// meanwhile, and a watchdog wants to hear something.
+// Between episodes the safe action is sent again at this interval: an adapter may have been plugged
+// in meanwhile, and a watchdog wants to hear something.
 constexpr std::int64_t kSafeAgainNs = 250'000'000;
 
 /// Of what is due most often, at least as often as the environment.
@@ -191,7 +191,7 @@ OutsideAgent::Got OutsideAgent::receive(std::int64_t until_ns) {
     if (until_ns != 0) host::say_asleep_until(until_ns);
     const int count = ppoll(&ready, 1, until_ns == 0 ? nullptr : &left, nullptr);
     if (host::interrupted()) return Got::end;
-    host::stop_if_told();
+    host::stop_if_requested();
     if (count == 0) return Got::nothing;
     if (count < 0) continue;
     std::array<iovec, 2> parts{
@@ -211,7 +211,7 @@ OutsideAgent::Got OutsideAgent::receive(std::int64_t until_ns) {
   }
 }
 
-/// True: the run goes on with a step or a reset.
+/// True: the run continues with a step or a reset.
 bool OutsideAgent::serve() {
   switch (request_.ask) {
     case Ask::reset:
@@ -219,7 +219,7 @@ bool OutsideAgent::serve() {
     case Ask::step:
       return take_step();
     case Ask::close:
-      ends_ = is_told_ = true;
+      ends_ = is_announced_ = true;
       break;
     case Ask::tune:
       take_parameters();

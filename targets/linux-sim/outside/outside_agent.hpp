@@ -37,7 +37,7 @@ class OutsideAgent {
   void step(Seq step, bool has_ended, bool is_longest, const OutcomeView& outcome);
 
   /// Answers, and waits for what comes next. In an episode that is an action: for as long as it is
-  /// in time, where time goes on without it, else for ever. Between episodes it is a reset. False:
+  /// in time, where time passes without it, else for ever. Between episodes it is a reset. False:
   /// the run ends.
   bool go_on();
   /// Whether an episode is over because the agent wants another one.
@@ -49,13 +49,13 @@ class OutsideAgent {
 
   /// The key of an episode that begins: of the seed that the agent gave.
   EpisodeKey key(EpisodeKey planned);
-  /// Puts the states that the agent gave in place of others. False: there are none.
+  /// Puts the states that the agent gave instead of drawn ones. False: there are none.
   bool apply_states(StateRow states);
   /// The same of parameters that it gave since the last step.
   bool apply_parameters(StateRow states);
 
-  /// Whether the run ends within an episode, and somebody may have relied on the agent.
-  bool leaves_something() const { return in_episode_ && ends_ && (is_real_ || !is_told_); }
+  /// Whether the run ends within an episode, and the hardware may have relied on the agent.
+  bool leaves_something() const { return in_episode_ && ends_ && (is_real_ || !is_announced_); }
   /// What the agent did that ended the run, or empty.
   const std::string& problem() const { return problem_; }
 
@@ -110,7 +110,7 @@ class OutsideAgent {
   bool end_is_news_ = false;  // an episode has ended in a step that the agent was late for
   bool wants_reset_ = false;
   bool ends_ = false;
-  bool is_told_ = false;  // the agent has said that the run ends
+  bool is_announced_ = false;  // the agent has said that the run ends
   std::string problem_;
 };
 

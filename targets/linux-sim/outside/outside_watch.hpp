@@ -13,18 +13,18 @@ template <class Base>
 class OutsideWatch final : public Base {
  public:
   template <class... Arguments>
-  OutsideWatch(OutsideAgent& agent, GraphProgram& program, const Told& told,
+  OutsideWatch(OutsideAgent& agent, GraphProgram& program, const RunInputs& inputs,
                Arguments&... arguments)
-      : Base(program, told, arguments...), agent_(agent) {
+      : Base(program, inputs, arguments...), agent_(agent) {
     this->paces_ = true;
-    this->tunes_ = this->tunes_ || std::ranges::any_of(told.fields.states, &Field::tunable);
+    this->tunes_ = this->tunes_ || std::ranges::any_of(inputs.fields.states, &Field::tunable);
   }
 
   bool go_on() override {
     if (!Base::go_on()) return false;
-    const bool goes_on = agent_.go_on();
+    const bool continues = agent_.go_on();
     this->is_over_ = this->is_over_ || agent_.wants_reset();
-    return goes_on;
+    return continues;
   }
   bool ends_early() const override {
     return Base::ends_early() || (this->has_begun() && agent_.leaves_something());

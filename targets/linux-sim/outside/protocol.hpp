@@ -72,7 +72,7 @@ constexpr const char* problem_of_request(const Request& request, std::size_t byt
     case Ask::close:
       return row == 0 ? nullptr : "there is something behind it";
   }
-  return "it asks for something that there is not";
+  return "it asks for something that does not exist";
 }
 
 }  // namespace eagerx::linux_sim

@@ -10,7 +10,7 @@
 
 namespace eagerx::linux_sim {
 
-/// A film under another name until it is finished, so that there is no broken one under its own.
+/// A film under another name until it is finished, so that its own name never has a broken one.
 class Film {
  public:
   Film() = default;

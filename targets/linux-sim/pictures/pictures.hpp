@@ -20,7 +20,7 @@ class Pictures {
   bool ends_run() const { return ends_run_; }
   /// Nanoseconds for which time stood still at the window, since the last time that was asked.
   virtual std::int64_t take_paused_ns() = 0;
-  /// How much faster than it was told the run should be, as a power of two.
+  /// How much faster than requested the run should be, as a power of two.
   int speed() const { return speed_; }
 
   /// With `asked`: [height][width][3] of what was shown last, white before that; null: nothing is

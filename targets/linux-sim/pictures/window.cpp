@@ -96,7 +96,7 @@ void note_key(std::int32_t key, Wishes& wishes) {
   }
 }
 
-/// Without one SDL may find a console to draw on, or draw for nobody.
+/// Without one SDL may find a console to draw on, or draw into nothing.
 bool has_display() {
   for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}) {
     const char* const value = std::getenv(name);

@@ -148,7 +148,7 @@ bool Parameters::release(ClientId client) {
   for (Known& each : known_) {
     if (each.wish != Remote::Wish::action || each.client != client || each.value.empty()) continue;
     each.client = kNobody;
-    if (!remote_.set(each.wish, each.index, {})) continue;  // later, of nobody
+    if (!remote_.set(each.wish, each.index, {})) continue;  // later, of no client
     each.value.clear();
     any = true;
   }

@@ -12,7 +12,7 @@ namespace eagerx::linux_sim {
 
 /// States have the names of `--set`, such as `pendulum.theta`: what is set holds for all resets
 /// from the next one on. Actions have those of their channels, such as `environment/voltage`: what
-/// is set takes the place of the agent's, until it is set to nothing or who has set it is gone.
+/// is set replaces the agent's, until it is set to nothing or its client disconnects.
 class Parameters final : public foxglove::Steering {
  public:
   using ClientId = web_socket::ClientId;
@@ -39,7 +39,7 @@ class Parameters final : public foxglove::Steering {
     std::uint32_t index;        // among states, or actions
     std::size_t at = 0;         // of a state: its first number in Remote::read_states()
     std::vector<double> value;  // none: it is not set
-    ClientId client = 0;        // who has set it
+    ClientId client = 0;        // that has set it
   };
 
   void add(const std::vector<Field>& fields, Remote::Wish wish);

@@ -9,9 +9,9 @@ namespace eagerx::linux_sim {
 /// Tells others where steps end, too.
 class PublishWatch : public RunWatch {
  public:
-  PublishWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace,
-               Publishing& publishing)
-      : RunWatch(program, told, csv, trace), publishing_(publishing) {}
+  PublishWatch(GraphProgram& program, const RunInputs& inputs, host::TextFile& csv,
+               host::TextFile& trace, Publishing& publishing)
+      : RunWatch(program, inputs, csv, trace), publishing_(publishing) {}
 
   void reset(std::uint32_t episode) override {
     episode_ = episode;

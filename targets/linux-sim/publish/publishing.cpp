@@ -58,7 +58,7 @@ Scalar scalar_of_dtype(trace_log::Dtype dtype) {
   return Scalar::f32;
 }
 
-/// Of so many one is published, so that there are at most `most_hz` a second; 0: all.
+/// One of this many is published, so that at most `most_hz` are published per second; 0: all.
 std::uint64_t every_of(std::uint64_t num, std::uint64_t den, double most_hz) {
   if (most_hz <= 0.0) return 1;
   constexpr double kMost = 4e9;
@@ -183,7 +183,7 @@ std::vector<bool> Publishing::chosen_channels() const {
   return chosen;
 }
 
-/// As the plan wants it: what there is in half a second, and no less than some steps.
+/// As the plan wants it: the messages of half a second, and no less than some steps.
 void Publishing::make_ring() {
   constexpr double kSeconds = 0.5, kLeast = 32.0 * 1024, kMost = 8.0 * 1024 * 1024;  // words
   std::size_t longest = kHeadWords;
@@ -229,7 +229,7 @@ std::string Publishing::finish(Summary& summary) {
   return problem;
 }
 
-/// The thread. It looks at the ring often enough for a plot that runs, and nobody has to wake it.
+/// The thread. It looks at the ring often enough for a plot that runs, and needs no wake-up.
 void Publishing::work() {
   using namespace std::chrono_literals;
   // When it wakes, it takes no processor away from the thread that steps. A real-time priority that

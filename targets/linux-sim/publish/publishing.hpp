@@ -79,7 +79,7 @@ class Publishing {
   static constexpr std::size_t kRowWords = kSceneColumns * sizeof(float) / sizeof(std::uint64_t);
 
   struct Wanted {
-    std::uint32_t every = 0;  // of so many messages one; 0: none
+    std::uint32_t every = 0;  // one of this many messages; 0: none
     std::uint32_t words = 0;  // of its record
     std::size_t bytes = 0;    // of its message
   };
@@ -112,7 +112,7 @@ class Publishing {
   std::vector<Wanted> wanted_;
   std::vector<Scalar> scalars_;  // of channels
   std::uint64_t step_every_ = 1, scene_every_ = 1;
-  std::size_t scene_rows_ = 0;  // 0: nobody wants scenes
+  std::size_t scene_rows_ = 0;  // 0: no scenes are published
   std::unique_ptr<Remote> remote_;
   std::vector<std::unique_ptr<Parameters>> parameters_;  // of each server
   std::unique_ptr<PublishRing> ring_;

@@ -1,4 +1,4 @@
-// A recording that grows while the run goes on.
+// A recording that grows during the run.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What others want of a run while it goes on: requests on their way from the thread that publishes
+// Requests of clients to a run: they travel from the thread that publishes
 // to the one that steps, which looks for them between two steps.
 #pragma once
 
@@ -33,7 +33,7 @@ class Remote {
   bool set(Wish wish, std::uint32_t index, const std::vector<double>& numbers);
   std::uint64_t done() const { return done_.load(std::memory_order_acquire); }
   /// What the latest episode began with, state after state, into `numbers` and, one a state,
-  /// `has_value`. False: nobody knows yet, or it changes just now.
+  /// `has_value`. False: not known yet, or it changes just now.
   bool read_states(std::vector<double>& numbers, std::vector<bool>& has_value) const;
   /// Another one each time that an episode begins.
   std::uint64_t version() const { return version_.load(std::memory_order_acquire); }

@@ -18,13 +18,13 @@ void put(const Field& field, void* message, const std::vector<double>& numbers) 
 
 }  // namespace
 
-RemoteWatch::RemoteWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
+RemoteWatch::RemoteWatch(GraphProgram& program, const RunInputs& inputs, host::TextFile& csv,
                          host::TextFile& trace, Publishing& publishing, Remote& remote)
-    : PublishWatch(program, told, csv, trace, publishing),
+    : PublishWatch(program, inputs, csv, trace, publishing),
       remote_(remote),
-      fields_(told.fields),
-      states_(told.fields.states.size()),
-      actions_(told.fields.actions.size()),
+      fields_(inputs.fields),
+      states_(inputs.fields.states.size()),
+      actions_(inputs.fields.actions.size()),
       had_faults_(has_faults_) {
   tunes_ = tunes_ || std::ranges::any_of(fields_.states, &Field::tunable);
   for (std::size_t i = 0; i < states_.size(); ++i)

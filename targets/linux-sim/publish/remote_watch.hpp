@@ -10,8 +10,8 @@ namespace eagerx::linux_sim {
 /// step of an episode; nothing else waits for anybody.
 class RemoteWatch : public PublishWatch {
  public:
-  RemoteWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace,
-              Publishing& publishing, Remote& remote);
+  RemoteWatch(GraphProgram& program, const RunInputs& inputs, host::TextFile& csv,
+              host::TextFile& trace, Publishing& publishing, Remote& remote);
 
   bool go_on() override;
   bool begin_episode(EpisodeKey key, StateRow states) override;

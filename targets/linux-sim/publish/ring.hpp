@@ -22,7 +22,7 @@ class PublishRing {
 
   std::size_t bytes() const { return size_ * sizeof(std::uint64_t); }
 
-  /// Of the loop: where a record of so many words goes; null if there is no room.
+  /// Of the loop: where a record of `words` words goes; null if there is no room.
   std::uint64_t* begin(std::size_t words) {
     if (size_ - (written_ - seen_read_) < words) {
       seen_read_ = read_.load(std::memory_order_acquire);

@@ -17,7 +17,7 @@
 #include <models/objects/test_pendulum/test_pendulum_ode.hpp>
 #include <vector>
 
-#include "beside.hpp"
+#include "comparison.hpp"
 
 namespace {
 

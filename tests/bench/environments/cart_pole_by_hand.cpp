@@ -14,7 +14,7 @@
 #include <targets/environments/pack_rows.hpp>
 #include <vector>
 
-#include "beside.hpp"
+#include "comparison.hpp"
 
 namespace {
 

@@ -29,7 +29,7 @@ struct Io {
   };
 };
 
-/// Pictures a second of processor time; the bytes go into `sum` so that nobody leaves them out.
+/// Pictures a second of processor time; the bytes go into `sum` so that the compiler keeps them.
 double pictures_a_second(int side, int count, unsigned& sum) {
   static eagerx::picture::Painter<480> painter;
   std::vector<std::uint8_t> pixels(static_cast<std::size_t>(3 * side * side));

@@ -1,5 +1,5 @@
-// The networks with Eigen's fixed-size products, weights by column as Eigen has them unless told
-// otherwise, and its own tanh.
+// The networks with Eigen's fixed-size products, weights by column as Eigen has them by
+// default, and its own tanh.
 #pragma once
 
 #include <Eigen/Dense>

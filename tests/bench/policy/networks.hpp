@@ -108,8 +108,8 @@ using Relu256 = Mlp<256, 256, eagerx::Activation::relu>;
 using Relu400 = Mlp<400, 300, eagerx::Activation::relu>;
 
 /// A policy of a legged robot: 5 observations of 45 numbers through an encoder 225 -> 128 -> 16,
-/// and the newest one beside its answer through 256-128-64 to 12 actions, as the generator writes
-/// it.
+/// and the newest one together with its answer through 256-128-64 to 12 actions, as the generator
+/// writes it.
 struct Branches {
   static constexpr std::size_t kObservation = 45, kHistory = 5 * kObservation, kLatent = 16;
   static constexpr std::size_t kJoined = kObservation + kLatent, kActions = 12;

@@ -3,7 +3,7 @@
 
 Row: problem, time [s], x_1, x_2, x_3 (van der Pol: 0). Robertson's reaction begins at (1, 0, 0), van der Pol's
 oscillator with mu = 1000 at (2, 0). scipy's Radau with rtol = 1e-13 and the Jacobian; the last column is the largest
-relative difference to rtol = 1e-12, which says how many digits can be relied on. Beside these, the values of
+relative difference to rtol = 1e-12, which says how many digits can be relied on. In addition, the values of
 Mazzia, Magherini: Test Set for IVP Solvers, release 2.4, 2008, problems ROBER (t = 1e11) and VDPOL (t = 2 in its
 scaled time, eps = 1e-6: x_2 is 1000 times ours), which come from other programs.
 

@@ -7,7 +7,7 @@
 
 namespace tests {
 
-/// x = [px, py, vx, vy, phi, w], u = [left, right] thrust as a share of the weight, beside
+/// x = [px, py, vx, vy, phi, w], u = [left, right] thrust as a share of the weight, relative to
 /// hovering:
 ///   dv/dt = [-f·sin(phi) + wind, f·cos(phi) − g],  f = g·(1 + (left + right)/2)·0.5/mass
 ///   dw/dt = 30·(right − left)

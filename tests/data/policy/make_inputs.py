@@ -3,7 +3,7 @@
     cd tests/data/policy && ./make_inputs.py
 TorchScript with several inputs, whose sizes are in its layers (encoded) or not (joined), and modules that torch froze, whose
 tensors are constants of the code. State dicts whose names say no order of their layers. Golden rows have the inputs of
-`forward` beside each other.
+`forward` side by side.
 """
 import copy
 

@@ -33,7 +33,7 @@ def space(module, **values):
 
 
 def one_hot(sizes):
-    """As preprocess_obs: of each number so many; 0 leaves it as it is."""
+    """As preprocess_obs: each number with its own number of entries; 0 leaves it unchanged."""
     def call(x):
         parts = []
         for i, size in enumerate(sizes):
@@ -121,7 +121,7 @@ def rl_games():
                   a2c_network__value=nn.Linear(6, 1), a2c_network__sigma=torch.zeros(2),
                   a2c_network__critic_mlp=mlp(3, 8, 6), a2c_network___disc_mlp=mlp(10, 7),
                   a2c_network___disc_logits=nn.Linear(7, 1))
-    # Before rl_games 1.2 the statistics lie beside the model; AMP has some of the discriminator's too.
+    # Before rl_games 1.2 the statistics lie next to the model; AMP has some of the discriminator's too.
     torch.save({"model": model.state_dict(), "running_mean_std": statistics, "epoch": 5,
                 "reward_mean_std": {"running_mean": torch.zeros(1), "running_var": torch.ones(1)},
                 "amp_input_mean_std": {"running_mean": torch.zeros(10), "running_var": torch.ones(10)}},

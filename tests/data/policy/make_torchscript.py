@@ -110,7 +110,7 @@ class NewGru(nn.Module):
 
 
 class Branches(nn.Module):
-    """An encoder of the last observations beside the newest one, as HIMLoco has it."""
+    """An encoder of the last observations, next to the newest one, as HIMLoco has it."""
 
     def __init__(self, size, frames, latent, actions):
         super().__init__()

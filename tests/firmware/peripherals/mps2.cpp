@@ -16,7 +16,7 @@ using namespace eagerx::board;
 using eagerx::BusError;
 constexpr std::uint32_t kClockHz = 25'000'000;
 
-/// A TMP105: its register 3 takes 16 bits, of which the upper 12 count; nobody is at 0x20.
+/// A TMP105: its register 3 takes 16 bits, of which the upper 12 count; no device is at 0x20.
 int i2c() {
   mps2::I2c<BoardTime> bus;
   bus.start(mps2::kI2cShield1, 400'000);

@@ -47,7 +47,7 @@ def thing(kind, sensors, actuators, states, selected, config=None):
 
 
 def pendulum(sensors=("theta", "theta_dot", "image"), states=("model_state",), rate=30.0, kind=PENDULUM, theta=None, more=None):
-    """`more`: sensors that the notebook adds, in place of those that its class does not have."""
+    """`more`: sensors that the notebook adds, instead of those that its class does not have."""
     known = {"image": given(PICTURE, 15.0), "theta": theta or given(ANGLE, rate), "theta_dot": given(ANGLE, rate)}
     known |= more if more is not None else {"u_applied": given(VOLTAGE, rate)}
     all_states = named(model_state=STATE)

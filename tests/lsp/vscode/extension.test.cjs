@@ -152,7 +152,7 @@ test("a document that becomes a graph, one that is closed", async () => {
   assert.deepStrictEqual(await provider("symbols").provideDocumentSymbols(other), []);
 });
 
-test("a server that ends is started again; one that is not there is told of", async () => {
+test("a server that ends is started again; a missing one is reported", async () => {
   session.client.process.kill();
   await until("a new server", () => session.client && !session.client.ended && session.open.size === 1);
   mock.type(document, 0, 0, "wrong: [\n");

@@ -1,4 +1,4 @@
-// Macros that Arduino's cores for rp2040, stm32 and Teensy 4 define beside a sketch. Here each
+// Macros that Arduino's cores for rp2040, stm32 and Teensy 4 define for a sketch. Here each
 // expands to something that does not compile, so that a header which meets one is found.
 // tests/packages/real_tools takes all of the real ones.
 #pragma once

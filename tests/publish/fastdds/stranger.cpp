@@ -1,4 +1,4 @@
-// Another process with another maker's DDS, as it is set up when nobody sets it up:
+// Another process with another maker's DDS, with its default settings:
 //   stranger read DOMAIN TYPE=TOPIC...                  counts messages until its standard input
 //   ends stranger agent DOMAIN OBSERVATION ACTION FILE       answers each observation with a row of
 //   FILE

@@ -20,7 +20,7 @@ TEST(RenderText, LooksLikeTheSampleOfTheDesign) {
   Diagnostic& error = diagnostics.error(
       "E0312", {file, 41, 16, 5}, "connection `pid.u -> motor.u` closes a cycle without a delay");
   error.label = "needs `motor.u` of the same tick";
-  error.notes.push_back({"the cycle goes on here", {file, 36, 9, 1}, ""});
+  error.notes.push_back({"the cycle continues here", {file, 36, 9, 1}, ""});
   error.help = "add `skip: true` to one of these connections";
   EXPECT_EQ(render_text(diagnostics, sources, false),
             "error[E0312]: connection `pid.u -> motor.u` closes a cycle without a delay\n"
@@ -28,7 +28,7 @@ TEST(RenderText, LooksLikeTheSampleOfTheDesign) {
             "   |\n"
             "41 |       - {from: pid.u, to: motor.u}\n"
             "   |                ^^^^^ needs `motor.u` of the same tick\n"
-            "note: the cycle goes on here\n"
+            "note: the cycle continues here\n"
             "  --> graph.yaml:36:9\n"
             "help: add `skip: true` to one of these connections\n"
             "\n"

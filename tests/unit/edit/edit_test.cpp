@@ -115,7 +115,7 @@ TEST(Rename, FindsWhatNamesAnObjectAndNothingElse) {
 TEST(Rename, RefusesNamesThatAreNone) {
   for (const char* const name : {"arm2", "pid", "", "a b", "2a", "a.b", "actions", "engine"})
     EXPECT_FALSE(rename(kGraph, "arm", name)) << name;
-  EXPECT_FALSE(rename(kGraph, "nobody", "x"));
+  EXPECT_FALSE(rename(kGraph, "missing", "x"));
   EXPECT_EQ(name_at(kGraph, std::string_view(kGraph).find("arm[0]") + 1), "arm");
   EXPECT_EQ(name_at(kGraph, 0), "");
 }

@@ -248,7 +248,7 @@ TEST(Rename, FindsActionsAndObservationsEverywhere) {
             std::string::npos);
   for (const char* const name : {"arm", "1", "", "a.b", "engine"})
     EXPECT_FALSE(rename_entry(kWrittenGraph, {"nodes", "pid"}, name).edit) << name;
-  EXPECT_FALSE(rename_entry(kWrittenGraph, {"nodes", "nobody"}, "x").edit);
+  EXPECT_FALSE(rename_entry(kWrittenGraph, {"nodes", "missing"}, "x").edit);
   EXPECT_FALSE(rename_entry(kWrittenGraph, {"nodes"}, "x").edit);
 }
 

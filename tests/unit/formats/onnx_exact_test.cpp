@@ -38,7 +38,7 @@ void add_scalar(OnnxBuilder& builder, const char* name, std::int64_t value) {
   builder.add_integers(name, {value}).clear_dims();
 }
 
-/// A node whose result nobody knows.
+/// A node whose result is unknown.
 void add_unknown(OnnxBuilder& builder, const char* name) {
   add_scalar(builder, "limit", 1);
   builder.add_node("Range", {"limit", "limit", "limit"}, name);

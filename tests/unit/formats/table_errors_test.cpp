@@ -349,9 +349,9 @@ TEST(TableErrors, LibrariesAreNamedByTheirMarks) {
     const Network usual = network("actor.0", mark, "");
     EXPECT_THAT(usual.format, HasSubstr("rsl_rl"));
     EXPECT_THAT(usual.assumed, testing::ElementsAre(HasSubstr("nothing after the last layer")));
-    const Network told = network("actor.0", mark, R"("output_activation":"tanh")");
-    EXPECT_EQ(told.action_kind(), ActionKind::squashed) << "the library lets one choose";
-    EXPECT_TRUE(told.assumed.empty());
+    const Network given = network("actor.0", mark, R"("output_activation":"tanh")");
+    EXPECT_EQ(given.action_kind(), ActionKind::squashed) << "the library leaves the choice";
+    EXPECT_TRUE(given.assumed.empty());
   }
   EXPECT_THAT(network("actor_mean.0", "actor_logstd", "").format, HasSubstr("CleanRL's PPO"));
   std::vector<NamedValues> tensors;

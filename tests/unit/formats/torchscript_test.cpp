@@ -285,7 +285,7 @@ TEST(TorchScript, NothingWithoutTensorsIsAPolicy) {
   expect_refused(changed("by_hand_half.pt", "data.pkl", pickle), "E0755", "no tensors");
 }
 
-/// gru_scripted with another line in place of the one that keeps the state.
+/// gru_scripted with another line instead of the one that keeps the state.
 std::string with_state(const std::string& line) {
   const std::string bytes = bytes_of("gru_scripted.pt");
   PolicyProblem problem;

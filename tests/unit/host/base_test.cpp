@@ -30,8 +30,8 @@ TEST(Team, EveryMemberDoesTheJob) {
   EXPECT_EQ(done, (std::vector<int>{401, 400, 200}));
 }
 
-// Turns in which all must come, some may, and not all are asked, one after another: whoever comes
-// late finds another turn, and takes no part in the one that is over.
+// Turns in which all must come, some may, and not all are asked, one after another: a thread that
+// comes late finds another turn and takes no part in the one that is over.
 TEST(Team, WhatIsSharedIsDoneOnceWhoeverComes) {
   Team team(4);
   std::array<std::atomic<int>, 4> done{};

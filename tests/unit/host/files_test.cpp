@@ -64,7 +64,7 @@ TEST_F(OutputFiles, TakesThePlaceOfTheFileAsAWhole) {
   EXPECT_EQ(text("q"), "first");
   EXPECT_EQ(write_whole(path("q"), "third"), 0);
   EXPECT_EQ(text("q"), "third");
-  EXPECT_EQ(files(), 1) << "nothing is left beside it";
+  EXPECT_EQ(files(), 1) << "nothing is left next to it";
 }
 
 TEST_F(OutputFiles, LeavesNothingWhereItCannotWrite) {

@@ -115,15 +115,15 @@ TEST(ClientMessage, StepsAreAWholeNumberFrom1On) {
 
 TEST(Access, WhatIsRealNeedsTheKey) {
   const std::string key(32, 'k');
-  const Handshake nobody, with_key{key, "https://example.org"}, wrong{std::string(32, 'x'), ""};
+  const Handshake keyless, with_key{key, "https://example.org"}, wrong{std::string(32, 'x'), ""};
   const Access open{"", true, false}, real{"", true, true}, guarded{key, true, true},
       beyond{"", false, false};
-  EXPECT_TRUE(open.may_change(nobody));
-  EXPECT_FALSE(real.may_change(nobody));
+  EXPECT_TRUE(open.may_change(keyless));
+  EXPECT_FALSE(real.may_change(keyless));
   EXPECT_FALSE(real.may_read(with_key)) << "there is no key";
-  EXPECT_FALSE(beyond.may_change(nobody));
-  EXPECT_FALSE(guarded.may_change(nobody));
-  EXPECT_TRUE(guarded.may_read(nobody));
+  EXPECT_FALSE(beyond.may_change(keyless));
+  EXPECT_FALSE(guarded.may_change(keyless));
+  EXPECT_TRUE(guarded.may_read(keyless));
   EXPECT_FALSE(guarded.may_read(wrong));
   EXPECT_FALSE(guarded.may_change(wrong));
   EXPECT_TRUE(guarded.may_change(with_key));

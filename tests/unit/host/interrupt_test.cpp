@@ -123,7 +123,7 @@ TEST(CatchInterrupts, ACrashThatSomebodySendsEndsInGoodOrder) {
         if (child == 0) _exit(kill(parent, SIGSEGV));
         waitpid(child, nullptr, 0);
         if (interrupted()) static_cast<void>(!write(STDERR_FILENO, "in order\n", 9));
-        end_as_told();
+        end_by_signal();
       },
       ::testing::KilledBySignal(SIGSEGV), "^in order\n$");
 }
@@ -139,9 +139,9 @@ TEST(CatchInterrupts, AStopMakesSafeFirst) {
       catch_interrupts();
       on_stop(make_safe, &pipe[1]);
       std::raise(signal);
-      if (!is_told_to_stop()) _exit(1);
-      stop_if_told();
-      _exit(is_told_to_stop() || interrupted() ? 2 : 0);
+      if (!is_stop_requested()) _exit(1);
+      stop_if_requested();
+      _exit(is_stop_requested() || interrupted() ? 2 : 0);
     }
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);

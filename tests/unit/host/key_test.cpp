@@ -62,7 +62,7 @@ TEST_F(KeyFile, IsItsOwnersAloneAndReadsBack) {
   ASSERT_EQ(stat(path.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 07777U, 0600U);
   EXPECT_EQ(status.st_nlink, 1U);
-  EXPECT_EQ(names(), std::vector<std::string>{"a.key"}) << "and nothing beside it";
+  EXPECT_EQ(names(), std::vector<std::string>{"a.key"}) << "and nothing next to it";
   Key key{}, again{};
   EXPECT_EQ(read_key(path, key), "");
   EXPECT_NE(key, Key{});
@@ -117,7 +117,7 @@ TEST_F(KeyFile, EveryOtherTextIsRefused) {
   unlink(path.c_str());
   EXPECT_EQ(problem().find("No such file or directory\nhelp: `eagerx-gen key new"), 0U);
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  EXPECT_EQ(problem().find("it is no file"), 0U) << "and nobody waits for a writer";
+  EXPECT_EQ(problem().find("it is no file"), 0U) << "without a wait for a writer";
 }
 
 /// Two ends without a line between them.
@@ -231,7 +231,7 @@ TEST(KeySession, EachOneThatHasNotTheKeyIsFoundOut) {
   ASSERT_TRUE(pair.listener.take(Pair::said_by(pair.connector)));
   EXPECT_FALSE(pair.connector.take(Pair::said_by(pair.listener)));
   EXPECT_FALSE(pair.connector.is_done());
-  // And one who goes on all the same, with a proof by another key.
+  // And a peer that continues all the same, with a proof by another key.
   Pair other(key_of(1), key_of(1));
   ASSERT_TRUE(other.listener.take(Pair::said_by(other.connector)));
   ASSERT_TRUE(other.connector.take(Pair::said_by(other.listener)));
@@ -246,17 +246,17 @@ TEST(KeySession, EveryChangedBitOfAGreetingIsRefused) {
       Pair pair(key_of(1), key_of(1));
       Greeting* const by[] = {&pair.connector, &pair.listener, &pair.connector};
       Greeting* const to[] = {&pair.listener, &pair.connector, &pair.listener};
-      bool goes_on = true;
-      for (int i = 0; i < 3 && goes_on; ++i) {
+      bool continues = true;
+      for (int i = 0; i < 3 && continues; ++i) {
         std::vector<std::uint8_t> bytes = Pair::said_by(*by[i]);
         if (i == flight) {
           size = bytes.size();
           bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
         }
-        goes_on = to[i]->take(bytes);
+        continues = to[i]->take(bytes);
       }
       // X25519 leaves out the highest bit of a public key, but it is a part of all that was said.
-      EXPECT_FALSE(goes_on) << flight << " " << bit;
+      EXPECT_FALSE(continues) << flight << " " << bit;
       EXPECT_FALSE(pair.listener.is_done()) << flight << " " << bit;
     }
   }

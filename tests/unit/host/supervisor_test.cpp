@@ -83,7 +83,7 @@ TEST_F(Kept, OneThatIsStoppedIsEndedAndMadeSafe) {
   EXPECT_NE(text.find("its hardware has the safe values now"), std::string::npos) << text;
   EXPECT_NE(text.find("after step 34, in episode 2"), std::string::npos) << text;
   EXPECT_NE(text.find("help: `heartbeat_timeout:`"), std::string::npos) << text;
-  EXPECT_EQ(end_of_program(), SIGKILL) << "it does not drive on when it is let go on";
+  EXPECT_EQ(end_of_program(), SIGKILL) << "it does not drive when it is continued";
 }
 
 TEST_F(Kept, OneThatHangsIsEndedAndMadeSafe) {

@@ -135,7 +135,7 @@ TEST(Telemetry, AFullRingDropsAndCounts) {
   EXPECT_EQ(sender->records(), 24U);
   EXPECT_EQ(sender->dropped(), 16U);
   send(*sender, line);
-  // Afterwards it goes on as if nothing had been.
+  // Afterwards it continues as before.
   for (std::uint64_t seq = 40; seq < 200; ++seq) {
     slot(*sender, seq);
     send(*sender, line);

@@ -1,4 +1,4 @@
-// Files that programs write while they run: everything arrives, in order, whoever writes it.
+// Files that programs write while they run: everything arrives, in order, from every thread.
 #include "runtime/host/base/text_file.hpp"
 
 #include <fcntl.h>
@@ -124,7 +124,7 @@ TEST(TextFile, WhatIsThereStaysUntilSomethingTakesItsPlace) {
     TextFile file;
     ASSERT_TRUE(file.open(path, writing));
     file.discard();
-    EXPECT_NE(access(path.c_str(), F_OK), 0) << "nobody wants an empty file";
+    EXPECT_NE(access(path.c_str(), F_OK), 0) << "no empty file is left";
   }
 }
 

@@ -49,7 +49,7 @@ TEST(ImportGraph, AClassOfAScriptIsOnlyOursWithTheSameInterface) {
   entity.config[0].eagerx = "n";
   EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // has no n
   EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));
-  EXPECT_EQ(diagnostics.error_count(), 3U) << "told twice";
+  EXPECT_EQ(diagnostics.error_count(), 3U) << "reported twice";
   saved.id.value = "own.module/Own";
   EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));
   saved.id.value = "__main__/Own";

@@ -209,7 +209,7 @@ TEST(ImportGraph, WhatWasRenderedIsDrawnByOurObject) {
   };
   const std::string drawn = text_with(true), left_out = text_with(false);
   EXPECT_NE(drawn.find("\nrender: {source: obj.scene, rate: 5}\n"), std::string::npos) << drawn;
-  EXPECT_NE(drawn.find("`render:` shows `obj.scene` in place of `obj.image`; left out, as it is "
+  EXPECT_NE(drawn.find("`render:` shows `obj.scene` instead of `obj.image`; left out, as it is "
                        "only for pictures: the node `overlay`"),
             std::string::npos)
       << drawn;

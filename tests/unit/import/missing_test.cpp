@@ -1,4 +1,4 @@
-// Manifests of what an imported graph needs and nobody has.
+// Manifests of what an imported graph needs and does not exist.
 #include <gtest/gtest.h>
 
 #include "tests/unit/import/saved_text.hpp"

@@ -29,7 +29,7 @@ TEST(LoadLibrary, FindsEveryEntityAndTarget) {
     if (entity.cpp.include.empty()) continue;
     EXPECT_TRUE(std::filesystem::exists(kRoot + "/" + entity.cpp.include))
         << id << ": " << entity.cpp.include;
-    // Engines of a board lie beside its drivers.
+    // Engines of a board lie next to its drivers.
     EXPECT_TRUE(entity.cpp.include.starts_with("models/") ||
                 entity.cpp.include.starts_with("targets/"))
         << entity.cpp.include;
@@ -59,7 +59,7 @@ TEST(LoadLibrary, AFolderNamedTwiceIsReadOnce) {
 
 TEST(LoadLibrary, OfTwoCopiesTheFirstCounts) {
   Diagnostics diagnostics;
-  // Two roots that see the same manifest, as a clone beside an installed library does.
+  // Two roots that see the same manifest, as a clone next to an installed library does.
   const Library library = load({"tests/data/library", "tests/data"}, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors());
   ASSERT_NE(library.find("LeakySum"), nullptr);

@@ -1,4 +1,4 @@
-// Every entity with float and double, as a program of a board compiles them: no library beside the
+// Every entity with float and double, as a program of a board compiles them: no library besides the
 // runtime, no exceptions, no run-time types. compile_models.sh compiles it with every compiler.
 #include <models/engine_nodes/action_actuator/action_actuator.hpp>
 #include <models/engine_nodes/action_applied/action_applied.hpp>

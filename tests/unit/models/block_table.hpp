@@ -66,7 +66,7 @@ struct Row {
   void (*spend)(Seq ticks);
   std::size_t bytes;  // of the block in float
   std::size_t inputs;
-  int stays = 0;  // for so many ticks a wrong number may be seen after it
+  int stays = 0;  // ticks for which a wrong number may be seen after it
 };
 
 /// A message, or its only element where an input is a number.

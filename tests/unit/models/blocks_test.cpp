@@ -76,7 +76,7 @@ TEST(Constant, IsItsValueOrWhatAResetSets) {
   drawn.reset({V<float>{{-1.0F}}});
   EXPECT_EQ(drawn()[0], -1.0);
   drawn.reset();
-  EXPECT_EQ(drawn()[0], -1.0) << "nobody set it: it keeps its value";
+  EXPECT_EQ(drawn()[0], -1.0) << "it is not set: it keeps its value";
 }
 
 /// The largest error over three seconds.

@@ -1,4 +1,4 @@
-// Reference data beside the tests.
+// Reference data next to the tests.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -239,7 +239,7 @@ TEST(OdeEngine, NanInputIsAFaultAndEnds) {
   EXPECT_EQ(simulator.faults(), 1U);
   EXPECT_EQ(simulator.state[0], 2.8);  // the last state that met the tolerances
   simulator.input = {{1.0}};
-  tick<Dopri5Io>(simulator);  // and goes on when the input is a number again
+  tick<Dopri5Io>(simulator);  // and continues when the input is a number again
   EXPECT_EQ(simulator.faults(), 1U);
   EXPECT_GT(simulator.state[0], 2.8);
 }

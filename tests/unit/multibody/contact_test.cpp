@@ -198,7 +198,7 @@ struct Bellied : WalkerOf<double> {
 template <ShapeKind kKind>
 void check_belly() {
   MultibodyScene<Bellied<kKind>> scene;
-  for (std::size_t j = 0; j < 12; ++j)  // legs folded beside the trunk
+  for (std::size_t j = 0; j < 12; ++j)  // legs folded next to the trunk
     scene.simulator.want_joint(j, {{j % 3 == 0 ? 0.0 : j % 3 == 1 ? 1.6 : -2.6, 0.0}, {0.0, 0.0}});
   scene.simulator.want_pose(0, {{0.0, 0.0041, 0.2, 1.0, 0.0, 0.0, 0.0}});
   scene.reset();

@@ -1,4 +1,4 @@
-// Weights of eight bits: rounding, the bits of the program, the error that is told.
+// Weights of eight bits: rounding, the bits of the program, the reported error.
 #include "generator/policy/network/int8.hpp"
 
 #include <gtest/gtest.h>

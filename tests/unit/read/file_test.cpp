@@ -92,7 +92,7 @@ TEST_F(File, HugeFileIsRefusedUnread) {
 TEST_F(File, DevicesAndPipesAreRefused) {
   const std::string pipe = write("pipe.yaml", "");
   std::filesystem::remove(pipe);
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);  // nobody will ever write into it
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);  // it never gets a writer
   for (const std::string& path : {std::string("/dev/zero"), pipe}) {
     diagnostics_ = {};
     EXPECT_TRUE(read(path).is_null());

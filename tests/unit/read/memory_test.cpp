@@ -40,14 +40,14 @@ std::string difference(const YamlValue& a, const YamlValue& b, const std::string
 
 struct Read {
   YamlValue root;
-  std::string told;
+  std::string text;
 };
 Read read(const std::string& text) {
   SourceMap sources;
   Diagnostics diagnostics;
   Read result;
   result.root = read_yaml_text("x.yaml", text, sources, diagnostics);
-  result.told = render_text(diagnostics, sources, false);
+  result.text = render_text(diagnostics, sources, false);
   return result;
 }
 
@@ -58,7 +58,7 @@ void compare(const std::string& text, const std::string& name) {
   for (int i = 0; i < 2; ++i) {
     const Read remembered = read(text);
     EXPECT_EQ(difference(plain.root, remembered.root, name), "");
-    EXPECT_EQ(plain.told, remembered.told) << name;
+    EXPECT_EQ(plain.text, remembered.text) << name;
   }
 }
 
@@ -137,13 +137,13 @@ TEST(ReadMemory, ReadsWhatSomebodyTypesAsWithoutIt) {
       changed.insert(at, 1, letters[draws() % letters.size()]);
     texts.push_back(changed);
     plain.push_back(read(changed));
-    if (plain.back().told.empty()) text = changed;
+    if (plain.back().text.empty()) text = changed;
   }
   const ReadMemory memory;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const Read remembered = read(texts[i]);
     EXPECT_EQ(difference(plain[i].root, remembered.root, std::to_string(i)), "");
-    EXPECT_EQ(plain[i].told, remembered.told);
+    EXPECT_EQ(plain[i].text, remembered.text);
   }
 }
 

@@ -88,7 +88,7 @@ TEST(Joints, ResetPutsThemWhereItSays) {
 }
 
 /// The library agrees about places and velocities: its constraints have nothing to correct, and
-/// positions go on as velocities say.
+/// positions continue as velocities say.
 TEST(Joints, ResetLeavesNothingToCorrect) {
   Scene<Chain, WeightlessConfig<2000>> scene;
   want_all(scene.simulator);
@@ -269,7 +269,7 @@ TEST(RigidJoints, ServosFarAboveInertiaPerStepAreStable) {
   EXPECT_LT(std::abs(scene.simulator.joint_velocity(1)), 1e-6);
 }
 
-/// Beside a motor, damping is a torque of the step's beginning.
+/// Next to a motor, damping is a torque of the step's beginning.
 TEST(RigidJoints, DampingBesideAMotorIsStable) {
   Scene<Wrist, RigidConfig<20>> scene;
   scene.simulator.set_joint_servo(

@@ -1,4 +1,4 @@
-// eagerx/link/ahead.hpp: a hub that goes on while messages are on their way reads what it would
+// eagerx/link/ahead.hpp: a hub that continues while messages are in flight reads what it would
 // have read, and its trace has the order that it would have had, on any line.
 #include <gtest/gtest.h>
 
@@ -20,11 +20,11 @@ using PartEnd = BoardLink<BoardPort, kBytes, kBytes, kDepth>;
 constexpr PartIndex<0> kPart;
 constexpr std::uint32_t kSent = 0, kAnswered = 1;
 
-using Told = std::vector<std::tuple<std::uint32_t, Seq, std::uint32_t>>;
+using Calls = std::vector<std::tuple<std::uint32_t, Seq, std::uint32_t>>;
 struct KeepingTrace {
-  Told told;
+  Calls lines;
   void operator()(std::uint32_t channel, Seq seq, std::uint32_t& message) {
-    told.emplace_back(channel, seq, message);
+    lines.emplace_back(channel, seq, message);
   }
 };
 
@@ -49,7 +49,7 @@ class Hub {
     }
     return ahead_.settle(*this) ? steps : 0;
   }
-  /// The same with a part that is told in between what no message is.
+  /// The same with a part that receives other frames in between.
   void run_held(Seq from, Seq steps) {
     EXPECT_TRUE(ahead_.hold(*this));
     EXPECT_EQ(taken_, from);
@@ -62,14 +62,14 @@ class Hub {
     EXPECT_EQ(taken_, from + steps);
     EXPECT_TRUE(ahead_.settle(*this));
   }
-  /// What the trace has to be told.
-  static Told expected(Seq steps) {
-    Told told;
+  /// The calls that the trace must receive.
+  static Calls expected(Seq steps) {
+    Calls lines;
     for (Seq n = 0; n < steps; ++n) {
-      told.emplace_back(kSent, n, static_cast<std::uint32_t>(n * n));
-      told.emplace_back(kAnswered, n, sum_of(n));
+      lines.emplace_back(kSent, n, static_cast<std::uint32_t>(n * n));
+      lines.emplace_back(kAnswered, n, sum_of(n));
     }
-    return told;
+    return lines;
   }
   Seq most_on_way = 0;
 
@@ -162,7 +162,7 @@ TEST_F(LinkAhead, ExchangesAreOnTheirWayWhileADelayGivesTime) {
   connect(*hub);
   EXPECT_EQ(hub->run(200, 3), 200U);
   EXPECT_EQ(hub->most_on_way, 4U);
-  EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(200));
+  EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(200));
   EXPECT_EQ(hub->star.link<0>().statistics().exchanges, 200U);
   EXPECT_EQ(hub->star.link<0>().statistics().repeated, 0U);
 }
@@ -172,7 +172,7 @@ TEST_F(LinkAhead, NeverMoreThanTheLinkHasFramesFor) {
   connect(*hub);
   EXPECT_EQ(hub->run(200, 30), 200U);
   EXPECT_EQ(hub->most_on_way, kDepth);
-  EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(200));
+  EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(200));
 }
 
 TEST_F(LinkAhead, WithoutADelayEachIsWaitedFor) {
@@ -188,7 +188,7 @@ TEST_F(LinkAhead, InLockstepNothingIsOnItsWay) {
   hub->star.set_runs_ahead(false);
   EXPECT_EQ(hub->run(50, 3), 50U);
   EXPECT_EQ(hub->most_on_way, 0U);
-  EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(50));
+  EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(50));
 }
 
 TEST_F(LinkAhead, WhatIsHeldIsAskedForAndTaken) {
@@ -196,7 +196,7 @@ TEST_F(LinkAhead, WhatIsHeldIsAskedForAndTaken) {
   connect(*hub);
   EXPECT_EQ(hub->run(3, 3), 3U);
   hub->run_held(3, 20);
-  EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(24));
+  EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(24));
 }
 
 TEST(LinkLate, TheFirstComesAtOnceAndTheOthersInOrder) {
@@ -216,11 +216,11 @@ TEST_F(LinkAhead, ATraceWithoutRoomWaits) {
     auto small = std::make_unique<Hub<112>>();
     connect(*small);
     EXPECT_EQ(small->run(steps, 3), steps);
-    EXPECT_EQ(small->trace.told, Hub<112>::expected(steps));
+    EXPECT_EQ(small->trace.lines, Hub<112>::expected(steps));
     auto odd = std::make_unique<Hub<368>>();
     connect(*odd);
     EXPECT_EQ(odd->run(steps, 3), steps);
-    EXPECT_EQ(odd->trace.told, Hub<368>::expected(steps));
+    EXPECT_EQ(odd->trace.lines, Hub<368>::expected(steps));
   }
 }
 
@@ -230,7 +230,7 @@ TEST_F(LinkAhead, ABadLineChangesNothing) {
     auto hub = std::make_unique<Hub<kEnough>>();
     connect(*hub, {20, 20, 20, 20, 20}, seed);
     EXPECT_EQ(hub->run(60, 3), 60U) << seed;
-    EXPECT_EQ(hub->trace.told, Hub<kEnough>::expected(60)) << seed;
+    EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(60)) << seed;
     EXPECT_GT(hub->most_on_way, 1U);
     repeated += hub->star.link<0>().statistics().repeated;
   }
@@ -244,9 +244,9 @@ TEST_F(LinkAhead, NothingBehindWhatDidNotComeIsTold) {
   to_host_.faults = {100, 0, 0, 0, 0};
   EXPECT_LT(hub->run(50, 3), 50U);
   EXPECT_EQ(hub->star.link<0>().problem(), Problem::no_answer);
-  Told told = Hub<kEnough>::expected(50);
-  told.emplace_back(kSent, 0, 0);  // before the first that did not come
-  EXPECT_EQ(hub->trace.told, told);
+  Calls lines = Hub<kEnough>::expected(50);
+  lines.emplace_back(kSent, 0, 0);  // before the first that did not come
+  EXPECT_EQ(hub->trace.lines, lines);
 }
 
 }  // namespace

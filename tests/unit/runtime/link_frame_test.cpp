@@ -1,4 +1,4 @@
-// eagerx/link: what goes on a line is found again, and what is damaged on the way is dropped.
+// eagerx/link: what is sent on a line is found again, and what is damaged on the way is dropped.
 #include <gtest/gtest.h>
 
 #include <algorithm>

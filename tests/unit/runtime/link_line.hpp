@@ -22,7 +22,7 @@ struct Faults {
   unsigned drop = 0, duplicate = 0, corrupt = 0, reorder = 0, delay = 0;
 };
 
-/// One direction. Frames are told apart by the zeros, as a proxy would.
+/// One direction. Zeros separate frames, as a proxy would.
 class Wire {
  public:
   Faults faults;

@@ -1,4 +1,4 @@
-// eagerx/step_times.hpp: when a main loop of one's own steps.
+// eagerx/step_times.hpp: when your own main loop steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +53,7 @@ TEST(StepTimes, APauseIsNotMadeUpFor) {
   times.start(0, kPeriodNs);
   times.begin(0);
   times.begin(2000 + 7000);  // 3.5 periods late
-  EXPECT_EQ(times.late_in_a_row(9000), 3U) << "a pause counts as so many steps";
+  EXPECT_EQ(times.late_in_a_row(9000), 3U) << "a pause counts as the steps it lasts";
   EXPECT_EQ(times.next_us(), 10'000U) << "on the grid, not at once";
   EXPECT_EQ(counts_of(times)["steps left out"], 3U);
   times.begin(10'000);

@@ -276,7 +276,7 @@ TEST(Stack, FunctionsThatCallThemselvesAreNamed) {
 TEST(Stack, CallsAreThoseOfTheNodesWhoseLinesMakeThem) {
   Tools tools;
   describe(tools);
-  // What stands at 10 is in the lines of `smooth`, and what it calls is in nobody's.
+  // What stands at 10 is in the lines of `smooth`, and what it calls is in none.
   tools.says("objdump",
              "00000000 <eagerx_start>:\n   0:\tpush\t{lr}\n   2:\tbl\t8 <run>\n\n"
              "00000008 <run>:\n  10:\tbl\t30 <_ZN6eagerx6models3AddIiE8callbackEv>\n\n"

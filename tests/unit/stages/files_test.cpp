@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "generator/support/files/beside.hpp"
+#include "generator/support/files/missing_file.hpp"
 #include "tests/unit/stages/graphs.hpp"
 
 namespace eagerx::gen {

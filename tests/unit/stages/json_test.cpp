@@ -1,4 +1,4 @@
-// JSON of others.
+// Foreign JSON.
 #include "generator/support/json/json.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a part in another language is told of its graph.
+// What a part in another language receives of its graph.
 #include <eagerx/link/frame.hpp>
 
 #include "generator/backend/languages/package.hpp"

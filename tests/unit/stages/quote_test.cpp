@@ -1,4 +1,4 @@
-// Text of others in other languages: what reads the language gets the text back.
+// Foreign text in other languages: what reads the language gets the text back.
 #include "generator/support/quote/quote.hpp"
 
 #include <gtest/gtest.h>

@@ -157,8 +157,8 @@ TEST_F(Serve, EditsOnlyTheNewestRevision) {
   EXPECT_EQ(session.redo(Json{{"revision", 4}}, nullptr).status, 422);
 }
 
-// Whoever asks first takes the text from the disk; an edit of before is told of the disk all the
-// same.
+// The first request takes the text from the disk; an edit of an older revision is still checked
+// against the disk.
 TEST_F(Serve, SaysThatTheDiskChangedAlsoAfterAnotherTookIt) {
   save("rate: 1\n");
   Session session(workshop_, graph());
@@ -261,12 +261,12 @@ TEST_F(Serve, RunsOneProgramAndKeepsItsOutput) {
           .start(Json{{"kind", "check"}, {"arguments", Json(std::vector<std::string>{"a b", "c"})}})
           .status,
       200);
-  Reply told;
-  do told = programs.output(0, 0, 10.0);
-  while (truth_of(member(&told.body, "running")) == true);
-  const Json& line = member(&told.body, "lines")->as<Json::List>()->front();
+  Reply reply;
+  do reply = programs.output(0, 0, 10.0);
+  while (truth_of(member(&reply.body, "running")) == true);
+  const Json& line = member(&reply.body, "lines")->as<Json::List>()->front();
   EXPECT_EQ(text_of(member(&line, "text")), "check " + graph() + " a b c");
-  EXPECT_EQ(number_of(member(&told.body, "exit_code")), 0.0);
+  EXPECT_EQ(number_of(member(&reply.body, "exit_code")), 0.0);
   EXPECT_FALSE(programs.result());
 }
 

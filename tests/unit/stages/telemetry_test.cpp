@@ -1,4 +1,4 @@
-// telemetry.json of others.
+// Foreign telemetry.json files.
 #include <gtest/gtest.h>
 
 #include <eagerx/version.hpp>

@@ -325,7 +325,7 @@ TEST_F(Training, ARecordThatAsksForTooMuchMemory) {
 }
 
 TEST_F(Training, SweepsThatAreNone) {
-  EXPECT_EQ(problem(kSweep + "0,\"clip=0.1\",1,0,100\n"), "2: it has 5 cells in place of 10");
+  EXPECT_EQ(problem(kSweep + "0,\"clip=0.1\",1,0,100\n"), "2: it has 5 cells instead of 10");
   EXPECT_EQ(problem(kSweep + "0,\"clip\",1,0,100,10,40,-9,1,\"\"\n"),
             "2: `settings` are not NAME=VALUE");
   EXPECT_EQ(problem(kSweep + "0,\"clip=1\",1,0,inf,10,40,-9,1,\"\"\n"), "2: `steps` is no number");

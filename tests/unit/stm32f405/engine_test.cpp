@@ -108,7 +108,7 @@ TEST_F(Stm32Engine, MeasuresAndActsThroughTheRegisters) {
     const double error = std::remainder(static_cast<double>(simulator.value(0)) - pendulum.theta(),
                                         2 * std::numbers::pi);
     ASSERT_LE(std::abs(error), kCount) << n;
-    // One step later it is what was told at the instant before.
+    // One step later it is the command of the previous instant.
     ASSERT_NEAR(pendulum.voltage(), n % 100 < 50 ? 1.5 : -1.5, 0.0011) << n;
   }
   EXPECT_GT(encoder.samples(), 300U);
@@ -135,11 +135,11 @@ TEST_F(Stm32Engine, WithoutAnEncoderTheActionIsSafe) {
 TEST_F(Stm32Engine, ADeadSpiIsATimeOut) {
   wire();
   start();
-  chip.nobody_answers = true;
+  chip.is_silent = true;
   engine.callback(Tick{1}, simulator);
   EXPECT_TRUE(engine.is_safe());
   EXPECT_GT(count("bus timeouts"), 0U);
-  chip.nobody_answers = false;
+  chip.is_silent = false;
   for (Seq n = 2; n <= 10; ++n) engine.callback(Tick{n}, simulator);
   EXPECT_FALSE(engine.is_safe());
 }

@@ -34,7 +34,7 @@ class FakeChip {
   std::vector<Write> writes;            // all of them
   std::map<Address, std::uint32_t> at;  // plain registers
   std::uint32_t last_spi_control = 0;
-  bool nobody_answers = false;  // SPI and ADC never finish
+  bool is_silent = false;  // SPI and ADC never finish
 
   /// A device on SPI1 with its select line at pin `number` of port A.
   void wire(unsigned number, emulated::SpiSlave& slave) { slaves_[number] = &slave; }
@@ -53,7 +53,7 @@ class FakeChip {
     if (!is_open(a)) return 0;
     switch (a) {
       case kSpi1 + 0x08:
-        return nobody_answers ? 0x80U : 0x2U | (spi_received_ ? 1U : 0U);
+        return is_silent ? 0x80U : 0x2U | (spi_received_ ? 1U : 0U);
       case kSpi1 + 0x0c:
         spi_received_ = false;
         return spi_data_;
@@ -97,7 +97,7 @@ class FakeChip {
     at[a] = value;
     if (a == kSpi1) last_spi_control = value;
     if (a == kI2c1) i2c_command(value);
-    if (a == kAdc + 8 && (value & 1U << 30U) != 0 && !nobody_answers) convert();
+    if (a == kAdc + 8 && (value & 1U << 30U) != 0 && !is_silent) convert();
   }
 
  private:

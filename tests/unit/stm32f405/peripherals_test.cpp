@@ -193,7 +193,7 @@ TEST_F(Stm32, AdcConvertsOneChannelAtATime) {
   chip.analog[11] = 2048;
   ASSERT_EQ(adc.read_volts(11, volts), BusError::none);
   EXPECT_FLOAT_EQ(volts, 1.65F);
-  chip.nobody_answers = true;
+  chip.is_silent = true;
   EXPECT_EQ(adc.read_volts(11, volts), BusError::timeout);
   EXPECT_EQ(adc.read_volts(16, volts), BusError::unsupported);
 }

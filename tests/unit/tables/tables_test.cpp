@@ -60,7 +60,7 @@ TEST(Csv, SaysAHundredProblemsAtMost) {
   EXPECT_EQ(reading.diagnostics.error_count(), kMostCsvProblems);
 }
 
-/// A graph beside its files, in a folder of its own.
+/// A graph next to its files, in a folder of its own.
 class Tables : public ::testing::Test {
  protected:
   void SetUp() override { std::filesystem::create_directories(folder_); }

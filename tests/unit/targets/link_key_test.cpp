@@ -54,7 +54,7 @@ class KnownPeer : public ::testing::Test {
     connecting.use_key(key_with(1));
     listener = std::thread([&] { listens = listening.listen("127.0.0.1:0", note); });
     const std::string first = note_number(0);
-    ASSERT_TRUE(first.ends_with(", for who has the key")) << first;
+    ASSERT_TRUE(first.ends_with(", for holders of the key")) << first;
     port = std::stoi(first.substr(first.rfind(':') + 1));
   }
   void TearDown() override {
@@ -98,7 +98,7 @@ TEST_F(KnownPeer, IsLetInPastStrangersAndOneWithAnotherKey) {
   connecting.put('a');
   connecting.flush();
   EXPECT_EQ(listening.get(), 'a');
-  EXPECT_LT(notes.size(), 5U) << "who comes again and again is told of ever more rarely";
+  EXPECT_LT(notes.size(), 5U) << "repeated connections are noted ever more rarely";
 }
 
 TEST_F(KnownPeer, EveryByteComesInItsOrderAndThenTheEnd) {
@@ -118,7 +118,8 @@ TEST_F(KnownPeer, EveryByteComesInItsOrderAndThenTheEnd) {
   EXPECT_EQ(listening.error(), "the other end hung up");
 }
 
-// What there is no time for is left out as a whole; what is under way has its end before the next.
+// A frame that is out of time is left out as a whole; what is under way has its end before the
+// next.
 TEST_F(KnownPeer, WhoDoesNotReadIsNotWaitedForAndLosesNoOrder) {
   connect_known();
   const std::uint64_t begun = LinkPort::now_ns();

@@ -1,4 +1,4 @@
-// targets/linux-sim/link_port.hpp: sockets and serial lines of others are left alone.
+// targets/linux-sim/link_port.hpp: foreign sockets and serial lines are left alone.
 #include "targets/linux-sim/link_port.hpp"
 
 #include <fcntl.h>
@@ -88,7 +88,7 @@ TEST_F(Sockets, ALineIsOpenedAgainAndNothingOfTheOldOneIsLeft) {
     listener.join();
     EXPECT_EQ(part.get(), i);
     part.put(static_cast<std::uint8_t>(10 + i));
-    part.put(99);  // of the first line nobody reads it
+    part.put(99);  // it is lost with the first line
     part.flush();
     EXPECT_EQ(host.get(), 10 + i);
     host.put(77);  // never flushed
@@ -107,7 +107,7 @@ TEST_F(Sockets, NobodyIsWaitedForLongerThanTold) {
   EXPECT_EQ(port.error(), "Connection timed out");
 }
 
-// Who is stopped accepts nobody, and connect() would wait until it does.
+// A stopped process accepts no connection, and connect() would wait until it does.
 TEST_F(Sockets, OneThatAcceptsNobodyIsNotWaitedFor) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -206,7 +206,7 @@ TEST_F(Sockets, NobodyWaitsForAPeerThatDoesNotRead) {
   close(file);
 }
 
-/// A board that never answers, on a clock that goes on by waiting.
+/// A board that never answers, on a clock that advances by waiting.
 struct SilentPort {
   std::uint64_t now = 0;
   std::uint64_t interrupted_ns = UINT64_MAX;
@@ -225,7 +225,7 @@ TEST(HostLink, AnInterruptDoesNotWaitForASilentBoard) {
   link::HostLink<SilentPort, 64, 64> host;
   host.set_time_limit(5000 * kMs);
   EXPECT_FALSE(host.open({1, 1}, 1));
-  EXPECT_GE(host.port.now, 5000 * kMs) << "nobody is in a hurry";
+  EXPECT_GE(host.port.now, 5000 * kMs) << "no hurry";
   for (const std::uint64_t at : {0U, 600U}) {
     host.port.now = 0;
     host.port.interrupted_ns = at * kMs;

@@ -143,7 +143,7 @@ TEST_F(Outside, StepsWithoutAnActionAreCountedAndSummed) {
   EXPECT_EQ(agent.key({1, 2, 7}).seed, 9U);
   EXPECT_EQ(agent.key({1, 2, 7}).episode, 1U);
   agent.reset(0);
-  ASSERT_TRUE(agent.go_on());  // answers, and waits for 0.8 us in vain
+  ASSERT_TRUE(agent.go_on());  // answers, and waits 0.8 us without success
   EXPECT_EQ(answer().said, Said::observation);
   EXPECT_EQ(agent.late_in_a_row(), 1U);
   EXPECT_EQ(static_cast<const FakeAction*>(agent.action())->choice, 0);

@@ -11,7 +11,7 @@
 namespace eagerx::environments {
 namespace {
 
-/// Number i of lane k is 100 k + i, and behind the last row is memory of others.
+/// Number i of lane k is 100 k + i, and behind the last row is foreign memory.
 template <std::size_t Lanes, std::size_t Numbers>
 bool is_spread(const std::array<std::size_t, Numbers>& places) {
   alignas(64) float values[Numbers][Lanes];

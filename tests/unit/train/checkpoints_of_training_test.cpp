@@ -1,4 +1,4 @@
-// What is kept of a training while it runs, and how another goes on from it.
+// The checkpoints of a training, and how another one continues from them.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -141,7 +141,7 @@ TEST_F(TrainTraining, FineTuningBeginsWithWhatWasLearnt) {
   const std::string learnt = trained(first);  // succeeds
   Options again = first;
   again.resume = first.checkpoint;
-  EXPECT_EQ(trained(again), learnt) << "what has succeeded does not go on";
+  EXPECT_EQ(trained(again), learnt) << "a successful training does not continue";
   Options second = options(5);
   second.settings.seed = 7;
   EXPECT_EQ(Training(second, pendulum()).run(never), kProblems) << "not from nothing";

@@ -12,10 +12,10 @@
 namespace eagerx::train {
 namespace {
 
-/// Episodes of the pendulum have 150 steps, so those of an evaluation have so many.
+/// Episodes of the pendulum have 150 steps, so those of an evaluation have 100 times as many.
 constexpr double kEvaluation = 100 * 150;
 
-/// The steps after which there are evaluations, if each iteration has so many.
+/// The steps after which there are evaluations, if each iteration has this number.
 std::vector<double> due(Settings settings, double steps, std::size_t iterations) {
   Team team(1);
   Judge judge(settings, pendulum(), *kernels_here().back(), team, environments::alone());

@@ -152,7 +152,7 @@ TEST_F(TrainRecord, OneThatBreaksSaysWhy) {
   EXPECT_THROW(Training(options_, library).run(never), Problem);
   unsetenv("EAGERX_TEST_BREAKS");
   const std::vector<json> all = lines();
-  ASSERT_GT(all.size(), 2) << "the points of before are there";
+  ASSERT_GT(all.size(), 2) << "the earlier points are there";
   EXPECT_EQ(all.back()["ended"], "failed");
   EXPECT_NE(all.back()["problem"].get<std::string>(), "");
 }

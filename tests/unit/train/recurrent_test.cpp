@@ -47,7 +47,7 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
   }
 
   /// Episodes end here and there, each lane's elsewhere.
-  static Packs goes_on() {
+  static Packs continues() {
     Packs result(kSteps);
     for (std::size_t t = 0; t < kSteps; ++t) {
       for (std::size_t l = 0; l < kLanes; ++l)
@@ -58,7 +58,7 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
 
   void forward(const Kernels& kernels, Packs& rows) const {
     const std::vector<float> weights = parameters();
-    const Packs links = goes_on();
+    const Packs links = continues();
     for (std::size_t t = 0; t < kSteps; ++t) {
       Pack* row = &rows[t * network_.row()];
       if (t > 0) recall(network_, links[t], row - network_.row() + cell_.after(), row);
@@ -78,7 +78,7 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
       }
     }
     Packs scratch(kSteps * kLanes);
-    const Packs links = goes_on();
+    const Packs links = continues();
     std::vector<float> result(network_.parameters());
     network_.backward(kernels, parameters().data(), rows.data(), deltas.data(), kSteps,
                       scratch.data(), result.data(), links.data());
@@ -123,7 +123,7 @@ void step(const Cell& cell, const Values& weights, const Values& x, Values& h, V
 
 /// Half the squared outputs of a lane, one step after the other.
 double loss_of_lane(const Network& network, const Values& weights, const Packs& rows,
-                    const Packs& goes_on, std::size_t lane) {
+                    const Packs& continues, std::size_t lane) {
   const Cell& cell = *network.memory();
   Values h(kUnits), c(kUnits);
   for (std::size_t k = 0; k < kUnits; ++k) {
@@ -132,7 +132,7 @@ double loss_of_lane(const Network& network, const Values& weights, const Packs& 
   }
   double sum = 0.0;
   for (std::size_t t = 0; t < kSteps; ++t) {
-    if (t > 0 && goes_on[t].lane[lane] == 0.0F) h = c = Values(kUnits);
+    if (t > 0 && continues[t].lane[lane] == 0.0F) h = c = Values(kUnits);
     Values x;
     for (std::size_t i = 0; i < kInputs; ++i) x.push_back(rows[t * network.row() + i].lane[lane]);
     step(cell, weights, x, h, c);
@@ -148,9 +148,10 @@ double loss_of_lane(const Network& network, const Values& weights, const Packs& 
 }
 
 double loss(const Network& network, const Values& weights, const Packs& rows,
-            const Packs& goes_on) {
+            const Packs& continues) {
   double sum = 0.0;
-  for (std::size_t l = 0; l < kLanes; ++l) sum += loss_of_lane(network, weights, rows, goes_on, l);
+  for (std::size_t l = 0; l < kLanes; ++l)
+    sum += loss_of_lane(network, weights, rows, continues, l);
   return sum;
 }
 
@@ -162,9 +163,9 @@ TEST_P(TrainRecurrent, GradientIsTheDifferenceOfLosses) {
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double before = weights[i];
     weights[i] = before + kStep;
-    const double above = loss(network_, weights, sequence(), goes_on());
+    const double above = loss(network_, weights, sequence(), continues());
     weights[i] = before - kStep;
-    const double below = loss(network_, weights, sequence(), goes_on());
+    const double below = loss(network_, weights, sequence(), continues());
     weights[i] = before;
     const double exact = (above - below) / (2 * kStep);
     EXPECT_NEAR(ours[i], exact, 1e-3 + 1e-4 * std::fabs(exact)) << "parameter " << i;
@@ -208,7 +209,7 @@ void expect_as_deployed(const Cell& cell, const std::vector<float>& parameters, 
   }
 }
 
-// Lane 5 goes on through all steps; here it begins with nothing.
+// Lane 5 continues through all steps; here it begins with nothing.
 TEST_P(TrainRecurrent, IsWhatTheRuntimeComputes) {
   Packs rows = sequence();
   for (std::size_t i = 0; i < cell_.shape().state(); ++i) rows[cell_.before() + i].lane[5] = 0.0F;

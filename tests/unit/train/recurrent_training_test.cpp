@@ -95,7 +95,7 @@ TEST_F(TrainMemory, WhatGoesOnFromACheckpointIsOneTraining) {
 
 /// What is learnt from is what was done: as long as nothing has been learnt, going through the
 /// sequences again gives the same probabilities, behind the ends of episodes, too. Eight
-/// environments are one in each part, whose sequences are beside each other.
+/// environments are one in each part, whose sequences are side by side.
 TEST_F(TrainMemory, SequencesAreThoseOfTheRollout) {
   const std::vector<std::tuple<const char*, std::size_t, std::size_t>> trainings = {
       {"gru", 256, 32}, {"lstm", 256, 32}, {"gru", 8, 256}, {"lstm", 32, 128}, {"none", 16, 128}};

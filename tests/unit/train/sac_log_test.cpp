@@ -47,9 +47,9 @@ TEST(TrainSacLog, RowsBecomeTransitions) {
   EXPECT_EQ(first.reward, -2.0F);
   EXPECT_EQ(second.observation[2], 0.25F);
   EXPECT_EQ(*second.action, 1.0F) << "4 V were more than there may be";
-  EXPECT_EQ(second.goes_on, 1.0F) << "it only ran out of time";
+  EXPECT_EQ(second.continues, 1.0F) << "it only ran out of time";
   EXPECT_EQ(fell.observation[2], 7.0F);
-  EXPECT_EQ(fell.goes_on, 0.0F);
+  EXPECT_EQ(fell.continues, 0.0F);
   EXPECT_EQ(read.observations.count, 5);
   EXPECT_EQ(read.returns.sum[0], -2.0 + (-2.0 * 0.5 - 3.0) - 10.0);
 }

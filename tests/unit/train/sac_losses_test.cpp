@@ -46,7 +46,7 @@ TEST(TrainSacMemory, TheOldestGivesWay) {
     EXPECT_EQ(*one.next, x + 0.5F);
     EXPECT_EQ(*one.action, -x);
     EXPECT_EQ(one.reward, 10.0F * x);
-    EXPECT_EQ(one.goes_on, back == 0 ? 0.0F : 1.0F);
+    EXPECT_EQ(one.continues, back == 0 ? 0.0F : 1.0F);
   }
   memory.rows.pop_back();
   EXPECT_FALSE(memory.is_whole());
@@ -168,7 +168,7 @@ class TrainSacLosses : public testing::Test {
       double least = std::numeric_limits<double>::infinity();
       for (const sac::Critic& each : model_.critics)
         least = std::min(least, value(to_double(each.target), row(t.next), one.action));
-      const double target = kScale * t.reward + settings_.gamma * t.goes_on *
+      const double target = kScale * t.reward + settings_.gamma * t.continues *
                                                     (least - kTemperature * one.log_probability);
       const std::vector<double> action(t.action, t.action + kNumbers);
       sum += 0.5 * std::pow(value(critic, row(t.observation), action) - target, 2.0);

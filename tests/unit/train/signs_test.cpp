@@ -79,7 +79,7 @@ TEST_F(TrainSigns, EndsThatAreWorthMoreThanGoingOn) {
   EXPECT_EQ(signs(), Signs{"19 of 20 episodes end early, on average after 42.25 of 200 steps, and "
                            "the return is below 0: if each step costs and an end does not, ending "
                            "is learnt. A term that is below 0 where `terminated:` holds makes ends "
-                           "dear"});
+                           "costly"});
   evaluation_.mean_return = 67.0;
   EXPECT_EQ(signs(), Signs());
 }

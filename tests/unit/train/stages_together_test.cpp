@@ -1,5 +1,5 @@
 // Stages of a task together with what else a training can have: each has the bits of one training,
-// whatever its threads and ranks, and goes on in a later stage.
+// whatever its threads and ranks, and continues in a later stage.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

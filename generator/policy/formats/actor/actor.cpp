@@ -163,8 +163,8 @@ class Assembly {
     activation_ = said ? *said : layout_.activation.value_or(Activation::identity);
     if (!said && needed) {
       network_.assumed.push_back(
-          fmt::format("activation {}, which is {}'s unless it was told "
-                      "otherwise",
+          fmt::format("activation {}, which is {}'s unless it was "
+                      "changed",
                       to_string(activation_), layout_.about));
     }
     return true;

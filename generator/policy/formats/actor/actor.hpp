@@ -48,7 +48,7 @@ std::optional<PolicyFacts> facts_of_notes(const TensorTable& table, PolicyProble
 std::optional<PolicyFacts> facts_of_sb3(std::string_view json, PolicyProblem& problem);
 
 /// The actor. E0624: nothing looks like one, or a part of it is missing; E0625: more than one does;
-/// E0626: tensors and facts disagree; E0628: it has parts that are not supported; E0629: nobody
+/// E0626: tensors and facts disagree; E0628: it has parts that are not supported; E0629: nothing
 /// says its activation; E0750: nor what follows its last layer; E0627: its statistics do not fit.
 std::optional<Network> make_actor(const TensorTable& table, const PolicyFacts& facts,
                                   const ReadContext& context, PolicyProblem& problem);
@@ -67,9 +67,9 @@ enum class Squash : std::uint8_t {
 /// Where a library puts its GRU or LSTM if the sizes fit in several places.
 enum class MemoryPlace : std::uint8_t { unknown, first, before_head };
 
-/// Who knows what follows the last layer.
+/// The source of the activation after the last layer.
 enum class OutputRule : std::uint8_t {
-  unknown,  // nobody: it must be said
+  unknown,  // no source: the graph must say it
   usual,    // the library's default, which its users may have changed
   fixed,    // the library: there is no other
 };

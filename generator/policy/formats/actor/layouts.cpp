@@ -164,8 +164,8 @@ class Layouts {
     const StoredTensor* weight = table_.find(base + std::string(kWeight));
     return weight != nullptr && weight->shape.size() == 2;
   }
-  /// Of a ModuleList only its owner knows what comes between; in a Sequential nobody puts a Linear
-  /// behind another.
+  /// Only the owner of a ModuleList knows what comes between its layers; in a Sequential, no Linear
+  /// directly follows another.
   bool nothing_between(const std::string& a, const std::string& b) {
     return refuse(
         problem_, "E0628",

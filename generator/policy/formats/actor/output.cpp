@@ -17,7 +17,7 @@ class OutputReader : ActorParts {
     if (layout_.has_quantiles && !average_quantiles(*this)) {
       return false;
     }
-    const auto output = choose_told_output() ? output_activation() : std::nullopt;
+    const auto output = choose_given_output() ? output_activation() : std::nullopt;
     if (!output) return false;
     if (*output != Activation::identity) {
       network.layers.back().activation = *output;
@@ -47,7 +47,7 @@ class OutputReader : ActorParts {
                 "nothing does; for `policy` with `--output-activation tanh`");
   }
 
-  /// Whether a tanh follows the last layer of a known library. Nothing, and a problem, if nobody
+  /// Whether a tanh follows the last layer of a known library. Nothing, and a problem, if no source
   /// says so.
   std::optional<bool> is_squashed() {
     if (layout_.squash == Squash::never) return layout_.output == Activation::tanh;
@@ -59,7 +59,7 @@ class OutputReader : ActorParts {
     // One layer may be of ARS's LinearPolicy or of its MlpPolicy; only the latter has a tanh.
     if (layout_.modules.size() > 1) return true;
     if (table.find(layout_.modules.back().base + ".bias") == nullptr) return false;
-    if (told_output_) return *told_output_ == Activation::tanh;
+    if (given_output_) return *given_output_ == Activation::tanh;
     says_nothing_of_its_output();
     return std::nullopt;
   }
@@ -68,25 +68,24 @@ class OutputReader : ActorParts {
   /// says.
   std::optional<Activation> output_activation() {
     if (layout_.output_rule != OutputRule::fixed) {
-      if (told_output_) return told_output_;
+      if (given_output_) return given_output_;
       if (layout_.output_rule == OutputRule::unknown) {
         // A file with `squash: False` says that its actions come out as they are.
         if (facts.action && *facts.action != ActionKind::squashed) return Activation::identity;
         return says_nothing_of_its_output();
       }
-      network.assumed.push_back(
-          fmt::format("nothing after the last layer, which is {}'s unless it was told otherwise",
-                      layout_.about));
+      network.assumed.push_back(fmt::format(
+          "nothing after the last layer, which is {}'s unless it was changed", layout_.about));
       return layout_.output;
     }
     const auto squashes = is_squashed();
     if (!squashes) return std::nullopt;
     const bool adds_tanh = *squashes && !(facts.action && is_choice(*facts.action));
     const Activation output = adds_tanh ? Activation::tanh : Activation::identity;
-    if (told_output_ && *told_output_ != output) {
+    if (given_output_ && *given_output_ != output) {
       return fail("E0626",
                   fmt::format("is {}, after whose last layer comes {}, but the graph says {}",
-                              layout_.about, output_name(output), output_name(*told_output_)),
+                              layout_.about, output_name(output), output_name(*given_output_)),
                   "leave the graph's `output_activation` out");
     }
     return output;
@@ -95,7 +94,7 @@ class OutputReader : ActorParts {
     return activation == Activation::identity ? "nothing" : to_string(activation);
   }
 
-  bool choose_told_output() {
+  bool choose_given_output() {
     if (facts.output_activation && context_.output_activation &&
         *facts.output_activation != *context_.output_activation) {
       return fail("E0626",
@@ -104,13 +103,13 @@ class OutputReader : ActorParts {
                               output_name(*context_.output_activation)),
                   "leave the graph's `output_activation` out");
     }
-    told_output_ = facts.output_activation ? facts.output_activation : context_.output_activation;
+    given_output_ = facts.output_activation ? facts.output_activation : context_.output_activation;
     return true;
   }
 
   const ActorLayout& layout_;
   const ReadContext& context_;
-  std::optional<Activation> told_output_;
+  std::optional<Activation> given_output_;
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ bool add_modules(const ActorParts& parts, const ActorLayout& layout, Activation 
 /// says), and what its answers are. E0624, E0626, E0750 and those of `average_quantiles`.
 bool finish_output(const ActorParts& parts, const ActorLayout& layout, const ReadContext& context);
 
-/// What nobody has read may stand between observation and action: it is not left out silently, and
+/// An unread part may stand between observation and action: it is not left out silently, and
 /// E0628 unless it is for training only. The rest is listed.
 bool check_rest(const ActorParts& parts, const ActorLayout& layout);
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* kKerasWay = "convert it to ONNX: `python -m tf2onnx.convert --keras FILE`";
 constexpr const char* kHdfWay =
-    "convert it to ONNX: of Keras with `python -m tf2onnx.convert --keras FILE`; of others copy "
+    "convert it to ONNX: of Keras with `python -m tf2onnx.convert --keras FILE`; of other "
+    "libraries copy "
     "its "
     "layers into a `torch.nn.Sequential`, and save that";
 constexpr const char* kTensorFlowWay =

@@ -11,8 +11,9 @@
 
 namespace eagerx::gen {
 
-/// The bytes of the file called so beside the policy; nothing, and why not ("which is no file").
-using FilesBeside =
+/// The bytes of the file with this name in the policy's folder; nothing, and why not ("which is no
+/// file").
+using FilesInFolder =
     std::function<std::optional<std::string>(const std::string& name, std::string& why)>;
 
 struct ReadContext {
@@ -25,7 +26,7 @@ struct ReadContext {
   /// named, else `activation` follows all but the last.
   std::vector<std::string> layers{};
   bool has_answers = false;  // known answers will be compared with those of the network
-  FilesBeside files{};       // of ONNX, whose values may be in others
+  FilesInFolder files{};     // of ONNX, whose values may be in others
 };
 
 }  // namespace eagerx::gen

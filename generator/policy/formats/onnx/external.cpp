@@ -15,7 +15,7 @@ namespace eagerx::gen {
 namespace {
 
 constexpr const char* kOneFile =
-    "put the file that belongs to it beside it, or save one file: "
+    "put the file that belongs to it into its folder, or save one file: "
     "`onnx.save(onnx.load(\"in.onnx\"), "
     "\"one.onnx\", save_as_external_data=False)`";
 
@@ -28,7 +28,7 @@ struct Place {
 
 class External {
  public:
-  External(const FilesBeside& files, PolicyProblem& problem) : files_(files), problem_(problem) {}
+  External(const FilesInFolder& files, PolicyProblem& problem) : files_(files), problem_(problem) {}
 
   bool take(onnx::TensorProto& tensor) {
     const bool is_external = tensor.data_location() == onnx::TensorProto::EXTERNAL;
@@ -80,7 +80,7 @@ class External {
   }
 
   /// Only a file in the same folder: the name comes from somebody else.
-  static bool is_beside(std::string_view name) {
+  static bool is_in_same_folder(std::string_view name) {
     constexpr std::size_t kLongest = 255;
     return name.size() <= kLongest && name != "." && name != ".." &&
            name.find_first_of(std::string_view("/\\\0", 3)) == std::string_view::npos;
@@ -95,7 +95,7 @@ class External {
                                 printable(tensor.name()), printable(name), how),
                     kOneFile);
     };
-    if (!is_beside(name)) return refuse_file("which is not in the same folder");
+    if (!is_in_same_folder(name)) return refuse_file("which is not in the same folder");
     if (!files_) return refuse_file("which is not at hand");
     std::string why;
     auto bytes = files_(name, why);
@@ -105,7 +105,7 @@ class External {
     return &known_.emplace(name, std::move(*bytes)).first->second;
   }
 
-  const FilesBeside& files_;
+  const FilesInFolder& files_;
   PolicyProblem& problem_;
   std::map<std::string, std::string, std::less<>> known_;
   std::uint64_t taken_ = 0, held_ = 0;
@@ -113,7 +113,7 @@ class External {
 
 }  // namespace
 
-bool take_external_values(onnx::GraphProto& graph, const FilesBeside& files,
+bool take_external_values(onnx::GraphProto& graph, const FilesInFolder& files,
                           PolicyProblem& problem) {
   External external(files, problem);
   for (onnx::TensorProto& tensor : *graph.mutable_initializer()) {

@@ -1,4 +1,4 @@
-// Values that lie in files beside an ONNX file ("external data"). Inside formats/onnx only.
+// Values in separate files next to an ONNX file ("external data"). Inside formats/onnx only.
 #pragma once
 
 #include "generator/policy/formats/common/read_context.hpp"
@@ -8,8 +8,8 @@
 namespace eagerx::gen {
 
 /// Puts such values into their tensors, as if they had been in the file. E0617 if a name is not
-/// that of a file beside it, or the file is not what the tensor says.
-bool take_external_values(onnx::GraphProto& graph, const FilesBeside& files,
+/// that of a file in its folder, or the file is not what the tensor says.
+bool take_external_values(onnx::GraphProto& graph, const FilesInFolder& files,
                           PolicyProblem& problem);
 
 }  // namespace eagerx::gen

@@ -27,7 +27,7 @@ struct OnnxDependencies {
   std::vector<const onnx::ValueInfoProto*> inputs;  // in the order met
 };
 
-/// Walks back from `output`. A name nobody produces and a cycle are problems.
+/// Walks back from `output`. A name that no node produces and a cycle are problems.
 std::optional<OnnxDependencies> walk_back(std::string_view output, const OnnxNames& names,
                                           PolicyProblem& problem);
 

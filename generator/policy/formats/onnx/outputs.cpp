@@ -209,7 +209,8 @@ class Chooser {
     return found.size() == 1 ? std::optional<int>(found.front()) : std::nullopt;
   }
 
-  /// The value or the log probability beside an action of several numbers, or of its own axis.
+  /// The value or the log probability in addition to an action of several numbers, or of its own
+  /// axis.
   bool is_one_number_more(int i) const {
     const auto rank = [&](int output) {
       return graph_.output(output).type().tensor_type().shape().dim_size();

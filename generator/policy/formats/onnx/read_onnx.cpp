@@ -333,7 +333,7 @@ bool read_rate(const onnx::ModelProto& model, std::optional<double>& rate_hz,
 }  // namespace
 
 std::optional<Network> read_onnx(std::string_view bytes, std::string_view output,
-                                 const FilesBeside& files, PolicyProblem& problem) {
+                                 const FilesInFolder& files, PolicyProblem& problem) {
   std::optional<onnx::ModelProto> model = parse(bytes, problem);
   if (!model) return std::nullopt;
   if (model->has_graph() && !take_external_values(*model->mutable_graph(), files, problem)) {

@@ -14,6 +14,6 @@ namespace eagerx::gen {
 /// the output `output`; empty: the one that is known to be it. Values may be in `files`. E0617,
 /// E0751, E0752.
 std::optional<Network> read_onnx(std::string_view bytes, std::string_view output,
-                                 const FilesBeside& files, PolicyProblem& problem);
+                                 const FilesInFolder& files, PolicyProblem& problem);
 
 }  // namespace eagerx::gen

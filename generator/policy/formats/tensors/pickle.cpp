@@ -273,7 +273,7 @@ class Reader {
     real.real = std::bit_cast<double>(bits);
     return push(std::move(real));
   }
-  /// Integers of any length; those of more than eight bytes are seeds that nobody needs.
+  /// Integers of any length; those of more than eight bytes are seeds, which are not needed.
   bool push_long(std::size_t count) {
     std::string_view raw;
     if (!counted(count, raw)) return false;

@@ -32,7 +32,7 @@ struct PickleValue {
     dictionary,  // items: key, value, key, value …
     name,        // text: "module.name"
     object,      // function and arguments; state; items as of a dictionary, or appended
-    persistent,  // function: what torch.save wrote beside the pickle
+    persistent,  // function: what torch.save wrote outside the pickle
     mark,
   };
   Kind kind = Kind::none;

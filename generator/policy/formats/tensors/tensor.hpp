@@ -1,5 +1,5 @@
 // Tensors of a file by name, whatever its format. Values are only looked at on demand, so that
-// parts of a file that nobody needs may hold anything.
+// parts of a file that are not needed may hold anything.
 #pragma once
 
 #include <deque>

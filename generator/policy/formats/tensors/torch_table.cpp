@@ -1,4 +1,4 @@
-// torch.save: a pickle whose tensors point into files beside it.
+// torch.save: a pickle whose tensors point into files next to it.
 #include <fmt/core.h>
 
 #include <map>
@@ -80,10 +80,10 @@ class TorchReader {
     if (dictionary == &top) return add_all(top, "", 0);
     for (const char* key : {"obs_norm_state_dict", "state_preprocessor", "observation_preprocessor",
                             "obs_normalizer", "running_mean_std"}) {
-      const PickleValue* beside = pickle_.find(top, key);
-      // rl_games has its statistics in the model since 1.2, and beside it before.
+      const PickleValue* statistics = pickle_.find(top, key);
+      // rl_games has its statistics in the model since 1.2, and next to it in older versions.
       if (pickle_.find(*dictionary, std::string(key) + ".running_mean") != nullptr) continue;
-      if (beside != nullptr && !add_all(*beside, std::string(key) + ".", 1)) return false;
+      if (statistics != nullptr && !add_all(*statistics, std::string(key) + ".", 1)) return false;
     }
     return add_all(*dictionary, "", 0);
   }

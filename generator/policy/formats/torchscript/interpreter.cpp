@@ -137,7 +137,7 @@ bool TorchInterpreter::assign(const std::vector<TorchExpression>& targets, Torch
   if (!old->is_tensor() || old->tensor->is_part) {
     return fail("changes a member that is no tensor of a module");
   }
-  // Who has the old tensor keeps it.
+  // Holders of the old tensor keep it.
   auto cell = std::make_shared<TorchTensor>();
   cell->value = value.tensor->value;
   cell->buffer = old->tensor->buffer;

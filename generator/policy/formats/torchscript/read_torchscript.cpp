@@ -395,7 +395,7 @@ void add_sampling(const Archive& archive, PolicyProblem& problem) {
     const std::string_view random = code ? random_function(*code) : std::string_view{};
     if (random.empty()) continue;
     problem.message += fmt::format("; its code draws random numbers (`{}`)", random);
-    problem.help = "export the deterministic action: means in place of samples, in eval mode";
+    problem.help = "export the deterministic action: means instead of samples, in eval mode";
     return;
   }
 }

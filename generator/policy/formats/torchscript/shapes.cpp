@@ -160,8 +160,8 @@ Result index(const Torch& call) {
   if (!x || !axis) return std::nullopt;
   return chosen(call, *x, static_cast<std::int64_t>(*axis), by[*axis].tensor->value);
 }
-/// `x[places[i]] = values[i]` where x is data: from x and the values beside each other, each number
-/// of x or the one that takes its place.
+/// `x[places[i]] = values[i]` where x is data: each number of the result comes from x, or from the
+/// values that replace it.
 Result put_into_data(const Torch& call, const NetValue& x, std::int64_t axis,
                      const NetValue& values, const Integers& places) {
   Integers from(static_cast<std::size_t>((*x.shape)[static_cast<std::size_t>(axis)]));

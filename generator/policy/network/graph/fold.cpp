@@ -1,5 +1,5 @@
-// Operators whose inputs are all constants: exporters leave `sqrt(variance + epsilon)` to whoever
-// runs the file.
+// Operators whose inputs are all constants: exporters leave `sqrt(variance + epsilon)` to the
+// program that runs the file.
 #include <algorithm>
 
 #include "generator/policy/network/graph/operators.hpp"

@@ -73,7 +73,7 @@ class LayerBuilder {
   std::int32_t newest() const { return static_cast<std::int32_t>(layers_.size()) - 1; }
   std::int32_t value_of(std::int32_t step) const { return step < 0 ? -1 : values_.at(step); }
   Layer& layer_before() { return layers_[static_cast<std::size_t>(takes_.front())]; }
-  /// Whether what follows may become a part of the layer before: nobody else takes its result.
+  /// Whether what follows may become a part of the layer before: nothing else takes its result.
   bool may_extend() const { return takes_.front() >= 0 && !is_shared_; }
 
   Refused fail(const char* code, std::string message, std::string help = kLayersHelp) {

@@ -127,7 +127,7 @@ std::optional<NetValue> condition_of(const NetCall& call, const NetValue& x);
 /// the result, and the other as many numbers or one.
 std::optional<NetValue> combined(const NetCall& call, const NetValue& a, const NetValue& b,
                                  Combination::Operation operation);
-/// The part of a formula as a value of its own, if it is a simple one: the formula did not go on.
+/// The part of a formula as a value of its own, if it is a simple one: the formula ended early.
 std::optional<NetValue> materialized(const NetCall& call, const NetValue& value);
 /// What is only known by its order, calculated: where more than a choice depends on it.
 std::optional<NetValue> exact_of(const NetValue& value);

@@ -1,4 +1,4 @@
-// Tensors of a file: values that are read on demand, so that what nobody needs may hold anything.
+// Tensors of a file: values that are read on demand, so that unneeded ones may hold anything.
 #pragma once
 
 #include <cstddef>

@@ -18,7 +18,7 @@ class Client {
       this.said = (this.said + text).slice(-2000);
     });
     this.process.stdout.on("data", (bytes) => this.take(bytes));
-    this.process.stdin.on("error", () => {});  // the end of the process is told of by `exit`
+    this.process.stdin.on("error", () => {});  // `exit` reports the end of the process
     this.process.on("error", (error) => this.end(error.message));
     this.process.on("exit", (code) => this.end(`it ended with ${code}${this.said ? `: ${this.said}` : ""}`));
   }

@@ -57,7 +57,7 @@ function register(ask) {
       provideDocumentSymbols: (document) => list(ask(document, "documentSymbol", of(document)), convert.symbol),
     }),
     vscode.languages.registerFoldingRangeProvider(selector, {
-      // VS Code folds YAML by its indentation where nobody else answers.
+      // VS Code folds YAML by its indentation unless a provider answers.
       provideFoldingRanges: (document) =>
           orNothing(ask(document, "foldingRange", of(document)), (answer) => answer.map(convert.fold)),
     }),

@@ -130,8 +130,8 @@ class LimitedServer final : public httplib::Server {
   }
 };
 
-/// Why the body of a request is not looked at: of one that is packed or comes in pieces nobody
-/// knows how long it is. 0: it is.
+/// Why the body of a request is refused: if it is compressed or comes in pieces, its length is
+/// unknown. 0: it is accepted.
 int refused_body(const httplib::Request& request) {
   constexpr int kUnsupported = 415, kTooLarge = 413, kBad = 400;
   if (request.has_header("Content-Encoding")) return kUnsupported;

@@ -16,7 +16,7 @@
 
 namespace eagerx::models {
 
-/// What the engine wants of the system.
+/// The engine's requirements on the system.
 template <class Config>
 class LinuxPins {
  public:

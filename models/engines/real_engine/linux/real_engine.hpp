@@ -9,7 +9,7 @@
 
 namespace eagerx::models {
 
-/// What RealEngine wants of the system.
+/// RealEngine's requirements on the system.
 template <class Config>
 struct LinuxPlatform {
   static void prepare() { ask_for_real_time(static_cast<int>(Config::priority)); }

@@ -18,7 +18,7 @@ struct FtdiSelection {
   char interface;
 };
 
-/// What an error of libftdi or libusb means for a bus.
+/// The bus error for an error of libftdi or libusb.
 constexpr BusError bus_error_of(int result) {
   constexpr int kLibusbTimeout = -7;  // LIBUSB_ERROR_TIMEOUT
   if (result >= 0) return BusError::none;

@@ -10,7 +10,7 @@
 
 namespace eagerx::links {
 
-/// What a link has counted since it was opened first.
+/// The counters of a link since it was first opened.
 struct LinkCounts {
   std::uint64_t round_trips = 0;  // batches that were answered
   std::uint64_t one_way = 0;      // batches that nothing answers

@@ -106,7 +106,7 @@ class Hardware {
 using Link = links::ImmediateLink<Hardware, BoardTime>;
 static_assert(SpiBus<Link> && I2cBus<Link> && GpioBus<Link>);
 
-/// What RealEngine wants of the system.
+/// RealEngine's requirements on the system.
 template <class Config>
 struct EnginePlatform {
   static void prepare() { start_clock(); }

@@ -4,7 +4,7 @@
     env = eagerx_gen.make("graph.yaml")                        # gymnasium.Env
     envs = eagerx_gen.make("graph.yaml", num_envs=4096)        # gymnasium.vector.VectorEnv
     envs = eagerx_gen.make_vec_env("graph.yaml", n_envs=64)    # stable_baselines3's VecEnv
-    env = eagerx_gen.make("graph.yaml", real_time_factor=1)    # gymnasium.Env that goes on by the clock
+    env = eagerx_gen.make("graph.yaml", real_time_factor=1)    # gymnasium.Env that runs by the clock
 
 Gymnasium and Stable-Baselines3 are imported when they are needed. `Environments(load("graph.yaml"), 4096)` needs neither.
 """
@@ -71,7 +71,7 @@ def make(graph, num_envs=None, *, real_time_factor=None, **keywords):
     `engine`, `paths`, `progress` and `variant` are those of load(); all others go to Env or VectorEnv. Unless `progress` is False, a
     line on the standard error says whether environments step vectorized, and if not, why.
 
-    real_time_factor  a `RealTimeEnv`, which goes on by the clock: so many simulated seconds a second. With an engine of
+    real_time_factor  a `RealTimeEnv`, which runs by the clock: the number of simulated seconds a second. With an engine of
                       real hardware it is always one. A program for Linux that is built already can take the graph's place.
     """
     building, rest = _split(keywords)

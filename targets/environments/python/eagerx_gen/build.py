@@ -188,9 +188,9 @@ def checked(graph, engine, paths, variant=None):
 def load(graph, engine=None, paths=(), progress=True, variant=None):
     """The Library of a graph's file, or of one that is built already (`*.so`).
 
-    engine    in place of the graph's
-    paths     folders of entities of one's own, as `eagerx-gen --path`
-    progress  whether eagerx-gen tells on the standard error how far it is
+    engine    instead of the graph's
+    paths     folders of your own entities, as `eagerx-gen --path`
+    progress  whether eagerx-gen prints its progress on the standard error
     variant   of the graph's `variants:`
     """
     if isinstance(graph, Library):

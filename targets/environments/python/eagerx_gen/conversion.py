@@ -33,7 +33,7 @@ class Box:
 
 
 class Scaled(Box):
-    """Numbers from -1 to 1 in place of those between the bounds, as Stable-Baselines3 scales them."""
+    """Numbers from -1 to 1 instead of those between the bounds, as Stable-Baselines3 scales them."""
 
     def __init__(self, field):
         super().__init__(field)

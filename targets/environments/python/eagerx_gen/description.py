@@ -15,10 +15,10 @@ MOST_PIXELS = 4096
 class Field:
     """An action, observation or state: the columns `first` to `first + size - 1` of a row."""
 
-    def __init__(self, told):
-        self.name, self.shape, self.first = told["name"], tuple(told["shape"]), told["first"]
+    def __init__(self, entry):
+        self.name, self.shape, self.first = entry["name"], tuple(entry["shape"]), entry["first"]
         self.size = int(np.prod(self.shape, dtype=int))
-        self.dtype = np.dtype(told["dtype"])
+        self.dtype = np.dtype(entry["dtype"])
         if self.dtype.kind == "f":
             self.dtype = np.dtype(np.float32)  # as rows are
             lowest, highest = -np.inf, np.inf
@@ -26,14 +26,14 @@ class Field:
             lowest, highest = False, True
         else:
             lowest, highest = np.iinfo(self.dtype).min, np.iinfo(self.dtype).max
-        self.low = self._bound(told["low"], lowest)
-        self.high = self._bound(told["high"], highest)
+        self.low = self._bound(entry["low"], lowest)
+        self.high = self._bound(entry["high"], highest)
         self.columns = slice(self.first, self.first + self.size)
 
-    def _bound(self, told, otherwise):
-        # Whole numbers of 64 bits were told as doubles, whose highest is beyond the type's.
+    def _bound(self, numbers, otherwise):
+        # Whole numbers of 64 bits arrive as doubles, whose highest is beyond the type's.
         info = None if self.dtype.kind in "fb" else np.iinfo(self.dtype)
-        numbers = [otherwise if x is None else x if info is None else min(max(int(x), info.min), info.max) for x in told]
+        converted = [otherwise if x is None else x if info is None else min(max(int(x), info.min), info.max) for x in numbers]
         return np.array(numbers, self.dtype).reshape(self.shape)
 
 
@@ -48,8 +48,8 @@ class Described:
 
     def __init__(self, description):
         self.description = description
-        self._fields = {what: tuple(Field(told) for told in description[what]) for what in ("observations", "actions", "states")}
-        self.critic = tuple(Field(told) for told in (description["task"] or {}).get("critic", ()))
+        self._fields = {what: tuple(Field(entry) for entry in description[what]) for what in ("observations", "actions", "states")}
+        self.critic = tuple(Field(entry) for entry in (description["task"] or {}).get("critic", ()))
         self.stages = tuple(stage["name"] for stage in (description["task"] or {}).get("stages", ()))
         self.terms = tuple(description["task"]["terms"]) if description["task"] else ()
         # Of the memory that is read and written, whatever happens to the fields.

@@ -10,7 +10,7 @@ class RewardNotFinite(Error):
 
 
 def need(package, install):
-    """Imports a package that only some of this one needs."""
+    """Imports a package that only parts of this package need."""
     import importlib
 
     try:

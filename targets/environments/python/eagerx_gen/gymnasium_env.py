@@ -19,7 +19,7 @@ class Env(checks.Single, gymnasium.Env):
     """One environment of a graph.
 
     library            as load() gives it
-    flatten            one row of numbers in place of a Dict of observations, and of actions
+    flatten            one row of numbers instead of a Dict of observations, and of actions
     longest            steps until an episode is truncated, besides what the graph's `task:` says
     normalize_actions  actions are from -1 to 1
     number             of the environment: reset(seed=S) with number k is `PROGRAM --seed S --environment k`
@@ -27,7 +27,7 @@ class Env(checks.Single, gymnasium.Env):
     render_size        (width, height) of it, in pixels
     stage              of the graph's task: the name of one of its `stages:`; None: the graph as it is written
 
-    reset(options={"states": {"pendulum.mass": 0.03}}) sets states in place of draws, reset(options={"stage": "near"}) the stage
+    reset(options={"states": {"pendulum.mass": 0.03}}) sets states instead of drawn ones, reset(options={"stage": "near"}) the stage
     from then on, and set({"controller.kp": 3.0})
     tunable parameters between two steps. Without `task:` in the graph rewards
     are 0. info of a step has `success` and the weighted `terms` of the reward, where the graph has a task.

@@ -73,7 +73,7 @@ class Library(Described):
         for name, (result, arguments) in _FUNCTIONS.items():
             functions[name].restype, functions[name].argtypes = result, arguments
         super().__init__(json.loads(self.c.eagerx_describe()))
-        if self.stages:  # libraries of before have neither
+        if self.stages:  # libraries of older versions have neither
             self.c.eagerx_set_stage.restype, self.c.eagerx_set_stage.argtypes = c_int, [c_void_p, c_void_p, c_char_p]
 
     def __reduce__(self):
@@ -207,7 +207,7 @@ class Environments(checks.Single):
     def step(self):
         """One step with `action`. RewardNotFinite, an Error: which term, where and when.
 
-        That step is made and its rows are there: who wants to go on catches it. counts() has how often.
+        That step is made and its rows are there: to continue, catch it. counts() has how often.
         """
         with self._turn:  # not _call(), which would cost more than the rest of this
             result = self._step(self._handle, *self._arguments)

@@ -29,7 +29,7 @@ _TERMINATED, _TRUNCATED, _SUCCESS = 1, 2, 4
 _REQUEST = struct.Struct("=IIQQ")
 _ANSWER = struct.Struct("=IIQQqdII")
 _LONGEST = 2**18  # bytes of an answer
-_PATIENCE_S = 10  # until a program that was told to end has ended
+_PATIENCE_S = 10  # until a program ends on request
 
 _sockets = weakref.WeakSet()
 
@@ -124,7 +124,7 @@ class RunningProgram(checks.Single):
 
     def _start(self, path, options, variables):
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        errors = tempfile.TemporaryFile()  # never full, as a pipe would be that nobody reads
+        errors = tempfile.TemporaryFile()  # never full, unlike a pipe without a reader
         command = [path, "--agent", f"fd:{theirs.fileno()}", "--quiet", "--hash", *options]
         try:
             process = subprocess.Popen(command, pass_fds=[theirs.fileno()], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
@@ -136,7 +136,7 @@ class RunningProgram(checks.Single):
             theirs.close()
         _sockets.add(ours)
         self._socket, self._process, self._errors = ours, process, errors
-        # At the end of this process, too, whatever ends it but a signal; then the program sees that nobody is there.
+        # At the end of this process, too, whatever ends it but a signal; then the program sees that the agent is gone.
         self._end = weakref.finalize(self, _finish, ours, process, errors, os.getpid())
 
     @property

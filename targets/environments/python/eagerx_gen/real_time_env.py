@@ -7,7 +7,7 @@ from .program import RunningProgram
 
 
 class RealTimeEnv(Env):
-    """One environment of a graph that goes on by the clock, in simulation or on real hardware.
+    """One environment of a graph that runs by the clock, in simulation or on real hardware.
 
     path   of the program, as eagerx-gen's target `linux-sim` makes it
     flatten, normalize_actions, render_mode, render_size    as of Env; render_mode may be "human", a window

@@ -33,7 +33,7 @@ class GradientSum {
   Gradient total_;
   std::size_t numbers_ = 0;
   std::vector<float> flat_;             // [numbers] of one gradient
-  std::vector<float> to_, from_;        // pieces for others and of others
+  std::vector<float> to_, from_;        // pieces for and of other ranks
   std::vector<std::size_t> out_, in_;   // [ranks] bytes of these pieces
   std::vector<char> mine_, all_;        // a slice of the sum with the doubles of own parts
   std::vector<std::size_t> all_sizes_;  // [ranks]

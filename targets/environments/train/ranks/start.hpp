@@ -9,8 +9,9 @@ namespace eagerx::train {
 
 using environments::Ranks;
 
-/// In rank 0, behind its own checks: throws Problem for what so many ranks cannot share, else gives
-/// its command line, the library and what it goes on from to the others, which need no files.
+/// In rank 0, behind its own checks: throws Problem for what several ranks cannot share, else gives
+/// its command line, the library and what it continues from to the other ranks, which need no
+/// files.
 void give(Ranks& ranks, int argc, const char* const* argv, const Options& options);
 /// In rank 0, if there is nothing to do.
 void give_nothing(Ranks& ranks);

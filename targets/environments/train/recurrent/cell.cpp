@@ -46,7 +46,7 @@ void Cell::step_back(const Kernels& kernels, const float* parameters, const Pack
 }
 
 void Cell::backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
-                    std::size_t steps, std::size_t stride, const Pack* goes_on, Pack* scratch,
+                    std::size_t steps, std::size_t stride, const Pack* continues, Pack* scratch,
                     float* gradient) const {
   const std::size_t units = shape_.units, state = shape_.state();
   for (std::size_t t = 0; t < steps; ++t)
@@ -56,7 +56,7 @@ void Cell::backward(const Kernels& kernels, const float* parameters, const Pack*
     step_back(kernels, parameters, rows + t * stride, delta);
     if (t == 0) break;
     std::fill_n(delta + before() + units, state - units, Pack{});  // c passes through none
-    kernels.carry(goes_on[t], delta + before(), delta + after(), delta - stride + after(), state);
+    kernels.carry(continues[t], delta + before(), delta + after(), delta - stride + after(), state);
   }
   kernels.dense_gradient(from_input_.sizes, rows, deltas + gates(), steps, stride, scratch,
                          gradient + from_input_.weights, gradient + from_input_.bias);

@@ -52,10 +52,10 @@ class Cell {
   void forward(const Kernels& kernels, const float* parameters, Pack* row) const;
 
   /// Adds the gradient of `steps` rows that follow one another to `gradient`. `deltas`: the caller
-  /// has filled those of h after; others are written. `goes_on` [steps]: 1 where the state before
+  /// has filled those of h after; others are written. `continues` [steps]: 1 where the state before
   /// is that after the row before, 0 where an episode begins.
   void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
-                std::size_t steps, std::size_t stride, const Pack* goes_on, Pack* scratch,
+                std::size_t steps, std::size_t stride, const Pack* continues, Pack* scratch,
                 float* gradient) const;
 
  private:

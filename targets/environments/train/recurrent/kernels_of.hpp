@@ -99,9 +99,9 @@ struct MemoryKernelsOf {
     }
   }
 
-  static void carry(const Pack& goes_on, const Pack* x, const Pack* y, Pack* to,
+  static void carry(const Pack& continues, const Pack* x, const Pack* y, Pack* to,
                     std::size_t count) {
-    const Vector share = load(goes_on);
+    const Vector share = load(continues);
     for (std::size_t k = 0; k < count; ++k)
       store(load(to[k]) + share * (load(x[k]) + load(y[k])), to[k]);
   }

@@ -56,12 +56,12 @@ class States {
   Packs packs_;
 };
 
-/// Begins a row with the state of before, where `goes_on` is 1, or with none, where it is 0.
-inline void recall(const Network& network, const Pack& goes_on, const Pack* state, Pack* row) {
+/// Begins a row with the previous state where `continues` is 1, or with none, where it is 0.
+inline void recall(const Network& network, const Pack& continues, const Pack* state, Pack* row) {
   const Cell& cell = *network.memory();
   for (std::size_t i = 0; i < cell.shape().state(); ++i) {
     for (std::size_t l = 0; l < kLanes; ++l)
-      row[cell.before() + i].lane[l] = state[i].lane[l] * goes_on.lane[l];
+      row[cell.before() + i].lane[l] = state[i].lane[l] * continues.lane[l];
   }
 }
 

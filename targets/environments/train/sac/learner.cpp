@@ -34,7 +34,7 @@ Learner::Learner(const Model& model, std::size_t tiles)
       next_(width_),
       action_(numbers_),
       reward_(1),
-      goes_on_(1),
+      continues_(1),
       target_(1),
       drawn_(numbers_),
       noise_(numbers_),
@@ -78,7 +78,7 @@ void Learner::load(const Frozen& frozen, const std::vector<std::size_t>& places,
     std::copy_n(one.observation, width_, &rows_[l * width_]);
     for (std::size_t j = 0; j < numbers_; ++j) action_[j].lane[l] = one.action[j];
     reward_[0].lane[l] = one.reward * frozen.reward_scale;
-    goes_on_[0].lane[l] = one.goes_on;
+    continues_[0].lane[l] = one.continues;
   }
   frozen.normaliser.load(rows_.data(), observation_.data());
   for (std::size_t l = 0; l < kLanes; ++l) {
@@ -124,7 +124,7 @@ void Learner::estimate_target(const Frozen& frozen, Random& random) {
   for (std::size_t l = 0; l < kLanes; ++l) {
     const float least = min(row_[0][output].lane[l], row_[1][output].lane[l]);
     const float value = least - frozen.temperature * log_probability_.lane[l];
-    target_[0].lane[l] = reward_[0].lane[l] + frozen.settings.gamma * goes_on_[0].lane[l] * value;
+    target_[0].lane[l] = reward_[0].lane[l] + frozen.settings.gamma * continues_[0].lane[l] * value;
   }
 }
 

@@ -65,7 +65,7 @@ class Learner {
   // Of a tile: samples, and the actions that the actor draws.
   Packs observation_, next_;  // [width] normalised
   Packs action_;              // [numbers] of the memory
-  Packs reward_, goes_on_, target_;
+  Packs reward_, continues_, target_;
   Packs drawn_, noise_, deviation_, spread_;  // [numbers]; of each drawn action
   Pack log_probability_{};
   std::vector<float> rows_;                           // [kLanes][width] scratch

@@ -14,7 +14,7 @@ struct Transition {
   const float* next;         // [width], of the same episode also where it ended
   const float* action;       // [numbers] in -1…1
   float reward;
-  float goes_on;  // 0 behind a terminated episode, 1 else: one that ran out of time would go on
+  float continues;  // 0 behind a terminated episode, 1 else: a time limit does not end the task
 };
 
 /// The last transitions, at most `capacity`; the next one replaces the oldest.
@@ -35,7 +35,7 @@ class Memory {
     to = std::copy_n(one.next, width_, to);
     to = std::copy_n(one.action, numbers_, to);
     *to++ = one.reward;
-    *to = one.goes_on;
+    *to = one.continues;
     ++added;
   }
 

@@ -62,7 +62,7 @@ struct Model {
         static_cast<double>(memory.added - settings_.learning_starts) *
         double{settings_.utd_ratio});
   }
-  /// Whether it has as many transitions and updates as come of so many iterations.
+  /// Whether it has as many transitions and updates as result from that number of iterations.
   bool is_due(std::uint32_t iterations) const {
     const std::uint64_t steps = settings_.n_envs * settings_.train_freq;
     return replayed <= kMostReplayed && memory.added == iterations * steps + replayed &&

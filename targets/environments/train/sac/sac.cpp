@@ -74,7 +74,7 @@ Algorithm::Result Sac::iterate() {
   return {collector_.episodes, 0.0, model_.actor_adam.steps - updates};
 }
 
-/// What the networks have learnt is of the scales of before: they change with them. Rewards have
+/// Converts the networks from the previous scales to the new ones. Rewards have
 /// another scale, and so have the critics' answers and the weight of the entropy.
 void Sac::see() {
   const double scale = model_.returns.scale(0);

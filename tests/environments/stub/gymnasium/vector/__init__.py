@@ -41,8 +41,8 @@ class SyncVectorEnv(VectorEnv):
     def reset(self, *, seed=None, options=None):
         mask, info = (options or {}).get("reset_mask", np.ones(self.num_envs, bool)), {}
         for i in np.flatnonzero(mask):
-            self.observations[i], told = self.envs[i].reset(seed=None if seed is None else seed + int(i))
-            self.add(info, told, i)
+            self.observations[i], entry = self.envs[i].reset(seed=None if seed is None else seed + int(i))
+            self.add(info, entry, i)
             self.ended[i] = False
         return utils.together(self.observations), info
 
@@ -51,18 +51,18 @@ class SyncVectorEnv(VectorEnv):
         terminated, truncated = np.zeros(self.num_envs, bool), np.zeros(self.num_envs, bool)
         for i, env in enumerate(self.envs):
             if self.mode is AutoresetMode.NEXT_STEP and self.ended[i]:
-                self.observations[i], told = env.reset()
+                self.observations[i], entry = env.reset()
             else:
-                self.observations[i], reward[i], terminated[i], truncated[i], told = env.step(utils.part(actions, i))
+                self.observations[i], reward[i], terminated[i], truncated[i], entry = env.step(utils.part(actions, i))
             if self.mode is AutoresetMode.SAME_STEP and (terminated[i] or truncated[i]):
-                self.add(info, {"final_obs": self.observations[i], "final_info": told}, i)
-                self.observations[i], told = env.reset()
-            self.add(info, told, i)
+                self.add(info, {"final_obs": self.observations[i], "final_info": entry}, i)
+                self.observations[i], entry = env.reset()
+            self.add(info, entry, i)
         self.ended = terminated | truncated
         return utils.together(self.observations), reward, terminated, truncated, info
 
-    def add(self, infos, told, i):
-        for key, value in told.items():
+    def add(self, infos, entry, i):
+        for key, value in entry.items():
             if isinstance(value, dict) and key != "final_obs":
                 self.add(infos.setdefault(key, {}), value, i)
             else:

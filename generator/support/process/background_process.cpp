@@ -1,4 +1,4 @@
-#include "generator/support/process/beside.hpp"
+#include "generator/support/process/background_process.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -110,8 +110,8 @@ void read_lines(Lines& output, Lines& error, pid_t child) {
 
 }  // namespace
 
-std::optional<int> run_beside(const std::vector<std::string>& command,
-                              const BesideOptions& options) {
+std::optional<int> run_in_background(const std::vector<std::string>& command,
+                                     const BesideOptions& options) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -122,7 +122,7 @@ std::optional<int> run_beside(const std::vector<std::string>& command,
   if (child == 0)
     start(arguments.data(), options.folder.c_str(), output.ends[1], error.ends[1], trouble.ends[1]);
   if (child < 0) return std::nullopt;
-  setpgid(child, child);  // as the child does itself: whoever comes first
+  setpgid(child, child);  // as the child does itself: the order does not matter
   for (Pipe* const pipe : {&output, &error, &trouble}) pipe->close_end(1);
   int why = 0;
   const bool failed = read(trouble.ends[0], &why, sizeof why) == sizeof why;

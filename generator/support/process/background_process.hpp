@@ -1,4 +1,4 @@
-// A program that runs beside eagerx-gen, in a thread of its own.
+// A child process that runs while eagerx-gen serves requests, in a thread of its own.
 #pragma once
 
 #include <sys/types.h>
@@ -24,7 +24,7 @@ struct BesideOptions {
 /// empty, and it has a group of processes of its own. If that thread ends before, it gets SIGTERM.
 /// Returns its exit code, 128 + N if signal N ended it, or nothing if it could not be started:
 /// errno says why.
-std::optional<int> run_beside(const std::vector<std::string>& command,
-                              const BesideOptions& options);
+std::optional<int> run_in_background(const std::vector<std::string>& command,
+                                     const BesideOptions& options);
 
 }  // namespace eagerx::gen

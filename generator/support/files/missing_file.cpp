@@ -1,4 +1,4 @@
-#include "generator/support/files/beside.hpp"
+#include "generator/support/files/missing_file.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -12,8 +12,8 @@ namespace eagerx::gen {
 std::vector<std::string> entries_of_folder(const std::string& path);
 
 /// Of a file or folder at `path` that is not there, and is called `written` where it is named: "did
-/// you mean `…`?" with the nearest name beside it, the few files of its kind that are there, or the
-/// folder that is not there either. Empty: nothing helps, or there is something at `path`.
+/// you mean `…`?" with the nearest name in its folder, the few files of its kind that are there, or
+/// the folder that is not there either. Empty: nothing helps, or there is something at `path`.
 Help help_for_missing(const std::string& path, const std::string& written);
 
 }  // namespace eagerx::gen
