@@ -16,7 +16,7 @@ eagerx_compiled_library(
   SOURCES ${eagerx_host_folder}/base/claim.cpp ${eagerx_host_folder}/base/exhaustion.cpp ${eagerx_host_folder}/base/files.cpp ${eagerx_host_folder}/base/handover.cpp ${eagerx_host_folder}/base/index.cpp
           ${eagerx_host_folder}/base/interrupt.cpp ${eagerx_host_folder}/base/json.cpp
           ${eagerx_host_folder}/base/supervisor.cpp
-          ${eagerx_host_folder}/base/nearest.cpp ${eagerx_host_folder}/base/team.cpp ${eagerx_host_folder}/base/text_file.cpp
+          ${eagerx_host_folder}/base/nearest.cpp ${eagerx_host_folder}/base/thread_pool.cpp ${eagerx_host_folder}/base/text_file.cpp
           ${eagerx_host_folder}/base/utf8.cpp
   FOLDERS ${eagerx_host_folder}/base
   LINK eagerx::runtime Threads::Threads

@@ -101,7 +101,7 @@ struct Rows {
   float* actions;
 };
 
-/// The agents of a batch, for the members of its team: over packs where the policy is there.
+/// The agents of a batch, for the threads of its pool: over packs where the policy is there.
 template <class Graph>
 class Agents {
  public:

@@ -9,7 +9,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <runtime/host/base/team.hpp>
+#include <runtime/host/base/thread_pool.hpp>
 #include <string>
 #include <string_view>
 #include <targets/common/run.hpp>
@@ -42,17 +42,17 @@ class Batch {
         held_(options, kernel),
         resets_(kernel, held_.size),
         agents_(kernel),
-        team_(std::min(options.threads != 0 ? options.threads : host::usable_cores(), blocks())) {
-    held_.packs.make_room(team_.size());
-    agents_.make_room(team_.size());
+        pool_(std::min(options.threads != 0 ? options.threads : host::usable_cores(), blocks())) {
+    held_.packs.make_room(pool_.size());
+    agents_.make_room(pool_.size());
     if (target::is_real(held_.programs[0])) {
       refuse("engine `" + std::string(Graph::kEngine) +
              "` moves real hardware, of which there is one: generate the library with `--engine` "
              "and an engine that simulates");
     }
     // By all members: a library may need memory for each thread, too.
-    team_.run(team_.size(), [&](unsigned i) {
-      for (std::uint32_t k = i; k < size(); k += team_.size())
+    pool_.run(pool_.size(), [&](unsigned i) {
+      for (std::uint32_t k = i; k < size(); k += pool_.size())
         held_.with(k, [](auto& program) { target::warm_up(program); });
     });
   }
@@ -178,18 +178,18 @@ class Batch {
     });
   }
 
-  bool has_threads() const { return team_.is_complete(); }
+  bool has_threads() const { return pool_.is_complete(); }
 
  private:
   std::uint32_t block() const { return block_of(held_.size, held_.packs.lanes()); }
   unsigned blocks() const { return (held_.size + block() - 1) / block(); }
 
-  /// f(first, end, member of the team) for all environments, by as many threads as the work is
+  /// f(first, end, thread of the pool) for all environments, by as many threads as the work is
   /// worth.
   template <class F>
   void each_block(Workload& workload, F&& f) {
-    if (team_.size() == 1) return f(0U, held_.size, 0U);
-    workload.run(team_, held_.size, block(), BlockWork(f));
+    if (pool_.size() == 1) return f(0U, held_.size, 0U);
+    workload.run(pool_, held_.size, block(), BlockWork(f));
   }
 
   void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
@@ -373,7 +373,7 @@ class Batch {
   Agents<Graph> agents_;
   NotFinite<Graph> not_finite_;
   Workload resetting_, stepping_, acting_;
-  host::Team team_;
+  host::ThreadPool pool_;
 };
 
 }  // namespace eagerx::environments

@@ -39,7 +39,7 @@ class PackAgent {
     return environments * kOfLanes >= kernel_.lanes;
   }
 
-  /// For packs of each member of a team at the same time.
+  /// For packs of each thread of a pool at the same time.
   void make_room(unsigned members) {
     columns_.resize(members * inputs_.size() * kernel_.lanes);
     actions_.resize(std::size_t{members} * kernel_.lanes, Graph::zero());

@@ -63,7 +63,7 @@ class PackMemory {
   /// Longer episodes continue alone.
   std::uint32_t most_steps() const { return kernel_.most_steps; }
 
-  /// For a step of each member of a team at the same time.
+  /// For a step of each thread of a pool at the same time.
   void make_room(unsigned members) {
     if (lanes() == 0) return;
     columns_.resize(members * kernel_.phases * kernel_.columns * lanes());

@@ -2,7 +2,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <runtime/host/base/team.hpp>
+#include <runtime/host/base/thread_pool.hpp>
 #include <targets/environments/base/workload.hpp>
 
 namespace eagerx::environments {
@@ -13,14 +13,14 @@ unsigned Workload::members(unsigned most) const {
   return wanted >= most ? most : std::max(1U, static_cast<unsigned>(wanted));
 }
 
-void Workload::run(host::Team& team, std::uint32_t environments, std::uint32_t block,
+void Workload::run(host::ThreadPool& pool, std::uint32_t environments, std::uint32_t block,
                    BlockWork work) {
   using Clock = std::chrono::steady_clock;
-  const unsigned members = this->members(team.size());
+  const unsigned members = this->members(pool.size());
   const auto start = Clock::now();
   std::atomic<std::uint32_t> next{0};
   if (members == 1) block = environments;
-  team.share(members, [&](unsigned member) {
+  pool.share(members, [&](unsigned member) {
     for (;;) {
       const std::uint32_t first = next.fetch_add(block, std::memory_order_relaxed);
       if (first >= environments) return;

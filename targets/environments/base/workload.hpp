@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <runtime/host/base/team.hpp>
+#include <runtime/host/base/thread_pool.hpp>
 
 namespace eagerx::environments {
 
@@ -18,7 +18,7 @@ constexpr std::uint32_t block_of(std::uint32_t environments, std::uint32_t lanes
   return (wanted + lanes - 1) / lanes * lanes;
 }
 
-/// What is done with the environments `first` to `end` - 1 by a member of a team: a reference to a
+/// What is done with the environments `first` to `end` - 1 by a thread of a pool: a reference to a
 /// function, so that its text is compiled once, however it is called.
 class BlockWork {
  public:
@@ -37,12 +37,12 @@ class BlockWork {
   void (*call_)(void* what, std::uint32_t first, std::uint32_t end, unsigned member);
 };
 
-/// How many members of a team are worth their waking, from what the last steps took.
+/// How many threads of a pool are worth their waking, from what the last steps took.
 class Workload {
  public:
   unsigned members(unsigned most) const;
-  /// For blocks of `environments`, by as many members of the team as the work is worth.
-  void run(host::Team& team, std::uint32_t environments, std::uint32_t block, BlockWork work);
+  /// For blocks of `environments`, by as many threads of the pool as the work is worth.
+  void run(host::ThreadPool& pool, std::uint32_t environments, std::uint32_t block, BlockWork work);
 
  private:
   void note(unsigned members, double elapsed_ns);

@@ -10,7 +10,7 @@
 #include <optional>
 #include <runtime/host/base/counted.hpp>
 #include <runtime/host/base/hash.hpp>
-#include <runtime/host/base/team.hpp>
+#include <runtime/host/base/thread_pool.hpp>
 #include <stop_token>
 #include <string_view>
 #include <thread>
@@ -87,8 +87,8 @@ class Campaign {
   /// This rank's share of the chunks. `add(chunk, results)` by one thread at a time.
   template <class Add>
   void compute(const host::Interrupt& interrupted, const Add& add) {
-    host::Team team(threads(), host::Team::Size::at_most);
-    team.run_parts(plan_.chunks(), [&](std::size_t part) {
+    host::ThreadPool pool(threads(), host::ThreadPool::Size::at_most);
+    pool.run_parts(plan_.chunks(), [&](std::size_t part) {
       const auto chunk = static_cast<std::uint32_t>(part);
       if (done_[chunk] != 0 || interrupted || chunk % ranks_.size() != ranks_.rank()) return;
       const Results some = runner_.run(chunk);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <runtime/host/base/interrupt.hpp>
-#include <runtime/host/base/team.hpp>
+#include <runtime/host/base/thread_pool.hpp>
 
 #include "targets/environments/client/description.hpp"
 #include "targets/environments/client/files.hpp"
@@ -32,7 +32,7 @@ using client::write_file;
 using client::write_files;
 using enum client::ExitCode;
 using host::Interrupt;
-using host::Team;
+using host::ThreadPool;
 
 /// Whether a training is to end: the user has interrupted the program, or a parallel training has
 /// failed.

@@ -136,10 +136,10 @@ class Evaluator::Part {
   Packs row_;
 };
 
-Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
+Evaluator::Evaluator(const Library& library, const Kernels& kernels, ThreadPool& pool,
                      std::uint32_t longest, std::size_t episodes, Ranks& ranks)
     : kernels_(kernels),
-      team_(team),
+      pool_(pool),
       ranks_(ranks),
       has_threads_(library.description().has_threads),
       results_((episodes + kLanes - 1) / kLanes) {
@@ -182,7 +182,7 @@ Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed, const Statis
       ranks_,
       [&] {
         const std::size_t count = own.end - own.first;
-        if (has_threads_) return team_.run_parts(count, work);
+        if (has_threads_) return pool_.run_parts(count, work);
         for (std::size_t i = 0; i < count; ++i) work(i);
       },
       [&] { return ranks_.size() == 1 ? std::string() : bytes_of(own); });

@@ -49,7 +49,7 @@ struct Evaluation {
 class Evaluator {
  public:
   /// `longest`: steps of an episode that the task does not end.
-  Evaluator(const Library& library, const Kernels& kernels, Team& team, std::uint32_t longest,
+  Evaluator(const Library& library, const Kernels& kernels, ThreadPool& pool, std::uint32_t longest,
             std::size_t episodes, Ranks& ranks = environments::alone());
   ~Evaluator();
 
@@ -76,7 +76,7 @@ class Evaluator {
   Evaluation sum(std::size_t inputs, std::uint64_t seed, environments::Share some) const;
 
   const Kernels& kernels_;
-  Team& team_;
+  ThreadPool& pool_;
   Ranks& ranks_;
   const bool has_threads_;
   environments::Share own_;                   // parts of this rank

@@ -15,8 +15,8 @@ constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
 
 }  // namespace
 
-Judge::Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
-             Ranks& ranks)
+Judge::Judge(const Settings& settings, const Library& library, const Kernels& kernels,
+             ThreadPool& pool, Ranks& ranks)
     : until_return_(settings.until_return),
       success_share_(settings.target_success_rate),
       every_(settings.eval_interval),
@@ -26,7 +26,7 @@ Judge::Judge(const Settings& settings, const Library& library, const Kernels& ke
       has_success_(library.description().has_success),
       has_aim_(has_success_ || std::isfinite(until_return_)),
       head_(library.description()),
-      evaluator_(library, kernels, team, longest_of(library.description()),
+      evaluator_(library, kernels, pool, longest_of(library.description()),
                  settings.n_eval_episodes, ranks) {}
 
 Policy Judge::policy(const Algorithm& algorithm, std::vector<float> parameters) const {

@@ -13,7 +13,7 @@ namespace eagerx::train {
 
 class Judge {
  public:
-  Judge(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
+  Judge(const Settings& settings, const Library& library, const Kernels& kernels, ThreadPool& pool,
         Ranks& ranks);
 
   /// Whether something says when a policy is good.

@@ -17,8 +17,8 @@ void train_in_parallel(std::size_t count, unsigned at_once, const Interrupt& is_
                        const std::function<void(std::size_t, const Stop&)>& train) {
   Interrupt has_failed = false;
   const Stop stop(is_interrupted, has_failed);
-  Team team(at_once, Team::Size::at_most);
-  team.run_parts(count, [&](std::size_t i) {
+  ThreadPool pool(at_once, ThreadPool::Size::at_most);
+  pool.run_parts(count, [&](std::size_t i) {
     if (stop && i != 0) return;
     try {
       train(i, stop);

@@ -31,7 +31,7 @@ float share_of_actor(const Settings& settings, std::uint32_t iteration) {
   return max(min(1.0F - settings.ema_decay, 1.0F / tail), first);
 }
 
-Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
+Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, ThreadPool& pool,
          std::uint32_t longest, Ranks& ranks)
     : Algorithm(pace_of(settings, library.description())),
       settings_(settings),
@@ -40,7 +40,7 @@ Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernel
              library.description().critic_numbers()),
       critic_(critic_of(library.description())),
       kernels_(kernels),
-      team_(team),
+      pool_(pool),
       ranks_(ranks),
       own_(environments::share_of(kParts, ranks.rank(), ranks.size())),
       has_threads_(library.description().has_threads),
@@ -72,7 +72,7 @@ void Ppo::begin_era() {
 void Ppo::in_parts(const std::function<void(std::size_t part)>& work) {
   share_seen(ranks_, parts_, [&] {
     const auto one = [&](std::size_t i) { work(own_.first + i); };
-    if (has_threads_) return team_.run_parts(own_.end - own_.first, one);
+    if (has_threads_) return pool_.run_parts(own_.end - own_.first, one);
     for (std::size_t i = 0; i < own_.end - own_.first; ++i) one(i);
   });
 }
@@ -202,7 +202,7 @@ bool Ppo::update(std::size_t minibatch) {
                          .advantage_mean = advantage_mean_,
                          .advantage_scale = advantage_scale_,
                          .minibatches = minibatches()};
-  team_.run_parts(learners_.size(), [&](std::size_t i) {
+  pool_.run_parts(learners_.size(), [&](std::size_t i) {
     const Stopwatch watch;
     learners_[i]->learn(common, rollout(own_.first + i), minibatch);
     learning_s_[i] += watch.seconds();

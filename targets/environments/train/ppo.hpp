@@ -20,7 +20,7 @@ float share_of_actor(const Settings& settings, std::uint32_t iteration);
 
 class Ppo : public Algorithm {
  public:
-  Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
+  Ppo(const Settings& settings, const Library& library, const Kernels& kernels, ThreadPool& pool,
       std::uint32_t longest, Ranks& ranks = environments::alone());
 
   const Model& model() const { return model_; }
@@ -81,7 +81,7 @@ class Ppo : public Algorithm {
   Model model_;
   const std::string critic_;  // what only the critic sees, in words, for checkpoints
   const Kernels& kernels_;
-  Team& team_;
+  ThreadPool& pool_;
   Ranks& ranks_;
   const environments::Share own_;  // parts of this rank
   const bool has_threads_;

@@ -118,15 +118,16 @@ unsigned chosen_threads(unsigned threads) {
 }
 
 std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
-                                            const Kernels& kernels, Team& team, Ranks& ranks) {
+                                            const Kernels& kernels, ThreadPool& pool,
+                                            Ranks& ranks) {
   const std::uint32_t longest = longest_of(library.description());
   if (!is_sac(settings))
-    return std::make_unique<Ppo>(settings, library, kernels, team, longest, ranks);
+    return std::make_unique<Ppo>(settings, library, kernels, pool, longest, ranks);
   // A continued training takes the actions of its era from the memory.
   sac::Settings& s = settings.sac;
   const std::size_t era = pace_of(settings, library.description()).era_steps + s.train_freq - 1;
   s.buffer_size = std::max(s.buffer_size, era / s.train_freq * s.train_freq * s.n_envs);
-  return std::make_unique<sac::Sac>(settings, library, kernels, team, longest);
+  return std::make_unique<sac::Sac>(settings, library, kernels, pool, longest);
 }
 
 }  // namespace eagerx::train

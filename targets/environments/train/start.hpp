@@ -29,6 +29,6 @@ unsigned chosen_threads(unsigned threads);
 
 /// With several ranks, it has been checked that they can share it: ranks/start.hpp.
 std::unique_ptr<Algorithm> chosen_algorithm(Settings settings, const Library& library,
-                                            const Kernels& kernels, Team& team, Ranks& ranks);
+                                            const Kernels& kernels, ThreadPool& pool, Ranks& ranks);
 
 }  // namespace eagerx::train

@@ -44,9 +44,9 @@ Training::Training(const Options& options, const Library& library,
       settings_(settings_of(options, checked(library))),
       conditions_(conditions_of(options, library.description())),
       interface_(interface_of(options.settings, library.description())),
-      team_(chosen_threads(options.threads), Team::Size::at_most),
-      algorithm_(chosen_algorithm(settings_, library, kernels_, team_, ranks)),
-      judge_(options.settings, library, kernels_, team_, ranks),
+      pool_(chosen_threads(options.threads), ThreadPool::Size::at_most),
+      algorithm_(chosen_algorithm(settings_, library, kernels_, pool_, ranks)),
+      judge_(options.settings, library, kernels_, pool_, ranks),
       saving_(ranks.is_first() ? options.checkpoint : std::string(), options.checkpoint_every_s,
               [this] { return checkpoint(); }),
       report_(options, library.description(), begin(), std::move(table)) {}
@@ -247,7 +247,7 @@ Ended Training::ended(Ending ending) const {
           .evaluating_seconds = evaluating_s_,
           .spent = spent,
           .done = algorithm_->done(),
-          .threads = team_.size(),
+          .threads = pool_.size(),
           .ending = ending,
           .has_aim = judge_.has_aim()};
 }

@@ -56,7 +56,7 @@ class Training {
   Ranks& ranks_;
   const Settings settings_;  // with what its files say
   const std::string conditions_, interface_;
-  Team team_;
+  ThreadPool pool_;
   const std::unique_ptr<Algorithm> algorithm_;
   Judge judge_;
   Progressed progressed_;

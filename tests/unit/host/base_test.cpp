@@ -16,39 +16,39 @@
 #include "runtime/host/base/hash.hpp"
 #include "runtime/host/base/json.hpp"
 #include "runtime/host/base/number.hpp"
-#include "runtime/host/base/team.hpp"
+#include "runtime/host/base/thread_pool.hpp"
 
 namespace eagerx::host {
 namespace {
 
-TEST(Team, EveryMemberDoesTheJob) {
-  Team team(3);
+TEST(ThreadPool, EveryMemberDoesTheJob) {
+  ThreadPool pool(3);
   std::vector<int> done(3);
-  for (int again = 0; again < 200; ++again) team.run(3, [&](unsigned i) { ++done[i]; });
-  for (int again = 0; again < 200; ++again) team.run(2, [&](unsigned i) { ++done[i]; });
-  team.run(1, [&](unsigned i) { ++done[i]; });
+  for (int again = 0; again < 200; ++again) pool.run(3, [&](unsigned i) { ++done[i]; });
+  for (int again = 0; again < 200; ++again) pool.run(2, [&](unsigned i) { ++done[i]; });
+  pool.run(1, [&](unsigned i) { ++done[i]; });
   EXPECT_EQ(done, (std::vector<int>{401, 400, 200}));
 }
 
 // Turns in which all must come, some may, and not all are asked, one after another: a thread that
 // comes late finds another turn and takes no part in the one that is over.
-TEST(Team, WhatIsSharedIsDoneOnceWhoeverComes) {
-  Team team(4);
+TEST(ThreadPool, WhatIsSharedIsDoneOnceWhoeverComes) {
+  ThreadPool pool(4);
   std::array<std::atomic<int>, 4> done{};
   int parts = 0;
   for (int again = 0; again < 2000; ++again) {
     std::atomic<int> next = 0;
     const auto few = static_cast<unsigned>(1 + again % 4);
-    team.share(few, [&](unsigned i) {
+    pool.share(few, [&](unsigned i) {
       ASSERT_LT(i, few);
       while (next++ < 3) ++done[i];
     });
     parts += 3;
-    if (again % 8 == 0) team.run(4, [&](unsigned i) { ++done[i]; });
+    if (again % 8 == 0) pool.run(4, [&](unsigned i) { ++done[i]; });
   }
   EXPECT_EQ(done[0] + done[1] + done[2] + done[3], parts + 4 * 250);
   for (const auto& each : done) EXPECT_GE(each, 250);
-  EXPECT_THROW(team.share(4,
+  EXPECT_THROW(pool.share(4,
                           [](unsigned i) {
                             if (i == 0) throw std::runtime_error("no");
                           }),
@@ -56,42 +56,42 @@ TEST(Team, WhatIsSharedIsDoneOnceWhoeverComes) {
 }
 
 // Before, what the caller's own job threw left the others at work on what was gone.
-TEST(Team, WhatAJobThrowsComesWhenAllHaveReturned) {
-  Team team(3);
+TEST(ThreadPool, WhatAJobThrowsComesWhenAllHaveReturned) {
+  ThreadPool pool(3);
   for (const unsigned which : {0U, 2U}) {
     std::vector<int> done(3);
     const auto fails = [&](unsigned i) {
       ++done[i];
       if (i == which) throw std::runtime_error("no");
     };
-    EXPECT_THROW(team.run(3, fails), std::runtime_error);
+    EXPECT_THROW(pool.run(3, fails), std::runtime_error);
     EXPECT_EQ(done, std::vector<int>(3, 1));
   }
   int done = 0;
-  team.run(1, [&](unsigned) { ++done; });
+  pool.run(1, [&](unsigned) { ++done; });
   EXPECT_EQ(done, 1);
 }
 
-TEST(Team, EveryPartIsDoneOnceAndTheFirstFailureComesBack) {
-  Team team(3);
+TEST(ThreadPool, EveryPartIsDoneOnceAndTheFirstFailureComesBack) {
+  ThreadPool pool(3);
   std::vector<int> done(50);
   for (int again = 0; again < 200; ++again)
-    team.run_parts(done.size(), [&](std::size_t part) { ++done[part]; });
+    pool.run_parts(done.size(), [&](std::size_t part) { ++done[part]; });
   EXPECT_EQ(done, std::vector<int>(50, 200));
   const auto fails = [&](std::size_t part) {
     ++done[part];
     if (part % 2 == 1) throw std::runtime_error(std::to_string(part));
   };
   try {
-    team.run_parts(6, fails);
+    pool.run_parts(6, fails);
     ADD_FAILURE();
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "1");
   }
   EXPECT_EQ(done[4], 201);  // the others are done
-  team.run_parts(1, [&](std::size_t part) { ++done[part]; });
+  pool.run_parts(1, [&](std::size_t part) { ++done[part]; });
   EXPECT_EQ(done[0], 202);
-  team.run_parts(0, [&](std::size_t part) { ++done[part]; });
+  pool.run_parts(0, [&](std::size_t part) { ++done[part]; });
 }
 
 /// While it lives, no thread can be made.
@@ -113,15 +113,15 @@ class NoThreads {
 };
 
 // On 0d2dc587 an exception, and the end of the program if some threads had started.
-TEST(Team, WorksWithTheThreadsThatThereAre) {
+TEST(ThreadPool, WorksWithTheThreadsThatThereAre) {
   std::vector<int> done(5);
   const auto work = [&](std::size_t part) { ++done[part]; };
   {
     const NoThreads none;
-    EXPECT_THROW(Team(3), std::system_error);
-    Team team(3, Team::Size::at_most);
-    EXPECT_EQ(team.size(), 1U);
-    team.run_parts(done.size(), work);
+    EXPECT_THROW(ThreadPool(3), std::system_error);
+    ThreadPool pool(3, ThreadPool::Size::at_most);
+    EXPECT_EQ(pool.size(), 1U);
+    pool.run_parts(done.size(), work);
   }
   EXPECT_EQ(done, std::vector<int>(5, 1));
 }

@@ -17,8 +17,8 @@ constexpr double kEvaluation = 100 * 150;
 
 /// The steps after which there are evaluations, if each iteration has this number.
 std::vector<double> due(Settings settings, double steps, std::size_t iterations) {
-  Team team(1);
-  Judge judge(settings, pendulum(), *kernels_here().back(), team, environments::alone());
+  ThreadPool pool(1);
+  Judge judge(settings, pendulum(), *kernels_here().back(), pool, environments::alone());
   std::vector<CurvePoint> curve;
   std::vector<double> result;
   EXPECT_FALSE(judge.is_due(curve)) << "nothing was learnt yet";
@@ -69,9 +69,9 @@ Progressed trained(double share, std::uint64_t iterations) {
   options.threads = 1;
   options.is_quiet = true;
   Training(options, pendulum()).run(never);
-  Team team(1);
+  ThreadPool pool(1);
   Progressed progressed;
-  chosen_algorithm(options.settings, pendulum(), *kernels_here().back(), team,
+  chosen_algorithm(options.settings, pendulum(), *kernels_here().back(), pool,
                    environments::alone())
       ->restore(read_file(options.checkpoint), "checkpoint",
                 conditions(options.settings, pendulum().description().hash), progressed);
@@ -87,10 +87,10 @@ TEST(TrainJudge, WhereMostEpisodesFailTheBestIsOfThoseThatAllHave) {
 
 /// What a policy that nothing has learnt is seen in.
 Evaluation seen_at_first(const Settings& settings) {
-  Team team(1);
-  Judge judge(settings, pendulum(), *kernels_here().back(), team, environments::alone());
+  ThreadPool pool(1);
+  Judge judge(settings, pendulum(), *kernels_here().back(), pool, environments::alone());
   const auto algorithm =
-      chosen_algorithm(settings, pendulum(), *kernels_here().back(), team, environments::alone());
+      chosen_algorithm(settings, pendulum(), *kernels_here().back(), pool, environments::alone());
   Best best;
   CurvePoint point{};
   EXPECT_FALSE(judge.evaluate(*algorithm, best, point));
@@ -117,13 +117,13 @@ TEST(TrainJudge, WhereFewHaveToSucceedAllEpisodesAreSeen) {
 TEST(TrainJudge, SomePartsAfterOthersAreOneEvaluation) {
   constexpr std::size_t kEpisodes = 40, kInputs = 3;
   const Settings settings;
-  Team team(1);
+  ThreadPool pool(1);
   const Kernels& kernels = *kernels_here().back();
   const auto algorithm =
-      chosen_algorithm(settings, pendulum(), kernels, team, environments::alone());
-  Judge judge(settings, pendulum(), kernels, team, environments::alone());
+      chosen_algorithm(settings, pendulum(), kernels, pool, environments::alone());
+  Judge judge(settings, pendulum(), kernels, pool, environments::alone());
   const Policy policy = judge.policy(*algorithm, algorithm->deployed_parameters());
-  Evaluator evaluator(pendulum(), kernels, team, 150, kEpisodes);
+  Evaluator evaluator(pendulum(), kernels, pool, 150, kEpisodes);
   ASSERT_EQ(evaluator.parts(), 3U);
   Statistics observations = algorithm->observations();
   observations.mean.assign(kInputs, 7.5);  // some of what is seen is far from it

@@ -104,8 +104,8 @@ TEST_F(TrainMemory, SequencesAreThoseOfTheRollout) {
     settings.n_epochs = settings.n_minibatches = 1;
     settings.n_envs = environments;
     settings.n_steps = horizon;
-    Team team(1, Team::Size::at_most);
-    Ppo ppo(settings, hidden(), *kernels_here().back(), team, 0);
+    ThreadPool pool(1, ThreadPool::Size::at_most);
+    Ppo ppo(settings, hidden(), *kernels_here().back(), pool, 0);
     ppo.begin_era();
     std::size_t ended = 0;
     for (int i = 0; i < 8; ++i) {

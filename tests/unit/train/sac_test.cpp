@@ -157,8 +157,8 @@ float temperature_for(float entropy, const Library& library) {
   settings.net_arch = {8};
   settings.sac.learning_starts = 128;
   settings.sac.target_entropy_per_action = entropy;
-  Team team(1);
-  sac::Sac sac(settings, library, *kernels_here().back(), team, 0);
+  ThreadPool pool(1);
+  sac::Sac sac(settings, library, *kernels_here().back(), pool, 0);
   sac.begin_era();
   sac.iterate();
   const auto scale = static_cast<float>(sac.model().returns.scale(0));
@@ -192,8 +192,8 @@ void expect_that_answers_stay(double scale_steps) {
   settings.net_arch = {8};
   settings.sac.learning_starts = 1;
   settings.sac.utd_ratio = 0.001F;  // one in the second iteration of 512 steps, none in the third
-  Team team(1);
-  sac::Sac sac(settings, pendulum(), *kernels_here().back(), team, 0);
+  ThreadPool pool(1);
+  sac::Sac sac(settings, pendulum(), *kernels_here().back(), pool, 0);
   sac.begin_era();
   sac.iterate();
   sac.iterate();
@@ -249,8 +249,8 @@ float mean_value(float reward_scale) {
   settings.learning_rate = 0.01F;
   settings.sac.learning_starts = 1;
   settings.sac.reward_scale = reward_scale;
-  Team team(1);
-  sac::Sac sac(settings, pendulum(), *kernels_here().back(), team, 0);
+  ThreadPool pool(1);
+  sac::Sac sac(settings, pendulum(), *kernels_here().back(), pool, 0);
   sac.begin_era();
   for (int i = 0; i < 3; ++i) sac.iterate();
   const Pack said = value(sac.model(), 0);

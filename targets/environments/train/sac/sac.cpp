@@ -21,7 +21,7 @@ const Library& real_numbers(const Library& library) {
 }  // namespace
 
 Sac::Sac(const train::Settings& settings, const Library& library, const Kernels& kernels,
-         Team& team, std::uint32_t longest)
+         ThreadPool& pool, std::uint32_t longest)
     : Algorithm(pace_of(settings, library.description())),
       settings_(settings),
       description_(library.description()),
@@ -30,7 +30,7 @@ Sac::Sac(const train::Settings& settings, const Library& library, const Kernels&
       critic_(critic_of(library.description())),
       deployed_(sac::deployed(settings_, model_)),
       kernels_(kernels),
-      team_(team),
+      pool_(pool),
       collector_(settings_, library, longest) {
   const std::size_t tiles = settings.sac.batch_size / (kParts * kLanes);
   for (std::size_t part = 0; part < kParts; ++part)
@@ -116,7 +116,7 @@ void Sac::update(const Normaliser& normaliser) {
                       normaliser,
                       static_cast<float>(model_.returns.scale(0)) * settings_.sac.reward_scale,
                       exp(model_.log_temperature.front())};
-  team_.run_parts(kParts, [&](std::size_t part) {
+  pool_.run_parts(kParts, [&](std::size_t part) {
     const Random random({settings_.seed, static_cast<std::uint32_t>(part), number},
                         entity_id("train/batch"));
     const Stopwatch watch;

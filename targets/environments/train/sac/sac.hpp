@@ -16,8 +16,8 @@ namespace eagerx::train::sac {
 class Sac : public Algorithm {
  public:
   /// Throws Problem if the action is a choice.
-  Sac(const train::Settings& settings, const Library& library, const Kernels& kernels, Team& team,
-      std::uint32_t longest);
+  Sac(const train::Settings& settings, const Library& library, const Kernels& kernels,
+      ThreadPool& pool, std::uint32_t longest);
 
   const Model& model() const { return model_; }
 
@@ -54,7 +54,7 @@ class Sac : public Algorithm {
   const std::string critic_;  // what only the critics see, in words, for checkpoints
   const Network deployed_;
   const Kernels& kernels_;
-  Team& team_;
+  ThreadPool& pool_;
   Collector collector_;
   std::vector<std::unique_ptr<Learner>> learners_;  // [kParts]
   double deviation_ = 0.0;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <runtime/host/base/background.hpp>
-#include <runtime/host/base/team.hpp>
+#include <runtime/host/base/thread_pool.hpp>
 #include <system_error>
 #include <utility>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr int kSpins = 2000;   // some microseconds
 constexpr int kYields = 1000;  // some hundred more: waking up costs a caller of short jobs as much
 
-// Of Team::door_: as many bits for threads as a turn has for members.
+// Of ThreadPool::door_: as many bits for threads as a turn has for members.
 constexpr std::uint64_t kReturned = 1;
 constexpr std::uint64_t kCome = std::uint64_t{1} << 16U;
 constexpr std::uint64_t kClosed = std::uint64_t{1} << 32U;
@@ -40,7 +40,7 @@ unsigned usable_cores() {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-Team::Team(unsigned size, Size kind) : process_(getpid()) {
+ThreadPool::ThreadPool(unsigned size, Size kind) : process_(getpid()) {
   const NoSignals inherited;
   threads_.reserve(size - 1);
   try {
@@ -55,15 +55,15 @@ Team::Team(unsigned size, Size kind) : process_(getpid()) {
   }
 }
 
-Team::~Team() {
+ThreadPool::~ThreadPool() {
   stop();
 }
 
-bool Team::is_complete() const {
+bool ThreadPool::is_complete() const {
   return threads_.empty() || getpid() == process_;
 }
 
-void Team::run_parts(std::size_t parts, const std::function<void(std::size_t)>& work) {
+void ThreadPool::run_parts(std::size_t parts, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;  // of what stands below
   std::exception_ptr failure;
@@ -85,14 +85,14 @@ void Team::run_parts(std::size_t parts, const std::function<void(std::size_t)>& 
   if (failure) std::rethrow_exception(failure);
 }
 
-void Team::begin(unsigned members) {
+void ThreadPool::begin(unsigned members) {
   const std::uint64_t number = (turn_.load(std::memory_order_relaxed) >> kMemberBits) + 1;
   door_.store(door_of(number), std::memory_order_release);
   turn_.store((number << kMemberBits) | members, std::memory_order_release);
   turn_.notify_all();
 }
 
-void Team::call(unsigned i) noexcept {
+void ThreadPool::call(unsigned i) noexcept {
   try {
     call_(job_, i);
   } catch (...) {
@@ -103,7 +103,7 @@ void Team::call(unsigned i) noexcept {
 
 /// Whether a thread that has seen `turn` may take part in it. What the caller wrote before it began
 /// is seen then.
-bool Team::enter(std::uint64_t turn) {
+bool ThreadPool::enter(std::uint64_t turn) {
   std::uint64_t door = door_.load(std::memory_order_acquire);
   do {
     const bool is_over = door >> kNumberShift != door_of(turn >> kMemberBits) >> kNumberShift;
@@ -114,11 +114,11 @@ bool Team::enter(std::uint64_t turn) {
 }
 
 /// Closes the turn to further threads; returns how many have come.
-unsigned Team::close() {
+unsigned ThreadPool::close() {
   return come(door_.fetch_or(kClosed, std::memory_order_acq_rel));
 }
 
-void Team::wait_for(unsigned finished) const {
+void ThreadPool::wait_for(unsigned finished) const {
   int spin = 0;
   for (std::uint64_t door = 0; returned(door = door_.load(std::memory_order_acquire)) != finished;
        ++spin) {
@@ -129,11 +129,11 @@ void Team::wait_for(unsigned finished) const {
   }
 }
 
-void Team::end() {
+void ThreadPool::end() {
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
-void Team::work(unsigned i) {
+void ThreadPool::work(unsigned i) {
   constexpr std::uint64_t kMembers = (std::uint64_t{1} << kMemberBits) - 1;
   std::uint64_t seen = 0;
   for (;;) {
@@ -151,7 +151,7 @@ void Team::work(unsigned i) {
   }
 }
 
-void Team::stop() {
+void ThreadPool::stop() {
   const bool complete = is_complete();
   turn_.store(((turn_.load() >> kMemberBits) + 1) << kMemberBits);
   turn_.notify_all();

@@ -1,4 +1,4 @@
-// Threads that do one thing together, again and again.
+// A pool of threads that run one job together, again and again.
 #pragma once
 
 #include <sys/types.h>
@@ -16,18 +16,18 @@ namespace eagerx::host {
 /// Cores that this process may use, at least 1.
 unsigned usable_cores();
 
-/// The caller is member 0. Members that have nothing to do spin for some microseconds, then sleep,
+/// The caller is thread 0. Threads that have nothing to do spin for some microseconds, then sleep,
 /// and get no signals.
-class Team {
+class ThreadPool {
  public:
   enum class Size : std::uint8_t { exact, at_most };
 
   /// `size` members from 1 to 65535. If the system has no more threads: throws std::system_error,
   /// or takes as many as there are.
-  explicit Team(unsigned size, Size kind = Size::exact);
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
-  ~Team();
+  explicit ThreadPool(unsigned size, Size kind = Size::exact);
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+  ~ThreadPool();
 
   unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }
   /// False in a process that fork() made, where only the caller lives.
