@@ -95,7 +95,7 @@ std::string problem_of_agent(const Options& options, const GraphProgram& program
 std::string problem_of(const Options& options, const Fields& fields, const GraphProgram& program,
                        StateSettings& settings, AgentFaults& faults, Measures& measures) {
   const GraphFacts& facts = program.facts();
-  if (options.agent == kOutsideAgent) {
+  if (options.agent == kExternalAgent) {
     if (program.is_real() && options.real_time_factor != 1.0)
       return "error: real hardware has a time of its own\nhelp: `--real-time-factor 1`";
     if (facts.is_split())

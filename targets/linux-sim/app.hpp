@@ -77,15 +77,16 @@ class GraphWatch : public target::Watch<Graph> {
         Table::header(*table, observation, [&](auto&) { watch_.state_column_names(); });
       row(*table, episode, 0, observation, nullptr, nullptr);
     }
-    if (watch_.has_outside()) copy_observation<Graph>(observation, watch_.outside_observation());
+    if (watch_.has_external_agent())
+      copy_observation<Graph>(observation, watch_.external_observation());
     watch_.reset(episode);
   }
   void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation,
             const Outcome& outcome) {
     if (auto* const table = watch_.table())
       row(*table, episode, step, observation, &action, &outcome);
-    if (watch_.has_outside()) {
-      copy_observation<Graph>(observation, watch_.outside_observation());
+    if (watch_.has_external_agent()) {
+      copy_observation<Graph>(observation, watch_.external_observation());
       watch_.applied(&action);
     }
     watch_.step(step, target::has_ended(outcome), view_of_outcome(outcome));

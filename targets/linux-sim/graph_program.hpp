@@ -19,7 +19,7 @@
 namespace eagerx::linux_sim {
 
 /// Another process is the agent: over DDS, or the one that started the program.
-inline constexpr target::Agent kDdsAgent{target::kAgents}, kOutsideAgent{target::kAgents + 1};
+inline constexpr target::Agent kDdsAgent{target::kAgents}, kExternalAgent{target::kAgents + 1};
 
 class Pictures;
 class SplitLink;

@@ -11,7 +11,7 @@ function(eagerx_linux_sim_libraries)
         action_file app channel_names describe faults files float_environment identify keys link_port link_tcp measures option_table options
         pacer progress reconnect recorder replay_log run_watch session spaces split state_record state_settings summary table_writer
         task_record)
-    list(APPEND names outside/outside_agent outside/outside_rows)
+    list(APPEND names external/external_agent external/external_rows)
     list(APPEND names publish/destination publish/parameters publish/publishing publish/recording publish/remote
          publish/remote_watch)
     list(APPEND names dds/graph_of dds/remote_agent)

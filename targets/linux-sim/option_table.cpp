@@ -40,7 +40,7 @@ bool set_agent(Options& options, std::string_view value) {
   }
   constexpr std::string_view kSocket = "fd:";
   if (value.starts_with(kSocket)) {
-    options.agent = kOutsideAgent;
+    options.agent = kExternalAgent;
     return at_least(value.substr(kSocket.size()), 0, options.agent_socket);
   }
   Agent agent{};

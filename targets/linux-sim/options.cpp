@@ -118,7 +118,7 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
 
 std::string_view agent_name(const Options& options) {
   if (options.agent == kDdsAgent) return "dds";
-  return options.agent == kOutsideAgent ? "external" : target::name_of(options.agent);
+  return options.agent == kExternalAgent ? "external" : target::name_of(options.agent);
 }
 
 std::string options_help(const Options& defaults) {

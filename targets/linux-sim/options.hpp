@@ -40,7 +40,7 @@ struct Options {
   std::string action_file;         // of Agent::csv
   std::uint32_t agent_domain = 0;  // of kDdsAgent
   double agent_timeout_s = 10.0;   // the same
-  int agent_socket = -1;           // of kOutsideAgent
+  int agent_socket = -1;           // of kExternalAgent
   std::string csv;                 // empty: none; "-": standard output
   std::string trace;               // the same
   bool trace_time = false, trace_scenes = false;

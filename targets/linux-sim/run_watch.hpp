@@ -49,7 +49,7 @@ class RunWatch : public Watch {
   void state_column_names() final;
   void state_columns() final;
   const void* given_action(Seq step) override;
-  ObservationRow outside_observation() override { return {}; }
+  ObservationRow external_observation() override { return {}; }
   void applied(const void* /*action*/) override {}
   EpisodeKey key(EpisodeKey planned) override { return planned; }
   ObservationRow observations() final { return {observations_.data(), sizes_.data()}; }

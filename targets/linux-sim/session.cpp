@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 #include <targets/linux-sim/dds/agent_watch.hpp>
+#include <targets/linux-sim/external/external_watch.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/float_environment.hpp>
-#include <targets/linux-sim/outside/outside_watch.hpp>
 #include <targets/linux-sim/publish/publish_watch.hpp>
 #include <targets/linux-sim/publish/remote_watch.hpp>
 #include <targets/linux-sim/say.hpp>
@@ -110,8 +110,8 @@ class Session {
   int run_watched(More&... more) {
     if (agent_ != nullptr)
       return run_by<AgentWatch<Watch>>(*agent_, program_, inputs_, csv_, trace_, more...);
-    if (outside_)
-      return run_by<OutsideWatch<Watch>>(*outside_, program_, inputs_, csv_, trace_, more...);
+    if (external_)
+      return run_by<ExternalWatch<Watch>>(*external_, program_, inputs_, csv_, trace_, more...);
     return run_by<Watch>(program_, inputs_, csv_, trace_, more...);
   }
   template <class Watch, class... Arguments>
@@ -140,9 +140,9 @@ class Session {
       if (unseen.empty()) unseen = publishing_->open();
     }
     if (unseen.empty() && agent_ != nullptr) unseen = agent_->open();
-    if (unseen.empty() && options_.agent == kOutsideAgent) {
-      outside_.emplace(options_, inputs_.fields, program_, is_traced());
-      unseen = outside_->open();
+    if (unseen.empty() && options_.agent == kExternalAgent) {
+      external_.emplace(options_, inputs_.fields, program_, is_traced());
+      unseen = external_->open();
     }
     const bool is_file = unseen.starts_with("error: cannot write");
     if (!unseen.empty()) return fail(unseen, is_file ? kBadFile : kBadUsage);
@@ -211,7 +211,7 @@ class Session {
     if (!broken.empty()) fail(broken + "\n" + place_of(summary_), kBadFile);
     if (!problem_of_pictures.empty()) fail(problem_of_pictures, kBadFile);
     if (!unpublished.empty()) fail(unpublished, kBadFile);
-    const std::string misled = outside_ ? outside_->problem() : "";
+    const std::string misled = external_ ? external_->problem() : "";
     if (!misled.empty()) fail(misled, kBadActions);
     if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
     if (watch.left_space())
@@ -244,7 +244,7 @@ class Session {
   host::TextFile csv_, trace_;
   std::optional<SceneRecord> scenes_;
   std::optional<Publishing> publishing_;
-  std::optional<OutsideAgent> outside_;
+  std::optional<ExternalAgent> external_;
   Summary summary_;
   Faults faults_{summary_};
   std::uint64_t hash_ = 0;

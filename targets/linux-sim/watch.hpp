@@ -50,8 +50,8 @@ class Watch {
   virtual const void* given_action(Seq step) = 0;
 
   /// Whether an external agent sees observations and what was applied, before reset() and step().
-  bool has_outside() const { return agent_ == kOutsideAgent; }
-  virtual ObservationRow outside_observation() = 0;
+  bool has_external_agent() const { return agent_ == kExternalAgent; }
+  virtual ObservationRow external_observation() = 0;
   virtual void applied(const void* action) = 0;
   /// The key of an episode that is planned with another one.
   virtual EpisodeKey key(EpisodeKey planned) = 0;

@@ -1,4 +1,4 @@
-"""The program of a graph in real time: rows of one environment over a socket (targets/linux-sim/outside/protocol.hpp)."""
+"""The program of a graph in real time: rows of one environment over a socket (targets/linux-sim/external/protocol.hpp)."""
 from __future__ import annotations
 
 import contextlib

@@ -10,9 +10,9 @@
 namespace eagerx::linux_sim {
 
 /// Columns of fields, which are in the order of the fields' names.
-class OutsideColumns {
+class ExternalColumns {
  public:
-  explicit OutsideColumns(const std::vector<Field>& fields);
+  explicit ExternalColumns(const std::vector<Field>& fields);
 
   /// Of a row.
   std::size_t numbers() const { return numbers_; }
@@ -25,9 +25,9 @@ class OutsideColumns {
   std::size_t numbers_ = 0;
 };
 
-class OutsideRows {
+class ExternalRows {
  public:
-  explicit OutsideRows(const Fields& fields);
+  explicit ExternalRows(const Fields& fields);
 
   std::size_t action_numbers() const { return actions_.numbers(); }
   std::size_t observation_numbers() const { return observations_.numbers(); }
@@ -53,10 +53,10 @@ class OutsideRows {
   std::string describe_states() const { return describe(fields_.states, states_); }
 
  private:
-  static std::string describe(const std::vector<Field>& fields, const OutsideColumns& columns);
+  static std::string describe(const std::vector<Field>& fields, const ExternalColumns& columns);
 
   const Fields& fields_;
-  OutsideColumns actions_, observations_, states_;
+  ExternalColumns actions_, observations_, states_;
 };
 
 }  // namespace eagerx::linux_sim

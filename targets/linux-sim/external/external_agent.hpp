@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <targets/linux-sim/external/external_rows.hpp>
+#include <targets/linux-sim/external/protocol.hpp>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/graph_program.hpp>
-#include <targets/linux-sim/outside/outside_rows.hpp>
-#include <targets/linux-sim/outside/protocol.hpp>
 #include <vector>
 
 namespace eagerx::linux_sim {
@@ -16,14 +16,14 @@ namespace eagerx::linux_sim {
 struct Options;
 
 /// Nothing here allocates between two steps, but for answers to `describe` and `counts`.
-class OutsideAgent {
+class ExternalAgent {
  public:
   /// `traced`: which of the two programs runs.
-  OutsideAgent(const Options& options, const Fields& fields, GraphProgram& program, bool traced);
+  ExternalAgent(const Options& options, const Fields& fields, GraphProgram& program, bool traced);
 
-  OutsideAgent(const OutsideAgent&) = delete;
-  OutsideAgent& operator=(const OutsideAgent&) = delete;
-  ~OutsideAgent();
+  ExternalAgent(const ExternalAgent&) = delete;
+  ExternalAgent& operator=(const ExternalAgent&) = delete;
+  ~ExternalAgent();
 
   /// Looks at the socket. Empty, or what is wrong.
   std::string open();
@@ -84,7 +84,7 @@ class OutsideAgent {
   const GraphFacts& facts_;
   GraphProgram& program_;
   const Fields& fields_;
-  OutsideRows rows_;
+  ExternalRows rows_;
   MessageRows seen_;
   StateMemory drawn_;
   std::vector<std::uint32_t> sizes_;  // [observations]

@@ -8,7 +8,7 @@
 namespace eagerx::linux_sim {
 
 /// Of what is written here; the first thing that an agent looks at.
-inline constexpr std::uint32_t kOutsideVersion = 3;
+inline constexpr std::uint32_t kExternalVersion = 3;
 
 /// What an agent asks for; each is answered once.
 enum class Ask : std::uint32_t {

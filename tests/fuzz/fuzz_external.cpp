@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <targets/linux-sim/external/external_agent.hpp>
 #include <targets/linux-sim/options.hpp>
-#include <targets/linux-sim/outside/outside_agent.hpp>
 #include <tests/support/fake_program.hpp>
 
 namespace {
@@ -27,7 +27,7 @@ void send_all(int socket, const std::uint8_t* data, std::size_t size) {
 }
 
 /// What a program does with an agent, as long as there is one.
-void run(OutsideAgent& agent) {
+void run(ExternalAgent& agent) {
   constexpr std::uint64_t kSteps = 3;
   if (!agent.open().empty()) std::abort();
   std::uint64_t step = 0;
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.real_time_factor = size % 2 == 0 ? 1.0 : 0.0;  // late, or waited for
   options.agent_socket = both[1];
   {
-    OutsideAgent agent(options, fields, program, true);
+    ExternalAgent agent(options, fields, program, true);
     run(agent);
   }
   for (const int each : both) close(each);

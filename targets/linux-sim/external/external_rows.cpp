@@ -8,7 +8,7 @@
 #include <targets/common/from_number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <targets/linux-sim/outside/outside_rows.hpp>
+#include <targets/linux-sim/external/external_rows.hpp>
 #include <type_traits>
 
 namespace eagerx::linux_sim {
@@ -60,7 +60,7 @@ void append_field(std::string& text, const Field& field, std::size_t first) {
 
 }  // namespace
 
-OutsideColumns::OutsideColumns(const std::vector<Field>& fields)
+ExternalColumns::ExternalColumns(const std::vector<Field>& fields)
     : first_(fields.size()), order_(fields.size()) {
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::ranges::sort(order_, {}, [&](std::size_t i) { return std::string_view(fields[i].name); });
@@ -70,13 +70,13 @@ OutsideColumns::OutsideColumns(const std::vector<Field>& fields)
   }
 }
 
-OutsideRows::OutsideRows(const Fields& fields)
+ExternalRows::ExternalRows(const Fields& fields)
     : fields_(fields),
       actions_(fields.actions),
       observations_(fields.observations),
       states_(fields.states) {}
 
-void OutsideRows::read_action(const float* row, void* action) const {
+void ExternalRows::read_action(const float* row, void* action) const {
   for (std::size_t f = 0; f < fields_.actions.size(); ++f) {
     const Field& field = fields_.actions[f];
     const float* const from = row + actions_.first(f);
@@ -89,7 +89,7 @@ void OutsideRows::read_action(const float* row, void* action) const {
   }
 }
 
-void OutsideRows::write_action(const void* action, float* row) const {
+void ExternalRows::write_action(const void* action, float* row) const {
   for (std::size_t f = 0; f < fields_.actions.size(); ++f) {
     const Field& field = fields_.actions[f];
     float* const to = row + actions_.first(f);
@@ -101,7 +101,7 @@ void OutsideRows::write_action(const void* action, float* row) const {
   }
 }
 
-void OutsideRows::write_observation(ObservationRow observation, float* row) const {
+void ExternalRows::write_observation(ObservationRow observation, float* row) const {
   for (std::size_t f = 0; f < fields_.observations.size(); ++f) {
     const Field& field = fields_.observations[f];
     float* const to = row + observations_.first(f);
@@ -116,7 +116,7 @@ void OutsideRows::write_observation(ObservationRow observation, float* row) cons
   }
 }
 
-std::string OutsideRows::problem_of_states(const float* row, const bool* drawn) const {
+std::string ExternalRows::problem_of_states(const float* row, const bool* drawn) const {
   for (std::size_t f = 0; f < fields_.states.size(); ++f) {
     const Field& field = fields_.states[f];
     const float* const from = row + states_.first(f);
@@ -136,7 +136,7 @@ std::string OutsideRows::problem_of_states(const float* row, const bool* drawn) 
   return {};
 }
 
-std::string OutsideRows::problem_of_parameters(const float* row) const {
+std::string ExternalRows::problem_of_parameters(const float* row) const {
   std::string problem = problem_of_states(row, nullptr);
   for (std::size_t f = 0; f < fields_.states.size() && problem.empty(); ++f) {
     const Field& field = fields_.states[f];
@@ -150,7 +150,7 @@ std::string OutsideRows::problem_of_parameters(const float* row) const {
   return problem;
 }
 
-void OutsideRows::read_states(const float* row, StateRow states) const {
+void ExternalRows::read_states(const float* row, StateRow states) const {
   for (std::size_t f = 0; f < fields_.states.size(); ++f) {
     const Field& field = fields_.states[f];
     const float* const from = row + states_.first(f);
@@ -165,7 +165,8 @@ void OutsideRows::read_states(const float* row, StateRow states) const {
   }
 }
 
-std::string OutsideRows::describe(const std::vector<Field>& fields, const OutsideColumns& columns) {
+std::string ExternalRows::describe(const std::vector<Field>& fields,
+                                   const ExternalColumns& columns) {
   std::string text = "[";
   for (const std::size_t field : columns.order()) {
     if (text.size() > 1) text += ", ";

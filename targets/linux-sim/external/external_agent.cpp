@@ -16,8 +16,8 @@
 #include <runtime/host/base/supervisor.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
+#include <targets/linux-sim/external/external_agent.hpp>
 #include <targets/linux-sim/options.hpp>
-#include <targets/linux-sim/outside/outside_agent.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <utility>
@@ -73,8 +73,8 @@ struct Counted final : CountListener {
 
 }  // namespace
 
-OutsideAgent::OutsideAgent(const Options& options, const Fields& fields, GraphProgram& program,
-                           bool traced)
+ExternalAgent::ExternalAgent(const Options& options, const Fields& fields, GraphProgram& program,
+                             bool traced)
     : options_(options),
       facts_(program.facts()),
       program_(program),
@@ -97,11 +97,11 @@ OutsideAgent::OutsideAgent(const Options& options, const Fields& fields, GraphPr
   program_.draw({0, 0, 0}, drawn_.row());  // the same states for every key
 }
 
-OutsideAgent::~OutsideAgent() {
+ExternalAgent::~ExternalAgent() {
   host::on_gone(nullptr, nullptr);
 }
 
-std::string OutsideAgent::open() {
+std::string ExternalAgent::open() {
   int type = 0;
   socklen_t size = sizeof type;
   if (getsockopt(socket_, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_SEQPACKET)
@@ -122,16 +122,16 @@ std::string OutsideAgent::open() {
            std::to_string(kLongestRow) +
            " go to an external agent at most\nhelp: make the graph's "
            "observations smaller";
-  host::on_gone([](void* agent) { return static_cast<OutsideAgent*>(agent)->is_gone(); }, this);
+  host::on_gone([](void* agent) { return static_cast<ExternalAgent*>(agent)->is_gone(); }, this);
   return {};
 }
 
-bool OutsideAgent::is_gone() const {
+bool ExternalAgent::is_gone() const {
   pollfd ready{socket_, POLLIN, 0};
   return poll(&ready, 1, 0) > 0 && (ready.revents & POLLHUP) != 0;
 }
 
-void OutsideAgent::reset(std::uint32_t episode) {
+void ExternalAgent::reset(std::uint32_t episode) {
   answer_ = {};
   answer_.episode = episode;
   std::ranges::fill(terms_, 0.0);
@@ -143,7 +143,7 @@ void OutsideAgent::reset(std::uint32_t episode) {
   late_in_a_row_ = 0;
 }
 
-void OutsideAgent::step(Seq step, bool has_ended, bool is_longest, const OutcomeView& outcome) {
+void ExternalAgent::step(Seq step, bool has_ended, bool is_longest, const OutcomeView& outcome) {
   answer_.step = step;
   answer_.reward += outcome.reward;
   answer_.flags = (outcome.terminated ? kTerminated : 0U) |
@@ -156,7 +156,7 @@ void OutsideAgent::step(Seq step, bool has_ended, bool is_longest, const Outcome
   end_is_news_ = has_ended && !waits_;
 }
 
-bool OutsideAgent::go_on() {
+bool ExternalAgent::go_on() {
   if (ends_) return false;
   if (wants_reset_) return true;
   answer_.time_ns = now_ns();
@@ -182,7 +182,7 @@ bool OutsideAgent::go_on() {
 }
 
 /// Waits for a request until then; 0: for ever. A signal that ends the run is an end.
-OutsideAgent::Got OutsideAgent::receive(std::int64_t until_ns) {
+ExternalAgent::Got ExternalAgent::receive(std::int64_t until_ns) {
   constexpr std::int64_t kWhole = 1'000'000'000;
   for (;;) {
     const std::int64_t left_ns = until_ns == 0 ? 0 : std::max<std::int64_t>(until_ns - now_ns(), 0);
@@ -212,7 +212,7 @@ OutsideAgent::Got OutsideAgent::receive(std::int64_t until_ns) {
 }
 
 /// True: the run continues with a step or a reset.
-bool OutsideAgent::serve() {
+bool ExternalAgent::serve() {
   switch (request_.ask) {
     case Ask::reset:
       return take_reset();
@@ -243,7 +243,7 @@ bool OutsideAgent::serve() {
   return false;
 }
 
-bool OutsideAgent::take_reset() {
+bool ExternalAgent::take_reset() {
   const std::string problem = rows_.problem_of_states(given_.data(), drawn_.row().has_value);
   if (!problem.empty()) return answer_problem(problem), false;
   // Parameters for a step that does not come are those of the episode.
@@ -261,7 +261,7 @@ bool OutsideAgent::take_reset() {
   return waits_ = wants_reset_ = true;
 }
 
-void OutsideAgent::take_parameters() {
+void ExternalAgent::take_parameters() {
   if (!in_episode_)
     return answer_problem("no episode has begun, or it has ended: set states at the next reset");
   const std::string problem = rows_.problem_of_parameters(given_.data());
@@ -275,14 +275,14 @@ void OutsideAgent::take_parameters() {
   say(answer, nullptr, 0);
 }
 
-bool OutsideAgent::apply_parameters(StateRow states) {
+bool ExternalAgent::apply_parameters(StateRow states) {
   if (!std::exchange(has_tuned_, false)) return false;
   rows_.read_states(tuned_.data(), states);
   std::ranges::fill(tuned_, std::numeric_limits<float>::quiet_NaN());
   return true;
 }
 
-bool OutsideAgent::take_step() {
+bool ExternalAgent::take_step() {
   if (end_is_news_) {
     end_is_news_ = false;
     waits_ = true;
@@ -298,7 +298,7 @@ bool OutsideAgent::take_step() {
   return waits_ = true;
 }
 
-void OutsideAgent::give_picture() {
+void ExternalAgent::give_picture() {
   Pictures* const pictures = program_.pictures();
   const std::uint8_t* const pixels =
       pictures == nullptr ? nullptr : pictures->kept(request_.number == 0);
@@ -309,18 +309,18 @@ void OutsideAgent::give_picture() {
                            static_cast<std::size_t>(size.height) * kChannels);
 }
 
-EpisodeKey OutsideAgent::key(EpisodeKey planned) {
+EpisodeKey ExternalAgent::key(EpisodeKey planned) {
   if (!has_seed_) return planned;
   return {seed_, planned.environment, episode_of_seed_++};
 }
 
-bool OutsideAgent::apply_states(StateRow states) {
+bool ExternalAgent::apply_states(StateRow states) {
   if (!std::exchange(has_states_, false)) return false;
   rows_.read_states(states_.data(), states);
   return true;
 }
 
-void OutsideAgent::answer_observation() {
+void ExternalAgent::answer_observation() {
   if (!std::exchange(waits_, false)) return;
   answer_.said = Said::observation;
   for (std::size_t i = 0; i < terms_.size(); ++i) row_[i] = static_cast<float>(terms_[i]);
@@ -330,13 +330,13 @@ void OutsideAgent::answer_observation() {
   std::ranges::fill(terms_, 0.0);
 }
 
-void OutsideAgent::answer_problem(const std::string& text) {
+void ExternalAgent::answer_problem(const std::string& text) {
   Answer answer{};
   answer.said = Said::problem;
   say(answer, text.data(), text.size());
 }
 
-void OutsideAgent::answer_piece(const void* data, std::size_t bytes) {
+void ExternalAgent::answer_piece(const void* data, std::size_t bytes) {
   const std::size_t first = std::min<std::size_t>(request_.number, bytes);
   Answer answer{};
   answer.said = Said::piece;
@@ -345,7 +345,7 @@ void OutsideAgent::answer_piece(const void* data, std::size_t bytes) {
 }
 
 /// Never waits: an agent that does not read what it asked for ends the run.
-void OutsideAgent::say(Answer answer, const void* data, std::size_t bytes) {
+void ExternalAgent::say(Answer answer, const void* data, std::size_t bytes) {
   answer.asked = request_.asked;
   // sendmsg() only reads it.
   std::array<iovec, 2> parts{{{&answer, sizeof answer}, {const_cast<void*>(data), bytes}}};
@@ -356,12 +356,12 @@ void OutsideAgent::say(Answer answer, const void* data, std::size_t bytes) {
 }
 
 /// The run ends, and what is left of an episode is made safe.
-void OutsideAgent::lose(std::string why) {
+void ExternalAgent::lose(std::string why) {
   ends_ = true;
   if (problem_.empty()) problem_ = std::move(why);
 }
 
-std::string OutsideAgent::description() const {
+std::string ExternalAgent::description() const {
   const auto quoted = [](const char* text) {
     std::string result;
     host::append_json_string(result, text);
@@ -383,7 +383,7 @@ std::string OutsideAgent::description() const {
                                                          static_cast<double>(facts_.render_den)) +
                                        "}"
                                  : "null";
-  return "{\"version\": " + std::to_string(kOutsideVersion) + ", \"generator\": \"" +
+  return "{\"version\": " + std::to_string(kExternalVersion) + ", \"generator\": \"" +
          std::to_string(kVersionMajor) + "." + std::to_string(kVersionMinor) +
          "\", \"graph\": " + quoted(facts_.name) + ", \"engine\": " + quoted(facts_.engine) +
          ", \"rate_hz\": " + host::number_text(1.0 / facts_.period_s()) +
@@ -397,7 +397,7 @@ std::string OutsideAgent::description() const {
          ", \"render\": " + render + "}";
 }
 
-std::string OutsideAgent::counts() const {
+std::string ExternalAgent::counts() const {
   std::string text = "{";
   Counted counted(text);
   program_.list_counts(is_traced_, counted);

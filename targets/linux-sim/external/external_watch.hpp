@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <targets/linux-sim/outside/outside_agent.hpp>
+#include <targets/linux-sim/external/external_agent.hpp>
 #include <targets/linux-sim/run_watch.hpp>
 
 namespace eagerx::linux_sim {
@@ -10,11 +10,11 @@ namespace eagerx::linux_sim {
 /// `Base`: RunWatch, or what is derived from it. The agent has its answer before the step is waited
 /// for, so that it has the whole period for its action.
 template <class Base>
-class OutsideWatch final : public Base {
+class ExternalWatch final : public Base {
  public:
   template <class... Arguments>
-  OutsideWatch(OutsideAgent& agent, GraphProgram& program, const RunInputs& inputs,
-               Arguments&... arguments)
+  ExternalWatch(ExternalAgent& agent, GraphProgram& program, const RunInputs& inputs,
+                Arguments&... arguments)
       : Base(program, inputs, arguments...), agent_(agent) {
     this->paces_ = true;
     this->tunes_ = this->tunes_ || std::ranges::any_of(inputs.fields.states, &Field::tunable);
@@ -40,7 +40,7 @@ class OutsideWatch final : public Base {
     Base::pace(step, has_ended);
   }
   const void* given_action(Seq /*step*/) override { return agent_.action(); }
-  ObservationRow outside_observation() override { return agent_.observation(); }
+  ObservationRow external_observation() override { return agent_.observation(); }
   void applied(const void* action) override { agent_.applied(action); }
 
  private:
@@ -56,7 +56,7 @@ class OutsideWatch final : public Base {
     return std::max(Base::lateness(), agent_.late_in_a_row());
   }
 
-  OutsideAgent& agent_;
+  ExternalAgent& agent_;
 };
 
 }  // namespace eagerx::linux_sim

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <targets/linux-sim/external/external_agent.hpp>
 #include <targets/linux-sim/options.hpp>
-#include <targets/linux-sim/outside/outside_agent.hpp>
 #include <tests/support/fake_program.hpp>
 #include <vector>
 
@@ -17,10 +17,10 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
-TEST(OutsideRows, ColumnsAreInTheOrderOfNames) {
+TEST(ExternalRows, ColumnsAreInTheOrderOfNames) {
   FakeProgram program;
   const Fields fields(program);
-  const OutsideRows rows(fields);
+  const ExternalRows rows(fields);
   ASSERT_EQ(rows.action_numbers(), 4U);
   const std::array<float, 4> row{7.9F, 1.0F, 0.5F, -0.5F};  // choice, on, push
   FakeAction action{};
@@ -38,10 +38,10 @@ TEST(OutsideRows, ColumnsAreInTheOrderOfNames) {
       R"({"name": "push", "shape": [2], "dtype": "float32", "window": 1, "low": [-1, -2], "high": [1, 2], "first": 2}])");
 }
 
-TEST(OutsideRows, MessagesThatAreNotThereAreNoNumbers) {
+TEST(ExternalRows, MessagesThatAreNotThereAreNoNumbers) {
   FakeProgram program;
   const Fields fields(program);
-  const OutsideRows rows(fields);
+  const ExternalRows rows(fields);
   std::array<float, 6> seen{1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F};
   std::uint8_t count = 200;
   std::array<void*, 2> messages{seen.data(), &count};
@@ -53,10 +53,10 @@ TEST(OutsideRows, MessagesThatAreNotThereAreNoNumbers) {
   EXPECT_TRUE(std::isnan(row[5]) && std::isnan(row[6]));
 }
 
-TEST(OutsideRows, StatesAreCheckedAndReadAsTheirDecimals) {
+TEST(ExternalRows, StatesAreCheckedAndReadAsTheirDecimals) {
   FakeProgram program;
   const Fields fields(program);
-  const OutsideRows rows(fields);
+  const ExternalRows rows(fields);
   const StateMemory states(fields.states);
   program.draw({}, states.row());
   const bool* const drawn = states.row().has_value;
@@ -73,7 +73,7 @@ TEST(OutsideRows, StatesAreCheckedAndReadAsTheirDecimals) {
   EXPECT_FALSE(states.row().has_value[1]);
 }
 
-TEST(OutsideProtocol, EachRequestHasItsSize) {
+TEST(ExternalProtocol, EachRequestHasItsSize) {
   const auto problem = [](std::uint32_t ask, std::ptrdiff_t behind) {
     const std::size_t bytes = sizeof(Request) + static_cast<std::size_t>(behind);
     return problem_of_request({static_cast<Ask>(ask), 0, 0, 0}, bytes, 4, 3) != nullptr;
@@ -135,7 +135,7 @@ class Outside : public testing::Test {
 };
 
 TEST_F(Outside, StepsWithoutAnActionAreCountedAndSummed) {
-  OutsideAgent agent(options, fields, program, true);
+  ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   ask(Ask::reset, kDrawn, 1);
   ASSERT_TRUE(agent.go_on());
@@ -166,7 +166,7 @@ TEST_F(Outside, StepsWithoutAnActionAreCountedAndSummed) {
 }
 
 TEST_F(Outside, AnEndThatTheAgentWasLateForIsTold) {
-  OutsideAgent agent(options, fields, program, true);
+  ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   ask(Ask::reset, kDrawn);
   ASSERT_TRUE(agent.go_on());
@@ -188,7 +188,7 @@ TEST_F(Outside, AnEndThatTheAgentWasLateForIsTold) {
 }
 
 TEST_F(Outside, AnswersQuestionsAndRefusesWhatIsNone) {
-  OutsideAgent agent(options, fields, program, true);
+  ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   for (const Ask what : {Ask::counts, Ask::hash, Ask::picture, Ask::describe}) ask(what);
   ask(Ask::step, {1.0F});
@@ -205,7 +205,7 @@ TEST_F(Outside, AnswersQuestionsAndRefusesWhatIsNone) {
 }
 
 TEST_F(Outside, ParametersAreThoseOfTheNextStep) {
-  OutsideAgent agent(options, fields, program, true);
+  ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   std::string text;
   ask(Ask::tune, {1.0F, 2.0F, kNone});  // at, delay
@@ -233,7 +233,7 @@ TEST_F(Outside, ParametersAreThoseOfTheNextStep) {
 }
 
 TEST_F(Outside, AnAgentThatIsGoneInAnEpisodeLeavesSomething) {
-  OutsideAgent agent(options, fields, program, true);
+  ExternalAgent agent(options, fields, program, true);
   ASSERT_EQ(agent.open(), "");
   ask(Ask::reset, kDrawn);
   ASSERT_TRUE(agent.go_on());
@@ -247,7 +247,7 @@ TEST_F(Outside, AnAgentThatIsGoneInAnEpisodeLeavesSomething) {
 TEST_F(Outside, HardwareNeedsToKnowWhatIsLate) {
   program.moves_hardware = true;
   program.known.safety.declared = false;
-  OutsideAgent agent(options, fields, program, true);
+  ExternalAgent agent(options, fields, program, true);
   EXPECT_NE(agent.open().find("moves real hardware"), std::string::npos);
 }
 
