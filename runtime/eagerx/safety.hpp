@@ -12,8 +12,9 @@ struct Safety {
   std::uint32_t late;            // instants in a row later than max_lateness_ns; at least 1
   std::int64_t max_lateness_ns;  // in real time only
   std::int64_t link_timeout_ns;  // without an answer; for engines of real hardware
-  std::int64_t hang_ns;          // without a sign of life of a program that drives; 0: for ever
-  std::uint32_t missed;          // instants in a row without a valid value; at least 1
+  std::int64_t
+      heartbeat_timeout_ns;  // without a heartbeat of a program that drives hardware; 0: for ever
+  std::uint32_t missed;      // instants in a row without a valid value; at least 1
   std::uint32_t
       recover;  // valid instants in a row that end the safe action; 0: only a reset ends it
   bool clips;   // an action out of its space: true: is moved into it; false: the safe action

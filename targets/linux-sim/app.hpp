@@ -175,7 +175,8 @@ void run_program(Watch& watch, LinkOf<Graph>& link, Program& program) {
     }
   };
   link.connect(program);
-  const host::Supervisor keeper(how_to_take_over(program), &program, Graph::kSafety.hang_ns);
+  const host::Supervisor supervisor(how_to_take_over(program), &program,
+                                    Graph::kSafety.heartbeat_timeout_ns);
   target::warm_up(program);  // a library may need memory for it, and none afterwards
   const host::MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();

@@ -123,7 +123,7 @@ class LimitsView {
     };
     view_.set("max_lateness_ns", whole_ns(safety.max_lateness_s));
     view_.set("link_timeout_ns", whole_ns(safety.link_timeout_s));
-    view_.set("hang_ns", whole_ns(safety.heartbeat_timeout_s));
+    view_.set("heartbeat_timeout_ns", whole_ns(safety.heartbeat_timeout_s));
     view_.set("missed", fmt::format("{}", safety.missed));
     view_.set("recover", fmt::format("{}", safety.recover));
     view_.set("clips", bool_literal(safety.clips));

@@ -114,11 +114,11 @@ class Supervisor {
 std::optional<CompanionProblem> start_companions(const std::vector<Companion>& companions,
                                                  const std::string& folder) {
   const pid_t parent = getpid();
-  const pid_t keeper = fork();
-  if (keeper == 0) Supervisor(companions, folder, parent).run();
+  const pid_t supervisor = fork();
+  if (supervisor == 0) Supervisor(companions, folder, parent).run();
   std::size_t which = 0;
-  bool has_ended = keeper < 0;
-  for (int look = 0; keeper > 0 && look < kLooksToStart; ++look) {
+  bool has_ended = supervisor < 0;
+  for (int look = 0; supervisor > 0 && look < kLooksToStart; ++look) {
     std::error_code ignored;
     while (which < companions.size() && fs::exists(companions[which].ready, ignored)) ++which;
     if (which == companions.size()) return std::nullopt;
@@ -126,9 +126,9 @@ std::optional<CompanionProblem> start_companions(const std::vector<Companion>& c
     if (has_ended) break;
     std::this_thread::sleep_for(kLook);
   }
-  if (keeper > 0) {
-    kill(keeper, SIGTERM);
-    while (waitpid(keeper, nullptr, 0) < 0 && errno == EINTR) {
+  if (supervisor > 0) {
+    kill(supervisor, SIGTERM);
+    while (waitpid(supervisor, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
   return CompanionProblem{which, has_ended};

@@ -31,7 +31,7 @@ class Supervisor {
   int line_ = -1;  // it waits for a byte, or for the end of this process
 };
 
-// Signs of life, for the main thread. They cost a nanosecond, and nothing without a keeper.
+// Heartbeats, for the main thread. They cost a nanosecond, and nothing without a supervisor.
 
 /// Reports the number of finished steps and episodes. The first of these signs begins the watch.
 void send_heartbeat(std::uint64_t episodes, std::uint64_t steps);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::int64_t kNsPerMs = 1'000'000;
 constexpr std::int64_t kSilent = 100 * kNsPerMs;
 
-/// A program with a keeper, and what both write into one pipe.
+/// A program with a supervisor, and what both write into one pipe.
 class Kept : public ::testing::Test {
  protected:
   void SetUp() override { ASSERT_EQ(pipe(ends.data()), 0); }
@@ -32,7 +32,7 @@ class Kept : public ::testing::Test {
     if (program != 0) return;
     dup2(ends[1], STDERR_FILENO);
     {
-      const Supervisor keeper([](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; },
+      const Supervisor supervisor([](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; },
                               &ends[1], most_silent_ns);
       life();
     }

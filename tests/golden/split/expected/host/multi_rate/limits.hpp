@@ -46,7 +46,7 @@ struct Limits {
                                           .late = 1,
                                           .max_lateness_ns = 100000000,
                                           .link_timeout_ns = 10000000,
-                                          .hang_ns = 500000000,
+                                          .heartbeat_timeout_ns = 500000000,
                                           .missed = 2,
                                           .recover = 3,
                                           .clips = true,
