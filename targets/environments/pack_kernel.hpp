@@ -41,7 +41,7 @@ struct PackKernel {
   using Action = typename Graph::Action;
   using States = typename Graph::States;
 
-  const char* isa = "";  // as EAGERX_PACKS names it
+  const char* isa = "";  // as EAGERX_SIMD names it
   std::uint32_t lanes = 0;
   std::size_t bytes = 0, alignment = 0;  // of a pack
   std::size_t action_bytes = 0;          // of the actions of a pack, aligned as it

@@ -12,9 +12,9 @@ namespace eagerx::environments {
 template <class Graph>
 using FillPacks = void (*)(PackKernel<Graph>&);
 
-/// The value of EAGERX_PACKS: `none`, `plain`, `avx2` or `avx512`; everything without it.
+/// Whether EAGERX_SIMD (`none`, `plain`, `avx2` or `avx512`) allows `name`; without it, all are.
 inline bool allows_packs(std::string_view name) {
-  const char* const only = std::getenv("EAGERX_PACKS");
+  const char* const only = std::getenv("EAGERX_SIMD");
   return only == nullptr || *only == '\0' || name == only;
 }
 

@@ -81,16 +81,16 @@ function(_eagerx_add_packs library)
     add_library(${object} OBJECT EXCLUDE_FROM_ALL ${sources})
     add_dependencies(${object} ${library}.sources)
     set_target_properties(${object} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    target_compile_definitions(${object} PRIVATE EAGERX_PACKS=eagerx_packs_${kind})
+    target_compile_definitions(${object} PRIVATE EAGERX_SIMD=eagerx_simd_${kind})
     target_include_directories(${object} PRIVATE $<TARGET_PROPERTY:${library},INCLUDE_DIRECTORIES>)
     target_link_libraries(${object} PRIVATE eagerx::runtime)
     # Vectors are passed between functions of the object alone.
     target_compile_options(${object} PRIVATE -Wall -Wextra -Wno-psabi -fno-exceptions -fno-rtti ${flags_${kind}})
     # Loops over registers are only registers once they are unrolled and in one function: -O2 makes half of the speed.
-    # EAGERX_PACKS_LEVEL is for those who look at bits alone.
+    # EAGERX_SIMD_LEVEL is for those who look at bits alone.
     set(level -O3)
-    if(DEFINED EAGERX_PACKS_LEVEL)
-      set(level ${EAGERX_PACKS_LEVEL})
+    if(DEFINED EAGERX_SIMD_LEVEL)
+      set(level ${EAGERX_SIMD_LEVEL})
     endif()
     target_compile_options(${object} PRIVATE $<$<NOT:$<CONFIG:Debug>>:${level}> $<$<CXX_COMPILER_ID:GNU>:${inline_flags}>)
     set(hidden ${CMAKE_CURRENT_BINARY_DIR}/${object}.o)
@@ -101,7 +101,7 @@ function(_eagerx_add_packs library)
       add_custom_command(
         OUTPUT ${hidden}
         COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${hidden}.whole $<TARGET_OBJECTS:${object}>
-        COMMAND ${CMAKE_OBJCOPY} --keep-global-symbol=eagerx_packs_${kind} ${hidden}.whole ${hidden}
+        COMMAND ${CMAKE_OBJCOPY} --keep-global-symbol=eagerx_simd_${kind} ${hidden}.whole ${hidden}
         DEPENDS ${object} $<TARGET_OBJECTS:${object}>
         COMMAND_EXPAND_LISTS VERBATIM)
       set_source_files_properties(${hidden} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)

@@ -19,11 +19,11 @@ foreach(graph swing multi_rate rigid pushed_box)
   endif()
   if(graph STREQUAL swing)
     unset(EAGERX_INSTRUCTION_SETS) # to see that those for other processors compile
-    unset(EAGERX_PACKS_LEVEL) # and that the bits are those of -O3
+    unset(EAGERX_SIMD_LEVEL) # and that the bits are those of -O3
   endif()
   eagerx_add_graph(TARGET environments_${graph} GRAPH ${environments_graph} BOARD environments)
   set(EAGERX_INSTRUCTION_SETS native)
-  set(EAGERX_PACKS_LEVEL -Og)
+  set(EAGERX_SIMD_LEVEL -Og)
   if(environments_alone MATCHES environments_)
     eagerx_add_graph(TARGET environments_${graph}_alone GRAPH ${environments_graph})
   endif()

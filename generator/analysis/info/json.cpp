@@ -65,7 +65,7 @@ Json info_json(const PlanInfo& report) {
                          {"messages", ring.capacity},
                          {"bytes", ring.capacity * bytes_of(ring.space)}});
   const std::string reason = why_no_packs(plan);
-  json["why_no_packs"] = reason.empty() ? Json(nullptr) : Json(reason);
+  json["why_not_vectorized"] = reason.empty() ? Json(nullptr) : Json(reason);
   json["delays"] = Json::list();
   for (const auto& node : plan.graph->nodes) {
     for (const auto& input : node.inputs) {

@@ -233,13 +233,13 @@ class CompileCheck {
 
   /// The program over SIMD vectors, if the target has one.
   void compile_packs() {
-    const std::string header = plan_.graph->name + "/packs/program.hpp";
+    const std::string header = plan_.graph->name + "/vectorized/program.hpp";
     if (!ranges::contains(files_, header, &GeneratedFile::path)) return;
-    if (!write("packs.cpp",
-               fmt::format("#include \"{}\"\ntemplate class graphs::{}::packs::Program<>;\n",
+    if (!write("vectorized.cpp",
+               fmt::format("#include \"{}\"\ntemplate class graphs::{}::vectorized::Program<>;\n",
                            header, plan_.graph->name)))
       return;
-    const auto messages = messages_in(compile("packs.cpp", {"-fsyntax-only", "-Wno-psabi"}));
+    const auto messages = messages_in(compile("vectorized.cpp", {"-fsyntax-only", "-Wno-psabi"}));
     const auto error = ranges::find_if(messages, &CompilerMessage::error);
     if (error == messages.end()) return;
     CompilerMessage message = *error;

@@ -121,32 +121,32 @@ class Emitter {
     plan.schedule = schedule_of_packs(plan_);
     const ProgramNames names(plan, Part::whole, Numbers::packs);
     const auto add_one = [&](const std::string& file, const std::string& template_file, View view) {
-      view.set("namespace", "graphs::" + plan_.graph->name + "::packs");
-      view.set("headers", plan_.graph->name + "/packs/");
-      add(folder + "packs/" + file, template_file, std::move(view));
+      view.set("namespace", "graphs::" + plan_.graph->name + "::vectorized");
+      view.set("headers", plan_.graph->name + "/vectorized/");
+      add(folder + "vectorized/" + file, template_file, std::move(view));
     };
     View messages = messages_view(plan, names);
     const bool has_engine = plan.graph->has_engine();
     messages.set("registers",
                  text_or_false(has_engine ? plan.graph->engine().entity->pack_registers : ""));
-    add_one("messages.hpp", "cpp/packs_messages.hpp.mustache", std::move(messages));
+    add_one("messages.hpp", "cpp/vectorized_messages.hpp.mustache", std::move(messages));
     add_one("io.hpp", "cpp/io.hpp.mustache",
-            io_view(plan, names, {options_.builtin_root, (here / "packs").string()}));
+            io_view(plan, names, {options_.builtin_root, (here / "vectorized").string()}));
     View program = program_view(plan, names);
     program.set("indented", indented());
-    add_one("program.hpp", "cpp/packs_program.hpp.mustache", std::move(program));
+    add_one("program.hpp", "cpp/vectorized_program.hpp.mustache", std::move(program));
     if (!failed_) files_.back().text = take_marks(files_.back().text).text;
-    add_one("draws.hpp", "cpp/packs_draws.hpp.mustache", draws_view(plan_, names_));
+    add_one("draws.hpp", "cpp/vectorized_draws.hpp.mustache", draws_view(plan_, names_));
     if (acts_in_packs()) {
       View view = pack_policy_view(*network_, "policy");
       view["agent"] = pack_agent_view(plan_, *network_);
-      add_one("policy.hpp", "cpp/packs_policy.hpp.mustache", std::move(view));
+      add_one("policy.hpp", "cpp/vectorized_policy.hpp.mustache", std::move(view));
     }
     for (const NodePolicy& policy : node_policies_) {
       const std::string name = policy_namespace(plan_.graph->nodes[policy.node].name);
       View view = pack_policy_view(*policy.network, name);
       view["node"] = policy_node_view(plan_, policy, Numbers::packs);
-      add_one(name + ".hpp", "cpp/packs_policy.hpp.mustache", std::move(view));
+      add_one(name + ".hpp", "cpp/vectorized_policy.hpp.mustache", std::move(view));
     }
   }
 
@@ -167,7 +167,7 @@ class Emitter {
     View view = program_view(plan_, names);
     view.set("has_memory", network_ && network_->has_memory());
     view.set("indented", indented());
-    view.set("with_packs", with_packs);
+    view.set("with_vectorized", with_packs);
     add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(view));
     if (failed_) return;
     MarkedText program = take_marks(files_.back().text);
@@ -186,7 +186,7 @@ class Emitter {
       file.path.erase(0, options_.header_folder.size());
       if (has_packs_ && file.path.ends_with("/program.hpp")) file.text = program_alone_;
       if (i >= first_policy) policies.push_back(file);
-      if (file.path.find("/packs/") == std::string::npos) headers.push_back(std::move(file));
+      if (file.path.find("/vectorized/") == std::string::npos) headers.push_back(std::move(file));
     }
     hash_ = options_.graph_hash != 0 ? options_.graph_hash : hash_of(headers);
     put_hash("kGraphHash", hash_);
@@ -276,9 +276,9 @@ class Emitter {
       View view(View::type::object);
       view.set("target", target.id.value);
       view.set("is_split", options_.part != Part::whole);
-      view.set("packs", has_packs_);
+      view.set("vectorized", has_packs_);
       view.set("acts_in_packs", acts_in_packs());
-      view.set("why_no_packs", why_no_packs_);
+      view.set("why_not_vectorized", why_no_packs_);
       view["stages"] = stages_view(plan_, names_);
       add_rendered(target.id.value + "/" + output, file, std::move(view));
     }

@@ -19,7 +19,7 @@ bool reads_in_order(const PolicyUse& use, const Network& network);
 /// The class of a node that runs a policy, for cpp/policy_node.mustache.
 View policy_node_view(const Plan& plan, const NodePolicy& policy, Numbers numbers = Numbers::plain);
 
-/// The class that runs the agent's policy over packs, for cpp/packs_policy.hpp.mustache.
+/// The class that runs the agent's policy over packs, for cpp/vectorized_policy.hpp.mustache.
 View pack_agent_view(const Plan& plan, const Network& network);
 
 /// Whether a policy's layers are all computed over packs, none lane by lane.

@@ -31,7 +31,7 @@ class ProgramView {
     view_.set("engine", graph_.engine_id());
     view_.set("period", (Rational(1) / graph_.environment().rate_hz).to_string());
     view_.set("environment_due", names_.rates[rate].due);
-    view_.set("packs", names_.has_packs());
+    view_.set("vectorized", names_.has_packs());
     const Rational ticks = plan_.rates.front().rate_hz / graph_.environment().rate_hz;
     view_.set("ticks", fmt::format("{}", ticks.ceil()));
     view_.set("phases", fmt::format("{}", steps_in_hyperperiod(plan_)));

@@ -88,7 +88,7 @@ int become_with_environments(const Helper& helper, const GenerateOptions& option
   if (const int code = check_words(helper, words); code != kDone) return code;
   GenerateOptions library = options;
   library.targets = {"environments"};
-  library.for_this_machine = !helper.is_shared && std::getenv("EAGERX_PACKS") == nullptr;
+  library.for_this_machine = !helper.is_shared && std::getenv("EAGERX_SIMD") == nullptr;
   Run run;
   int code = kDone;
   const bool is_made = make(run, library);

@@ -80,8 +80,8 @@ Entity policy_entity(const GraphSpec& spec, const EntitySpec& node, const Networ
   const std::string& graph = spec.name.value;
   entity.cpp = {fmt::format("graphs::{}::{}::Node", graph, name),
                 fmt::format("{}/{}.hpp", graph, name)};
-  entity.cpp_of_packs = CppClass{fmt::format("graphs::{}::packs::{}::Node", graph, name),
-                                 fmt::format("{}/packs/{}.hpp", graph, name)};
+  entity.cpp_of_packs = CppClass{fmt::format("graphs::{}::vectorized::{}::Node", graph, name),
+                                 fmt::format("{}/vectorized/{}.hpp", graph, name)};
   entity.packs = always();
   if (node.inputs) {
     for (const auto& input : *node.inputs) {

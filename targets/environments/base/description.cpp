@@ -73,7 +73,7 @@ std::string stepping_text(UsedPacks used, UsedPacks widest, std::uint32_t enviro
   const std::string one_by_one = "one by one: ";
   if (!graph_has_none.empty()) return one_by_one + graph_has_none;
   if (draws) return one_by_one + "their pictures are wanted";
-  if (widest.lanes == 0) return one_by_one + "EAGERX_PACKS or this processor allows no SIMD lanes";
+  if (widest.lanes == 0) return one_by_one + "EAGERX_SIMD or this processor allows no SIMD lanes";
   const std::string few = std::to_string(environments) +
                           (environments == 1 ? " environment is" : " environments are") +
                           " too few for ";
