@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <cstdlib>
 #include <eagerx/math/rounding_check.hpp>
 #include <string>
 #include <targets/environments/base/checks.hpp>
@@ -49,6 +50,8 @@ class Library {
             "this library was compiled with flags that change the bits of its numbers: leave out "
             "-ffast-math and its parts");
       }
+      if (std::getenv("EAGERX_PACKS") != nullptr)
+        refuse("write `EAGERX_SIMD`, the new name of the variable `EAGERX_PACKS`");
       check_options(options);
       const RightFloats right;
       result = new Made(*options);

@@ -86,12 +86,12 @@ struct Graph : Limits {
       {-2.0, 2.0},      // slow/filtered
   };
 
-  /// What left.model_state is drawn from
+  /// The range that left.model_state is drawn from
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateLeftModelState{
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
-  /// What left.mass is drawn from
+  /// The range that left.mass is drawn from
   static constexpr eagerx::Space<float> kStateLeftMass{.low = 0.01F, .high = 0.07F};
-  /// What right.model_state is drawn from
+  /// The range that right.model_state is drawn from
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateRightModelState{
       .low = {{-1.0F, -2.0F}}, .high = {{1.0F, 2.0F}}};
 

@@ -22,7 +22,7 @@
 
 namespace graphs::multi_rate {
 
-/// What engines and nodes calculate in.
+/// The number type of engines and nodes.
 using Real = double;
 
 /// Numbers of the published messages in the trace.

@@ -71,7 +71,7 @@ struct Graph : Limits {
       {-2.0, 2.0},      // smooth/filtered
   };
 
-  /// What pendulum.model_state is drawn from
+  /// The range that pendulum.model_state is drawn from
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStatePendulumModelState{
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
 

@@ -21,7 +21,7 @@
 
 namespace graphs::pendulum_swing_up {
 
-/// What engines and nodes calculate in.
+/// The number type of engines and nodes.
 using Real = float;
 
 /// Numbers of the published messages in the trace.

@@ -15,13 +15,13 @@ static_assert(eagerx::kVersionMajor == 0 && eagerx::kVersionMinor == 2,
 
 namespace graphs::pendulum_swing_up {
 
-/// What this was made from: FNV-1a of all headers of this program and of those with weights alone,
+/// The hash of the inputs: FNV-1a of all headers of this program and of those with weights alone,
 /// which is 0 without a policy. A comment in the graph changes neither.
-inline constexpr std::uint64_t kGraphHash = 0x132a8573215d869dU;
+inline constexpr std::uint64_t kGraphHash = 0x24968a0df5aaa7ccU;
 inline constexpr std::uint64_t kPolicyHash = 0xc5ea043d3f18bbd4U;
 inline constexpr const char* kGenerator = "eagerx-gen 0.2.0";
 
-/// What the agent decides at every step.
+/// The agent's action at every step.
 struct Action {
   eagerx::Array<float, 1> voltage;  // float32 [1]
 
@@ -31,8 +31,8 @@ struct Action {
   }
 };
 
-/// What the agent sees: windows into the program's own memory, oldest message first, valid until
-/// the next step or reset, and no longer than the program. Copy messages that are to stay.
+/// The agent's observations: windows into the program's own memory, oldest message first, valid
+/// until the next step or reset, and no longer than the program. Copy messages that are to stay.
 struct ObservationView {
   // float32 [2]
   eagerx::PaddedWindow<eagerx::Array<float, 2>, eagerx::Rate<30>, 1, 1, true> angle;
@@ -48,7 +48,8 @@ struct ObservationView {
 
 using Observation = ObservationView;
 
-/// What a reset may set. What is left empty stays as it is; before the first reset, its default.
+/// The states that a reset may set. An empty one keeps its value; before the first reset, its
+/// default.
 struct States {
   // pendulum.states.model_state: float32 [2]
   std::optional<eagerx::Array<float, 2>> pendulum_model_state{};

@@ -26,7 +26,7 @@ class Program {
   eagerx::Guard<Limits> guard{};
 
   /// Once: engine and simulators get what they need, memory too if they are built on a library.
-  /// The first reset does it if nobody has.
+  /// The first reset does it if it is not done yet.
   void warm_up() {
     if (warm_) {
       return;

@@ -243,7 +243,7 @@ class Program {
   std::uint32_t slot_ = 0;  // of the last observation
 
   // The place in the schedule is none: something wrote over it. The engine makes itself safe, and
-  // whoever defines eagerx_memory_fault() decides; a board ends as after any other fault. Else it
+  // eagerx_memory_fault() decides, if it is defined; a board ends as after any other fault. Else it
   // is as before the first reset, until there is one.
   [[gnu::noinline, gnu::cold]] Observation memory_fault() {
     ++memory_faults_;

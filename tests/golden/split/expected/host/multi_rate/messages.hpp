@@ -15,13 +15,13 @@ static_assert(eagerx::kVersionMajor == 0 && eagerx::kVersionMinor == 2,
 
 namespace graphs::multi_rate {
 
-/// What this was made from: FNV-1a of all headers of this program and of those with weights alone,
+/// The hash of the inputs: FNV-1a of all headers of this program and of those with weights alone,
 /// which is 0 without a policy. A comment in the graph changes neither.
-inline constexpr std::uint64_t kGraphHash = 0x52c47006ed64710aU;
+inline constexpr std::uint64_t kGraphHash = 0xa1e9178d52b81841U;
 inline constexpr std::uint64_t kPolicyHash = 0x0000000000000000U;
 inline constexpr const char* kGenerator = "eagerx-gen 0.2.0";
 
-/// What the agent decides at every step.
+/// The agent's action at every step.
 struct Action {
   eagerx::Array<float, 1> voltage;  // float32 [1]
   eagerx::Array<float, 1> push;     // float32 [1]
@@ -33,8 +33,8 @@ struct Action {
   }
 };
 
-/// What the agent sees: windows into the program's own memory, oldest message first, valid until
-/// the next step or reset, and no longer than the program. Copy messages that are to stay.
+/// The agent's observations: windows into the program's own memory, oldest message first, valid
+/// until the next step or reset, and no longer than the program. Copy messages that are to stay.
 struct ObservationView {
   // float32 [2]
   eagerx::PaddedWindow<eagerx::Array<float, 2>, eagerx::Rate<20>, 2, 2, false> angle;
@@ -59,7 +59,8 @@ struct ObservationView {
 
 using Observation = ObservationView;
 
-/// What a reset may set. What is left empty stays as it is; before the first reset, its default.
+/// The states that a reset may set. An empty one keeps its value; before the first reset, its
+/// default.
 struct States {
   // left.states.model_state: float32 [2]
   std::optional<eagerx::Array<float, 2>> left_model_state{};

@@ -34,14 +34,14 @@ class Program {
   [[nodiscard]] Link& link() const { return *link_; }
   /// At the end of an episode, and where messages are looked at: waits for those on their way.
   void settle() { ahead_.settle(*this); }
-  /// What the part with the agent has sent in the last step, once it is there.
+  /// The action that the part with the agent has sent in the last step, once it is there.
   [[nodiscard]] Action applied() const {
     return {.voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1 - 1)],
             .push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1 - 1)]};
   }
 
   /// Once: engine and simulators get what they need, memory too if they are built on a library.
-  /// The first reset does it if nobody has.
+  /// The first reset does it if it is not done yet.
   void warm_up() {
     if (warm_) {
       return;
@@ -164,7 +164,7 @@ class Program {
     if (slot_ >= 12) {
       return memory_fault();
     }
-    // The slot of the last observation goes on, then come those up to the next.
+    // The slot of the last observation continues, then come those up to the next.
     switch (kKindAt[slot_]) {
       case 0:
         after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
@@ -496,7 +496,7 @@ class Program {
   std::uint32_t slot_ = 0;  // of the last observation
 
   // The place in the schedule is none: something wrote over it. The engine makes itself safe, and
-  // whoever defines eagerx_memory_fault() decides; a board ends as after any other fault. Else it
+  // eagerx_memory_fault() decides, if it is defined; a board ends as after any other fault. Else it
   // is as before the first reset, until there is one.
   [[gnu::noinline, gnu::cold]] Observation memory_fault() {
     ++memory_faults_;

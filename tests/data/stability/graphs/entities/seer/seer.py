@@ -1,0 +1,2 @@
+class KeySeer:
+    """A node in Python alone."""
