@@ -15,12 +15,12 @@ struct MassAndInertia {
   Vector3 products{};  // Ixy, Ixz, Iyz
 };
 
-/// What a link in this frame has.
+/// The inertia of a link in this frame.
 MassAndInertia turned(const Inertial& inertial, const Frame& link);
 /// One body of all parts, by the theorem of Steiner.
 MassAndInertia together(const std::vector<MassAndInertia>& parts);
 
-/// What a ball of water of this mass has about each axis [kg·m²].
+/// The inertia of a ball of water of this mass about each axis [kg·m²].
 double ball_of_water(double mass);
 
 /// Whether every axis has a positive inertia.

@@ -16,7 +16,7 @@ namespace eagerx::urdf {
 
 using Names = std::initializer_list<std::string_view>;
 
-/// What an element may contain.
+/// The allowed contents of an element.
 struct Contents {
   Names attributes = {};
   Names once = {};    // elements

@@ -31,7 +31,7 @@ class Fifo {
   std::size_t size_ = 0;
 };
 
-/// What the data line from the devices does.
+/// The state of the data line from the devices.
 enum class DataLine : std::uint8_t { works, stuck_low, stuck_high };
 
 class Chip {

@@ -53,7 +53,7 @@ class I2cSlave {
   bool first_ = true;
 };
 
-/// What hangs on a serial line: answers go to `reply`.
+/// A device on a serial line: answers go to `reply`.
 class SerialSlave {
  public:
   SerialSlave() = default;

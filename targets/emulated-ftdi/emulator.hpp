@@ -40,7 +40,7 @@ struct Settings {
   unsigned wired = 0;  // the interface that the devices are on; nothing is on the others
 };
 
-/// What went over USB.
+/// The transfers over USB.
 struct UsbCounts {
   std::uint64_t out = 0;        // bulk transfers to the chip
   std::uint64_t in = 0;         // bulk transfers from the chip that carried an answer

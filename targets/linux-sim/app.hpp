@@ -142,7 +142,7 @@ class GraphWatch : public target::Watch<Graph> {
   bool has_header_ = false;
 };
 
-/// What another process does with its copy of `program` if this one is killed; nullptr: nothing.
+/// The action of the supervisor with its copy of `program` if this one is killed; nullptr: none.
 template <class Program>
 host::Supervisor::TakeOver how_to_take_over(const Program& program) {
   if constexpr (requires(Program & copy) { copy.take_over(); }) {

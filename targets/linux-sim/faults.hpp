@@ -16,13 +16,13 @@ class AgentFaults {
  public:
   explicit AgentFaults(const Fields& fields);
 
-  /// What is wrong with `texts`, or nothing.
+  /// The problem of `texts`, or nothing.
   std::string read(const std::vector<std::string>& texts);
   bool empty() const { return faults_.empty(); }
 
-  /// What the agent sees of the observations of a step. Valid until the next call.
+  /// The agent's view of the observations of a step. Valid until the next call.
   ObservationRow seen(Seq step, ObservationRow observations);
-  /// What comes of the agent's action: in its place.
+  /// Replaces the agent's action.
   void given(Seq step, void* action);
 
  private:

@@ -8,7 +8,7 @@ namespace eagerx::linux_sim {
 /// `was_wrong`: whether there was something to put right.
 bool put_floats_right(bool& was_wrong);
 
-/// What to say when calculates_as_everywhere() is false at the end of a run.
+/// The message for calculates_as_everywhere() being false at the end of a run.
 extern const char* const kFloatsWentWrong;
 
 }  // namespace eagerx::linux_sim

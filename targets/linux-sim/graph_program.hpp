@@ -25,7 +25,7 @@ class Pictures;
 class SplitLink;
 class Watch;
 
-/// What does not change of a graph. Texts and tables live as long as the program.
+/// The constants of a graph. Texts and tables live as long as the program.
 struct GraphFacts {
   const char* name;
   const char* engine;
@@ -100,7 +100,7 @@ struct ObservationRow {
   void* const* messages;  // [observations] oldest first, room for Field::most
   std::uint32_t* sizes;   // [observations] how many there are
 };
-/// What a step was worth.
+/// The reward of a step.
 struct OutcomeView {
   double reward = 0.0;
   bool terminated = false, truncated = false, success = false;
@@ -148,7 +148,7 @@ class GraphProgram {
   virtual void warm_up() = 0;
   /// Begins episode `episode` with what is in `states`.
   virtual void reset(std::uint32_t episode, StateRow states) = 0;
-  /// What an agent that is no file wants, after the observation that the last call led to.
+  /// The request of an agent that is no file, after the observation that the last call led to.
   virtual void act(target::Agent agent, EpisodeKey key, Seq step, void* action) = 0;
   virtual void guard(void* action) = 0;
   /// Sets what `states` has, between two steps. Only what is Field::tunable.

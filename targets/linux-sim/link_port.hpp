@@ -46,7 +46,7 @@ class LinkPort {
 
   void put(std::uint8_t byte);
   void flush();
-  /// What cannot be written by then is dropped; without it after a second.
+  /// Bytes that cannot be written by then are dropped; without it after a second.
   void write_until(std::uint64_t ns) { write_until_ns_ = ns; }
   /// The next byte; link::kNothing when it is `until_ns` on the clock, link::kClosed.
   int get(std::uint64_t until_ns);

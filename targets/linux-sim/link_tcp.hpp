@@ -10,7 +10,7 @@
 
 namespace eagerx::linux_sim {
 
-/// What a program needs to use a key.
+/// The requirements of a program that uses a key.
 struct KeyInUse {
   const key::Functions* sodium = nullptr;  // null: there is no key
   key::Key key{};

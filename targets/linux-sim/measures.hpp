@@ -14,8 +14,8 @@
 
 namespace eagerx::linux_sim {
 
-/// What an expression may read: an element of the newest message of a port, of an observation or of
-/// a state, or the time of the episode.
+/// The source of a name in an expression: an element of the newest message of a port, of an
+/// observation or of a state, or the time of the episode.
 struct Variable {
   enum class Kind : std::uint8_t { message, observation, state, time };
   Kind kind = Kind::time;
@@ -57,7 +57,7 @@ class Measures {
  public:
   static constexpr std::size_t kMostVariables = 64;
 
-  /// What is wrong with the expressions, or nothing. `until` may be empty.
+  /// The problem of the expressions, or nothing. `until` may be empty.
   std::string prepare(const std::string& until, const std::vector<std::string>& measures,
                       bool summary, const std::vector<Readable>& readables);
 
@@ -112,7 +112,7 @@ class Measures {
   Statistic lengths_, times_;
 };
 
-/// What the expressions of a graph's program may read.
+/// The names for expressions of a graph's program.
 std::vector<Readable> readables_of(const GraphFacts& facts, const std::vector<Field>& states);
 
 }  // namespace eagerx::linux_sim

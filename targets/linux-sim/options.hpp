@@ -27,7 +27,7 @@ inline constexpr std::uint32_t kDefaultBaud = 115'200;
 // Of `--reconnect`, in seconds.
 inline constexpr double kLeastReconnectS = 0.001, kMostReconnectS = 1e6;
 
-/// What `--render` and `--size` say.
+/// The values of `--render` and `--size`.
 struct Rendering {
   std::string to;  // `window`, `hash`, a film or files; empty: nothing is shown
   int width = 480, height = 480;
@@ -81,7 +81,7 @@ struct Options {
 /// The agent, as `--agent` has it.
 std::string_view agent_name(const Options& options);
 
-/// What was wrong with the command line, and what to do.
+/// The problem of the command line, and its fix.
 struct UsageError {
   std::string problem;
   std::string help;

@@ -15,7 +15,7 @@
 
 namespace eagerx::linux_sim {
 
-/// What the command line of a part says.
+/// The command line of a part.
 struct PartArguments {
   std::string_view option, line, key_file;
   double reconnect_s = 0.0;  // how long a hub that is lost is waited for; 0: not

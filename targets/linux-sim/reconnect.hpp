@@ -16,7 +16,7 @@ class Reconnection {
  public:
   Reconnection(GraphProgram& program, const Options& options);
 
-  /// What `--reconnect` cannot do in this run, or nothing.
+  /// Why `--reconnect` is not possible in this run, or nothing.
   std::string problem_of_options() const;
   /// After a link is over; `steps` are done. True: all parts begin anew. False: there is no wait
   /// for parts, the time is over, or the run must end.

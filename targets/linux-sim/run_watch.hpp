@@ -58,7 +58,7 @@ class RunWatch : public Watch {
 
   /// Whether a message has ended the run: --strict-spaces.
   bool left_space() const;
-  /// What is wrong with the first reward that was not finite, or nothing.
+  /// The problem of the first reward that was not finite, or nothing.
   std::string not_finite() const;
   /// Whether there is something that a safe action could stop.
   bool has_begun() const { return episodes_ > 0; }
@@ -75,7 +75,7 @@ class RunWatch : public Watch {
   }
   /// The two parts of step(), between which an external agent has its answer. A class that has more
   /// to do in one of them has its own, and its own step().
-  /// What has become of a step. Returns whether the episode has ended.
+  /// Takes the results of a step. Returns whether the episode has ended.
   bool count(Seq step, bool has_ended, const OutcomeView& outcome);
   /// Waits until the step is over.
   void pace(Seq step, bool has_ended);

@@ -47,7 +47,7 @@ std::string name_of_part(const link::PartFacts& part);
 struct PartLines {
   std::vector<std::string> lines, keys;  // [parts]
 };
-/// What is wrong with the lines that the options name; empty: there is one to each part.
+/// The problem of the lines in the options; empty: each part has one.
 std::string find_parts(const GraphFacts& facts, const Options& options, PartLines& found);
 /// Opens the line to a part, which may be open, and begins a session. Returns what went wrong.
 std::string connect_part(SplitLink& link, const std::string& line, const std::string& key_file,

@@ -19,7 +19,7 @@ class StateRecord {
   /// An episode begins, or parameters are set while it runs. What `states` does not have stays as
   /// it was.
   void begin(StateRow states);
-  /// What was set last.
+  /// The last set value.
   StateRow current() const { return current_.row(); }
 
   /// Lines `# state EPISODE NAME VALUE,…`, which are no messages: the hash does not see them.

@@ -35,7 +35,7 @@ struct StateSetting {
 /// nullopt if the text is none of the forms.
 std::optional<StateSetting> parse_setting(std::string_view text);
 
-/// What a program says of a state that it does not have.
+/// The message for an unknown state.
 std::string unknown_state(const std::string& name, const std::vector<std::string>& known);
 /// The problem with the numbers for a state of `size` elements within [low[i], high[i]], or
 /// nothing.
@@ -47,7 +47,7 @@ class StateSettings {
  public:
   explicit StateSettings(const std::vector<Field>& states) : states_(states) {}
 
-  /// What is wrong with `texts`, or nothing.
+  /// The problem of `texts`, or nothing.
   std::string read(const std::vector<std::string>& texts);
 
   /// Puts what is set into `states`, as the graph's own draws would be: the same numbers for the

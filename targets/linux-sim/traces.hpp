@@ -30,7 +30,7 @@ inline constexpr bool shows_scene = requires {
   requires !target::ImageShape<typename Graph::Rendered>::is_image;
 };
 
-/// What shows pictures, and keeps their scenes on request.
+/// Shows pictures, and keeps their scenes on request.
 template <class Graph>
 struct ShowsAndKeeps : Shows<Graph> {
   Recorder* recorder = nullptr;

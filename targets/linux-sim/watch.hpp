@@ -59,9 +59,9 @@ class Watch {
   bool has_faults() const { return has_faults_; }
   /// Memory for what an agent would see without them, or sees in another process.
   virtual ObservationRow observations() = 0;
-  /// What it sees of them; valid until the next call.
+  /// The agent's view of them; valid until the next call.
   virtual ObservationRow seen(Seq step) = 0;
-  /// What comes of its action: in its place.
+  /// Replaces its action.
   virtual void given(Seq step, void* action) = 0;
 
  protected:

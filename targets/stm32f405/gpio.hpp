@@ -33,7 +33,7 @@ constexpr Pin pin_of(std::string_view name) {
   return {static_cast<std::uint8_t>(name[1] - 'A'), static_cast<std::uint8_t>(number)};
 }
 
-/// What a pin does (8.4.1, 8.4.2, 8.4.4).
+/// The mode of a pin (8.4.1, 8.4.2, 8.4.4).
 enum class PinMode : std::uint8_t { input, output, alternate, analog };
 enum class PinPull : std::uint8_t { none, up, down };
 

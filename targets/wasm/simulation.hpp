@@ -55,7 +55,7 @@ class Recorder : public target::LastShown<Graph> {
 /// Who decides: target::Agent, or numbers that JavaScript has written.
 enum class Driver : std::uint8_t { policy, zero, random, hand };
 
-/// What is wrong with this machine.
+/// The problem of this machine.
 enum class Check : std::uint8_t { good, floats, flags, policy };
 
 /// All rows are float64, so float32 and whole numbers up to 2^53 are exact.

@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// What is known of a graph, by what it is about: "nodes.smooth.rate" → "30".
+/// The facts of a graph, by their path: "nodes.smooth.rate" → "30".
 using GraphFacts = std::map<std::string, std::string>;
 GraphFacts facts_of(const PlanInfo& report);
 

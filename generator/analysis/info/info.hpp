@@ -17,7 +17,7 @@ struct AgeLimit {
   Span span;
 };
 
-/// What an entry is compared with: the pairs that no entry with more names of its own is about.
+/// The pairs that an entry covers: those without an entry with more names.
 struct AgeComparison {
   AgeLimit limit;
   std::vector<DataAge> ages;
@@ -45,7 +45,7 @@ std::string nodes_on_way(const DataAge& age);
 
 /// Rates, slots, buffers.
 std::string plan_text(const PlanInfo& report);
-/// What boards send of themselves; empty without `telemetry:`.
+/// The telemetry of boards; empty without `telemetry:`.
 std::string telemetry_text(const Plan& plan);
 Json telemetry_json(const Plan& plan);
 /// Ages from sensors to actuators, and the link.
@@ -63,7 +63,7 @@ double baud_of(const Plan& plan, const PartLink& link);
 void check_parts_budget(const Plan& plan, const YamlValue& entry, Diagnostics& diagnostics);
 /// Whether target environments steps environments of the graph in packs.
 std::string packs_text(const Plan& plan);
-/// What the graph's task sees and gives; empty without one.
+/// The graph's task, its inputs and results; empty without one.
 std::string task_text(const Graph& graph);
 Json task_json(const Graph& graph);
 /// A time as its exact fraction and in seconds.

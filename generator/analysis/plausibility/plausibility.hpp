@@ -7,7 +7,7 @@
 
 namespace eagerx::gen {
 
-/// What is judged: the graph as it was written, resolved and planned, for these targets.
+/// The subject of the checks: the graph as it was written, resolved and planned, for these targets.
 struct Judged {
   const GraphSpec& spec;
   const Graph& graph;

@@ -18,7 +18,7 @@ constexpr std::size_t kMaxLine = 16'000;
 int for_each_line(const std::vector<std::string>& command,
                   const std::function<void(std::string_view)>& line, int input = -1);
 
-/// What the names of these programs begin with for an image, by the machine in its ELF header:
+/// The prefix of these programs' names for an image, by the machine in its ELF header:
 /// `arm-none-eabi-`, `riscv64-unknown-elf-`, or nothing for the machine that this runs on. nullopt:
 /// no ELF file, or one that cannot be read.
 std::optional<std::string> tool_prefix(const std::string& image);

@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// What CMake calls the compiler that said `version` when asked with --version: "GNU", "Clang";
+/// CMake's name of the compiler that printed `version` when asked with --version: "GNU", "Clang";
 /// empty: another one.
 std::string compiler_id(std::string_view version);
 

@@ -7,7 +7,7 @@
 
 namespace eagerx::gen {
 
-/// What nodes send, and when an observation is complete; false if inputs count.
+/// The messages of nodes, and when an observation is complete; false if inputs count.
 View arrivals_view(const Plan& plan, const ProgramNames& names);
 
 /// C++: whether a window of `in` has no message yet; a skipped one may be empty until the first

@@ -16,7 +16,7 @@ View draw_lines(const Random& random, const Space& space, const std::string& fie
 inline bool needs_range(const Random& random) {
   return random.kind != RandomSpec::Kind::value && random.kind != RandomSpec::Kind::choice;
 }
-/// What a state is drawn from.
+/// The distribution of a state.
 Space range_of(const Random& random, const Space& space);
 
 }  // namespace eagerx::gen

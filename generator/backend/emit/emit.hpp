@@ -46,7 +46,7 @@ struct EmitOptions {
 /// depend on the output's.
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
 
-/// What a program that was emitted says of its graph: kGraphHash. Nothing if it says none.
+/// The kGraphHash of an emitted program. Nothing if it says none.
 std::optional<std::uint64_t> hash_in(const std::vector<GeneratedFile>& files);
 
 /// A class of an entity that the program uses.

@@ -31,7 +31,7 @@ std::string rate_suffix(const Rational& rate_hz);
 
 /// "eagerx::Rate<30>", "eagerx::Rate<30, 7>"
 std::string rate_type(const Rational& rate_hz);
-/// What numbers are called: by their C++ types, or as packs of them, "F32".
+/// The names of numbers: by their C++ types, or as packs of them, "F32".
 enum class Numbers : std::uint8_t { plain, packs };
 
 /// "float", "std::int8_t"

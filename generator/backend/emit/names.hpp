@@ -72,7 +72,7 @@ struct ProgramNames {
   [[nodiscard]] std::string message(const Space& space) const {
     return message_type(space, numbers);
   }
-  /// What engines and nodes calculate in.
+  /// The number type of engines and nodes.
   [[nodiscard]] std::string real() const {
     return std::string(
         element_type(plan_.graph->double_precision ? Dtype::float64 : Dtype::float32, numbers));
@@ -87,7 +87,7 @@ struct ProgramNames {
     return plan_.graph->has_engine() && runs(Graph::kEngine);
   }
   [[nodiscard]] bool has_ring(std::size_t ring) const;
-  /// What this program does with an output at its links; whether it does anything.
+  /// This program's use of an output at its links; false if there is none.
   [[nodiscard]] LinkUse links(std::size_t node, std::size_t output) const;
   [[nodiscard]] bool crosses(std::size_t node, std::size_t output) const;
   /// Whether this program is a hub that asks for the messages of a node before it needs them, and
@@ -138,7 +138,7 @@ bool is_drawn(const Plan& plan, const Ring& ring);
 /// packs/draws.hpp: what several episodes begin with.
 View draws_view(const Plan& plan, const ProgramNames& names);
 
-/// What the templates of one program are rendered with.
+/// The view of the templates of one program.
 View messages_view(const Plan& plan, const ProgramNames& names);
 /// Where headers are: those below `builtin_root` in angle brackets, others relative to `here`.
 struct IncludePaths {
@@ -163,7 +163,7 @@ View stages_view(const Plan& plan, const ProgramNames& names);
 /// `telemetry:` in graph.hpp and in telemetry.json: false without it.
 View telemetry_view(const Plan& plan);
 View program_view(const Plan& plan, const ProgramNames& names);
-/// What of the rendered program.hpp belongs to which node.
+/// The ranges of the rendered program.hpp, by node.
 ProgramMap program_map(const Plan& plan, const ProgramNames& names, const MarkedText& program);
 View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network,
                 const std::vector<NodePolicy>& node_policies);

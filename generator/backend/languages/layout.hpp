@@ -23,7 +23,7 @@ struct LayoutMessage {
   std::uint64_t keep = 1;  // messages that readers look back at
 };
 
-/// What a node does at its ticks: it runs in the part, or its messages come over the line.
+/// The behavior of a node at its ticks: it runs in the part, or its messages come over the line.
 struct LayoutTurn {
   std::size_t node = 0;
   bool runs = false;
@@ -42,7 +42,7 @@ struct PartLayout {
 /// `plan` is of a placed graph.
 PartLayout layout_of_part(const Plan& plan, std::size_t part);
 
-/// What the hub and one part agree on, as hash_of_part() of eagerx/link/frame.hpp: FNV-1a
+/// The hash that the hub and one part agree on, as hash_of_part() of eagerx/link/frame.hpp: FNV-1a
 /// continued from the hash of the graph.
 inline std::uint64_t hash_of_part(std::uint64_t graph, std::string_view part) {
   return host::fnv1a(part, graph);

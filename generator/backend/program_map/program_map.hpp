@@ -14,7 +14,7 @@
 
 namespace eagerx::gen {
 
-/// What nodes share, listed after them in reports and budgets.
+/// The parts that nodes share, listed after them in reports and budgets.
 inline constexpr std::array<std::string_view, 7> kSharedParts = {
     "board", "other", "policy", "rings", "runtime", "schedule", "simulators"};
 
@@ -24,7 +24,7 @@ struct ProgramMap {
     std::uint32_t first = 0, last = 0;
     std::string node;
   };
-  /// What a member is for: a node, or a part of the program that nodes share.
+  /// The owner of a member: a node, or a part of the program that nodes share.
   struct Owner {
     bool is_node = false;
     std::string name;

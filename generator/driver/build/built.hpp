@@ -26,7 +26,7 @@ struct Generated {
 /// problem, which is in `run`; then `code` is the least that the exit code may be.
 std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options, int& code);
 
-/// What a program says of itself to those who watch it.
+/// A program's description for its observers.
 struct ProgramFacts {
   std::uint64_t hash = 0;  // of the graph
   std::string telemetry;   // the text of telemetry.json; empty: it sends none
@@ -65,15 +65,15 @@ std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions o
 std::optional<std::vector<BuiltProgram>> build_made_graph(
     Run& run, GenerateOptions options, int& code, std::vector<std::string>* to_run = nullptr);
 
-/// What starts a program, before its own options; nothing if nothing here can (its target's
-/// manifest has no `run:`).
+/// The command that starts a program, without its options; nothing if nothing here can (its
+/// target's manifest has no `run:`).
 std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program);
 
 /// Whether a target has something to compile: in another language than C++, if it makes a project
 /// of CMake.
 bool is_compiled(const Target& target);
 
-/// What is started from now on refuses to run if it was built from another graph.
+/// Programs started from now on refuse to run if one was built from another graph.
 void expect_graph(const BuiltProgram& program);
 
 /// Becomes the program, or what starts it, for as long as it takes; `words` are its own options.

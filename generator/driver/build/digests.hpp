@@ -35,8 +35,8 @@ class Digests {
   std::map<std::string, File> files_;
 };
 
-/// What was compiled, as `ninja -t deps` prints it, of a build folder of Make: from the files `*.d`
-/// that compilers write next to object files.
+/// The compiled files, as `ninja -t deps` prints it, of a build folder of Make: from the files
+/// `*.d` that compilers write next to object files.
 std::string listed_in_depfiles(const std::string& build);
 
 /// The file in the build folder that has them.

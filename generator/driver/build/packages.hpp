@@ -37,7 +37,7 @@ bool is_standalone(const GenerateOptions& options);
 /// Whether the output is only these packages: with --library, and without --standalone.
 bool is_bare(const GenerateOptions& options);
 
-/// What of the graph cannot be a package's main loop: E0503 an engine, E0330 a node that needs an
+/// Refuses graphs that cannot be a package's main loop: E0503 an engine, E0330 a node that needs an
 /// operating system.
 void check_for_packages(Run& run, const GenerateOptions& options);
 
@@ -51,7 +51,7 @@ void place_headers(const Run& run, const GenerateOptions& options,
                    const std::vector<Package>& packages, const std::vector<ExtraTemplate>& others,
                    std::vector<GeneratedFile>& files);
 
-/// What to type next, for each package: its next.library.sh or next.program.sh.
+/// The next commands, for each package: its next.library.sh or next.program.sh.
 std::string next_steps(Run& run, const GenerateOptions& options,
                        const std::vector<Package>& packages, const std::string& folder);
 

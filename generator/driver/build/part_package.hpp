@@ -16,7 +16,7 @@ bool choose_language(Run& run, const GenerateOptions& options);
 /// Leaves the files of one part, in the folder itself.
 void keep_part(const std::string& part, std::vector<GeneratedFile>& files);
 
-/// What to type to run it.
+/// The commands that run it.
 std::string next_steps_of_part(const Run& run, const std::string& part, const std::string& folder);
 
 }  // namespace eagerx::gen

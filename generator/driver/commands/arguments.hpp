@@ -27,7 +27,7 @@ Arguments rates(GraphOptions& options);
 Argument agent_policy(GraphOptions& options);
 /// Nodes that are cut out of the graph, as a library.
 Argument cut_out_nodes(GraphOptions& options, std::string about);
-/// What building the programs of a graph takes.
+/// The options of building the programs of a graph.
 Arguments on_building(GenerateOptions& options);
 Argument warnings(GraphOptions& options);
 /// Folders of the user's own entities.

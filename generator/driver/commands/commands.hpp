@@ -29,7 +29,7 @@ Command size_command();
 Command identify_command();
 /// Looks into weight files: `policy info`, `test`, `golden`, `compare`.
 Command policy_command();
-/// What two machines trust each other by.
+/// The keys between two machines.
 Command key_command();
 /// Opens the reference.
 Command docs_command();

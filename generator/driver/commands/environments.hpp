@@ -31,7 +31,7 @@ struct EnvironmentsOptions : GenerateOptions {
 
 /// The rows of the program that are for users, as options that are handed on to it.
 Arguments handed_on(std::span<const eagerx::options::Row> rows, EnvironmentsOptions& options);
-/// What making a library of environments takes.
+/// The options of making a library of environments.
 Arguments on_environments(GenerateOptions& options);
 
 /// Makes the graph's library of environments, and becomes `program` with it and with `words`. They

@@ -20,7 +20,7 @@ std::string class_name_of(std::string_view name);
 /// MyFilter, my filter → my_filter: a name that was probably meant.
 std::string word_of(std::string_view name, char between);
 
-/// What every template of a new folder may use.
+/// The variables of the templates of a new folder.
 View view_of_new(const std::string& name, const std::filesystem::path& folder);
 
 struct NewFile {

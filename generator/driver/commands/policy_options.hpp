@@ -25,7 +25,7 @@ struct AskedOptions {
   std::optional<std::uint64_t> rows, seed;
 };
 
-/// What may be said of a weight file besides it.
+/// The options of a weight file.
 struct Saying {
   const char* names;
   const char* about;
@@ -38,7 +38,7 @@ const std::vector<Saying>& sayings();
 /// A weight file, with what is said of it.
 Arguments one_policy(PolicyOptions& options);
 Arguments asked(AskedOptions& options);
-/// What is wrong with them together, or "".
+/// A conflict between them, or "".
 std::string check_asked(const AskedOptions& options);
 
 Command policy_info_command();

@@ -21,19 +21,19 @@ std::optional<std::vector<std::string>> read_train_settings(const std::string& p
                                                             Diagnostics& diagnostics,
                                                             SettingPlaces& places);
 
-/// What a file of settings may contain.
+/// The format of a file of settings.
 const Format& train_settings_format();
-/// What the value of a setting may look like, but for check_layers().
+/// The format of a setting's value, but for check_layers().
 FormatPtr setting_format(const eagerx::options::Setting& row);
 /// Reports a list that is too long (E0204). True if it is not.
 bool check_layers(const YamlValue& layers, Diagnostics& diagnostics);
 /// A value as the trainer reads it on a command line.
 std::string setting_word(const YamlValue& value);
 
-/// What `eagerx-gen help train-settings` says.
+/// The text of `eagerx-gen help train-settings`.
 std::string train_settings_text();
 
-/// What `eagerx-gen schema --train-settings` prints.
+/// The output of `eagerx-gen schema --train-settings`.
 std::string train_settings_schema();
 
 }  // namespace eagerx::gen

@@ -18,10 +18,10 @@ std::optional<std::vector<std::string>> read_train_sweep(const std::string& path
                                                          Diagnostics& diagnostics,
                                                          SettingPlaces& places);
 
-/// What a file of a sweep may contain.
+/// The format of a file of a sweep.
 const Format& train_sweep_format();
 
-/// What `eagerx-gen schema --train-sweep` prints.
+/// The output of `eagerx-gen schema --train-sweep`.
 std::string train_sweep_schema();
 
 }  // namespace eagerx::gen

@@ -22,7 +22,7 @@ struct LibraryOptions : MessageOptions {
   std::vector<std::string> paths;  // folders of the user's own entities and targets
 };
 
-/// What a graph is made for.
+/// The purpose of the output.
 enum class Purpose : std::uint8_t {
   program,
   training,    // the whole graph, whatever its agent is
@@ -57,7 +57,7 @@ struct GenerateOptions : GraphOptions {
   bool sanitize = false;              // programs are built with sanitizers, and check indexes
   bool for_this_machine = false;      // packs of environments for its processor alone
 
-  /// What is cut out of a graph is always a library.
+  /// A part cut out of a graph is always a library.
   [[nodiscard]] bool makes_library() const { return library || !of.empty(); }
 };
 

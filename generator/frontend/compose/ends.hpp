@@ -50,7 +50,7 @@ class Ends {
   std::map<std::string, CompositePorts> composites_;
 };
 
-/// What pictures show of the composite `name`, with its ports in the order of its manifest.
+/// The pictures of the composite `name`, with its ports in the order of its manifest.
 CompositeSpec shown_composite(const std::string& name, Span span, const Entity& entity,
                               const YamlValue* rate, const CompositePorts& ports);
 

@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// What comes to one element.
+/// The connections to one element.
 struct GatheredElement {
   std::int64_t element = 0;
   Spanned<std::string> from;

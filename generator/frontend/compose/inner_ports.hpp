@@ -29,7 +29,7 @@ struct InnerPorts {
                 Diagnostics& diagnostics) const;
 };
 
-/// What feeds the inputs in a composite: its connections and its ports.
+/// The sources of the inputs in a composite: its connections and its ports.
 class Feeds {
  public:
   void add_connection(const YamlValue& connection);

@@ -13,7 +13,7 @@
 
 namespace eagerx::gen {
 
-/// What stands between brackets: a number, or a name and what is added to it. The k-th `*` of a
+/// The text between brackets: a number, or a name and what is added to it. The k-th `*` of a
 /// port is the name "*k".
 struct PatternIndex {
   std::string name;  // empty: a number

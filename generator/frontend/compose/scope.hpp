@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// What a composite says of its inner entities, by their names: entries of `states:`, `sensors:` …
+/// A composite's settings of its inner entities, by name: entries of `states:`, `sensors:` …
 using Said = std::map<std::string, std::vector<YamlValue::Entry>>;
 
 /// A graph that is being made flat: the user's, or what is in one composite.
@@ -30,7 +30,7 @@ void add_said(const Scope& scope, const YamlValue::Entry& written, const std::st
 /// `states: {position.integral: …}` of a composite: of `integral` of the inner `position`.
 /// Problems: E0390.
 void take_states(const YamlValue& settings, Scope& scope, Diagnostics& diagnostics);
-/// What a graph says of sensors and actuators of a composite goes to those inside.
+/// Passes a graph's settings of a composite's sensors and actuators to those inside.
 void take_settings_of_ports(const YamlValue& settings, const YamlValue& inside, Scope& scope);
 /// Reports states of what is not in the graph (E0390).
 void report_unknown_inner(const Scope& scope, const YamlValue& graph, Diagnostics& diagnostics);

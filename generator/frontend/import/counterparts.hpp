@@ -11,7 +11,7 @@
 
 namespace eagerx::gen {
 
-/// What an entity of EAGERx is used as.
+/// The use of an entity of EAGERx.
 enum class Use : std::uint8_t { engine, node, object, processor, engine_node, engine_state };
 
 /// An entity of EAGERx without a counterpart.

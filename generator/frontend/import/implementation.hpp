@@ -10,12 +10,12 @@
 
 namespace eagerx::gen {
 
-/// What a flattened file says of the inside of all objects of one class.
+/// The inside of all objects of one class, from a flattened file.
 struct SavedImplementation {
   std::vector<std::string> lines;  // below `ENGINE:` and behind the model, without indentation
   /// States of engine nodes that the object has to have, too: "name: {space: …}".
   std::vector<std::string> states;
-  /// What the engine is given for the object, "key: value".
+  /// The engine's parameters for the object, "key: value".
   std::vector<std::string> parameters;
 
   [[nodiscard]] bool empty() const { return lines.empty() && parameters.empty(); }

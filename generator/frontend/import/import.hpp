@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// What Graph.save does not write; empty: chosen, with a note.
+/// Values that Graph.save does not write; empty: chosen, with a note.
 struct ImportOptions {
   std::string engine;
   std::optional<Rational> engine_rate_hz, rate_hz;

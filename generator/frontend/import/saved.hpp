@@ -50,7 +50,7 @@ struct SavedLink {
   SavedEnd from, to;
 };
 
-/// What remains of an object in a flattened file: it has become engine nodes called object/….
+/// The rest of an object in a flattened file: it has become engine nodes called object/….
 struct SavedObject {
   Spanned<std::string> name;
   YamlValue parameters;  // of the engine for this object

@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// What is known while a file is translated.
+/// The context of a translation.
 struct Translation {
   const SavedGraph& saved;
   Counterparts& counterparts;
@@ -27,7 +27,7 @@ struct Translation {
   [[nodiscard]] const ObjectEngine* implementation(const Entity& object) const;
 };
 
-/// What a file showed, and what is left out of it.
+/// The pictures of a file, and which are left out.
 struct Pictures {
   Span place;                  // of the first node; no line: the file has no pictures
   std::string object, sensor;  // what the first RenderNode showed in the end; empty: something else
@@ -36,7 +36,7 @@ struct Pictures {
   std::vector<std::string> left_out;  // what nothing stands for
 };
 
-/// What EAGERx ran in processes of their own, by names in the file.
+/// The nodes that EAGERx ran in separate processes, by their names in the file.
 struct Processes {
   Span place;                                 // of the first one; no line: there is none
   std::vector<std::string> alone, elsewhere;  // nodes: NEW_PROCESS, EXTERNAL
@@ -84,7 +84,7 @@ std::optional<SpaceSpec> saved_space(const SavedPort& port);
 bool check_space(const SpaceSpec& space, Diagnostics& diagnostics);
 /// Whether a manifest gives all of the space, in numbers.
 bool same_space(const SpaceSpec& saved, const SpaceSpec& manifest);
-/// What the manifest leaves open or contradicts, dtype and shape only; nullopt: nothing.
+/// The dtype and shape that the manifest leaves open or contradicts; nullopt: none.
 std::optional<SpaceSpec> missing_of(const SpaceSpec& saved, const SpaceSpec& manifest);
 
 /// The port of a manifest that a saved port is, or nullptr.

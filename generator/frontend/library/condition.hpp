@@ -30,7 +30,7 @@ using ConditionNumber = ExpressionNumber;
 using ConditionValue =
     std::variant<bool, std::int64_t, double, Rational, std::string, std::vector<ConditionNumber>>;
 
-/// What a condition speaks of, by the names of ConditionStep::fact.
+/// The facts of a condition, by the names of ConditionStep::fact.
 using Facts = std::map<std::string, ConditionValue>;
 
 /// One step on a stack: conditions are kept in postfix order, so that nothing recurses when they
@@ -74,7 +74,7 @@ using Condition = std::vector<ConditionStep>;
 std::optional<Condition> read_condition(const YamlValue& text, const Entity& entity,
                                         Diagnostics& diagnostics);
 
-/// What `$(…)` refers to: `config limit`, `config limit 0`, `sensors theta rate`. References whose
+/// The target of a `$(…)`: `config limit`, `config limit 0`, `sensors theta rate`. References whose
 /// value is not known have none.
 using KnownReferences = std::map<std::string, std::optional<ConditionValue>, std::less<>>;
 

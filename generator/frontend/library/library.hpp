@@ -46,7 +46,7 @@ struct Parameter {
   bool tunes_running = false;        // … that can be set while an episode runs
 };
 
-/// What parameters, ports and the rate must fulfil together.
+/// The conditions on parameters, ports and the rate.
 struct Requirement {
   Condition that;
   std::string text;     // as written

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 /// Line `line` (from 0) without its newline; behind the last one, the end of the text.
 Bytes line_of(std::string_view text, std::uint32_t line);
 
-/// What a span of a diagnostic covers; of one without a line, the first line.
+/// The lines of a diagnostic's span; of one without a line, the first line.
 Bytes bytes_of(std::string_view text, const Span& span);
 
 }  // namespace eagerx::gen

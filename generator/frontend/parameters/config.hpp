@@ -35,7 +35,7 @@ struct ModelUse {
   Config config;  // of the object
 };
 
-/// What `$(…)` means at some place.
+/// The meaning of `$(…)` at one place.
 using References = std::map<Reference, YamlValue>;
 
 /// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320

@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// What became of a file.
+/// The result of reading a file.
 struct LoadedFile {
   enum class Status : std::uint8_t { loaded, unreadable, too_large };
   Status status = Status::loaded;

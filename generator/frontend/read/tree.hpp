@@ -13,7 +13,7 @@ namespace eagerx::gen {
 
 enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 
-/// What a value is besides its text. Files give only the first: what a user writes can say any
+/// The kind of a value. Files give only the first: what a user writes can say any
 /// text, and is never taken for one of the others.
 enum class Origin : std::uint8_t {
   written,

@@ -33,7 +33,7 @@ struct Elsewhere {
   std::string help;
 };
 
-/// What a value may look like.
+/// The format of a value.
 struct Format {
   enum class Kind : std::uint8_t {
     any,   // checked later, against a manifest

@@ -43,7 +43,7 @@ struct StateSpec {
   std::optional<SpaceSpec> space = {};  // replaces the manifest's bounds
 };
 
-/// What decides: the agent of a graph, or a node that runs a policy.
+/// The source of decisions: the agent of a graph, or a node that runs a policy.
 struct AgentSpec {
   enum class Kind : std::uint8_t { zero, random, csv, policy };
   Kind kind = Kind::zero;
@@ -85,7 +85,7 @@ struct ConnectionSpec {
   ConnectionSettings settings;
 };
 
-/// What an observation of a graph without engine is while it is safe.
+/// The safe value of an observation of a graph without engine.
 struct SafeOutputSpec {
   Spanned<std::string> name;
   Span span;             // of what was written
@@ -96,7 +96,7 @@ struct SafeOutputSpec {
   std::optional<YamlValue> ramp;  // per second
 };
 
-/// What is safe and when it is applied; what is left out has the default of `safety_defaults`.
+/// The safe values and when they apply; the defaults are `safety_defaults`.
 struct SafetySpec {
   Span span;
   std::optional<Span> outputs_span;
@@ -108,7 +108,7 @@ struct SafetySpec {
   std::vector<Setting> settings;   // the others, by key
 };
 
-/// What runs in a program of its own.
+/// A part with its own program.
 struct PlacementSpec {
   Spanned<std::string> name;    // of a node, `agent` or `controller`
   Spanned<std::string> target;  // that the part is a program for

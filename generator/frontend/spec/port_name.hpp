@@ -10,7 +10,7 @@ namespace eagerx::gen {
 struct PortName {
   std::string owner, section, name;
 
-  /// What follows the owner: "theta", "sensors.theta".
+  /// The name behind the owner: "theta", "sensors.theta".
   [[nodiscard]] std::string within_owner() const;
 };
 

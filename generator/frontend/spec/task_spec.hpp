@@ -14,7 +14,7 @@ namespace eagerx::gen {
 /// How connections and channels call the task.
 inline constexpr const char* kTask = "task";
 
-/// What expressions of the task call a sensor, an output of a node or an action.
+/// A name in the task's expressions for a sensor, an output of a node or an action.
 struct TaskInputSpec {
   Spanned<std::string> name, from;
   std::optional<ProcessorSpec> processor;

@@ -31,7 +31,7 @@ struct LinkLoad {
 struct Link {
   std::vector<LinkMessage> messages;  // by name, sensors first
   LinkLoad sensors, actuators;
-  /// What both directions need at once, each having a wire of its own.
+  /// The load of both directions at once, each on its own wire.
   [[nodiscard]] const Rational& baud() const {
     return sensors.baud < actuators.baud ? actuators.baud : sensors.baud;
   }

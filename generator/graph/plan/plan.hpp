@@ -95,7 +95,7 @@ struct Schedule {
   std::vector<Run> runs;             // all slots
 };
 
-/// What the hub and a part of a placed graph send each other.
+/// The messages between the hub and a part of a placed graph.
 struct PartLink {
   std::vector<bool> to_part, to_hub;  // by channel
   std::size_t part_payload = 0;       // most bytes of a frame to the part, and back; what is
@@ -118,7 +118,7 @@ struct Split {
   std::size_t trace_bytes = 0;   // of messages that wait for them in the hub
 };
 
-/// What a board sends of itself: the channels of one rate together, as many as a record takes.
+/// The telemetry of a board: the channels of one rate together, as many as a record takes.
 struct TelemetryGroup {
   struct Place {
     std::size_t channel = 0;   // of Plan::channels

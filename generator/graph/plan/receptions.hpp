@@ -7,7 +7,7 @@
 
 namespace eagerx::gen {
 
-/// What two nodes are to each other.
+/// The relation of two nodes.
 struct ReceptionEnds {
   Rational source_rate_hz, rate_hz;
   bool source_first = true;   // of a slot in which both are due

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 /// Needs everything of the plan but the split, and the graph's placement.
 Split make_split(const Plan& plan);
 
-/// What a program does with a message at its links, each called by its part. A part has one, its
+/// A program's use of a message at its links, each named by its part. A part has one, its
 /// own; the hub has all, and hands on what goes from one part to others.
 struct LinkUse {
   std::optional<std::size_t> from;

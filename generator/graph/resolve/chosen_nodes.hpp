@@ -6,8 +6,8 @@
 
 namespace eagerx::gen {
 
-/// What a node is to a name: not called so; called so, or an element of the array of this name;
-/// or a part of such a composite.
+/// How a node matches a name: not at all; by its own name, or as an element of the array of this
+/// name; or a part of such a composite.
 enum class Called : std::uint8_t { no, itself, inside };
 
 /// Whether `node` ("leg[2]/knee") is called by `name`: "leg[2]/knee", "leg[2]", "leg",

@@ -78,7 +78,7 @@ struct PortIndex {
   std::size_t port = 0;
 };
 
-/// What the readers of a sensor get of an engine node's output.
+/// The message that readers of a sensor get from an engine node's output.
 struct DraftSensor {
   std::string written;  // "pendulum.theta"
   PortIndex output;
@@ -144,7 +144,7 @@ class MakingPorts {
   std::size_t before_;
 };
 
-/// What a SpaceSpec says, with references replaced. Problems: E0325 shape, E0326 bounds.
+/// The space of a SpaceSpec, with references replaced. Problems: E0325 shape, E0326 bounds.
 PartialSpace partial_space(const SpaceSpec& spec, const References& references,
                            Diagnostics& diagnostics);
 /// `base` with everything that `over` says.
@@ -152,7 +152,7 @@ PartialSpace overlay(PartialSpace base, const PartialSpace& over);
 /// The same where dtype and shape must not change: `what` has the space `base` (E0305, E0306).
 PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what,
                     Diagnostics& diagnostics);
-/// What a manifest says of the connections to a port, with references replaced (E0204 where one is
+/// A manifest's settings of the connections to a port, with references replaced (E0204 where one is
 /// no number of messages or seconds).
 ConnectionSettings manifest_settings(const PortManifest& port, const References& references,
                                      Diagnostics& diagnostics);
@@ -180,7 +180,7 @@ bool fits(const PartialSpace& declared, const Space& arriving);
 /// published.
 void settle(DraftOutput& output, const ComponentSpec& said, const std::string& written,
             Diagnostics& diagnostics);
-/// What is said of a port, or nullptr.
+/// The settings of a port, or nullptr.
 const ComponentSpec* find_component(const Selection& selection, std::string_view name);
 /// Reports names in the selection that are none of the entity's `ports` (E0307); true if there was
 /// any. `what` they are: "sensor", "input", …
@@ -212,11 +212,11 @@ void resolve_task(Draft& draft);
 /// A node that adds noise to each observation that `task.noise` names, once it is connected (E0307,
 /// E0315).
 void add_noise(Draft& draft);
-/// What the critic of a training sees (E0307). Its inputs of the task get an output each, of the
+/// The inputs of a training's critic (E0307). Its inputs of the task get an output each, of the
 /// task's node, behind the terms (E0315).
 void add_critic_outputs(Draft& draft, DraftNode& task);
 void resolve_critic(Draft& draft);
-/// What a training draws and weighs otherwise at first (E0307 names, E0327 ranges, E0352 what no
+/// The stages of a training (E0307 names, E0327 ranges, E0352 what no
 /// stage can be).
 void resolve_stages(Draft& draft);
 /// Whether the source of `render:` can be shown (E0360), and which nodes only pictures need.
@@ -226,18 +226,18 @@ void resolve_reset_targets(Draft& draft);  // which states the reset nodes bring
 /// `sync: false` (E0338 what does not go together with it).
 void check_sync(Draft& draft);
 
-/// What runs in which program (E0332 what cannot be placed, E0333 what is placed twice, E0334
-/// targets that are no partners).
+/// The placement of nodes in programs (E0332 what cannot be placed, E0333 what is placed twice,
+/// E0334 targets that are no partners).
 void place_parts(Draft& draft, const std::vector<PlacementSpec>& placement);
 
 /// Names in `settings` that are not among those of a graph. `what` they are: "action" (E0307).
 void report_unknown_names(const std::vector<Setting>& settings,
                           const std::vector<std::string>& known, std::string_view what,
                           const char* otherwise, Diagnostics& diagnostics);
-/// What leaves of a graph without engine while it is safe (E0307, E0327, E0348).
+/// The safe outputs of a graph without engine (E0307, E0327, E0348).
 void resolve_safe_outputs(Draft& draft);
 
-/// What `$(safety KEY)` means in manifests.
+/// The values of `$(safety KEY)` in manifests.
 References safety_references(const GraphSpec& spec);
 /// Adds what `$(safe ACTUATOR)` means in the implementation of `object`, whose own references are
 /// `references`: its value in `safety:`, else that of the action that is connected to it, else zero
@@ -260,9 +260,10 @@ void resolve_telemetry(Draft& draft);
 /// The delay of the connection to `from`, in `into`: what it is at first, the longest that a reset
 /// may make it, and how it is drawn (E0327).
 void resolve_delay(const Draft& draft, const DraftInput& from, Input& into);
-/// What a reset needs of the finished graph (E0317, E0318); marks what cannot run during one.
+/// The requirements of a reset on the finished graph (E0317, E0318); marks what cannot run during
+/// one.
 void check_resets(Graph& graph, Diagnostics& diagnostics);
-/// What manifests require of parameters, ports and rates together (E0328).
+/// Checks the conditions of manifests on parameters, ports and rates (E0328).
 void check_limits(Draft& draft);
 /// Parameters that are too large for float, where the program computes with it (E0323).
 void check_float_range(Draft& draft);

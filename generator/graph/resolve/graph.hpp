@@ -17,7 +17,7 @@
 
 namespace eagerx::gen {
 
-/// What a message may hold. Bounds are empty (unbounded), one for all elements, or one for each.
+/// The space of a message. Bounds are empty (unbounded), one for all elements, or one for each.
 struct Space {
   Dtype dtype = Dtype::float32;
   std::vector<std::uint64_t> shape;
@@ -27,7 +27,7 @@ struct Space {
   [[nodiscard]] std::string describe() const;
 };
 
-/// What converts a message; of several the last one, with those before it.
+/// The processor of a message; of several the last one, with those before it.
 struct Processor {
   const Entity* entity = nullptr;
   Config config;
@@ -90,7 +90,7 @@ struct Input {
   Span span;
 };
 
-/// What a reset node is asked to bring about: a state of an object or of a node.
+/// The target of a reset node: a state of an object or of a node.
 struct ResetTarget {
   std::string name;
   std::optional<std::size_t> object;  // the state's owner
@@ -113,7 +113,7 @@ struct State {
   const Entity* engine_state = nullptr;
   Config config;
   Span span;
-  /// What its owner is given.
+  /// The parameters of its owner.
   [[nodiscard]] const Space& received() const { return processor ? processor->output : space; }
 };
 
@@ -168,7 +168,7 @@ struct Agent {
   Span span;
 };
 
-/// What an observation of a graph without engine is while it is safe.
+/// The safe value of an observation of a graph without engine.
 struct SafeOutput {
   std::size_t input = 0;      // of the environment
   std::vector<double> value;  // one for each element
@@ -179,7 +179,7 @@ struct SafeOutput {
   Span span;
 };
 
-/// What is safe and when; defaults filled in.
+/// The safe values and when they apply; defaults filled in.
 struct Safety {
   bool declared = false;
   std::uint32_t late = 1, missed = 2, recover = 3;  // instants in a row
@@ -197,7 +197,7 @@ struct Safety {
   Span span;
 };
 
-/// What may be applied of an action: its space without what an actuator that it is connected to
+/// The applicable range of an action: its space without what an actuator that it is connected to
 /// does not take.
 struct AppliedAction {
   Space space;
@@ -213,7 +213,7 @@ struct TaskExpression {
   Span span;            // of the name
 };
 
-/// What the critic of a training sees besides the observations: an input of the task, which then
+/// An input of a training's critic besides the observations: an input of the task, which then
 /// has an output `critic_NAME`, or a state as the episode began with it.
 struct CriticInput {
   std::string name;                  // "speed", "pendulum.mass"
@@ -266,7 +266,7 @@ struct Task {
   enum Output : std::uint8_t { reward, terminated_output, truncated_output, success_output, term };
 };
 
-/// What a program shows: a node without outputs.
+/// The pictures of a program: a node without outputs.
 struct Render {
   std::size_t node = 0;
   std::shared_ptr<const Entity> entity;
@@ -295,7 +295,7 @@ struct PlacedPart {
   Span span;
   std::string key;  // a file, for the line to that machine; empty: none
 };
-/// What runs elsewhere, in a star: the rest, the hub, runs on Linux and has a link to each part.
+/// The parts of a star: the rest, the hub, runs on Linux and has a link to each part.
 struct Placement {
   static constexpr std::size_t kHub = ~std::size_t{0};
 
@@ -313,7 +313,7 @@ struct CutPort {
   Rational rate_hz;                     // of its messages
   std::optional<std::string> actuator;  // of an observation: what it drives, as it is
 };
-/// What is said of such a graph; its environment stands for all that was around it.
+/// The facts of such a graph; its environment stands for everything around it.
 struct Cut {
   std::vector<CutPort> actions, observations;  // in the order of the environment's
   std::shared_ptr<const Entity> port;          // of nodes that take actions at slower rates
@@ -365,14 +365,14 @@ bool runs_in_packs(const Processor& processor);
 /// "actions.voltage".
 std::string name_of_source(const Graph& graph, const Input& input);
 
-/// What the command line may say besides the graph.
+/// The settings of the command line.
 struct ResolveOptions {
   std::string engine;                    // empty: the graph's
   std::string real;                      // empty: the graph's
   std::vector<PlacementSpec> placement;  // empty: the graph's
 };
 
-/// What leaves of a graph without engine while it is safe, into `safety`; `written` is nullptr
+/// Puts the safe outputs of a graph without engine into `safety`; `written` is nullptr
 /// where a graph says nothing. Problems: E0307, E0327, E0348.
 void read_safe_outputs(const GraphNode& environment, const SafetySpec* written, Safety& safety,
                        Diagnostics& diagnostics);

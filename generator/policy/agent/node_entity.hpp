@@ -7,7 +7,7 @@
 
 namespace eagerx::gen {
 
-/// What `node` is: its inputs and outputs are what the graph says, and what the weights say of size
+/// The entity of `node`: its inputs and outputs are those of the graph, with the weights' size
 /// and bounds; the class is generated. `network` is nullptr if the weights could not be read.
 Entity policy_entity(const GraphSpec& spec, const EntitySpec& node, const Network* network);
 

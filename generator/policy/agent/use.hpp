@@ -10,7 +10,7 @@
 
 namespace eagerx::gen {
 
-/// What a policy takes and gives, in its order. Points into the graph.
+/// The inputs and outputs of a policy, in its order. Points into the graph.
 struct PolicyUse {
   std::string file;  // as written
   Span span, place;  // where it was written; what it takes
@@ -23,7 +23,7 @@ struct PolicyUse {
   std::string in, out;       // what names are prefixed with: "observations.", "balance."
   bool is_agent = true;
 
-  /// What becomes of the network's outputs.
+  /// The conversion of the network's outputs.
   [[nodiscard]] ActionKind kind(const Network& network) const;
 };
 

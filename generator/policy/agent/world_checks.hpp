@@ -25,7 +25,7 @@ inline std::optional<double> bound_of(const std::vector<double>& bounds, std::si
   return bounds.size() == count ? std::optional<double>(bounds[i]) : std::nullopt;
 }
 
-/// What becomes of the policy's outputs, and the bounds or choices of the actions: E0704, E0705.
+/// The conversion of the policy's outputs, and the bounds or choices of the actions: E0704, E0705.
 void check_policy_actions(const PolicyUse& use, const Network& network, Diagnostics& diagnostics);
 
 /// The order of the observations, by their names or bounds, and the shape of an image: E0706,

@@ -11,7 +11,7 @@
 
 namespace eagerx::gen {
 
-/// What the graph (or the command line) says of a policy besides its file.
+/// The settings of a policy in the graph or on the command line.
 struct PolicyRequest {
   std::string path, name;                      // where it is, and as the user wrote it
   Span span;                                   // where the graph names it

@@ -38,7 +38,7 @@ constexpr bool is_choice(ActionKind kind) {
   return kind == ActionKind::argmax || kind == ActionKind::binary;
 }
 
-/// What the file says of the world that it was trained in; empty where it says nothing.
+/// The file's facts of the environment of its training; empty where unknown.
 struct PolicyContract {
   std::string algorithm;                                  // "SAC"
   std::vector<NamedPart> observations;                    // in the order of the inputs

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 /// any.
 std::vector<float> normalized(const Network& network, std::vector<float> observation);
 
-/// What a network remembers from one observation to the next, layer by layer; empty: nothing yet.
+/// The state of a network from one observation to the next, layer by layer; empty: none yet.
 template <class Real>
 using Memory = std::vector<std::vector<Real>>;
 

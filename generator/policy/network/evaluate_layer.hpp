@@ -7,7 +7,7 @@
 
 namespace eagerx::gen {
 
-/// What `layer` makes of `x`, before norm and activation. `memory` is what it remembers: empty for
+/// The result of `layer` for `x`, before norm and activation. `memory` is its state: empty for
 /// nothing yet; changed by layers that remember.
 std::vector<float> evaluate_layer(const Layer& layer, const std::vector<float>& x,
                                   std::vector<float>& memory);

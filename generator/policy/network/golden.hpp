@@ -12,7 +12,7 @@
 
 namespace eagerx::gen {
 
-/// What files of golden rows look like, as help of an error.
+/// The format of files of golden rows, as help of an error.
 inline constexpr const char* kGoldenHelp =
     "columns are obs0, obs1 …, network_out, action; arrays obs, network_out, action";
 
@@ -34,7 +34,7 @@ bool all_of_width(const std::vector<std::vector<double>>& rows, std::size_t coun
 /// Whether an episode starts with row `i`.
 bool starts_episode(const GoldenRows& rows, std::size_t i);
 
-/// What the network is given for row `i`: without statistics, what was normalised elsewhere.
+/// The network's input for row `i`: without statistics, the observation normalized elsewhere.
 std::vector<float> input_of_row(const Network& network, const GoldenRows& rows, std::size_t i);
 
 /// `count` rows of `width` numbers in -1…1, the same on every machine.

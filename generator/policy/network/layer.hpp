@@ -49,7 +49,7 @@ struct KernelShape {
   bool operator==(const KernelShape&) const = default;
 };
 
-/// What a layer is.
+/// The kind of a layer.
 struct Dense {};  // W x + b
 /// weights [outputs' channels][channels / groups][rows][columns], bias one a channel.
 struct Convolution {
@@ -139,7 +139,7 @@ struct Layer {
   LayerForm form{};
   std::vector<std::int8_t> rounded{};  // as weights, instead of them; empty: float32
   std::vector<float> scales{};         // as bias: a weight is rounded times this
-  /// What it takes: -1 the observation, i the result of layer i. Empty: the result of the layer
+  /// Its inputs: -1 the observation, i the result of layer i. Empty: the result of the layer
   /// before it, as in a chain.
   std::vector<std::int32_t> takes{};
 

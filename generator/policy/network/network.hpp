@@ -60,7 +60,7 @@ struct Network {
   [[nodiscard]] std::size_t actions() const {
     return action_kind() == ActionKind::argmax ? groups().size() : std::size_t{outputs()};
   }
-  /// What the file says; else squashed if the last layer is a tanh.
+  /// As in the file; else squashed if the last layer is a tanh.
   [[nodiscard]] ActionKind action_kind() const {
     const bool tanh = layers.back().activation == Activation::tanh;
     return action.value_or(tanh ? ActionKind::squashed : ActionKind::raw);

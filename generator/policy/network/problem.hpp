@@ -15,7 +15,7 @@ struct PolicyProblem {
   std::string help;
 };
 
-/// What `return refuse(...)` gives back: false, nothing, or no pointer, as the function has it.
+/// The result of `return refuse(...)`: false, nothing, or no pointer, as the function has it.
 struct Refused {
   // NOLINTBEGIN(google-explicit-constructor): that is what it is for
   template <std::same_as<bool> Bool>
@@ -39,7 +39,7 @@ Refused refuse(PolicyProblem& problem, std::string code, std::string message, st
 /// A name out of a file as it can be shown: ASCII, no control characters, not too long.
 std::string printable(std::string_view name);
 
-/// What helps against damaged files.
+/// The help for damaged files.
 inline constexpr const char* kSaveAgain = "the file is damaged: save it again";
 inline constexpr const char* kCutShort = "the file is damaged or truncated: save it again";
 /// And against actors that are read by the names of their tensors, and are built in another way.

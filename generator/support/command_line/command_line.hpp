@@ -16,7 +16,7 @@ namespace eagerx::gen {
 /// Exit codes, the same for all commands of all programs.
 enum ExitCode : int { kDone = 0, kProblems = 1, kWrongUsage = 2, kInputOutput = 3, kInternal = 4 };
 
-/// What a command does with the files that an argument names. It decides which files may be one:
+/// A command's use of the files that an argument names. It decides which files may be one:
 /// an output is no input and no other output, by any name or link.
 enum class FileUse : std::uint8_t {
   none,
@@ -32,7 +32,7 @@ struct Argument {
   std::string type;  // of its value in the help: "NAME"; a flag has none
   /// Stores the values: one, as many as `values`, or of a repeated one all that are given.
   std::function<void(const std::vector<std::string>&)> take;
-  /// What is wrong with a value, or "".
+  /// The problem of a value, or "".
   std::function<std::string(const std::string&)> check = {};
   std::vector<std::string> choices = {};  // the only values; empty: any
   std::size_t values = 1;                 // that follow the option
@@ -64,14 +64,14 @@ struct Command {
   /// follows it, and all that follows `--`: words for another program. Without: such are wrong.
   std::optional<Argument> rest = {};
   std::vector<Command> commands = {};
-  /// What is wrong with the arguments together, or "". Asked after all were taken.
+  /// A conflict between the arguments, or "". Called after all were read.
   std::function<std::string()> check = {};
   std::function<int()> run = {};
   bool hidden = false;                 // from the help: not for people
   std::shared_ptr<void> options = {};  // what `arguments` store in, kept as long as they
 };
 
-/// What `help NAME` says besides what the commands say.
+/// The topics of `help NAME` besides commands.
 struct Topic {
   std::string name;
   std::string about;

@@ -74,7 +74,7 @@ class Diagnostics {
   /// Adds an error and returns it, so that label, notes and help can be set.
   Diagnostic& error(std::string code, Span span, std::string message);
   Diagnostic& warning(std::string code, Span span, std::string message);
-  /// What was decided for the user; no problem.
+  /// A decision made for the user; no problem.
   Diagnostic& note(Span span, std::string message);
   /// An error of reading or writing.
   Diagnostic& io_error(std::string code, Span span, std::string message);

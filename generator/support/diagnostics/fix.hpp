@@ -39,7 +39,7 @@ struct Fix {
   bool certain = false;  // else one of several, or with a place where something is to be written
 };
 
-/// What helps: in words, and as changes of the text, the likeliest first.
+/// The help: in words, and as changes of the text, the likeliest first.
 struct Help {
   Help() = default;
   // NOLINTBEGIN(google-explicit-constructor): most helps are words only

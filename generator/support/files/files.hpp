@@ -27,7 +27,7 @@ struct OneFile {
 /// `written`: files that are about to be written. Nothing: all are different.
 std::optional<OneFile> find_one_file(const std::vector<std::string>& written = {});
 
-/// What messages call the input that lies at `path`, by any name or link; nothing: there is none.
+/// The name in messages of the input that lies at `path`, by any name or link; nothing: none.
 std::optional<std::string> input_at(const std::string& path);
 
 /// Forgets all of it: a test is many runs.

@@ -8,7 +8,7 @@ namespace eagerx::gen {
 
 /// The path of a `file:` URI (RFC 8089), or nothing ("untitled:" and the like have none).
 std::string path_of_uri(std::string_view uri);
-/// What has a meaning of its own in a URI becomes `%20` and the like.
+/// Escapes characters with a meaning in a URI as `%20` and the like.
 std::string uri_of_path(std::string_view path);
 
 }  // namespace eagerx::gen

@@ -45,7 +45,7 @@ struct Json {
   [[nodiscard]] bool is() const {
     return std::holds_alternative<Kind>(value);
   }
-  /// What is in it if it is that, or nullptr.
+  /// The contents if they have that type, or nullptr.
   template <class Kind>
   [[nodiscard]] const Kind* as() const {
     return std::get_if<Kind>(&value);

@@ -21,7 +21,7 @@ class Quoter {
  public:
   explicit Quoter(Language language) : language_(language) {}
 
-  /// What the template has.
+  /// The text of the template.
   void add(std::string_view text);
   /// False if the value cannot stand there.
   bool add_value(std::string_view value);

@@ -8,7 +8,7 @@ namespace eagerx::gen {
 
 /// A string literal of C++ with its quotes; any bytes.
 std::string cpp_string(std::string_view text);
-/// What is between the quotes.
+/// The text between the quotes.
 std::string in_cpp_string(std::string_view text);
 
 /// Text for a comment of any language, on one line: it ends no comment, begins none, continues no
@@ -22,12 +22,12 @@ std::string yaml_scalar(std::string_view text);
 std::string yaml_text(std::string_view text);
 /// A text, always in quotes. Bytes that are no UTF-8 become U+FFFD: YAML cannot write them.
 std::string yaml_string(std::string_view text);
-/// What is between the double quotes of a string of JSON or YAML.
+/// The text between the double quotes of a string of JSON or YAML.
 std::string in_json_string(std::string_view text);
 
 /// One argument of a command of CMake; any bytes.
 std::string cmake_argument(std::string_view text);
-/// What is between the quotes of one.
+/// The text between the quotes of one.
 std::string in_cmake_string(std::string_view text);
 
 /// Text of XML and HTML, also between the quotes of an attribute; hidden characters, here and in
@@ -43,7 +43,7 @@ std::string mermaid_text(std::string_view text);
 
 /// One word of a POSIX shell; any bytes but 0.
 std::string shell_word(std::string_view text);
-/// What is between double quotes.
+/// The text between double quotes.
 std::string in_shell_string(std::string_view text);
 
 /// A path in a rule of make and ninja (the format of compilers' `-MD`).

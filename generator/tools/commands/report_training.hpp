@@ -28,7 +28,7 @@ class ReportedTraining {
                                    std::size_t points, int& code);
   /// Says on the page why no episodes are run.
   void leave_episodes_out(const std::string& why);
-  /// What the page shows, with commands to type next.
+  /// The contents of the page, with the next commands.
   Json page(const Graph& graph, const GraphOptions& options) const;
   /// Why there are no episodes; empty: there are, or none are known.
   [[nodiscard]] const std::string& why_not() const { return why_not_; }

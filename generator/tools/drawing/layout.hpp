@@ -43,7 +43,7 @@ enum class Composites : std::uint8_t { open, closed };
 /// Of a drawing that is nested; of one within a composite, the places in its frame.
 Layout layout_of(const Drawing& drawing, Composites composites);
 
-/// What a box says of a port or of itself, cut to what is drawn: names may be as long as they like.
+/// The label of a port or a box, cut to its drawn length: names may be as long as they like.
 std::string shown(const std::string& text);
 
 /// Pixels that the layout reserves and svg_of() uses.

@@ -28,7 +28,7 @@ Change made(std::string reason, std::string_view before, const Written& after);
 std::string shown(const OutlinePath& path);
 /// The key at a place of a path; empty: there is none.
 std::string key_at(const OutlinePath& path, std::size_t index);
-/// What is wrong with one of them, or "".
+/// The problem of one of them, or "".
 std::string problem_of(const std::vector<KeyValue>& values);
 /// "a: 1, b: {c: 2}"
 std::string flow_of(const std::vector<KeyValue>& values);

@@ -24,7 +24,7 @@ struct KeyValue {
   std::string key, value;
 };
 
-/// What is added to `objects`, `nodes`, `actions` or `observations`.
+/// An entry for `objects`, `nodes`, `actions` or `observations`.
 struct NewEntry {
   std::string section, name;
   std::string type = {};                  // the id of an object or a node
@@ -53,7 +53,7 @@ Change connect_ports(std::string_view text, const std::string& from, const std::
 /// Gives an object, a node, an action or an observation another name, wherever the graph has it.
 Change rename_entry(std::string_view text, const OutlinePath& path, const std::string& name);
 
-/// What makes `after` of `before`: one splice, as small as it can be.
+/// The edit from `before` to `after`: one splice, as small as it can be.
 Edit difference(std::string reason, std::string_view before, std::string_view after);
 
 }  // namespace eagerx::gen

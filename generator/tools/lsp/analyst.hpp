@@ -23,12 +23,12 @@ class Analyst {
     SourceMap sources;
     Diagnostics diagnostics;
   };
-  /// What `eagerx-gen check` finds in a graph, or in a manifest, of this text. The file itself is
-  /// not looked at.
+  /// The problems that `eagerx-gen check` finds in a graph, or a manifest, of this text. The file
+  /// itself is not looked at.
   virtual Checked check(const std::string& path, const std::string& text) = 0;
   /// The same of a text of no document: it is not remembered.
   virtual Checked try_out(const std::string& path, const std::string& text) = 0;
-  /// What the last text of this graph comes to that had no error; nullptr: there was none.
+  /// The graph of its last text without an error; nullptr: there was none.
   virtual std::shared_ptr<const Resolved> resolved(const std::string& path) = 0;
   /// With the entities of the graph's library; valid until the next call.
   virtual const LibraryFacts& of_graph(const std::string& path, const std::string& text) = 0;

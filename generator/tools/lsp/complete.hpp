@@ -33,7 +33,7 @@ struct Completion {
 Completion complete(const LibraryFacts& library, std::string_view text, std::size_t at,
                     bool snippets = false);
 
-/// What is said of the key or value at byte `at`, in Markdown; empty: nothing. With what is
+/// The hover text of the key or value at byte `at`, in Markdown; empty: none. With what is
 /// `resolved` also rates, spaces, delays and ages.
 struct Hover {
   Bytes word;

@@ -11,7 +11,7 @@
 
 namespace eagerx::gen::lsp {
 
-/// What a library says of the files that are written with it.
+/// The library's facts for files that use it.
 struct LibraryFacts {
   Json schema;  // of the file
   /// Of entities that are reset nodes, by their ids: the names of their targets.

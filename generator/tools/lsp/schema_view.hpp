@@ -32,7 +32,7 @@ struct SchemaValue {
 /// The values of which it may be one, if there are only some.
 std::vector<SchemaValue> values_in(const Schemas& schemas);
 
-/// What is said of the value; empty: nothing.
+/// The hover text of the value; empty: none.
 std::string about(const Schemas& schemas);
 
 }  // namespace eagerx::gen::lsp

@@ -25,7 +25,7 @@ class Server {
   /// Checks the documents that were changed since. The first call takes all messages that are
   /// there, so that no request waits for the check of an outdated text.
   void check_changed();
-  /// What is to be sent: the contents of messages.
+  /// The messages to send.
   std::vector<std::string> take_answers();
   [[nodiscard]] bool has_ended() const { return ended_; }
   /// 0 after `shutdown`, else 1, as the protocol asks for.

@@ -28,7 +28,7 @@ struct KeyPress {
   char character = 0;  // ASCII
 };
 
-/// What of a model is shown.
+/// The shown part of a model.
 struct ScreenView {
   bool paused = false, helps = false, types_filter = false, ends = false;
   std::string filter;                 // what names contain

@@ -37,14 +37,14 @@ class Recording final : public StreamListener {
   void scene(const StreamScene& scene) override;
   [[nodiscard]] bool wants_scenes() const override;
 
-  /// What the user should know since it was asked last, a line each.
+  /// Notes for the user since the last call, a line each.
   std::string take_notes();
   /// Called often, and every few milliseconds where has_clients().
   void idle();
   [[nodiscard]] bool has_clients() const;
   /// Empty, or what is wrong.
   std::string finish();
-  /// What has gone wrong so far; empty: nothing.
+  /// The problem so far; empty: none.
   [[nodiscard]] const std::string& problem() const { return problem_; }
   /// Messages that could not be kept: of no known type, or too long.
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }

@@ -16,7 +16,7 @@ class Screen {
   virtual ~Screen() = default;  // the terminal is as it was before
   virtual ScreenSize size() = 0;
   virtual void draw(const std::vector<ScreenLine>& lines) = 0;
-  /// What was typed, one after the other. Nothing: no more.
+  /// The typed keys, one after the other. Nothing: no more.
   virtual std::optional<KeyPress> key() = 0;
 };
 

@@ -20,14 +20,14 @@ class Source {
   };
 
   virtual ~Source() = default;
-  /// What poll() waits on until there is something to read; -1: it is asked again and again.
+  /// The file descriptor for poll(); -1: it is polled by a timer.
   [[nodiscard]] virtual int descriptor() const = 0;
   /// Tells what has come, but of a flood only so much that a screen can be drawn in between. Never
   /// waits. `now_ns`: of a steady clock.
   virtual State read(std::int64_t now_ns, StreamListener& listener) = 0;
   /// "error: …", with a line of help where there is one.
   [[nodiscard]] virtual std::string problem() const = 0;
-  /// What the user should know before anything comes, a line each; empty: nothing.
+  /// Notes for the user before the first message, a line each; empty: none.
   [[nodiscard]] virtual std::string warning() const { return {}; }
 };
 

@@ -18,7 +18,7 @@ inline constexpr std::size_t kMostStreamElements = 1'024;  // of a message; what
 
 inline constexpr double kNsInSecond = 1e9;
 
-/// What a stream says of itself. Without channels: they become known with their messages.
+/// The description of a stream. Without channels: messages define them.
 struct StreamFacts {
   std::string graph, engine, agent;
   std::optional<std::uint64_t> hash;  // of the graph
@@ -58,7 +58,7 @@ struct StreamStep {
   std::optional<std::int64_t> real_ns = {};
 };
 
-/// What is wrong with a stream, or with who sends it, and does not end it.
+/// A fault of a stream, or of its sender, that does not end it.
 enum class StreamFault : std::uint8_t {
   damaged,      // no datagram, line or frame of eagerx-gen
   foreign,      // of another graph
@@ -79,7 +79,7 @@ class StreamListener {
   virtual void message(const StreamMessage& message) = 0;
   virtual void step(const StreamStep& step) = 0;
   virtual void fault(StreamFault fault, std::uint64_t count) = 0;
-  /// What `render:` shows; only for listeners that want it.
+  /// The scene of `render:`; only for listeners that want it.
   virtual void scene(const StreamScene& /*scene*/) {}
   [[nodiscard]] virtual bool wants_scenes() const { return false; }
 };

@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// What was recorded is to be whole, and the terminal as it was.
+/// Completes the recording, and restores the terminal.
 void end_at_signals();
 [[nodiscard]] bool is_interrupted();
 
@@ -19,7 +19,7 @@ void end_at_signals();
 /// Why the stream was refused, and what to do.
 [[nodiscard]] std::string refusal_text(const Model& model);
 
-/// What is shown is also recorded, as soon as the stream was accepted.
+/// Shown messages are also recorded, as soon as the stream is accepted.
 class Both : public StreamListener {
  public:
   Both(Model& model, Recording& recording) : model_(model), recording_(recording) {}

@@ -22,7 +22,7 @@ struct PageImage {
   SizeReport size;
 };
 
-/// What the page shows. It points to what it was made from.
+/// The contents of the page. It points to its sources.
 struct PageContents {
   const GraphSpec* spec = nullptr;
   const Policies* policies = nullptr;
@@ -46,7 +46,7 @@ Json page_json(const PageContents& contents);
 std::optional<std::string> page_text(const std::string& folder, const PageContents& contents,
                                      Diagnostics& diagnostics);
 
-/// What a page is made of besides its data, and what it may do.
+/// The parts of a page besides its data, and its permissions.
 struct PageForm {
   std::vector<std::string> entries;  // the modules that it begins with, in their order
   bool runs_module = false;          // of WebAssembly

@@ -7,7 +7,7 @@
 
 namespace eagerx::gen::serve {
 
-/// What was read: the text, or why there is none.
+/// The result of reading: the text, or why there is none.
 struct FileText {
   std::string text;
   bool exists = false;

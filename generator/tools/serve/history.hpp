@@ -17,7 +17,7 @@ class History {
 
   /// The text was changed by `edit`, which has one splice.
   void add(std::string_view before, const Edit& edit);
-  /// What undo and redo would do; "": nothing.
+  /// The effect of undo and redo; "": none.
   [[nodiscard]] std::string undo_reason() const;
   [[nodiscard]] std::string redo_reason() const;
   /// The text one step earlier or later; the same if there is none.

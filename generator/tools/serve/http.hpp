@@ -25,7 +25,7 @@ struct Answer {
   std::string body = {};
 };
 
-/// What answers. Its functions are called from several threads.
+/// The handler of requests. Its functions are called from several threads.
 class HttpHandler {
  public:
   HttpHandler() = default;
@@ -59,7 +59,7 @@ class HttpServer {
   virtual void stop() = 0;
 };
 
-/// What the module has, under the name `eagerx_http_server`.
+/// The interface of the module, under the name `eagerx_http_server`.
 using MakeHttpServer = HttpServer* (*)();
 
 /// The server of the module in this file, which stays loaded; nothing: `problem` says why, in lines

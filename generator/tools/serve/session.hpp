@@ -15,7 +15,7 @@
 
 namespace eagerx::gen::serve {
 
-/// What is sent back: a status of HTTP, and its body.
+/// The answer: a status of HTTP, and its body.
 struct Reply {
   int status = 200;
   Json body = Json::object();

@@ -22,7 +22,8 @@ class Workshop {
     Diagnostics diagnostics;
     std::optional<Json> page;  // what the report would show; nothing: there are errors
   };
-  /// What `eagerx-gen check` finds in a graph of this text. The file itself is not looked at.
+  /// The problems that `eagerx-gen check` finds in a graph of this text. The file itself is not
+  /// looked at.
   virtual Checked check(const std::string& path, const std::string& text) = 0;
   /// The page that edits, with these data, or nothing: `problem` says why.
   virtual std::optional<std::string> page(const Json& data, std::string& problem) = 0;

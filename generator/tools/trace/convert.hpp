@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// What of a log does not go into such a file; empty if all does.
+/// The parts of a log that do not fit into such a file; empty if all fit.
 std::string why_not(const trace_log::Log& log, TraceFormat format);
 
 /// The bytes of the file; the same on every machine.

@@ -33,7 +33,7 @@ std::optional<std::uint32_t> channel_named(const trace_log::Log& log, const std:
 PlotPanel panel_of(const trace_log::Log& log, std::uint32_t channel,
                    std::optional<std::uint32_t> episode);
 
-/// What `name` means: a channel, one element of it (`pose[3]`), or several with commas, in one
+/// The meaning of `name`: a channel, one element of it (`pose[3]`), or several with commas, in one
 /// panel. nullopt: as channel_named().
 std::optional<PlotPanel> panel_named(const trace_log::Log& log, const std::string& name,
                                      std::optional<std::uint32_t> episode, std::string& problem);

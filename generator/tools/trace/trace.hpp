@@ -29,8 +29,8 @@ struct TraceResult {
 /// The log in the file `path`; the same bytes on every machine.
 TraceResult convert_log(const std::string& path, TraceFormat format);
 
-/// What to draw: channels by their whole names, or by parts that only one of them has ("theta",
-/// "pendulum/theta").
+/// The channels to draw: channels by their whole names, or by parts that only one of them has
+/// ("theta", "pendulum/theta").
 struct PlotRequest {
   std::string log;
   std::vector<std::string> channels;

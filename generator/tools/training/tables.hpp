@@ -13,7 +13,7 @@ namespace eagerx::gen {
 std::optional<TrainingRecord> read_curves(std::string_view header, TrainingLines& lines);
 std::optional<TrainingRecord> read_sweep(TrainingLines& lines);
 
-/// What the first line of a sweep's results is.
+/// The first line of a sweep's results.
 extern const std::string_view kSweepHeader;
 
 /// Cells of a line; what is between quotes is one, without them.

@@ -23,7 +23,7 @@ class RightFloats {
   }
 
  private:
-  /// What the processor says of itself, in a tenth of the time that it takes to calculate: neither
+  /// The processor's own flags, in a tenth of the time that it takes to calculate: neither
   /// the bits of denormal numbers nor those of rounding are set.
   static bool says_so() {
 #if defined(__SSE2__) && defined(__x86_64__)

@@ -9,7 +9,7 @@
 
 namespace eagerx::environments {
 
-/// What must be reached in a stage: a share of the episodes, a mean return. Negative infinity: it
+/// The goals of a stage: a share of the episodes, a mean return. Negative infinity: it
 /// is not asked.
 struct Until {
   double success, mean_return;
@@ -35,7 +35,7 @@ struct Description {
   std::string observations, actions, states, tunable, task, render;
 };
 
-/// What eagerx_describe() says.
+/// The text of eagerx_describe().
 std::string describe(const Description& description);
 std::string describe_task(const TaskDescription& task);
 /// [{"name": "near", "success": 0.9, "return": null}]

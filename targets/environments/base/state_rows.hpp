@@ -57,7 +57,7 @@ class SetRows {
   void begin(std::uint32_t k) {
     if (!next_.empty()) take_next(k);
   }
-  /// What is set for its current episode; null: nothing is.
+  /// The values set for its current episode; null: none.
   const float* row(std::uint32_t k) const {
     return now_.empty() ? nullptr : now_.data() + k * states_.columns.numbers();
   }

@@ -8,7 +8,7 @@
 
 namespace eagerx::environments {
 
-/// What was in it stays there if nothing is written.
+/// It keeps its contents if nothing is written.
 class TraceFile {
  public:
   /// Throws Problem if `path` cannot be written, or is written as another trace. Empty: no file.

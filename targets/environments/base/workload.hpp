@@ -18,7 +18,7 @@ constexpr std::uint32_t block_of(std::uint32_t environments, std::uint32_t lanes
   return (wanted + lanes - 1) / lanes * lanes;
 }
 
-/// What is done with the environments `first` to `end` - 1 by a thread of a pool: a reference to a
+/// The work on the environments `first` to `end` - 1 by a thread of a pool: a reference to a
 /// function, so that its text is compiled once, however it is called.
 class BlockWork {
  public:

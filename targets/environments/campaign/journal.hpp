@@ -24,7 +24,7 @@ class Journal {
   /// A new file. Throws Problem if it cannot be written, or if there is something in it.
   void begin();
 
-  /// What was read of a file.
+  /// The contents read from a file.
   struct Found {
     std::vector<bool> done;         // of each chunk
     std::size_t damaged_bytes = 0;  // that were left out

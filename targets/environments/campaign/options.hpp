@@ -31,7 +31,7 @@ struct Options {
 /// Throws Problem with kUsage.
 Options parse_options(int argc, const char* const* argv);
 
-/// What --help prints.
+/// The text of --help.
 std::string help_text();
 
 }  // namespace eagerx::campaign

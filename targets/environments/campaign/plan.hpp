@@ -54,7 +54,7 @@ struct Plan {
   std::vector<target::PlacedFault> faults_of(std::uint32_t run) const;
   /// Numbers that are kept of a run: states, then a step for each fault.
   std::size_t width() const { return columns.size() + faults.size(); }
-  /// What such a number is called.
+  /// The name of such a number.
   std::string name_of(std::size_t number) const;
 };
 

@@ -22,7 +22,7 @@ struct Option {
   Set set;
 };
 
-/// What the option of this long name does with its value.
+/// The effect of the option with this long name.
 struct Setter {
   std::string_view name;
   Set set;

@@ -49,7 +49,7 @@ struct Description {
   bool chooses() const;
 };
 
-/// What each number of some states is called: "pendulum.mass", "arm.angles[1]".
+/// The name of each number of some states: "pendulum.mass", "arm.angles[1]".
 std::vector<std::string> column_names(const std::vector<Space>& states);
 
 /// Reads the JSON of eagerx_describe(). Throws Problem if it is not understood.

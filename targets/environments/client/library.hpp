@@ -41,7 +41,7 @@ class Environments {
   [[nodiscard]] bool step(const float* action, const eagerx_rows& rows);
   /// From the next reset on they are in this stage of the task; empty: the graph as it is written.
   void set_stage(const std::string& name);
-  /// What the critic of a training sees, as eagerx_critic() says it.
+  /// The inputs of a training's critic, as eagerx_critic() gives them.
   void critic(float* rows, float* final_rows);
   /// How they are stepped, and what made that slower: "vectorized: 64 lanes (avx512)".
   std::string stepping() const;

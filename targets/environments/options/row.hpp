@@ -6,7 +6,7 @@
 
 namespace eagerx::options {
 
-/// What the program does with the file that the value names, or in the folder.
+/// The program's use of the file, or folder, that the value names.
 enum class Use : std::uint8_t { none, reads, writes, folder };
 
 /// For whom an option is.

@@ -24,7 +24,7 @@ struct Episode {
 /// Steps all environments and learns, an iteration at a time.
 class Algorithm {
  public:
-  /// What an iteration learnt from.
+  /// The data of an iteration.
   struct Result {
     std::vector<Episode> episodes;  // that ended, in order of time
     double divergence = 0.0;        // of the last minibatch
@@ -61,7 +61,7 @@ class Algorithm {
   /// The network that is deployed, and its parameters with the normalisation inside.
   virtual Network deployed() const = 0;
   virtual std::vector<float> deployed_parameters() const = 0;
-  /// What was seen.
+  /// The observed data.
   virtual const Statistics& observations() const = 0;
   /// Of the actions, mean over their numbers; NaN for choices.
   virtual double deviation() const = 0;

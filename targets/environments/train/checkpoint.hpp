@@ -52,11 +52,11 @@ struct Progressed {
 /// 64,64; …".
 std::string conditions(const Settings& settings, const std::string& contract_hash);
 
-/// What has to be the same when another training begins with what was learnt, in words:
+/// The facts that must be the same when another training begins from this one, as text:
 /// "observations angle[2], actions voltage[1], layers 64,64".
 std::string interface_of(const Settings& settings, const Description& description);
 
-/// What the critic sees besides the observations, to be added to both: "; critic mass[1]". Empty:
+/// The critic's inputs besides the observations, for both: "; critic mass[1]". Empty:
 /// nothing.
 std::string critic_of(const Description& description);
 

@@ -12,7 +12,7 @@
 
 namespace eagerx::train {
 
-/// What is further from the mean of observations, in deviations, networks do not see as they learn.
+/// Observations beyond this number of deviations from the mean are clipped while networks learn.
 inline constexpr float kFar = 8.0F;
 
 /// Episode of an evaluation: the first one of an environment of that number and seed, so a program

@@ -25,7 +25,7 @@ class Judge {
   /// Evaluates what was learnt: fills its part of `point` and, if nothing was better, `best`.
   /// Returns whether it is good, in episodes that did not choose it, too.
   bool evaluate(const Algorithm& algorithm, Best& best, CurvePoint& point);
-  /// What was learnt, in a stage of the task.
+  /// The learned model, in a stage of the task.
   Evaluation evaluate_in(const std::string& stage, const Algorithm& algorithm);
   /// The best policy, in as many episodes as have chosen it, which are all others.
   Evaluation evaluate_at_last(const Algorithm& algorithm, const Best& best);

@@ -28,7 +28,7 @@ class Network {
   const std::vector<Layer>& layers() const { return layers_; }
   Activation activation() const { return activation_; }
   const Cell* memory() const { return cell_ ? &*cell_ : nullptr; }
-  /// What the inputs are multiplied by.
+  /// The factors of the inputs.
   Cell::Product first() const;
   std::size_t inputs() const { return first().sizes.inputs; }
   std::size_t outputs() const { return layers_.back().sizes.outputs; }
@@ -67,7 +67,7 @@ class Network {
   std::size_t parameters_ = 0, row_ = 0;
 };
 
-/// What Adam remembers of each weight.
+/// Adam's moments of each weight.
 class Adam {
  public:
   explicit Adam(std::size_t count) : mean(count), square(count) {}

@@ -47,7 +47,7 @@ Options parse_options(int argc, const char* const* argv);
 /// they stand in a file; without any unless requested (--check). `words`: of a case.
 Problem in_words_of(Problem problem, const Options& options, const std::string& words = {});
 
-/// What --help prints.
+/// The text of --help.
 std::string help_text();
 
 }  // namespace eagerx::train

@@ -13,7 +13,7 @@
 
 namespace eagerx::train {
 
-/// What the policy, a running mean of the actor, takes over of it after this iteration, counted
+/// The share of the actor in the policy, its running mean, after this iteration, counted
 /// from 0: a mean of all at first, of the last ones then, and later of a growing tail, as Polyak's.
 /// The longer a training takes, the finer is what it still learns.
 float share_of_actor(const Settings& settings, std::uint32_t iteration);

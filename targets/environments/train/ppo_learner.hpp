@@ -10,7 +10,7 @@
 
 namespace eagerx::train {
 
-/// What all samples of an update have in common.
+/// The data common to all samples of an update.
 struct PpoUpdate {
   const Settings& settings;
   const Head& head;
@@ -32,7 +32,7 @@ class PpoLearner {
  private:
   static constexpr std::size_t kBlock = 8;  // tiles whose rows fit into the cache
 
-  /// What is remembered before step `t` of sixteen sequences.
+  /// The state before step `t` of sixteen sequences.
   void recall(const Model& model, const Rollout& rollout, std::size_t sequence, std::size_t t);
   void evaluate(const PpoUpdate& update, const Rollout& rollout, std::size_t tile,
                 std::size_t place);

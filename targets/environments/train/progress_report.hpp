@@ -38,7 +38,7 @@ class ProgressReport {
   void finish() { progress_.finish(); }
   /// The last point of `curve` has passed its stage.
   void tell_stage(const std::vector<CurvePoint>& curve);
-  /// What begins when nothing more is learnt, and may take long.
+  /// The phase after learning, which may take long.
   void tell_last_evaluation(std::size_t episodes);
   /// "warning: …; the training continues …"
   void warn(const std::string& problem, const char* continues);

@@ -20,7 +20,7 @@
 
 namespace eagerx::train {
 
-/// What stays as it is during a rollout.
+/// The constants of a rollout.
 struct Frozen {
   const Kernels& kernels;
   const Settings& settings;
@@ -55,7 +55,7 @@ class Rollout final : public RolloutStatistics {
   /// How environments are stepped, and what made that slower.
   std::string stepping() const { return environments_.stepping(); }
   std::size_t tiles() const { return (count_ + kLanes - 1) / kLanes; }
-  /// What is learnt from, after collect().
+  /// The training data, after collect().
   std::size_t packs() const { return horizon_ * count_ / kLanes; }
 
   Packs inputs;             // [packs][inputs of the critic] normalised observations

@@ -95,7 +95,7 @@ std::string text_of(const Settings& settings);
 /// Such a text of an older version, with the names that settings have now.
 std::string with_new_names(std::string_view text);
 
-/// What two such texts say otherwise.
+/// The difference of two such texts.
 struct Difference {
   std::string name;
   std::string text;  // with both values: "layers 8 (here 64,64)"

@@ -10,7 +10,7 @@
 
 namespace eagerx::train {
 
-/// What is seen in `curve` and in the last evaluation, the most telling first; empty: nothing.
+/// The symptoms in `curve` and in the last evaluation, the most telling first; empty: none.
 std::vector<std::string> signs_of(const std::vector<CurvePoint>& curve,
                                   const Evaluation& evaluation, const Description& description);
 

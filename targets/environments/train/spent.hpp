@@ -44,7 +44,7 @@ struct Spent {
   }
 };
 
-/// What was done in that time, by this process.
+/// The work done in that time, by this process.
 struct Done {
   std::uint64_t steps = 0;    // of environments, for learning
   std::uint64_t samples = 0;  // that gradients were made of, a step as often as it was used

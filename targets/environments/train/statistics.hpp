@@ -40,7 +40,7 @@ struct Statistics {
     }
     count = all;
   }
-  /// What comes next counts as much as if there had been at most `most` rows so far.
+  /// Further rows count as if there had been at most `most` rows so far.
   void forget_beyond(double most) {
     if (count <= most) return;
     for (double& one : squares) one *= most / count;

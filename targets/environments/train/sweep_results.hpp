@@ -8,7 +8,8 @@
 
 namespace eagerx::train {
 
-/// What came of one training. Numbers are of its best policy, in episodes that chose nothing.
+/// The result of one training. Numbers are of its best policy, in episodes that took no part in the
+/// choice.
 struct SweepRow {
   std::string training;  // hash of all that it depends on: 16 hexadecimal digits
   std::string settings;  // "learning_rate=0.001 layers=64,64", for people

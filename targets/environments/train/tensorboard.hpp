@@ -22,7 +22,7 @@ std::string first_event(double wall_time_s);
 using Scalars = std::vector<std::pair<std::string, double>>;
 std::string scalar_event(double wall_time_s, std::int64_t step, const Scalars& scalars);
 
-/// What a point of the curve has, without what is not there yet.
+/// The values of a point of the curve, without missing ones.
 Scalars scalars_of(const CurvePoint& point);
 
 /// Throws Problem if such a folder cannot be made. Changes nothing.

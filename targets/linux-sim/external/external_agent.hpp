@@ -30,7 +30,7 @@ class ExternalAgent {
 
   /// Memory for what the agent sees next.
   ObservationRow observation() { return {seen_.data(), sizes_.data()}; }
-  /// What was applied in the step whose observation comes next.
+  /// The action applied in the step whose observation comes next.
   void applied(const void* action) { rows_.write_action(action, applied_row()); }
   void reset(std::uint32_t episode);
   /// `is_longest`: there are no more steps in an episode.
@@ -56,7 +56,7 @@ class ExternalAgent {
 
   /// Whether the run ends within an episode, and the hardware may have relied on the agent.
   bool leaves_something() const { return in_episode_ && ends_ && (is_real_ || !is_announced_); }
-  /// What the agent did that ended the run, or empty.
+  /// The agent's fault that ended the run, or empty.
   const std::string& problem() const { return problem_; }
 
  private:

@@ -38,7 +38,7 @@ class ExternalRows {
   void write_action(const void* action, float* row) const;
   /// NaN for messages that are not there; 0 in types that have none.
   void write_observation(ObservationRow observation, float* row) const;
-  /// What is wrong with a row of states, or nothing. `drawn`: whether the graph gives each a value.
+  /// The problem of a row of states, or nothing. `drawn`: whether the graph gives each a value.
   std::string problem_of_states(const float* row, const bool* drawn) const;
   /// The same of what is set while an episode runs.
   std::string problem_of_parameters(const float* row) const;

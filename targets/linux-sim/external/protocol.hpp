@@ -10,7 +10,7 @@ namespace eagerx::linux_sim {
 /// Of what is written here; the first thing that an agent looks at.
 inline constexpr std::uint32_t kExternalVersion = 3;
 
-/// What an agent asks for; each is answered once.
+/// The requests of an agent; each is answered once.
 enum class Ask : std::uint32_t {
   describe = 1,  // piece of the description, JSON
   reset = 2,     // an episode; behind it a row of states, NaN for what is drawn
@@ -22,7 +22,7 @@ enum class Ask : std::uint32_t {
   tune = 8       // parameters before the next step; behind it a row of states, NaN: as it is
 };
 
-/// What an agent sends; behind it a row of float32.
+/// A request of an agent; behind it a row of float32.
 struct Request {
   Ask ask;
   std::uint32_t number;  // first byte of a piece; of a reset whether there is a seed
@@ -33,7 +33,7 @@ static_assert(sizeof(Request) == 24);
 
 enum class Said : std::uint32_t { problem = 1, piece = 2, number = 3, observation = 4 };
 
-/// What a program sends. Behind it a text, a piece, or float32: terms of the reward, action,
+/// An answer of a program. Behind it a text, a piece, or float32: terms of the reward, action,
 /// observation.
 struct Answer {
   Said said;
@@ -53,7 +53,7 @@ inline constexpr std::uint32_t kTerminated = 1, kTruncated = 2, kSuccess = 4;
 inline constexpr std::size_t kLongestRow = std::size_t{1} << 17U;
 inline constexpr std::size_t kLongestPiece = std::size_t{1} << 16U;
 
-/// What is wrong with a datagram of `bytes`, or null. `request` is its beginning.
+/// The problem of a datagram of `bytes`, or null. `request` is its beginning.
 constexpr const char* problem_of_request(const Request& request, std::size_t bytes,
                                          std::size_t action_numbers, std::size_t state_numbers) {
   if (bytes < sizeof(Request)) return "it is shorter than a request";

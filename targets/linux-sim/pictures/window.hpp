@@ -8,7 +8,7 @@ namespace eagerx::linux_sim {
 
 struct SdlFunctions;
 
-/// What somebody does at a window.
+/// The input at a window.
 struct Wishes {
   bool ends = false;    // closes it, or presses Escape or Q
   bool pauses = false;  // Space
@@ -26,7 +26,7 @@ class Window {
   /// Empty, or what is wrong.
   std::string open(const std::string& title, int width, int height);
   void show(const std::uint8_t* pixels);
-  /// What was wished since the last time; waits for at most `wait_ms`.
+  /// The input since the last call; waits for at most `wait_ms`.
   Wishes wishes(int wait_ms);
 
  private:

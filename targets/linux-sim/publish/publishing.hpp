@@ -35,7 +35,7 @@ class Publishing {
   void start();
   /// Sends what is left. Empty, or what is wrong.
   std::string finish(Summary& summary);
-  /// What others want of the run; null: they only look on.
+  /// The requests of clients; null: they only read.
   Remote* remote() const { return remote_.get(); }
   bool wants_scenes() const { return scene_rows_ > 0; }
 

@@ -32,8 +32,8 @@ class Remote {
   /// Of a state or an action. False: no room.
   bool set(Wish wish, std::uint32_t index, const std::vector<double>& numbers);
   std::uint64_t done() const { return done_.load(std::memory_order_acquire); }
-  /// What the latest episode began with, state after state, into `numbers` and, one a state,
-  /// `has_value`. False: not known yet, or it changes just now.
+  /// Copies the initial states of the latest episode, state after state, into `numbers` and, one a
+  /// state, `has_value`. False: not known yet, or it changes just now.
   bool read_states(std::vector<double>& numbers, std::vector<bool>& has_value) const;
   /// Another one each time that an episode begins.
   std::uint64_t version() const { return version_.load(std::memory_order_acquire); }

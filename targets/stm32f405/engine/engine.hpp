@@ -47,7 +47,7 @@ struct PinList {
   }
 };
 
-/// What RealEngine wants of the system.
+/// RealEngine's requirements on the system.
 template <class Config, class Wait, class Memory = MappedMemory>
 struct EnginePlatform {
   static void prepare() { start_clock(); }

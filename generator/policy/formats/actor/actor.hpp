@@ -18,7 +18,7 @@ namespace eagerx::gen {
 /// Whether a module or tensor belongs to a critic, which has no part in the action.
 bool is_critic(std::string_view name);
 
-/// What a file says besides its tensors.
+/// The facts of a file besides its tensors.
 struct PolicyFacts {
   std::string format;
   std::optional<Activation> activation;         // of hidden layers
@@ -39,12 +39,12 @@ struct PolicyFacts {
   PolicyContract contract;
 };
 
-/// What the metadata of a safetensors file says (keys: algo, activation, obs, low, high, squash,
+/// The facts in the metadata of a safetensors file (keys: algo, activation, obs, low, high, squash,
 /// clip_obs, epsilon, rate, output_activation), and arrays of one number with those names. E0626
 /// for what cannot be read.
 std::optional<PolicyFacts> facts_of_notes(const TensorTable& table, PolicyProblem& problem);
 
-/// What `data` in a Stable-Baselines3 archive says. E0626.
+/// The facts in `data` of a Stable-Baselines3 archive. E0626.
 std::optional<PolicyFacts> facts_of_sb3(std::string_view json, PolicyProblem& problem);
 
 /// The actor. E0624: nothing looks like one, or a part of it is missing; E0625: more than one does;

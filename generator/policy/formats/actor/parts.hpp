@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// What parts are read from and added to.
+/// The source and the target of parts.
 struct ActorParts {
   const TensorTable& table;
   const PolicyFacts& facts;
@@ -26,8 +26,8 @@ struct ActorParts {
 /// E0624, E0628.
 bool add_modules(const ActorParts& parts, const ActorLayout& layout, Activation activation);
 
-/// What follows the last layer (as the file says, else as its library does, else as the graph
-/// says), and what its answers are. E0624, E0626, E0750 and those of `average_quantiles`.
+/// The activation after the last layer (as the file says, else as its library does, else as the
+/// graph says), and what its answers are. E0624, E0626, E0750 and those of `average_quantiles`.
 bool finish_output(const ActorParts& parts, const ActorLayout& layout, const ReadContext& context);
 
 /// An unread part may stand between observation and action: it is not left out silently, and

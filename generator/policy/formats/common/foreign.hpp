@@ -14,7 +14,7 @@ namespace eagerx::gen {
 inline constexpr const char* kKnownFormats =
     "the formats are Stable-Baselines3's zip, ONNX, TorchScript, safetensors, npz and torch.save";
 
-/// What helps against arrays of JAX.
+/// The help for arrays of JAX.
 inline constexpr const char* kJaxWay =
     "write the actor's weights as npz with torch's names (`net.0.weight` [outputs, inputs], "
     "`net.0.bias`)";

@@ -21,7 +21,7 @@ struct OnnxNames {
 
 std::optional<OnnxNames> collect_names(const onnx::GraphProto& graph, PolicyProblem& problem);
 
-/// What one value depends on.
+/// The dependencies of one value.
 struct OnnxDependencies {
   std::vector<const onnx::NodeProto*> nodes;        // each after the nodes it needs
   std::vector<const onnx::ValueInfoProto*> inputs;  // in the order met

@@ -8,7 +8,7 @@
 
 namespace eagerx::gen {
 
-/// What helps against graphs that are more than an actor.
+/// The help for graphs that are more than an actor.
 inline constexpr const char* kExportActor =
     "export the actor alone with `torch.onnx.export`: one observation in, the action first";
 

@@ -43,7 +43,7 @@ struct PickleValue {
   std::uint32_t function = 0, arguments = 0, state = 0;  // 0 is the value None
 };
 
-/// What was built; values[0] is None.
+/// The values built so far; values[0] is None.
 struct Pickle {
   std::vector<PickleValue> values;
   std::uint32_t root = 0;
@@ -58,7 +58,7 @@ struct Pickle {
   [[nodiscard]] const PickleValue* find(const PickleValue& in, std::string_view key) const;
   /// True for an object that `name` ("module.name") made.
   [[nodiscard]] bool made_by(const PickleValue& value, std::string_view name) const;
-  /// What a value is, if it is that; nothing of nullptr.
+  /// The value as that type, if it has it; nothing for nullptr.
   [[nodiscard]] std::optional<double> number(const PickleValue* value) const;
   [[nodiscard]] std::optional<std::vector<std::int64_t>> integers(const PickleValue* value) const;
   /// A NumPy array, or a NumPy scalar as one of no dimensions; its bytes are checked.

@@ -20,7 +20,7 @@ class TorchInterpreter {
                    PolicyProblem& problem)
       : archive_(archive), state_(state), budget_(budget), problem_(problem) {}
 
-  /// What `forward` of the whole module returns for tensors.
+  /// The result of the module's `forward` for tensors.
   std::optional<TorchValue> run(const std::vector<NetValue>& inputs);
   /// Statements that were followed.
   [[nodiscard]] std::int64_t followed() const { return followed_; }

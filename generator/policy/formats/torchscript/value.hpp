@@ -125,7 +125,7 @@ class TorchCall {
 /// The result of an operator; nothing, and a problem, if it is not known or not used as it can be.
 std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProblem& problem);
 
-/// What an operator does; nothing if it is not used as it can be.
+/// The effect of an operator; nothing if its use is not supported.
 using TorchRun = std::function<std::optional<NetValue>(const TorchCall&)>;
 
 /// All there is to say of one operator.

@@ -12,7 +12,7 @@
 
 namespace eagerx::gen {
 
-/// What a front end knows of an operator, in the words of ONNX: attribute `name` has what the file
+/// A front end's facts of an operator, in the terms of ONNX: attribute `name` has what the file
 /// says of it, in any of these forms.
 struct NetAttribute {
   std::string_view name;
@@ -48,7 +48,7 @@ struct NetNode {
 /// The observation after `step`, in this shape; -1: the observation itself.
 NetValue data_value(std::int32_t step, Dims shape);
 
-/// What an operator sees.
+/// The inputs of an operator.
 class NetCall {
  public:
   struct State {                // shared by all calls of a graph
@@ -114,7 +114,7 @@ class NetCall {
   [[nodiscard]] NetValue layer_after(std::int32_t before, LayerForm form, Dims shape) const {
     return data_after(before, NetLayer{std::move(form)}, std::move(shape));
   }
-  /// What comes of several values of the observation's, in order.
+  /// The combination of several values of the observation, in order.
   [[nodiscard]] NetValue data_of(const std::vector<NetValue>& values,
                                  Combination::Operation operation, Dims shape) const;
 

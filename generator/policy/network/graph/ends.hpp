@@ -16,7 +16,7 @@ struct NetAction {
   bool is_choice = false;               // it is the index of the largest number
   std::vector<std::uint32_t> groups{};  // of several choices: how many numbers each is among
 };
-/// What `value` is as an action; E0620 with `help` if it is constant, or why it is none.
+/// `value` as an action; E0620 with `help` if it is constant, or why it is none.
 std::optional<NetAction> action_of(const NetValue& value, const char* help, PolicyProblem& problem);
 
 /// Where the layer of `part` takes that part of its state from; nullptr if it starts from zeros, or

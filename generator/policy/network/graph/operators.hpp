@@ -11,14 +11,14 @@
 
 namespace eagerx::gen {
 
-/// What becomes of constants.
+/// The result for constants.
 struct NetFolding {
   float (*reals)(float a, float b) = nullptr;  // in float32, as a runtime of the file calculates it
   std::optional<std::int64_t> (*integers)(std::int64_t a, std::int64_t b) = nullptr;
   bool takes_one = false;  // and leaves b alone
 };
 
-/// What LayerNorm and gelu are made of where exporters write them out.
+/// The parts of LayerNorm and gelu where exporters write them out.
 enum class NetFormula : std::uint8_t {
   sum,
   difference,
@@ -31,7 +31,7 @@ enum class NetFormula : std::uint8_t {
   mean,
 };
 
-/// What is special about an operator.
+/// The properties of an operator.
 struct NetTraits {
   NetFolding folding{};
   std::optional<NetFormula> formula{};  // of which it may be a part
@@ -79,7 +79,7 @@ std::optional<NetValue> folded(const NetCall& call, const NetFolding& folding);
 /// Whether the call reduces the last axis of its input, and no other.
 bool is_over_last_axis(const NetCall& call);
 
-/// What becomes of a number of each input; nothing if it is not known.
+/// The result for a number of each input; nothing if unknown.
 using NetPick = std::function<std::optional<std::int64_t>(const Integers& given)>;
 /// The first `inputs` inputs, which are lists of integers, number by number, with NumPy's
 /// broadcasting; nothing if they are something else, or do not fit.
@@ -129,7 +129,7 @@ std::optional<NetValue> combined(const NetCall& call, const NetValue& a, const N
                                  Combination::Operation operation);
 /// The part of a formula as a value of its own, if it is a simple one: the formula ended early.
 std::optional<NetValue> materialized(const NetCall& call, const NetValue& value);
-/// What is only known by its order, calculated: where more than a choice depends on it.
+/// A value known only by its order, calculated: where more than a choice depends on it.
 std::optional<NetValue> exact_of(const NetValue& value);
 
 /// A reduction whose value is not known, but its shape is.

@@ -15,7 +15,7 @@
 
 namespace eagerx::gen {
 
-/// What helps against damaged files, and layers of other sizes.
+/// The help for damaged files, and layers of other sizes.
 inline constexpr const char* kExportAgain = "the file is damaged: export the actor again";
 inline constexpr const char* kExportMisfit =
     "the layers of the file do not fit together: export the actor again";

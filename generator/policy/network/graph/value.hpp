@@ -70,7 +70,7 @@ struct NetStep {
   std::int64_t count = 0;            // values after it
   std::vector<std::int32_t> more{};  // Combination: the steps of its other values
 
-  /// What kind of layer it is, if it is a `Form`.
+  /// The kind of layer, if it is a `Form`.
   template <class Form>
   [[nodiscard]] const Form* form() const {
     const auto* layer = std::get_if<NetLayer>(&what);

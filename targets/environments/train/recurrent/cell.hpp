@@ -9,7 +9,7 @@
 
 namespace eagerx::train {
 
-/// What a network remembers with.
+/// The recurrent cell of a network.
 struct CellShape {
   Memory memory = Memory::none;
   std::size_t units = 0;

@@ -9,7 +9,7 @@
 
 namespace eagerx::train::sac {
 
-/// What stays as it is during an update.
+/// The constants of an update.
 struct Frozen {
   const Kernels& kernels;
   const train::Settings& settings;
