@@ -12,5 +12,7 @@ add_test(NAME commands_kept_library COMMAND ${CMAKE_CURRENT_LIST_DIR}/kept_libra
 add_test(NAME commands_documented COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/documented ${PROJECT_BINARY_DIR})
 # Former names in files and on command lines, and what `fix` makes of them.
 add_test(NAME commands_renamed COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/renamed ${PROJECT_BINARY_DIR})
-# Packs of environments for this processor alone.
+# Files and lists of an earlier version: tests/data/stability.
+add_test(NAME commands_stability COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/stability ${PROJECT_BINARY_DIR})
+# Vectorized environments for this processor alone.
 add_test(NAME commands_instruction_sets COMMAND ${CMAKE_CURRENT_LIST_DIR}/instruction_sets ${PROJECT_BINARY_DIR})

@@ -26,3 +26,5 @@ if(VALGRIND AND NOT EAGERX_SANITIZE)
   add_test(NAME commands_linear COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/linear ${PROJECT_BINARY_DIR}
            "nodes without rate" "unknown owners" "unknown sensors" "connected twice")
 endif()
+# The trace hash of an earlier version.
+add_test(NAME commands_stable_hash COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/stability ${PROJECT_BINARY_DIR} --run)

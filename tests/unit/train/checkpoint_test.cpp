@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
+#include "targets/environments/client/files.hpp"
 #include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
@@ -89,6 +92,27 @@ TEST_F(TrainCheckpoint, ATruthValueThatIsNoneIsRefused) {
   constexpr std::size_t kSucceeded = sizeof(std::uint32_t);
   EXPECT_EQ(said(changed(bytes(), kSucceeded, 1)), "nothing");
   EXPECT_EQ(said(changed(bytes(), kSucceeded, 2)), "`it` is not complete");
+}
+
+/// tests/data/stability: a later version reads it, too.
+TEST(Stability, ReadsTheCheckpointOfAnEarlierVersion) {
+  Description description;
+  description.actions.push_back(
+      {.name = "voltage", .dtype = "float32", .low = {-2.0}, .high = {2.0}});
+  Settings settings;
+  settings.net_arch = {4};
+  constexpr std::size_t kObservations = 4;
+  Model model(settings, kObservations, Head(description));
+  const std::string bytes =
+      read_file(EAGERX_SOURCE_DIR "/tests/data/stability/pendulum.checkpoint");
+  begin_from(bytes, "it",
+             "algorithm ppo; observations angle[2] speed[2]; actions voltage[1]; net_arch 4; "
+             "activation_fn tanh",
+             model);
+  ASSERT_FALSE(model.actor_parameters.empty());
+  EXPECT_TRUE(std::ranges::any_of(model.actor_parameters, [](float x) { return x != 0.0F; }));
+  EXPECT_TRUE(
+      std::ranges::all_of(model.actor_parameters, [](float x) { return std::isfinite(x); }));
 }
 
 }  // namespace
