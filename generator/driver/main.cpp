@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/driver/build/become.hpp"
+#include "generator/driver/build/exec.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/program.hpp"
 #include "generator/support/command_line/bugs.hpp"
@@ -52,7 +52,7 @@ int run(const std::vector<std::string>& arguments) {
   if (does(line, word)) return run_command_line(line, arguments);
   std::error_code error;
   const fs::path tools = fs::read_symlink("/proc/self/exe", error).parent_path() / kToolsProgram;
-  if (fs::exists(tools, error)) return become(tools.string(), arguments);
+  if (fs::exists(tools, error)) return exec(tools.string(), arguments);
   if (!ranges::contains(kToolsCommands, word)) return run_command_line(line, arguments);
   complain(
       "error: `{}` needs {}, which is not in this program's folder\nhelp: build it, too: cmake "

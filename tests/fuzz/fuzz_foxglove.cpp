@@ -28,17 +28,17 @@ std::size_t count(const Json& value, int depth) {
 }
 
 void check(const ClientMessage& message) {
-  using Said = ClientMessage::Kind;
-  require((message.kind == Said::wrong || message.kind == Said::unsupported) ==
+  using MessageKind = ClientMessage::Kind;
+  require((message.kind == MessageKind::wrong || message.kind == MessageKind::unsupported) ==
           !message.problem.empty());
 }
 
 /// What a server says, as `eagerx-gen monitor` reads it.
 void check_server(std::string_view bytes) {
-  using Said = eagerx::foxglove::ServerMessage::Kind;
+  using MessageKind = eagerx::foxglove::ServerMessage::Kind;
   static_cast<void>(eagerx::foxglove::read_server_text(bytes));
   const auto message = eagerx::foxglove::read_server_bytes(bytes);
-  require(message.kind != Said::data || message.time_ns >= 0);
+  require(message.kind != MessageKind::data || message.time_ns >= 0);
   constexpr std::size_t kMost = 16;
   eagerx::foxglove::ChannelValue value;
   if (eagerx::foxglove::read_channel_value(bytes, kMost, value))

@@ -57,7 +57,7 @@ bool is_of_cmath(std::string_view name) {
 }
 
 /// Why `name` is forbidden; empty if it is not.
-std::pair<std::string, std::string> judge(std::string_view name) {
+std::pair<std::string, std::string> classify(std::string_view name) {
   if (is_of_cmath(name))
     return {
         fmt::format("calls `{}` of <cmath>, whose last bit differs from machine to machine", name),
@@ -105,7 +105,7 @@ std::set<std::string> static_variables(const std::string& object) {
   return result;
 }
 
-std::pair<std::string, std::string> judge_variable(const std::string& symbol) {
+std::pair<std::string, std::string> classify_variable(const std::string& symbol) {
   if (symbol.starts_with("_ZGV")) return {};  // whether another one has been made
   const std::string name = variable_of(symbol);
   return {fmt::format("uses a static variable{}, which no reset sets and which all programs share",
@@ -167,10 +167,10 @@ std::vector<ForbiddenCall> forbidden_calls(const std::string& object) {
     constexpr std::size_t kName = 4;
     if (section.empty() || words.size() <= kName) continue;
     const std::string_view name = words[kName].substr(0, words[kName].find('@'));
-    auto [what, fix] = judge(name);
+    auto [what, fix] = classify(name);
     const std::string symbol(name);
     const bool variable = what.empty() && (is_writable(name) || variables.contains(symbol));
-    if (variable) std::tie(what, fix) = judge_variable(symbol);
+    if (variable) std::tie(what, fix) = classify_variable(symbol);
     if (what.empty()) continue;
     (variable ? uses : calls)
         .push_back({std::move(what), std::move(fix),

@@ -13,7 +13,7 @@ class Progress {
   Progress(std::string what, bool quiet);
   /// May be called often. `done`: "3 of 40 files", or nothing.
   void at(const std::string& done);
-  /// Ends the last line.
+  /// PortBindings the last line.
   void finish(bool good);
 
  private:

@@ -9,9 +9,9 @@
 #include <runtime/host/base/hash.hpp>
 #include <string_view>
 
-#include "generator/driver/build/become.hpp"
 #include "generator/driver/build/built.hpp"
 #include "generator/driver/build/emitted.hpp"
+#include "generator/driver/build/exec.hpp"
 #include "generator/driver/build/targets.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
@@ -82,7 +82,7 @@ int become_built(const Run& run, const BuiltProgram& program,
   expect_graph(program);
   setenv("UBSAN_OPTIONS", "print_stacktrace=1", 0);  // of `--sanitize`, as the user has it if set
   command.insert(command.end(), words.begin(), words.end());
-  return become(command.front(), {command.begin() + 1, command.end()});
+  return exec(command.front(), {command.begin() + 1, command.end()});
 }
 
 namespace {

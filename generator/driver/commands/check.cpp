@@ -10,8 +10,8 @@
 #include "generator/driver/build/emitted.hpp"
 #include "generator/driver/build/targets.hpp"
 #include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/commands/check_targets.hpp"
 #include "generator/driver/commands/commands.hpp"
-#include "generator/driver/commands/judge.hpp"
 #include "generator/driver/commands/manifest_check.hpp"
 #include "generator/driver/commands/train_file.hpp"
 #include "generator/driver/pipeline/check_variants.hpp"
@@ -64,7 +64,7 @@ int perform(const CheckOptions& options) {
   if (const auto code = perform_other(options)) return *code;
   Run run;
   const std::string output = options.compile ? "/" : "";  // the compiler gets whole paths
-  const auto targets = make(run, options) ? judged_targets(run, options, output) : std::nullopt;
+  const auto targets = make(run, options) ? check_targets(run, options, output) : std::nullopt;
   if (targets && options.compile) compile_entities(run, *targets, run.diagnostics);
   const std::size_t variants =
       targets && options.variant.empty() ? check_variants(run, options) : 0;

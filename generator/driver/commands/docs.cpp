@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "generator/driver/build/become.hpp"
+#include "generator/driver/build/exec.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/pipeline/paths.hpp"
@@ -99,7 +99,7 @@ int perform(const DocsOptions& options) {
   const std::string program = options.address ? std::string() : browser();
   if (program.empty()) return kDone;
   flush_output();
-  return become(program, {address});
+  return exec(program, {address});
 }
 
 Command table(DocsOptions& options) {

@@ -6,9 +6,9 @@
 #include <runtime/host/base/handover.hpp>
 #include <utility>
 
-#include "generator/driver/build/become.hpp"
 #include "generator/driver/build/built.hpp"
 #include "generator/driver/build/described.hpp"
+#include "generator/driver/build/exec.hpp"
 #include "generator/driver/build/folder.hpp"
 #include "generator/driver/pipeline/paths.hpp"
 
@@ -103,7 +103,7 @@ int become_with_environments(const Helper& helper, const GenerateOptions& option
   if (!built) return code;
   expect_graph(built->back());
   setenv(host::kOutputLocks, KeptFolders::hand_on().c_str(), 1);
-  return become(program, with({built->back().image}, words));
+  return exec(program, with({built->back().image}, words));
 }
 
 }  // namespace eagerx::gen

@@ -17,8 +17,8 @@
 #include "generator/driver/build/targets.hpp"
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/commands/check_targets.hpp"
 #include "generator/driver/commands/commands.hpp"
-#include "generator/driver/commands/judge.hpp"
 #include "generator/driver/commands/next_steps.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/files/paths.hpp"
@@ -58,7 +58,7 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
   Generated generated;
   const bool is_part = !options.part.empty();
   if (is_part && !choose_language(run, options)) return std::nullopt;
-  auto targets = judged_targets(run, options);
+  auto targets = check_targets(run, options);
   if (!targets) return std::nullopt;
   generated.targets = std::move(*targets);
   GraphOptions of_output = options;

@@ -1,6 +1,6 @@
 // eagerx-gen identify: what a log says of parameters and delays. Only the program can repeat the
 // log, so the work is its own: runtime/host/identify, which it links.
-#include "generator/driver/build/become.hpp"
+#include "generator/driver/build/exec.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 
@@ -21,7 +21,7 @@ int perform(const IdentifyOptions& options) {
   add("--identify-sensors", options.sensors);
   add("--identify-horizon", options.horizon_s);
   add("--identify-delay", options.longest_delay_s);
-  return become(options.program, arguments);
+  return exec(options.program, arguments);
 }
 
 Command table(IdentifyOptions& options) {

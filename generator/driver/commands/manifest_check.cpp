@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "generator/driver/commands/judge.hpp"
+#include "generator/driver/commands/check_targets.hpp"
 #include "generator/support/diagnostics/search.hpp"
 #include "generator/support/files/unsaved.hpp"
 

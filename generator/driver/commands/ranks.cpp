@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "generator/driver/build/become.hpp"
+#include "generator/driver/build/exec.hpp"
 #include "generator/driver/commands/environments.hpp"
 #include "generator/driver/pipeline/paths.hpp"
 
@@ -47,7 +47,7 @@ int become_in_ranks(const std::string& name, const GenerateOptions& options,
     std::error_code error;
     if (!std::filesystem::exists(helper_program(shared), error))
       return rank.number == 0 ? complain_of_no_mpi() : int{kInputOutput};
-    if (rank.number != 0) return become(helper_program(shared), {});
+    if (rank.number != 0) return exec(helper_program(shared), {});
   }
   std::vector<std::string> all;
   if (const int code = words(all); code != kDone) return code;

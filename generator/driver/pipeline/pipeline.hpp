@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/driver/pipeline/options.hpp"
-#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 #include "generator/frontend/import/import.hpp"
 #include "generator/graph/plan/plan.hpp"
 #include "generator/policy/agent/policies.hpp"
@@ -29,7 +29,7 @@ struct Run {
   YamlValue written;  // the graph's file
   YamlValue tree;     // of it, in the chosen variant
   YamlValue flat;     // without composites and arrays
-  Ends composites;    // of the graph: their ports
+  PortBindings composites;    // of the graph: their ports
   std::optional<GraphSpec> spec;
   std::optional<SafetySpec> safety_of_cut;  // what the graph says for the nodes that are cut out
   std::vector<std::string> tables;          // files with numbers of the graph

@@ -55,7 +55,7 @@ std::optional<std::int64_t> count_of(const YamlValue& entity, const References& 
 YamlValue element_of(YamlValue entity, std::int64_t index, std::int64_t count,
                      References references, Diagnostics& diagnostics) {
   std::erase_if(entity.entries, [](const auto& entry) { return entry.key == kCount; });
-  // Said once, for the first element: the others have the same list.
+  // Overrides once, for the first element: the others have the same list.
   Diagnostics unheard;
   choose_each(entity, static_cast<std::size_t>(index), count, index == 0 ? diagnostics : unheard);
   references[{"index"}] = made_scalar(std::to_string(index), entity.span);

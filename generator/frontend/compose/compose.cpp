@@ -7,10 +7,10 @@
 
 #include "generator/frontend/compose/arrays.hpp"
 #include "generator/frontend/compose/composite_use.hpp"
-#include "generator/frontend/compose/ends.hpp"
 #include "generator/frontend/compose/gather.hpp"
 #include "generator/frontend/compose/inner_files.hpp"
 #include "generator/frontend/compose/inner_ports.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 #include "generator/frontend/compose/port_pattern.hpp"
 #include "generator/frontend/compose/rename_ports.hpp"
 #include "generator/frontend/compose/scope.hpp"
@@ -220,11 +220,11 @@ class Composer {
     const YamlValue* chosen = written.find(key);
     for (const auto& entry : map->entries) {
       const YamlValue* of_use = chosen != nullptr ? chosen->find(entry.key) : nullptr;
-      std::vector<Sink>& sinks = ports.sinks[entry.key];
+      std::vector<PortBinding>& sinks = ports.sinks[entry.key];
       for (const auto& text : texts_of(*entry.value.find("to"))) {
         for (const std::string& port : ports_of(text, scope)) {
           if (!inner_.is_there(text, port, false, diagnostics_)) continue;
-          for (Sink sink : inner_.ends.sinks(port)) {
+          for (PortBinding sink : inner_.ends.sinks(port)) {
             feeds.bind(sink.port, text, diagnostics_);
             sink.settings.insert(sink.settings.begin(), settings_of(entry.value, scope));
             if (of_use != nullptr && of_use->is_map() &&
@@ -319,7 +319,7 @@ class Composer {
 
   void connect(const YamlValue& connection, const Spanned<std::string>& from,
                const Spanned<std::string>& to) {
-    for (const Sink& sink : inner_.ends.sinks(to.value))
+    for (const PortBinding& sink : inner_.ends.sinks(to.value))
       connections_.push_back(joined(connection, from, {sink.port, to.span}, sink.settings));
   }
 

@@ -3,7 +3,7 @@
 // where everything is written and who used it.
 #pragma once
 
-#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 #include "generator/frontend/library/library.hpp"
 
 namespace eagerx::gen {
@@ -11,7 +11,7 @@ namespace eagerx::gen {
 struct FlatGraph {
   YamlValue root;
   GraphForm form = GraphForm::written;    // flat: something was composed
-  Ends ends = {};                         // ports of its composites
+  PortBindings ends = {};                 // ports of its composites
   std::vector<CompositeSpec> composites;  // where they are, for pictures
 };
 

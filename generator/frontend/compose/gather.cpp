@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 #include "generator/frontend/library/library.hpp"
 #include "generator/frontend/spec/port_name.hpp"
 
 namespace eagerx::gen {
 
 struct InnerPorts {
-  Ends ends;  // of composites
+  PortBindings ends;  // of composites
   std::map<std::string, const Entity*>
       entity_of;  // of other composites; nullptr: unknown, or a policy
 

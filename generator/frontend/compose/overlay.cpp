@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 #include "generator/frontend/spec/format.hpp"
 #include "generator/frontend/spec/port_name.hpp"
 #include "generator/support/diagnostics/search.hpp"

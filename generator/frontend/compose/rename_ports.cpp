@@ -22,7 +22,7 @@ void rename_inputs_of_task(YamlValue& task, F&& source) {
 }
 
 /// A channel of all elements of an array is one of each.
-void name_channels(YamlValue& channels, const Ends& ends, const CountOf& count_of,
+void name_channels(YamlValue& channels, const PortBindings& ends, const CountOf& count_of,
                    Diagnostics& diagnostics) {
   std::vector<YamlValue> named;
   for (const auto& item : channels.items) {
@@ -44,7 +44,7 @@ void name_channels(YamlValue& channels, const Ends& ends, const CountOf& count_o
 
 }  // namespace
 
-void rename_ports(YamlValue& root, const Ends& ends, const CountOf& count_of,
+void rename_ports(YamlValue& root, const PortBindings& ends, const CountOf& count_of,
                   Diagnostics& diagnostics) {
   const auto source = [&ends](YamlValue& port) {
     if (port.is_scalar()) port.text = ends.source(port.text);

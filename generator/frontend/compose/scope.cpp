@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
-#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-void add_one(const Said& said, const char* key, const YamlValue::Entry& entry,
+void add_one(const Overrides& said, const char* key, const YamlValue::Entry& entry,
              const std::string& name, YamlValue& settings) {
   for (const std::string& called : {entry.key, entry.key + "[*]", name}) {
     const auto found = said.find(called);
@@ -61,7 +61,7 @@ void take_states(const YamlValue& settings, Scope& scope, Diagnostics& diagnosti
 }
 
 void take_settings_of_ports(const YamlValue& settings, const YamlValue& inside, Scope& scope) {
-  const auto take = [&](const char* key, const char* bound, Said& said) {
+  const auto take = [&](const char* key, const char* bound, Overrides& said) {
     const YamlValue* chosen = settings.find(key);
     const YamlValue* ports = inside.find(key);
     if (chosen == nullptr || ports == nullptr) return;

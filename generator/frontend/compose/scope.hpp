@@ -10,14 +10,14 @@
 namespace eagerx::gen {
 
 /// A composite's settings of its inner entities, by name: entries of `states:`, `sensors:` …
-using Said = std::map<std::string, std::vector<YamlValue::Entry>>;
+using Overrides = std::map<std::string, std::vector<YamlValue::Entry>>;
 
 /// A graph that is being made flat: the user's, or what is in one composite.
 struct Scope {
   std::string prefix;  // of names in it: "arm/"
   References references;
   std::vector<const Entity*> around;  // the composites that it is in
-  Said states, sensors, actuators;
+  Overrides states, sensors, actuators;
 };
 
 /// A text, or each of a list.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "generator/frontend/compose/ends.hpp"
 #include "generator/frontend/compose/inner_files.hpp"
 #include "generator/frontend/compose/overlay.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 #include "generator/frontend/spec/format.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"

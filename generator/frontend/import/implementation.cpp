@@ -19,7 +19,7 @@ namespace {
 class ImplementationWriter {
  public:
   ImplementationWriter(const SavedGraph& saved, const SavedEntity& object,
-                       Counterparts& counterparts, const MadeTypes& types)
+                       EntityMapping& counterparts, const MadeTypes& types)
       : saved_(saved), backup_(object), counterparts_(counterparts), types_(types) {}
 
   SavedImplementation write() {
@@ -268,7 +268,7 @@ class ImplementationWriter {
 
   const SavedGraph& saved_;
   const SavedEntity& backup_;
-  Counterparts& counterparts_;
+  EntityMapping& counterparts_;
   const MadeTypes& types_;
   SavedImplementation result_;
   std::vector<std::string> nodes_, connections_, states_;
@@ -278,7 +278,7 @@ class ImplementationWriter {
 }  // namespace
 
 SavedImplementation saved_implementation(const SavedGraph& saved, const SavedEntity& object,
-                                         Counterparts& counterparts, const MadeTypes& types) {
+                                         EntityMapping& counterparts, const MadeTypes& types) {
   return ImplementationWriter(saved, object, counterparts, types).write();
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/frontend/import/counterparts.hpp"
+#include "generator/frontend/import/entity_mapping.hpp"
 
 namespace eagerx::gen {
 
@@ -33,6 +33,6 @@ bool is_parameter_of_manifest(const YamlValue::Entry& entry);
 
 /// Empty: the file does not say it (Graph.save).
 SavedImplementation saved_implementation(const SavedGraph& saved, const SavedEntity& object,
-                                         Counterparts& counterparts, const MadeTypes& types);
+                                         EntityMapping& counterparts, const MadeTypes& types);
 
 }  // namespace eagerx::gen

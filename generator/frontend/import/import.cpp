@@ -41,7 +41,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   const auto failed = [&] { return diagnostics.error_count() != errors_before; };
   auto saved = read_saved_graph(root, diagnostics);
   if (!saved) return std::nullopt;
-  Counterparts counterparts(library, diagnostics);
+  EntityMapping counterparts(library, diagnostics);
   const Pictures pictures = remove_pictures(*saved, counterparts);
   const Processes processes = find_processes(*saved, diagnostics);
   rename_ports(*saved, counterparts);

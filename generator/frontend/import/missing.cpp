@@ -245,7 +245,7 @@ std::optional<std::vector<MissingEntity>> missing_entities(const YamlValue& root
                                                            Diagnostics& diagnostics) {
   auto saved = read_saved_graph(root, diagnostics);
   if (!saved) return std::nullopt;
-  Counterparts counterparts(library, diagnostics);
+  EntityMapping counterparts(library, diagnostics);
   remove_pictures(*saved, counterparts);
   rename_ports(*saved, counterparts);
   require_all(*saved, counterparts);

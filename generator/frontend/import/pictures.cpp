@@ -4,7 +4,7 @@
 #include <array>
 #include <set>
 
-#include "generator/frontend/import/counterparts.hpp"
+#include "generator/frontend/import/entity_mapping.hpp"
 #include "generator/frontend/import/translate.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/frontend/spec/port_name.hpp"
@@ -25,7 +25,7 @@ bool is_picture(const SavedPort& port) {
 
 class PictureRemover {
  public:
-  PictureRemover(SavedGraph& saved, const Counterparts& counterparts)
+  PictureRemover(SavedGraph& saved, const EntityMapping& counterparts)
       : saved_(saved), counterparts_(counterparts) {}
 
   Pictures run() {
@@ -107,7 +107,7 @@ class PictureRemover {
   }
 
   SavedGraph& saved_;
-  const Counterparts& counterparts_;
+  const EntityMapping& counterparts_;
   std::set<std::string> drawing_, unused_, seen_;
   Pictures result_;
 };
@@ -171,7 +171,7 @@ void add_render(Translation& t, const Pictures& pictures, const std::string& sou
 
 }  // namespace
 
-Pictures remove_pictures(SavedGraph& saved, const Counterparts& counterparts) {
+Pictures remove_pictures(SavedGraph& saved, const EntityMapping& counterparts) {
   return PictureRemover(saved, counterparts).run();
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "generator/frontend/import/counterparts.hpp"
+#include "generator/frontend/import/entity_mapping.hpp"
 #include "generator/frontend/import/translate.hpp"
 #include "generator/support/diagnostics/search.hpp"
 

@@ -46,7 +46,7 @@ void rename_all(SavedGraph& saved, SavedEntity& entity, const Entity& ours) {
 
 }  // namespace
 
-void rename_ports(SavedGraph& saved, const Counterparts& counterparts) {
+void rename_ports(SavedGraph& saved, const EntityMapping& counterparts) {
   for (auto* entities : {&saved.entities, &saved.backup}) {
     for (auto& entity : *entities) {
       const Entity* ours =

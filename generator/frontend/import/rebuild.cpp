@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "generator/frontend/import/counterparts.hpp"
+#include "generator/frontend/import/entity_mapping.hpp"
 #include "generator/frontend/import/rebuilt.hpp"
 #include "generator/frontend/read/rational.hpp"
 #include "generator/frontend/spec/named.hpp"
@@ -25,7 +25,7 @@ void set_entry(YamlValue& map, const char* key, const YamlValue& value) {
 
 class Rebuilder {
  public:
-  Rebuilder(SavedGraph& saved, Counterparts& counterparts, Diagnostics& diagnostics)
+  Rebuilder(SavedGraph& saved, EntityMapping& counterparts, Diagnostics& diagnostics)
       : saved_(saved), counterparts_(counterparts), diagnostics_(diagnostics) {}
 
   bool run() {
@@ -166,7 +166,7 @@ class Rebuilder {
     for (const auto& node : rebuilt.implementation->nodes) {
       const Entity* type = counterparts_.library().find(node.type.value);
       if (type == nullptr || taken.contains(node.name.value) ||
-          !Counterparts::stands_for(*type, entity.id.value))
+          !EntityMapping::stands_for(*type, entity.id.value))
         continue;
       if (only != nullptr) return;
       only = &node;
@@ -179,7 +179,7 @@ class Rebuilder {
   void check_type(const SavedEntity& entity, const EntitySpec& ours) {
     const Entity* type = counterparts_.library().find(ours.type.value);
     if (type == nullptr || type->eagerx_ids.empty() ||
-        Counterparts::stands_for(*type, entity.id.value))
+        EntityMapping::stands_for(*type, entity.id.value))
       return;
     diagnostics_.warning("E0806", entity.id.span,
                          fmt::format("`{}` is a `{}` in this file, but a `{}` here",
@@ -402,7 +402,7 @@ class Rebuilder {
   }
 
   SavedGraph& saved_;
-  Counterparts& counterparts_;
+  EntityMapping& counterparts_;
   Diagnostics& diagnostics_;
   const Entity* engine_ = nullptr;
   std::vector<Rebuilt> rebuilt_;
@@ -413,7 +413,7 @@ class Rebuilder {
 
 }  // namespace
 
-bool rebuild_objects(SavedGraph& saved, Counterparts& counterparts, Diagnostics& diagnostics) {
+bool rebuild_objects(SavedGraph& saved, EntityMapping& counterparts, Diagnostics& diagnostics) {
   return Rebuilder(saved, counterparts, diagnostics).run();
 }
 

@@ -1,7 +1,7 @@
 // What a file needs, before anything is made of it: one run reports everything that is missing.
 #include <fmt/format.h>
 
-#include "generator/frontend/import/counterparts.hpp"
+#include "generator/frontend/import/entity_mapping.hpp"
 #include "generator/frontend/import/translate.hpp"
 #include "generator/frontend/spec/named.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 class Requirements {
  public:
-  Requirements(const SavedGraph& saved, Counterparts& counterparts)
+  Requirements(const SavedGraph& saved, EntityMapping& counterparts)
       : saved_(saved), counterparts_(counterparts) {}
 
   void run() {
@@ -102,12 +102,12 @@ class Requirements {
   }
 
   const SavedGraph& saved_;
-  Counterparts& counterparts_;
+  EntityMapping& counterparts_;
 };
 
 }  // namespace
 
-void require_all(const SavedGraph& saved, Counterparts& counterparts) {
+void require_all(const SavedGraph& saved, EntityMapping& counterparts) {
   Requirements(saved, counterparts).run();
 }
 

@@ -10,7 +10,7 @@
 
 #include "generator/frontend/read/quantity.hpp"
 #include "generator/frontend/read/scalar.hpp"
-#include "generator/frontend/read/slips.hpp"
+#include "generator/frontend/read/typos.hpp"
 #include "generator/frontend/spec/foreign_words.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/join.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/frontend/read/slips.hpp"
+#include "generator/frontend/read/typos.hpp"
 #include "generator/support/diagnostics/utf8.hpp"
 
 namespace eagerx::gen {

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 #include "generator/graph/resolve/graph.hpp"
 
 namespace eagerx::gen {
 
 struct CutRequest {
   std::vector<std::string> names;    // of nodes, composites, arrays; `leg[*]/knee` too
-  Ends composites;                   // of the graph
+  PortBindings composites;                   // of the graph
   std::optional<SafetySpec> safety;  // of the graph: its names are those of ports at the cut
 };
 

@@ -44,7 +44,7 @@ class ComposedNames {
       const std::string prefix = alone ? "" : *composite + ".";
       const CompositePorts& ports = *request.composites.find(*composite);
       for (const auto& [port, sinks] : ports.sinks)
-        for (const Sink& sink : sinks) in_[plain(sink.port)] = prefix + port;
+        for (const PortBinding& sink : sinks) in_[plain(sink.port)] = prefix + port;
       for (const auto& [port, source] : ports.sources) out_[plain(source)].push_back(prefix + port);
     }
   }

@@ -6,27 +6,27 @@
 namespace eagerx::gen {
 namespace {
 
-using Way = std::vector<const Hop*>;
+using Path = std::vector<const PathEdge*>;
 
 constexpr std::int64_t kMaxHyperperiod = std::int64_t{1} << 50;  // in quanta
 constexpr std::int64_t kMaxLookUps = 3'000'000;                  // of one pair
 
-std::int64_t newest_bound(const Way& way) {
+std::int64_t newest_bound(const Path& way) {
   std::int64_t sum = 0;
-  for (const Hop* hop : way) sum += hop->newest_bound;
+  for (const PathEdge* hop : way) sum += hop->newest_bound;
   return sum;
 }
 
-std::int64_t oldest_bound(const Way& way) {
+std::int64_t oldest_bound(const Path& way) {
   std::int64_t sum = 0;
-  for (const Hop* hop : way) sum += hop->oldest_bound;
+  for (const PathEdge* hop : way) sum += hop->oldest_bound;
   return sum;
 }
 
 /// When every tick on the way has settled.
-std::int64_t settled(const Way& way) {
+std::int64_t settled(const Path& way) {
   std::int64_t sum = 0;
-  for (const Hop* hop : way) sum += hop->settled * hop->period + hop->oldest_bound;
+  for (const PathEdge* hop : way) sum += hop->settled * hop->period + hop->oldest_bound;
   return sum;
 }
 
@@ -37,10 +37,10 @@ struct Worst {
 /// Tick by tick over a hyperperiod; nullopt if that is too long.
 std::optional<Worst> worst_tick(const Ways& ways) {
   std::int64_t hyperperiod = 1, start = 0, hops = 0;
-  for (const Way& way : ways.all) {
+  for (const Path& way : ways.all) {
     hops += static_cast<std::int64_t>(way.size());
     start = std::max(start, settled(way));
-    for (const Hop* hop : way) {
+    for (const PathEdge* hop : way) {
       for (const std::int64_t period : {hop->period, hop->source_period}) {
         const std::int64_t factor = period / std::gcd(hyperperiod, period);
         if (factor > kMaxHyperperiod / hyperperiod) return std::nullopt;
@@ -55,9 +55,9 @@ std::optional<Worst> worst_tick(const Ways& ways) {
   Worst worst;
   for (std::int64_t tick = first; tick < first + ticks; ++tick) {
     std::int64_t freshest = kMaxHyperperiod;
-    for (const Way& way : ways.all) {
+    for (const Path& way : ways.all) {
       std::int64_t newest = tick, oldest = tick;
-      for (const Hop* hop : way) {
+      for (const PathEdge* hop : way) {
         newest = hop->newest(newest);
         oldest = hop->oldest(oldest);
       }
@@ -79,7 +79,7 @@ class Ages {
   }
 
   DataAge of(const WayFinder::Pair& pair, const Ways& ways) const {
-    const Way& best = *std::ranges::min_element(ways.all, {}, newest_bound);
+    const Path& best = *std::ranges::min_element(ways.all, {}, newest_bound);
     DataAge age;
     age.from = pair.first;
     age.to = pair.second;
@@ -90,11 +90,11 @@ class Ages {
       age.oldest_s = seconds(worst->oldest) - step_s_;
     } else if (ways.complete) {
       std::int64_t most = 0;
-      for (const Way& way : ways.all) most = std::max(most, oldest_bound(way));
+      for (const Path& way : ways.all) most = std::max(most, oldest_bound(way));
       age.oldest_s = seconds(most) - step_s_;
     }
-    const Way from_source(best.rbegin(), best.rend());
-    for (const Hop* hop : from_source) {
+    const Path from_source(best.rbegin(), best.rend());
+    for (const PathEdge* hop : from_source) {
       const Input& input = plan_.graph->nodes[hop->node].inputs[hop->input];
       age.way.push_back({input.written, input.span, seconds(hop->newest_bound)});
     }

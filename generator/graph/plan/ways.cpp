@@ -47,7 +47,7 @@ WayFinder::WayFinder(const Plan& plan, const WayEnds& ends) : plan_(plan), ends_
   mark_behind_sources();
   on_way_.assign(hops_.size(), false);
   for (std::size_t n = 0; n < hops_.size(); ++n) {
-    for (const Hop& hop : hops_[n]) {
+    for (const PathEdge& hop : hops_[n]) {
       const Input& input = plan.graph->nodes[n].inputs[hop.input];
       if (!is_last(plan.graph->nodes[n], input)) continue;
       steps_ = 0;
@@ -90,7 +90,7 @@ void WayFinder::mark_behind_sources() {
   std::vector<std::vector<std::size_t>> readers(nodes.size());
   std::vector<std::size_t> todo;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    for (const Hop& hop : hops_[n]) {
+    for (const PathEdge& hop : hops_[n]) {
       const Input& input = nodes[n].inputs[hop.input];
       if (!is_passed(nodes[n])) continue;
       readers[input.source_node].push_back(n);
@@ -107,7 +107,7 @@ void WayFinder::mark_behind_sources() {
 }
 
 /// The beginning of a path; empty if the path continues.
-std::string WayFinder::source_of(const Hop& hop) const {
+std::string WayFinder::source_of(const PathEdge& hop) const {
   const Input& input = plan_.graph->nodes[hop.node].inputs[hop.input];
   const GraphNode& source = plan_.graph->nodes[input.source_node];
   const Output& output = source.outputs[input.source_output];
@@ -115,12 +115,12 @@ std::string WayFinder::source_of(const Hop& hop) const {
   return source.role == NodeRole::environment ? "actions." + output.name : std::string();
 }
 
-std::vector<const Hop*> WayFinder::behind(const Hop& hop) const {
+std::vector<const PathEdge*> WayFinder::behind(const PathEdge& hop) const {
   const Input& input = plan_.graph->nodes[hop.node].inputs[hop.input];
   const GraphNode& source = plan_.graph->nodes[input.source_node];
-  std::vector<const Hop*> result;
+  std::vector<const PathEdge*> result;
   if (!reached_[input.source_node]) return result;
-  for (const Hop& next : hops_[input.source_node]) {
+  for (const PathEdge& next : hops_[input.source_node]) {
     // Each output of a reset node has a feedthrough of its own.
     const Input& read = source.inputs[next.input];
     if (read.feedthrough && read.name != source.outputs[input.source_output].name) continue;
@@ -129,7 +129,7 @@ std::vector<const Hop*> WayFinder::behind(const Hop& hop) const {
   return result;
 }
 
-void WayFinder::walk(const std::string& destination, const Hop& hop) {
+void WayFinder::walk(const std::string& destination, const PathEdge& hop) {
   if (++steps_ > kMaxSteps) return;
   const std::size_t sender = plan_.graph->nodes[hop.node].inputs[hop.input].source_node;
   way_.push_back(&hop);
@@ -137,16 +137,17 @@ void WayFinder::walk(const std::string& destination, const Hop& hop) {
     keep(source, destination, way_, true);
   } else if (!on_way_[sender]) {
     on_way_[sender] = true;
-    for (const Hop* next : behind(hop)) walk(destination, *next);
+    for (const PathEdge* next : behind(hop)) walk(destination, *next);
     on_way_[sender] = false;
   }
   way_.pop_back();
 }
 
 /// The way with the least sum to every source, from the destination backwards (Dijkstra).
-void WayFinder::shortest(const std::string& destination, const Hop& first) {
-  std::map<const Hop*, std::pair<std::int64_t, const Hop*>> best;  // sum, the hop after it
-  std::set<std::pair<std::int64_t, const Hop*>> open;
+void WayFinder::shortest(const std::string& destination, const PathEdge& first) {
+  std::map<const PathEdge*, std::pair<std::int64_t, const PathEdge*>>
+      best;  // sum, the hop after it
+  std::set<std::pair<std::int64_t, const PathEdge*>> open;
   best[&first] = {first.newest_bound, nullptr};
   open.insert({first.newest_bound, &first});
   std::set<std::string> found;
@@ -155,12 +156,13 @@ void WayFinder::shortest(const std::string& destination, const Hop& first) {
     open.erase(open.begin());
     if (const std::string source = source_of(*hop); !source.empty()) {
       if (!found.insert(source).second) continue;
-      std::vector<const Hop*> way;
-      for (const Hop* at = hop; at != nullptr; at = best[at].second) way.insert(way.begin(), at);
+      std::vector<const PathEdge*> way;
+      for (const PathEdge* at = hop; at != nullptr; at = best[at].second)
+        way.insert(way.begin(), at);
       keep(source, destination, way, false);
       continue;
     }
-    for (const Hop* next : behind(*hop)) {
+    for (const PathEdge* next : behind(*hop)) {
       const std::int64_t longer = sum + next->newest_bound;
       const auto known = best.find(next);
       if (known != best.end() && known->second.first <= longer) continue;
@@ -172,7 +174,7 @@ void WayFinder::shortest(const std::string& destination, const Hop& first) {
 }
 
 void WayFinder::keep(const std::string& source, const std::string& destination,
-                     const std::vector<const Hop*>& way, bool complete) {
+                     const std::vector<const PathEdge*>& way, bool complete) {
   Ways& ways = ways_[{source, destination}];
   ways.all.push_back(way);
   ways.complete = ways.complete && complete;
@@ -185,7 +187,7 @@ std::vector<const Input*> WayFinder::unknown_between(const std::string& from,
   const auto& nodes = plan_.graph->nodes;
   // Nodes that data reach from `from`, and nodes whose data reach `to`, over all connections.
   std::vector<bool> before(nodes.size(), false), after(nodes.size(), false);
-  const auto begins = [&](const Hop& hop) {
+  const auto begins = [&](const PathEdge& hop) {
     const std::string source = source_of(hop);
     return !source.empty() && (from.empty() || source == from);
   };
@@ -198,7 +200,7 @@ std::vector<const Input*> WayFinder::unknown_between(const std::string& from,
       for (std::size_t i = 0; i < nodes[n].inputs.size(); ++i) {
         const Input& input = nodes[n].inputs[i];
         if (!passes_on(nodes[n], input)) continue;
-        const Hop hop{.node = n, .input = i};
+        const PathEdge hop{.node = n, .input = i};
         const std::size_t source = input.source_node;
         if (!before[n] && is_passed(nodes[n]) && (begins(hop) || before[source]))
           more = before[n] = true;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/graph/plan/hop.hpp"
+#include "generator/graph/plan/path_edge.hpp"
 
 namespace eagerx::gen {
 
@@ -28,7 +28,7 @@ std::vector<std::string> names_of_destinations(const Graph& graph, bool observat
 
 /// All ways of one pair, each from the last connection back to the first.
 struct Ways {
-  std::vector<std::vector<const Hop*>> all;
+  std::vector<std::vector<const PathEdge*>> all;
   bool complete = true;  // false: there are more; the one with the least sum is among these
 };
 
@@ -48,20 +48,20 @@ class WayFinder {
  private:
   void make_hops();
   void mark_behind_sources();
-  void walk(const std::string& destination, const Hop& hop);
-  void shortest(const std::string& destination, const Hop& hop);
+  void walk(const std::string& destination, const PathEdge& hop);
+  void shortest(const std::string& destination, const PathEdge& hop);
   void keep(const std::string& source, const std::string& destination,
-            const std::vector<const Hop*>& way, bool complete);
+            const std::vector<const PathEdge*>& way, bool complete);
   [[nodiscard]] bool is_last(const GraphNode& node, const Input& input) const;
   [[nodiscard]] bool is_passed(const GraphNode& node) const;
-  [[nodiscard]] std::vector<const Hop*> behind(const Hop& hop) const;
-  [[nodiscard]] std::string source_of(const Hop& hop) const;
+  [[nodiscard]] std::vector<const PathEdge*> behind(const PathEdge& hop) const;
+  [[nodiscard]] std::string source_of(const PathEdge& hop) const;
 
   const Plan& plan_;
   const WayEnds ends_;
-  std::vector<std::vector<Hop>> hops_;  // by node: those that its outputs come from
-  std::vector<bool> reached_;           // nodes that data of a source reach
-  std::vector<const Hop*> way_;
+  std::vector<std::vector<PathEdge>> hops_;  // by node: those that its outputs come from
+  std::vector<bool> reached_;                // nodes that data of a source reach
+  std::vector<const PathEdge*> way_;
   std::vector<bool> on_way_;
   std::size_t steps_ = 0;
   std::map<Pair, Ways> ways_;

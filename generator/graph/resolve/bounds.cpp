@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "generator/graph/resolve/draft.hpp"
 #include "generator/graph/resolve/unknown_owners.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 enum class Side : std::uint8_t { from, to };
 
 /// Without feedthroughs, which share their names with outputs.
-std::vector<std::string> names_of_inputs(const DraftNode& node) {
+std::vector<std::string> names_of_inputs(const UnresolvedNode& node) {
   std::vector<std::string> names;
   for (const auto& input : node.inputs) {
     if (!input.feedthrough) names.push_back(input.name);
@@ -25,7 +25,8 @@ std::vector<std::string> names_of_inputs(const DraftNode& node) {
 }
 
 /// The environment or a node of the graph by the name that connections give it.
-std::optional<std::size_t> find_node(const Draft& draft, const std::string& name, Side side) {
+std::optional<std::size_t> find_node(const UnresolvedGraph& draft, const std::string& name,
+                                     Side side) {
   if (name == (side == Side::from ? "actions" : "observations")) return Graph::kEnvironment;
   const auto found = draft.node_of_name.find(name);
   return found == draft.node_of_name.end() ? std::nullopt : std::optional(found->second);
@@ -33,8 +34,8 @@ std::optional<std::size_t> find_node(const Draft& draft, const std::string& name
 
 /// The ports that a name stands for; several inputs when an actuator feeds several engine nodes.
 /// Says nothing when there are none.
-std::vector<PortIndex> find_ports(const Draft& draft, const PortName& port, Side side) {
-  if (const DraftObject* object = draft.find_object(port.owner)) {
+std::vector<PortIndex> find_ports(const UnresolvedGraph& draft, const PortName& port, Side side) {
+  if (const UnresolvedObject* object = draft.find_object(port.owner)) {
     const char* section = side == Side::from ? "sensors" : "actuators";
     if (!port.section.empty() && port.section != section) return {};
     if (side == Side::from) {
@@ -47,16 +48,16 @@ std::vector<PortIndex> find_ports(const Draft& draft, const PortName& port, Side
   }
   const auto index = find_node(draft, port.owner, side);
   if (!index) return {};
-  const DraftNode& node = draft.nodes[*index];
+  const UnresolvedNode& node = draft.nodes[*index];
   if (side == Side::from) {
     if (!port.section.empty() && port.section != "outputs") return {};
-    const auto found = ranges::find(node.outputs, port.name, &DraftOutput::name);
+    const auto found = ranges::find(node.outputs, port.name, &UnresolvedOutput::name);
     if (found == node.outputs.end()) return {};
     return {{*index, static_cast<std::size_t>(found - node.outputs.begin())}};
   }
   const bool feedthrough = port.section == "feedthroughs";
   if (!feedthrough && !port.section.empty() && port.section != "inputs") return {};
-  const auto found = ranges::find_if(node.inputs, [&](const DraftInput& i) {
+  const auto found = ranges::find_if(node.inputs, [&](const UnresolvedInput& i) {
     return i.name == port.name && i.feedthrough == feedthrough;
   });
   if (found == node.inputs.end()) return {};
@@ -65,7 +66,7 @@ std::vector<PortIndex> find_ports(const Draft& draft, const PortName& port, Side
 
 class Connector {
  public:
-  explicit Connector(Draft& draft) : draft_(draft), unknown_(draft) {
+  explicit Connector(UnresolvedGraph& draft) : draft_(draft), unknown_(draft) {
     // A scan for each broken connection would take a time that grows with the square of the graph.
     for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
       if (const auto object = draft.nodes[n].node.object)
@@ -113,8 +114,8 @@ class Connector {
 
   /// Reports a port that does not exist; returns the owner that was meant.
   std::string report(const PortName& port, const Spanned<std::string>& text, Side side) {
-    if (draft_.doubtful.contains(port.owner)) return port.owner;
-    if (const DraftObject* object = draft_.find_object(port.owner)) {
+    if (draft_.erroneous.contains(port.owner)) return port.owner;
+    if (const UnresolvedObject* object = draft_.find_object(port.owner)) {
       report_port_of_object(*object, port, text, side);
       return port.owner;
     }
@@ -125,7 +126,7 @@ class Connector {
     return report_unknown_owner(port, text, side);
   }
 
-  void report_port_of_object(const DraftObject& object, const PortName& port,
+  void report_port_of_object(const UnresolvedObject& object, const PortName& port,
                              const Spanned<std::string>& text, Side side) {
     const Entity& entity = *object.entity;
     const Entity* engine = draft_.engine();
@@ -145,7 +146,7 @@ class Connector {
            : report_unknown_port(port, text, side, actuators, "actuator", sensors, "sensor");
   }
 
-  void report_port_of_node(const DraftNode& node, const PortName& port,
+  void report_port_of_node(const UnresolvedNode& node, const PortName& port,
                            const Spanned<std::string>& text, Side side) {
     if (port.section == "feedthroughs") {
       report_feedthrough(node, port, text);
@@ -179,7 +180,7 @@ class Connector {
           : report_unknown_port(port, text, side, inputs, "input", outputs, "output");
   }
 
-  void report_feedthrough(const DraftNode& node, const PortName& port,
+  void report_feedthrough(const UnresolvedNode& node, const PortName& port,
                           const Spanned<std::string>& text) {
     std::vector<std::string> known;
     for (const auto& input : node.inputs) {
@@ -258,13 +259,13 @@ class Connector {
   }
 
   void excuse_node(std::size_t n, Side side) {
-    const DraftNode& node = draft_.nodes[n];
+    const UnresolvedNode& node = draft_.nodes[n];
     const std::size_t count = side == Side::from ? node.outputs.size() : node.inputs.size();
     for (std::size_t i = 0; i < count; ++i) excused_.insert({side, n, i});
   }
 
   void connect(const ConnectionSpec& connection, const PortIndex& source, const PortIndex& sink) {
-    DraftInput& input = draft_.nodes[sink.node].inputs[sink.port];
+    UnresolvedInput& input = draft_.nodes[sink.node].inputs[sink.port];
     if (input.edge) {
       auto& problem = diagnostics().error(
           "E0311", connection.to.span, fmt::format("`{}` is connected twice", connection.to.value));
@@ -285,7 +286,7 @@ class Connector {
     }
     input.settings = overlay(input.settings, connection.settings);
     input.sensor = sensor_of(connection);
-    input.edge = DraftEdge{source.node, source.port, connection.from.span};
+    input.edge = UnresolvedEdge{source.node, source.port, connection.from.span};
     input.span = connection.to.span;
     excused_.insert({Side::from, source.node, source.port});
   }
@@ -293,14 +294,14 @@ class Connector {
   /// The sensor at the beginning of the connection, if it is one, without a section.
   std::string sensor_of(const ConnectionSpec& connection) const {
     const PortName port = parse_port(connection.from.value);
-    const DraftObject* object = draft_.find_object(port.owner);
+    const UnresolvedObject* object = draft_.find_object(port.owner);
     return object == nullptr ? std::string() : object->sensors.at(port.name).written;
   }
 
   /// What the sensor at the beginning of the connection offers, if it is one.
   ConnectionSettings delay_of_sensor(const ConnectionSpec& connection) {
     const PortName port = parse_port(connection.from.value);
-    const DraftObject* object = draft_.find_object(port.owner);
+    const UnresolvedObject* object = draft_.find_object(port.owner);
     if (object == nullptr) return {};
     const auto found = object->delays.find(port.name);
     return found == object->delays.end() ? ConnectionSettings() : found->second;
@@ -309,10 +310,10 @@ class Connector {
   void report_open_inputs() {
     std::set<std::string> reported;  // an actuator may feed several engine nodes
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
-      const DraftNode& node = draft_.nodes[n];
+      const UnresolvedNode& node = draft_.nodes[n];
       if (draft_.is_doubtful(node)) continue;
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
-        const DraftInput& input = node.inputs[i];
+        const UnresolvedInput& input = node.inputs[i];
         if (input.edge || excused_.contains({Side::to, n, i}) ||
             !reported.insert(input.written).second)
           continue;
@@ -342,7 +343,7 @@ class Connector {
     }
   }
 
-  Draft& draft_;
+  UnresolvedGraph& draft_;
   std::set<End> excused_;  // not open: in use, or the subject of another message
   UnknownOwners unknown_;
   std::map<std::string, std::vector<std::size_t>, std::less<>> engine_nodes_of_;  // by object
@@ -351,23 +352,23 @@ class Connector {
 
 }  // namespace
 
-void connect(Draft& draft) {
+void connect(UnresolvedGraph& draft) {
   const std::size_t first = draft.spec.has_engine() ? Graph::kEngine + 1 : Graph::kEngine;
   for (std::size_t n = first; n < draft.nodes.size(); ++n)
     draft.node_of_name.try_emplace(draft.nodes[n].node.name, n);
   Connector(draft).run();
 }
 
-std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& text) {
+std::optional<PartialSpace> declared_space(const UnresolvedGraph& draft, const std::string& text) {
   const PortName port = parse_port(text);
   const auto found = find_ports(draft, port, Side::to);
   if (!found.empty()) {
-    const DraftInput& input = draft.nodes[found.front().node].inputs[found.front().port];
+    const UnresolvedInput& input = draft.nodes[found.front().node].inputs[found.front().port];
     return input.outside ? *input.outside : input.declared;
   }
   // An actuator that nothing is connected to.
   const EntitySpec* spec = find_named(draft.spec.objects, port.owner);
-  const DraftObject* object = draft.find_object(port.owner);
+  const UnresolvedObject* object = draft.find_object(port.owner);
   const PortManifest* actuator = object != nullptr && object->entity != nullptr
                                      ? object->entity->actuator(port.name)
                                      : nullptr;
@@ -376,7 +377,7 @@ std::optional<PartialSpace> declared_space(const Draft& draft, const std::string
                        draft.diagnostics);
 }
 
-std::vector<std::string> input_names(const Draft& draft) {
+std::vector<std::string> input_names(const UnresolvedGraph& draft) {
   std::vector<std::string> result;
   for (const auto& object : draft.objects) {
     if (object.entity == nullptr) continue;

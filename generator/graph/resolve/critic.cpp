@@ -1,14 +1,14 @@
 // What the critic of a training sees besides the observations: inputs of the task, and states.
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 /// What is said of the states of objects and nodes: "pendulum.mass".
-std::vector<CriticInput> states_of(const Draft& draft) {
+std::vector<CriticInput> states_of(const UnresolvedGraph& draft) {
   std::vector<CriticInput> all;
   const auto add = [&](const std::string& owner, const State& state) {
     if (!state.settable) return;
@@ -24,9 +24,9 @@ std::vector<CriticInput> states_of(const Draft& draft) {
   return all;
 }
 
-void report_unknown(Draft& draft, const Spanned<std::string>& name,
+void report_unknown(UnresolvedGraph& draft, const Spanned<std::string>& name,
                     const std::vector<CriticInput>& states) {
-  if (draft.doubtful.contains(parse_port(name.value).owner)) return;
+  if (draft.erroneous.contains(parse_port(name.value).owner)) return;
   std::vector<std::string> known;
   for (const auto& input : draft.spec.task->inputs) known.push_back(input.name.value);
   for (const auto& state : states) known.push_back(state.name);
@@ -47,13 +47,13 @@ void report_unknown(Draft& draft, const Spanned<std::string>& name,
 }  // namespace
 
 /// The spaces of the outputs follow once those of the inputs are known.
-void add_critic_outputs(Draft& draft, DraftNode& task) {
+void add_critic_outputs(UnresolvedGraph& draft, UnresolvedNode& task) {
   for (const Spanned<std::string>& name : draft.spec.task->critic) {
     if (task.input(name.value) == nullptr) continue;
-    DraftOutput output{fmt::format("critic_{}", name.value), name.span, {}, std::nullopt};
+    UnresolvedOutput output{fmt::format("critic_{}", name.value), name.span, {}, std::nullopt};
     output.declared.like = name.value;
     output.declared.span = output.declared.like_span = name.span;
-    if (DraftOutput* const earlier = task.output(output.name)) {
+    if (UnresolvedOutput* const earlier = task.output(output.name)) {
       draft.diagnostics
           .error("E0315", earlier->span, fmt::format("the name `{}` is taken", output.name))
           .notes.push_back({"by what the critic sees", name.span, ""});
@@ -63,7 +63,7 @@ void add_critic_outputs(Draft& draft, DraftNode& task) {
   }
 }
 
-void resolve_critic(Draft& draft) {
+void resolve_critic(UnresolvedGraph& draft) {
   if (!draft.task || draft.graph.nodes.empty()) return;
   const std::vector<CriticInput> states = states_of(draft);
   const GraphNode& node = draft.graph.nodes[*draft.task];

@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <iterator>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-bool waits(const DraftInput& input) {
+bool waits(const UnresolvedInput& input) {
   return input.edge && !skips(input.settings);
 }
 
 /// Depth-first search with its own stack: graphs may be long chains.
 class CycleFinder {
  public:
-  explicit CycleFinder(const Draft& draft)
+  explicit CycleFinder(const UnresolvedGraph& draft)
       : draft_(draft), color_(draft.nodes.size(), Color::white) {}
 
   /// Cycles as lists of nodes, each waiting for the next; at most `limit`.
@@ -44,7 +44,7 @@ class CycleFinder {
         stack_.pop_back();
         continue;
       }
-      const DraftInput& input = inputs[frame.next_input++];
+      const UnresolvedInput& input = inputs[frame.next_input++];
       if (!waits(input)) continue;
       if (color_[input.edge->node] == Color::white) {
         push(input.edge->node);
@@ -66,26 +66,27 @@ class CycleFinder {
     cycles_.push_back(std::move(cycle));
   }
 
-  const Draft& draft_;
+  const UnresolvedGraph& draft_;
   std::vector<Color> color_;
   std::vector<Frame> stack_;
   std::vector<std::vector<std::size_t>> cycles_;
 };
 
-const DraftInput& connection_between(const Draft& draft, std::size_t from, std::size_t to) {
+const UnresolvedInput& connection_between(const UnresolvedGraph& draft, std::size_t from,
+                                          std::size_t to) {
   const auto& inputs = draft.nodes[to].inputs;
-  return *ranges::find_if(inputs,
-                          [&](const DraftInput& i) { return waits(i) && i.edge->node == from; });
+  return *ranges::find_if(
+      inputs, [&](const UnresolvedInput& i) { return waits(i) && i.edge->node == from; });
 }
 
-std::string source_name(const Draft& draft, const DraftEdge& edge) {
-  const DraftNode& node = draft.nodes[edge.node];
+std::string source_name(const UnresolvedGraph& draft, const UnresolvedEdge& edge) {
+  const UnresolvedNode& node = draft.nodes[edge.node];
   return fmt::format("{}.{}", edge.node == Graph::kEnvironment ? "actions" : node.node.name,
                      node.outputs[edge.output].name);
 }
 
 /// The fix. A cycle through the environment begins with it: it waits for an observation.
-std::string help_for(const Draft& draft, const std::vector<std::size_t>& cycle,
+std::string help_for(const UnresolvedGraph& draft, const std::vector<std::size_t>& cycle,
                      const std::string& first) {
   if (cycle.front() != Graph::kEnvironment)
     return fmt::format("add `skip: true` to {}: it then takes the message of the tick before",
@@ -99,7 +100,7 @@ std::string help_for(const Draft& draft, const std::vector<std::size_t>& cycle,
 
 }  // namespace
 
-void check_cycles(Draft& draft) {
+void check_cycles(UnresolvedGraph& draft) {
   constexpr std::size_t kMostCycles = 5;
   for (const auto& cycle : CycleFinder(draft).find(kMostCycles)) {
     // cycle[i] waits for cycle[i + 1]; the last one waits for the first.
@@ -107,7 +108,8 @@ void check_cycles(Draft& draft) {
     std::vector<std::string> sources, names;
     std::vector<Fix> fixes;
     for (std::size_t i = 0; i < cycle.size(); ++i) {
-      const DraftInput& input = connection_between(draft, cycle[(i + 1) % cycle.size()], cycle[i]);
+      const UnresolvedInput& input =
+          connection_between(draft, cycle[(i + 1) % cycle.size()], cycle[i]);
       places.push_back(input.span);
       sources.push_back(source_name(draft, *input.edge));
       names.push_back(fmt::format("{} -> {}", sources.back(), input.written));

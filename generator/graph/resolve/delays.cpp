@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -50,7 +50,7 @@ void draw_delay(const RandomSpec& spec, Input& input, Diagnostics& diagnostics) 
 
 }  // namespace
 
-void resolve_delay(const Draft& draft, const DraftInput& from, Input& into) {
+void resolve_delay(const UnresolvedGraph& draft, const UnresolvedInput& from, Input& into) {
   const ConnectionSettings& settings = from.settings;
   into.delay_s = delay_of(settings).value_or(Rational());
   into.entity_sets_delay = from.entity_sets_delay;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -50,7 +50,7 @@ void check_floats(const std::vector<State>& states, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_float_range(Draft& draft) {
+void check_float_range(UnresolvedGraph& draft) {
   if (draft.graph.double_precision) return;
   for (const GraphNode& node : draft.graph.nodes) {
     // Parameters of engine nodes come from the object's, which are checked below.

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "generator/frontend/parameters/requirements.hpp"
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
@@ -126,7 +126,7 @@ bool check_limits(const Processor& processor, Diagnostics& diagnostics) {
   return diagnostics.error_count() == errors_before;
 }
 
-void check_limits(Draft& draft) {
+void check_limits(UnresolvedGraph& draft) {
   const auto& complete = draft.graph.nodes;
   for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
     // After other problems the ports are not known; what is said of parameters and rates still is.

@@ -6,15 +6,15 @@
 #include <string_view>
 
 #include "generator/frontend/parameters/requirements.hpp"
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 /// What a reset node sends while there is no reset.
-DraftInput feedthrough_of(const DraftOutput& output, const std::string& node) {
-  DraftInput input;
+UnresolvedInput feedthrough_of(const UnresolvedOutput& output, const std::string& node) {
+  UnresolvedInput input;
   input.name = output.name;
   input.written = fmt::format("{}.feedthroughs.{}", node, output.name);
   input.span = output.span;
@@ -57,7 +57,7 @@ void report_left_out(const Selection& components, const std::vector<PortManifest
 }
 
 /// `of_ports`: where problems of what its manifest says of ports go.
-void add_ports(Draft& draft, const EntitySpec& spec, DraftNode& node,
+void add_ports(UnresolvedGraph& draft, const EntitySpec& spec, UnresolvedNode& node,
                const std::set<std::string_view>& connected, Diagnostics& of_ports) {
   const Entity* const entity = node.node.entity;
   const References references = references_of(*entity, spec.config);
@@ -69,7 +69,7 @@ void add_ports(Draft& draft, const EntitySpec& spec, DraftNode& node,
     if (!is_selected(spec.inputs, port.name.value)) continue;
     const std::string written = spec.name.value + "." + port.name.value;
     if (!spec.inputs && !is_wanted(port, written, connected)) continue;
-    DraftInput input = draft_input(port, written, spec.name.span, references, of_ports);
+    UnresolvedInput input = draft_input(port, written, spec.name.span, references, of_ports);
     if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
       input.span = component->name.span;
       input.said = component->settings;
@@ -82,10 +82,11 @@ void add_ports(Draft& draft, const EntitySpec& spec, DraftNode& node,
   }
   for (const auto& port : entity->outputs) {
     if (!is_selected(spec.outputs, port.name.value)) continue;
-    DraftOutput output = draft_output(port, spec.name.span, references, of_ports);
+    UnresolvedOutput output = draft_output(port, spec.name.span, references, of_ports);
     if (const ComponentSpec* component = find_component(spec.outputs, port.name.value)) {
       output.span = component->name.span;
-      settle(output, *component, spec.name.value + "." + port.name.value, draft.diagnostics);
+      apply_overrides(output, *component, spec.name.value + "." + port.name.value,
+                      draft.diagnostics);
     }
     if (entity->is_reset_node()) node.inputs.push_back(feedthrough_of(output, spec.name.value));
     node.outputs.push_back(std::move(output));
@@ -94,20 +95,20 @@ void add_ports(Draft& draft, const EntitySpec& spec, DraftNode& node,
 
 }  // namespace
 
-void add_environment(Draft& draft) {
-  DraftNode environment;
+void add_environment(UnresolvedGraph& draft) {
+  UnresolvedNode environment;
   environment.node.name = "environment";
   environment.node.role = NodeRole::environment;
   environment.node.rate_hz = draft.spec.rate.value;
   environment.node.span = draft.spec.rate.span;
   for (const auto& action : draft.spec.actions) {
-    DraftOutput output{action.name.value, action.name.span, {}, std::nullopt};
+    UnresolvedOutput output{action.name.value, action.name.span, {}, std::nullopt};
     output.declared.span = action.name.span;
     if (action.space) output.declared = partial_space(*action.space, {}, draft.diagnostics);
     environment.outputs.push_back(std::move(output));
   }
   for (const auto& observation : draft.spec.observations) {
-    DraftInput input;
+    UnresolvedInput input;
     input.name = observation.name.value;
     input.written = "observations." + input.name;
     input.span = observation.name.span;
@@ -127,7 +128,7 @@ void note_left_out(const EntitySpec& spec, std::string_view engine, Diagnostics&
                                                join(names, ", "), spec.type.value, engine));
 }
 
-void add_engine(Draft& draft, const ResolveOptions& options) {
+void add_engine(UnresolvedGraph& draft, const ResolveOptions& options) {
   if (!draft.spec.has_engine()) {
     if (draft.spec.objects.empty()) return;
     const EntitySpec& object = draft.spec.objects.front();
@@ -146,7 +147,7 @@ void add_engine(Draft& draft, const ResolveOptions& options) {
     spec.config.clear();
     spec.states.clear();
   }
-  DraftNode engine;
+  UnresolvedNode engine;
   engine.node.name = "engine";
   engine.node.role = NodeRole::engine;
   engine.node.span = draft.spec.engine.name.span;
@@ -156,16 +157,16 @@ void add_engine(Draft& draft, const ResolveOptions& options) {
     engine.node.config = resolve_config(draft.library, *engine.node.entity, spec.config,
                                         spec.type.span, draft.diagnostics, draft.safety);
   }
-  DraftOutput tick{"tick", engine.node.span, {}, std::nullopt};
+  UnresolvedOutput tick{"tick", engine.node.span, {}, std::nullopt};
   tick.declared.dtype = Dtype::int64;
   tick.declared.shape.emplace();
   engine.outputs.push_back(std::move(tick));
   draft.nodes.push_back(std::move(engine));
 }
 
-DraftNode node_of(Draft& draft, const EntitySpec& spec,
-                  const std::set<std::string_view>& connected) {
-  DraftNode node;
+UnresolvedNode node_of(UnresolvedGraph& draft, const EntitySpec& spec,
+                       const std::set<std::string_view>& connected) {
+  UnresolvedNode node;
   node.node.name = spec.name.value;
   node.node.role = NodeRole::node;
   node.node.span = spec.name.span;
@@ -173,7 +174,7 @@ DraftNode node_of(Draft& draft, const EntitySpec& spec,
     node.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
   node.node.entity = find_entity(draft.library, spec.type, EntityKind::node, draft.diagnostics);
   if (node.node.entity == nullptr) {
-    draft.doubtful.insert(spec.name.value);
+    draft.erroneous.insert(spec.name.value);
     return node;
   }
   const std::size_t before = draft.diagnostics.error_count();
@@ -184,11 +185,11 @@ DraftNode node_of(Draft& draft, const EntitySpec& spec,
   const MakingPorts making(draft, spec.name.value);
   Diagnostics quiet;  // what follows for ports from a parameter that is wrong is no second problem
   add_ports(draft, spec, node, connected, is_right ? draft.diagnostics : quiet);
-  if (quiet.has_errors()) draft.doubtful.insert(spec.name.value);
+  if (quiet.has_errors()) draft.erroneous.insert(spec.name.value);
   return node;
 }
 
-void add_nodes(Draft& draft) {
+void add_nodes(UnresolvedGraph& draft) {
   const std::set<std::string_view> connected = connected_ports(draft.spec);
   for (const auto& spec : draft.spec.nodes) draft.nodes.push_back(node_of(draft, spec, connected));
 }

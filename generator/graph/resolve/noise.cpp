@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
@@ -40,11 +40,11 @@ EntitySpec spec_of(const NoiseSpec& noise) {
 
 class NoiseAdder {
  public:
-  explicit NoiseAdder(Draft& draft) : draft_(draft) {}
+  explicit NoiseAdder(UnresolvedGraph& draft) : draft_(draft) {}
 
   void run() {
     for (const NoiseSpec& noise : draft_.spec.task->noise) {
-      DraftInput* const observation =
+      UnresolvedInput* const observation =
           draft_.nodes[Graph::kEnvironment].input(noise.observation.value);
       if (observation == nullptr) {
         report_unknown(noise.observation);
@@ -78,11 +78,11 @@ class NoiseAdder {
           .notes.push_back({"by the noise of an observation", noise.observation.span, ""});
       return std::nullopt;
     }
-    const DraftEdge edge = *observation(noise).edge;
+    const UnresolvedEdge edge = *observation(noise).edge;
     draft_.added.push_back(spec_of(noise));
-    DraftNode node = node_of(draft_, draft_.added.back(), {});
+    UnresolvedNode node = node_of(draft_, draft_.added.back(), {});
     node.node.rate_hz = draft_.nodes[edge.node].node.rate_hz;
-    DraftInput* const signal = node.input("signal");
+    UnresolvedInput* const signal = node.input("signal");
     if (signal == nullptr) return std::nullopt;
     insert(*signal, observation(noise));
     draft_.nodes.push_back(std::move(node));
@@ -90,25 +90,25 @@ class NoiseAdder {
     return draft_.nodes.size() - 1;
   }
 
-  DraftInput& observation(const NoiseSpec& noise) {
+  UnresolvedInput& observation(const NoiseSpec& noise) {
     return *draft_.nodes[Graph::kEnvironment].input(noise.observation.value);
   }
 
   /// What the observation gets goes to `signal`; window, delay and skip stay where they are, so
   /// that each message gets its noise once, and the delay stays the same.
-  void insert(DraftInput& signal, DraftInput& observation) {
+  void insert(UnresolvedInput& signal, UnresolvedInput& observation) {
     signal.edge = observation.edge;
     signal.sensor = std::exchange(observation.sensor, {});
     signal.settings.processor = std::exchange(observation.settings.processor, std::nullopt);
-    observation.edge = DraftEdge{draft_.nodes.size(), 0, observation.edge->span};
+    observation.edge = UnresolvedEdge{draft_.nodes.size(), 0, observation.edge->span};
   }
 
-  Draft& draft_;
+  UnresolvedGraph& draft_;
 };
 
 }  // namespace
 
-void add_noise(Draft& draft) {
+void add_noise(UnresolvedGraph& draft) {
   if (draft.task) NoiseAdder(draft).run();
 }
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "generator/graph/resolve/draft.hpp"
 #include "generator/graph/resolve/prune.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -35,7 +35,7 @@ ConnectedPorts connected_ports(const std::vector<ConnectionSpec>& connections) {
 /// the graph.
 class ObjectBuilder {
  public:
-  ObjectBuilder(Draft& draft, const EntitySpec& spec, const Entity& entity,
+  ObjectBuilder(UnresolvedGraph& draft, const EntitySpec& spec, const Entity& entity,
                 const ObjectEngine& implementation, const ConnectedPorts& connected)
       : draft_(draft),
         spec_(spec),
@@ -97,7 +97,7 @@ class ObjectBuilder {
 
   void draft_engine_nodes() {
     for (const auto& spec : implementation_.nodes) {
-      DraftNode node;
+      UnresolvedNode node;
       node.node.name = spec_.name.value + "/" + spec.name.value;
       node.node.role = NodeRole::engine_node;
       node.node.span = spec_.name.span;
@@ -121,7 +121,7 @@ class ObjectBuilder {
     processor->config = substitute(processor->config, references_, diagnostics());
   }
 
-  void add_ports(DraftNode& node, const EntitySpec& spec, const Entity& entity) {
+  void add_ports(UnresolvedNode& node, const EntitySpec& spec, const Entity& entity) {
     const auto settings = substitute(spec.config, references_, diagnostics());
     node.node.config = resolve_config(draft_.library, entity, settings, spec.type.span,
                                       diagnostics(), draft_.safety);
@@ -136,13 +136,13 @@ class ObjectBuilder {
       node.inputs.push_back(draft_input(port, node.node.name + "." + port.name.value,
                                         spec_.name.span, references, diagnostics()));
       if (port.name.value == "tick")
-        node.inputs.back().edge = DraftEdge{Graph::kEngine, 0, spec_.name.span};
+        node.inputs.back().edge = UnresolvedEdge{Graph::kEngine, 0, spec_.name.span};
     }
     for (const auto& port : entity.outputs) {
       if (spec.outputs && find_component(spec.outputs, port.name.value) == nullptr) continue;
-      DraftOutput output = draft_output(port, spec_.name.span, references, diagnostics());
+      UnresolvedOutput output = draft_output(port, spec_.name.span, references, diagnostics());
       if (const ComponentSpec* set = find_component(spec.outputs, port.name.value)) {
-        settle(output, *set, node.node.name + "." + port.name.value, diagnostics());
+        apply_overrides(output, *set, node.node.name + "." + port.name.value, diagnostics());
         bind(output.processor);
       }
       node.outputs.push_back(std::move(output));
@@ -197,15 +197,16 @@ class ObjectBuilder {
       const auto input =
           sink ? find_port(nodes_[*sink].inputs, to_port, connection.to) : std::nullopt;
       if (!input || !is_free(nodes_[*sink].inputs[*input], connection)) continue;
-      DraftInput& port = nodes_[*sink].inputs[*input];
+      UnresolvedInput& port = nodes_[*sink].inputs[*input];
       port.settings = overlay(port.settings, connection.settings);
       bind(port.settings.processor);
-      port.edge = DraftEdge{*source, *output, connection.span};  // made a graph index when it moves
+      port.edge =
+          UnresolvedEdge{*source, *output, connection.span};  // made a graph index when it moves
       links_.push_back({*source, *sink});
     }
   }
 
-  bool is_free(const DraftInput& input, const ConnectionSpec& connection) {
+  bool is_free(const UnresolvedInput& input, const ConnectionSpec& connection) {
     if (!input.edge) return true;
     diagnostics()
         .error("E0311", connection.to.span,
@@ -225,7 +226,7 @@ class ObjectBuilder {
       diagnostics().error("E0307", connection.from.span,
                           fmt::format("`{}` has no actuator `{}`", entity_.id.value, name));
     if (actuator == nullptr || !input || !is_free(nodes_[*sink].inputs[*input], connection)) return;
-    DraftInput& port = nodes_[*sink].inputs[*input];
+    UnresolvedInput& port = nodes_[*sink].inputs[*input];
     port.settings =
         overlay(port.settings, manifest_settings(*actuator, references_, diagnostics()));
     port.settings = overlay(port.settings, connection.settings);
@@ -270,13 +271,13 @@ class ObjectBuilder {
   }
 
   /// What its readers get is what the output publishes, if that has no other sensor.
-  DraftSensor make_sensor(const ConnectionSpec& connection, const PortManifest& manifest,
-                          const PortIndex& index) {
-    DraftSensor sensor{
+  UnresolvedSensor make_sensor(const ConnectionSpec& connection, const PortManifest& manifest,
+                               const PortIndex& index) {
+    UnresolvedSensor sensor{
         spec_.name.value + "." + manifest.name.value, index, {}, connection.settings.processor};
     bind(sensor.processor);
     sensor.of_connection = true;
-    DraftOutput& output = nodes_[index.node].outputs[index.port];
+    UnresolvedOutput& output = nodes_[index.node].outputs[index.port];
     const bool alone = !has_other_sensors(connection);
     say_space(sensor, partial_space(manifest.space, references_, diagnostics()), output, alone);
     const ComponentSpec* set = find_component(spec_.sensors, manifest.name.value);
@@ -299,7 +300,8 @@ class ObjectBuilder {
 
   /// Without a processor, dtype and shape are those of the output; bounds, too, if it has no other
   /// sensor.
-  void say_space(DraftSensor& sensor, PartialSpace said, DraftOutput& output, bool alone) {
+  void say_space(UnresolvedSensor& sensor, PartialSpace said, UnresolvedOutput& output,
+                 bool alone) {
     if (sensor.processor) {
       sensor.space = narrow(sensor.space, said, sensor.written, diagnostics());
       return;
@@ -334,7 +336,8 @@ class ObjectBuilder {
   }
 
   /// A sensor or actuator ticks with the engine node that implements it.
-  void check_rate(const PortManifest& port, const char* kind, const DraftNode& node, Span span) {
+  void check_rate(const PortManifest& port, const char* kind, const UnresolvedNode& node,
+                  Span span) {
     const auto rate = Rational::parse(references_[rate_reference(kind, port.name.value)].text);
     if (!rate || node.node.rate_hz == Rational() || *rate == node.node.rate_hz) return;
     diagnostics()
@@ -356,7 +359,7 @@ class ObjectBuilder {
   }
 
   void move_to_graph() {
-    DraftObject object{spec_.name.value, &entity_, {}, {}, std::move(delays_)};
+    UnresolvedObject object{spec_.name.value, &entity_, {}, {}, std::move(delays_)};
     std::vector<std::size_t> place(nodes_.size(), 0);
     std::size_t next = draft_.nodes.size();
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -384,24 +387,24 @@ class ObjectBuilder {
     std::size_t node, port;
   };
 
-  Draft& draft_;
+  UnresolvedGraph& draft_;
   const EntitySpec& spec_;
   const Entity& entity_;
   const ObjectEngine& implementation_;
   References references_;
   const ConnectedPorts& connected_;
   std::set<std::string> sensors_, actuators_;
-  std::vector<DraftNode> nodes_;
+  std::vector<UnresolvedNode> nodes_;
   std::vector<InnerLink> links_;
   std::vector<Outside> actuator_sinks_;
-  std::map<std::string, DraftSensor> sensors_made_;
+  std::map<std::string, UnresolvedSensor> sensors_made_;
   std::vector<bool> needed_;
   std::map<std::string, ConnectionSettings> delays_;  // by sensor
 };
 
 }  // namespace
 
-void add_objects(Draft& draft) {
+void add_objects(UnresolvedGraph& draft) {
   const ConnectedPorts connected = connected_ports(draft.spec.connections);
   const Entity* engine = draft.engine();
   for (const auto& spec : draft.spec.objects) {
@@ -421,7 +424,7 @@ void add_objects(Draft& draft) {
       const MakingPorts making(draft, spec.name.value);
       ObjectBuilder(draft, spec, *entity, *implementation, connected).build();
     } else {
-      draft.doubtful.insert(spec.name.value);
+      draft.erroneous.insert(spec.name.value);
       draft.add_object({spec.name.value, entity, {}, {}, {}});
     }
   }

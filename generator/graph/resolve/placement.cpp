@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "generator/graph/resolve/chosen_nodes.hpp"
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
@@ -16,7 +16,7 @@ constexpr std::string_view kAgent = "agent";
 
 class Placer {
  public:
-  explicit Placer(Draft& draft) : draft_(draft), spans_(draft.nodes.size()) {
+  explicit Placer(UnresolvedGraph& draft) : draft_(draft), spans_(draft.nodes.size()) {
     placement_.part_of.assign(draft.nodes.size(), Placement::kHub);
   }
 
@@ -231,14 +231,14 @@ class Placer {
     return node;
   }
 
-  Draft& draft_;
+  UnresolvedGraph& draft_;
   Placement placement_;
   std::vector<Span> spans_;  // by node: what has placed it
 };
 
 }  // namespace
 
-void place_parts(Draft& draft, const std::vector<PlacementSpec>& placement) {
+void place_parts(UnresolvedGraph& draft, const std::vector<PlacementSpec>& placement) {
   if (!placement.empty()) Placer(draft).run(placement);
 }
 

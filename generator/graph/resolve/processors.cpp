@@ -1,7 +1,7 @@
 // Processors: what they take must arrive, what they give is the receiver's space.
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
@@ -86,7 +86,7 @@ std::string text_of(const ProcessorSpec& spec) {
 
 }  // namespace
 
-std::optional<Processor> make_processor(Draft& draft, const ProcessorSpec& spec,
+std::optional<Processor> make_processor(UnresolvedGraph& draft, const ProcessorSpec& spec,
                                         const Space& arriving, Span source) {
   return make_processor(draft.library, spec, arriving, source, draft.diagnostics);
 }

@@ -21,7 +21,7 @@ void reach(std::size_t index, const std::vector<InnerLink>& links, std::vector<b
 
 }  // namespace
 
-std::vector<bool> needed_engine_nodes(const std::vector<DraftNode>& nodes,
+std::vector<bool> needed_engine_nodes(const std::vector<UnresolvedNode>& nodes,
                                       const std::vector<InnerLink>& links,
                                       const std::vector<std::size_t>& sensors,
                                       const std::vector<std::size_t>& actuators) {

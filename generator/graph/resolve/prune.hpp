@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {
 
@@ -16,7 +16,7 @@ struct InnerLink {
 /// For each of `nodes`, whether it is needed. EAGERx's rule: those of `sensors` in use and those
 /// that used `actuators` feed, descendants of the latter that are synchronised with the engine, and
 /// what these need.
-std::vector<bool> needed_engine_nodes(const std::vector<DraftNode>& nodes,
+std::vector<bool> needed_engine_nodes(const std::vector<UnresolvedNode>& nodes,
                                       const std::vector<InnerLink>& links,
                                       const std::vector<std::size_t>& sensors,
                                       const std::vector<std::size_t>& actuators);

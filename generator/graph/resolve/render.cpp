@@ -1,7 +1,7 @@
 // What a program shows, and what only its pictures need.
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -65,7 +65,7 @@ void mark_drawn(Graph& graph) {
 
 }  // namespace
 
-void add_render(Draft& draft) {
+void add_render(UnresolvedGraph& draft) {
   if (!draft.spec.render) return;
   const RenderSpec& spec = *draft.spec.render;
   Render& render = draft.graph.render.emplace();
@@ -73,13 +73,13 @@ void add_render(Draft& draft) {
   render.span = spec.span;
   render.entity = render_entity(draft.spec);
   draft.render = render.node;
-  DraftNode node;
+  UnresolvedNode node;
   node.node.name = kRender;
   node.node.role = NodeRole::node;
   node.node.entity = render.entity.get();
   node.node.rate_hz = spec.rate ? spec.rate->value : draft.spec.rate.value;
   node.node.span = spec.span;
-  DraftInput source;
+  UnresolvedInput source;
   source.name = "source";
   source.written = "render.source";
   source.span = spec.source.span;
@@ -87,7 +87,7 @@ void add_render(Draft& draft) {
   draft.nodes.push_back(std::move(node));
 }
 
-void resolve_render(Draft& draft) {
+void resolve_render(UnresolvedGraph& draft) {
   Graph& graph = draft.graph;
   if (!draft.render || graph.nodes.empty()) return;
   const Input& source = graph.nodes[*draft.render].inputs.front();

@@ -2,7 +2,7 @@
 // do.
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -18,7 +18,7 @@ struct Owner {
 
 class ResetTargetResolver {
  public:
-  explicit ResetTargetResolver(Draft& draft) : draft_(draft) {}
+  explicit ResetTargetResolver(UnresolvedGraph& draft) : draft_(draft) {}
 
   void run() {
     for (const auto& connection : draft_.spec.connections) {
@@ -31,7 +31,7 @@ class ResetTargetResolver {
   Diagnostics& diagnostics() { return draft_.diagnostics; }
 
   void connect(const ConnectionSpec& connection) {
-    DraftNode* node = find_reset_node(connection.to);
+    UnresolvedNode* node = find_reset_node(connection.to);
     const Owner owner = find_owner(connection.from);
     if (node == nullptr || owner.states == nullptr) return;
     const std::string name = parse_port(connection.to.value).name;
@@ -66,7 +66,7 @@ class ResetTargetResolver {
     refuse("skip", settings.skip);
   }
 
-  DraftNode* find_reset_node(const Spanned<std::string>& to) {
+  UnresolvedNode* find_reset_node(const Spanned<std::string>& to) {
     const std::string name = parse_port(to.value).owner;
     for (auto& node : draft_.nodes) {
       if (node.node.name != name || node.node.role != NodeRole::node) continue;
@@ -84,7 +84,7 @@ class ResetTargetResolver {
       if (node.node.entity != nullptr && node.node.entity->is_reset_node())
         known.push_back(node.node.name);
     }
-    if (!draft_.doubtful.contains(name)) {
+    if (!draft_.erroneous.contains(name)) {
       diagnostics()
           .error("E0309", to.span, fmt::format("there is no reset node `{}` in this graph", name))
           .help = suggestion(name, known, "the graph has no reset nodes");
@@ -108,7 +108,7 @@ class ResetTargetResolver {
       if (node.name == name && node.role == NodeRole::node)
         return {std::nullopt, i, &node.states, node.entity};
     }
-    if (!draft_.doubtful.contains(name)) {
+    if (!draft_.erroneous.contains(name)) {
       diagnostics()
           .error("E0309", from.span,
                  fmt::format("there is nothing called `{}` in this graph", name))
@@ -125,7 +125,7 @@ class ResetTargetResolver {
       if ((*owner.states)[i].name == state) return i;
       known.push_back((*owner.states)[i].name);
     }
-    if (owner.entity == nullptr || draft_.doubtful.contains(name)) return std::nullopt;
+    if (owner.entity == nullptr || draft_.erroneous.contains(name)) return std::nullopt;
     const bool exists = owner.entity->state(state) != nullptr;
     auto& problem = diagnostics().error(
         "E0307", from.span,
@@ -137,7 +137,8 @@ class ResetTargetResolver {
     return std::nullopt;
   }
 
-  bool is_free(const DraftNode& node, const std::string& name, const ConnectionSpec& connection) {
+  bool is_free(const UnresolvedNode& node, const std::string& name,
+               const ConnectionSpec& connection) {
     for (const auto& reset_target : node.node.reset_targets) {
       if (reset_target.name != name) continue;
       diagnostics()
@@ -166,7 +167,7 @@ class ResetTargetResolver {
     return true;
   }
 
-  void add(DraftNode& node, const PortManifest& port, const Owner& owner, std::size_t index,
+  void add(UnresolvedNode& node, const PortManifest& port, const Owner& owner, std::size_t index,
            const ConnectionSpec& connection) {
     const State& state = (*owner.states)[index];
     ResetTarget reset_target;
@@ -199,7 +200,7 @@ class ResetTargetResolver {
   }
 
   /// A reset node without a request would never run.
-  void report_idle(const DraftNode& node) {
+  void report_idle(const UnresolvedNode& node) {
     const Entity* entity = node.node.entity;
     if (entity == nullptr || node.node.role != NodeRole::node || !entity->is_reset_node()) return;
     const bool tried = ranges::any_of(draft_.spec.connections, [&](const auto& c) {
@@ -213,7 +214,7 @@ class ResetTargetResolver {
                                        node.node.name, entity->reset_targets.front().name.value));
   }
 
-  Draft& draft_;
+  UnresolvedGraph& draft_;
 };
 
 /// EAGERx's rules for feedthroughs: the message of the same tick, whenever there is one.
@@ -276,7 +277,7 @@ bool is_reset_target(const ConnectionSpec& connection) {
   return parse_port(connection.to.value).section == "targets";
 }
 
-void resolve_reset_targets(Draft& draft) {
+void resolve_reset_targets(UnresolvedGraph& draft) {
   ResetTargetResolver(draft).run();
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
@@ -34,7 +34,7 @@ void check_graph_name(const Spanned<std::string>& name, Diagnostics& diagnostics
       "one";
 }
 
-void check_names(Draft& draft) {
+void check_names(UnresolvedGraph& draft) {
   const GraphSpec& spec = draft.spec;
   static constexpr std::array kTaken = {"actions", "observations", "environment", "engine",
                                         "agent"};
@@ -44,12 +44,12 @@ void check_names(Draft& draft) {
       if (spec.task && entity.name.value == kTask) {
         draft.diagnostics.error("E0315", entity.name.span, "the name `task` is taken")
             .notes.push_back({"the task of the graph", spec.task->span, ""});
-        draft.doubtful.insert(entity.name.value);
+        draft.erroneous.insert(entity.name.value);
       }
       if (spec.render && entity.name.value == kRender) {
         draft.diagnostics.error("E0315", entity.name.span, "the name `render` is taken")
             .notes.push_back({"what the graph shows", spec.render->span, ""});
-        draft.doubtful.insert(entity.name.value);
+        draft.erroneous.insert(entity.name.value);
       }
       if (ranges::contains(kTaken, entity.name.value)) {
         draft.diagnostics
@@ -57,7 +57,7 @@ void check_names(Draft& draft) {
                    fmt::format("the name `{}` is taken", entity.name.value))
             .help =
             fmt::format("every graph already has {}: choose another name", join(kTaken, ", "));
-        draft.doubtful.insert(entity.name.value);
+        draft.erroneous.insert(entity.name.value);
       }
       const auto [same, is_new] = seen.emplace(entity.name.value, &entity);
       if (!is_new) {
@@ -65,14 +65,14 @@ void check_names(Draft& draft) {
             .error("E0315", entity.name.span,
                    fmt::format("an object is already called `{}`", entity.name.value))
             .notes.push_back({"this one", same->second->name.span, ""});
-        draft.doubtful.insert(entity.name.value);
+        draft.erroneous.insert(entity.name.value);
       }
     }
   }
 }
 
 /// The order in which the policy takes the observations; by name if the graph does not say it.
-void resolve_agent(Draft& draft) {
+void resolve_agent(UnresolvedGraph& draft) {
   const AgentSpec& spec = draft.spec.agent;
   Agent& agent = draft.graph.agent;
   agent.kind = spec.kind;
@@ -112,7 +112,7 @@ void resolve_agent(Draft& draft) {
 
 /// A draw between bounds of which one is infinite is no number. Without bounds it is between the
 /// ends of the dtype.
-void check_random_agent(Draft& draft) {
+void check_random_agent(UnresolvedGraph& draft) {
   if (draft.graph.agent.kind != AgentSpec::Kind::random || draft.graph.nodes.empty()) return;
   const auto infinite = [](double bound) { return std::isinf(bound); };
   for (const auto& action : draft.graph.environment().outputs) {
@@ -128,7 +128,7 @@ void check_random_agent(Draft& draft) {
 }
 
 /// The program counts the ticks of the environment that a reset may take.
-void check_reset_timeout(Draft& draft) {
+void check_reset_timeout(UnresolvedGraph& draft) {
   constexpr std::int64_t kMostTicks = std::int64_t{1} << 62;
   if (!draft.spec.reset_timeout_s) return;
   const Spanned<Rational>& timeout = *draft.spec.reset_timeout_s;
@@ -169,7 +169,7 @@ std::string name_of_source(const Graph& graph, const Input& input) {
 
 std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
                              const ResolveOptions& options, Diagnostics& diagnostics) {
-  Draft draft{spec, library, diagnostics, {}, {}, {}, {}, safety_references(spec)};
+  UnresolvedGraph draft{spec, library, diagnostics, {}, {}, {}, {}, safety_references(spec)};
   draft.graph.name = spec.name.value;
   draft.graph.path = spec.path;
   draft.graph.file_name = std::filesystem::path(spec.path).filename().string();

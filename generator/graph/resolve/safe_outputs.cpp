@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "generator/frontend/read/scalar.hpp"
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -143,7 +143,7 @@ void read_safe_outputs(const GraphNode& environment, const SafetySpec* written, 
   }
 }
 
-void resolve_safe_outputs(Draft& draft) {
+void resolve_safe_outputs(UnresolvedGraph& draft) {
   const SafetySpec* const written = draft.spec.safety ? &*draft.spec.safety : nullptr;
   const GraphNode& environment = draft.graph.environment();
   // Observations that a policy of the program answers, or that one learns from, do not leave,

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "generator/frontend/read/scalar.hpp"
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {
 
@@ -62,7 +62,7 @@ const Setting* of_connected_action(const GraphSpec& spec, const std::string& obj
 }
 
 /// nullopt if the type of an object is not known.
-std::optional<std::vector<std::string>> names_of_actuators(const Draft& draft) {
+std::optional<std::vector<std::string>> names_of_actuators(const UnresolvedGraph& draft) {
   std::vector<std::string> names;
   for (const auto& object : draft.objects) {
     if (object.entity == nullptr) return std::nullopt;
@@ -91,7 +91,7 @@ References safety_references(const GraphSpec& spec) {
   return result;
 }
 
-void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& entity,
+void add_safe_actuators(UnresolvedGraph& draft, const EntitySpec& object, const Entity& entity,
                         References& references) {
   for (const auto& port : entity.actuators) {
     const std::string& name = port.name.value;
@@ -125,7 +125,7 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
   }
 }
 
-void resolve_safety(Draft& draft) {
+void resolve_safety(UnresolvedGraph& draft) {
   if (draft.spec.safety) {
     report_unknown_names(draft.spec.safety->actions,
                          names_of(draft.nodes[Graph::kEnvironment].outputs), "action",

@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
@@ -14,7 +14,7 @@ namespace {
 
 class SpaceResolver {
  public:
-  explicit SpaceResolver(Draft& draft) : draft_(draft) {
+  explicit SpaceResolver(UnresolvedGraph& draft) : draft_(draft) {
     for (const auto& node : draft.nodes) {
       outputs_.emplace_back(node.outputs.size());
       inputs_.emplace_back(node.inputs.size());
@@ -67,7 +67,7 @@ class SpaceResolver {
         continue;
       }
       if (declared.dtype && declared.shape) continue;
-      const DraftInput* input = first_sink(a);
+      const UnresolvedInput* input = first_sink(a);
       if (input != nullptr && input->outside) {
         declared = overlay(*input->outside, declared);
       } else if (input != nullptr && !input->settings.processor) {
@@ -76,7 +76,7 @@ class SpaceResolver {
     }
   }
 
-  void take_like(DraftOutput& action) {
+  void take_like(UnresolvedOutput& action) {
     PartialSpace& declared = action.declared;
     const std::string port = *declared.like;
     declared.like.reset();
@@ -86,7 +86,7 @@ class SpaceResolver {
       if (!declared.dtype || !declared.shape) report_no_space(action.name, port, like);
       return;
     }
-    if (draft_.doubtful.contains(parse_port(port).owner)) return;
+    if (draft_.erroneous.contains(parse_port(port).owner)) return;
     diagnostics()
         .error("E0309", declared.like_span, fmt::format("`{}` is not an input of this graph", port))
         .help = suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");
@@ -103,11 +103,11 @@ class SpaceResolver {
         action);
   }
 
-  const DraftInput* first_sink(std::size_t action) const {
-    const auto place = [](const DraftInput& input) {
+  const UnresolvedInput* first_sink(std::size_t action) const {
+    const auto place = [](const UnresolvedInput& input) {
       return std::tuple(input.edge->span.line, input.edge->span.column);
     };
-    const DraftInput* first = nullptr;
+    const UnresolvedInput* first = nullptr;
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
       if (draft_.is_added(n)) continue;  // it takes whatever comes
       for (const auto& input : draft_.nodes[n].inputs) {
@@ -123,7 +123,7 @@ class SpaceResolver {
   bool sweep() {
     bool news = false;
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
-      DraftNode& node = draft_.nodes[n];
+      UnresolvedNode& node = draft_.nodes[n];
       for (std::size_t i = 0; i < node.inputs.size(); ++i) news = resolve_input(n, i) || news;
       for (std::size_t o = 0; o < node.outputs.size(); ++o) news = resolve_output(n, o) || news;
     }
@@ -134,7 +134,7 @@ class SpaceResolver {
   }
 
   /// What the readers of a sensor get, once it is known what its output publishes.
-  bool resolve_sensor(const DraftSensor& draft) {
+  bool resolve_sensor(const UnresolvedSensor& draft) {
     Slot<SensorView>& slot = sensors_[draft.written];
     const auto& source = outputs_[draft.output.node][draft.output.port].port;
     if (slot.settled || !source) return false;
@@ -163,7 +163,7 @@ class SpaceResolver {
   bool resolve_output(std::size_t n, std::size_t o) {
     Slot<Output>& slot = outputs_[n][o];
     if (slot.settled) return false;
-    DraftOutput& draft = draft_.nodes[n].outputs[o];
+    UnresolvedOutput& draft = draft_.nodes[n].outputs[o];
     const auto declared = with_like(n, draft, slot);
     const auto raw = declared ? complete(*declared) : std::nullopt;
     if (!raw) return false;
@@ -206,11 +206,11 @@ class SpaceResolver {
 
   /// The declared space with what it takes from an input of the same node; nullopt while that is
   /// not known.
-  std::optional<PartialSpace> with_like(std::size_t n, const DraftOutput& draft,
+  std::optional<PartialSpace> with_like(std::size_t n, const UnresolvedOutput& draft,
                                         Slot<Output>& slot) {
     if (!draft.declared.like || n == Graph::kEnvironment) return draft.declared;
-    DraftNode& node = draft_.nodes[n];
-    const DraftInput* input = node.input(*draft.declared.like);
+    UnresolvedNode& node = draft_.nodes[n];
+    const UnresolvedInput* input = node.input(*draft.declared.like);
     if (input == nullptr) {
       slot.settled = true;
       const std::string name = node.node.name + "." + draft.name;
@@ -231,7 +231,7 @@ class SpaceResolver {
 
   bool resolve_input(std::size_t n, std::size_t i) {
     Slot<Input>& slot = inputs_[n][i];
-    const DraftInput& draft = draft_.nodes[n].inputs[i];
+    const UnresolvedInput& draft = draft_.nodes[n].inputs[i];
     if (slot.settled || !draft.edge) return false;
     const auto& source = outputs_[draft.edge->node][draft.edge->output].port;
     if (!source) return false;
@@ -284,13 +284,13 @@ class SpaceResolver {
     return true;
   }
 
-  bool agrees(std::size_t n, const DraftInput& draft, const Input& input) {
+  bool agrees(std::size_t n, const UnresolvedInput& draft, const Input& input) {
     if (fits(draft.declared, input.space)) return true;
     report_misfit(n, draft, draft.declared, input);
     return false;
   }
 
-  void report_misfit(std::size_t n, const DraftInput& draft, const PartialSpace& takes,
+  void report_misfit(std::size_t n, const UnresolvedInput& draft, const PartialSpace& takes,
                      const Input& input) {
     if (draft_.is_doubtful(draft_.nodes[n]) || draft_.is_doubtful(draft_.nodes[draft.edge->node]))
       return;
@@ -322,7 +322,7 @@ class SpaceResolver {
     for (const bool roots : {true, false}) {
       for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
         for (std::size_t o = 0; o < draft_.nodes[n].outputs.size(); ++o) {
-          const DraftOutput& output = draft_.nodes[n].outputs[o];
+          const UnresolvedOutput& output = draft_.nodes[n].outputs[o];
           const bool root = !output.declared.like || n == Graph::kEnvironment;
           if (outputs_[n][o].port || root != roots) continue;
           report_unknown(n, output);
@@ -333,8 +333,8 @@ class SpaceResolver {
     }
   }
 
-  void report_unknown(std::size_t n, const DraftOutput& output) {
-    const DraftNode& node = draft_.nodes[n];
+  void report_unknown(std::size_t n, const UnresolvedOutput& output) {
+    const UnresolvedNode& node = draft_.nodes[n];
     const bool action = n == Graph::kEnvironment;
     auto& problem =
         diagnostics().error("E0312", output.span,
@@ -359,14 +359,14 @@ class SpaceResolver {
 
   void fill_graph() {
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
-      DraftNode& draft = draft_.nodes[n];
+      UnresolvedNode& draft = draft_.nodes[n];
       for (auto& slot : inputs_[n]) draft.node.inputs.push_back(std::move(*slot.port));
       for (auto& slot : outputs_[n]) draft.node.outputs.push_back(std::move(*slot.port));
       draft_.graph.nodes.push_back(std::move(draft.node));
     }
   }
 
-  Draft& draft_;
+  UnresolvedGraph& draft_;
   std::vector<std::vector<Slot<Output>>> outputs_;
   std::vector<std::vector<Slot<Input>>> inputs_;
   std::map<std::string, Slot<SensorView>> sensors_;
@@ -375,7 +375,7 @@ class SpaceResolver {
 
 }  // namespace
 
-void resolve_spaces(Draft& draft) {
+void resolve_spaces(UnresolvedGraph& draft) {
   SpaceResolver(draft).run();
 }
 

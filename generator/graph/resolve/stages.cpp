@@ -1,7 +1,7 @@
 // Stages of a training: what they draw, weigh and wait for.
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 class StagesResolver {
  public:
-  explicit StagesResolver(Draft& draft) : draft_(draft), task_(*draft.graph.task) {
+  explicit StagesResolver(UnresolvedGraph& draft) : draft_(draft), task_(*draft.graph.task) {
     const Graph& graph = draft.graph;
     for (std::size_t i = 0; i < graph.objects.size(); ++i)
       add(graph.objects[i].name, graph.objects[i].states, i, 0);
@@ -62,7 +62,7 @@ class StagesResolver {
   }
 
   void report_unknown(const Spanned<std::string>& name) {
-    if (draft_.doubtful.contains(parse_port(name.value).owner)) return;
+    if (draft_.erroneous.contains(parse_port(name.value).owner)) return;
     auto& problem = draft_.diagnostics.error(
         "E0307", name.span, fmt::format("the graph has no state `{}`", name.value));
     problem.help = suggestion(name.value, names_of_states(), "no state is under `states:`");
@@ -123,7 +123,7 @@ class StagesResolver {
     }
   }
 
-  Draft& draft_;
+  UnresolvedGraph& draft_;
   Task& task_;
   std::vector<Known> known_;
 };
@@ -164,7 +164,7 @@ std::string Task::describe(const Stage& stage) const {
   return fmt::format("{}", join(parts, "; "));
 }
 
-void resolve_stages(Draft& draft) {
+void resolve_stages(UnresolvedGraph& draft) {
   if (!draft.task || draft.graph.nodes.empty() || draft.spec.task->stages.empty()) return;
   StagesResolver(draft).run();
 }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -175,7 +175,8 @@ std::optional<Space> state_space(const PortManifest& port, const References& ref
 }
 
 /// The states that the user named, each with its space and how it is drawn.
-std::vector<State> read_states(Draft& draft, const Entity& entity, const EntitySpec& spec) {
+std::vector<State> read_states(UnresolvedGraph& draft, const Entity& entity,
+                               const EntitySpec& spec) {
   Diagnostics& diagnostics = draft.diagnostics;
   std::vector<State> result;
   const References references = references_of(entity, spec.config);
@@ -228,7 +229,7 @@ void add_unnamed_states(GraphNode& node, const std::vector<Setting>& config,
 }
 
 /// A state of an object that is one of an engine node moves there. False if it is none.
-bool move_to_node(Draft& draft, const Object& object, State& state) {
+bool move_to_node(UnresolvedGraph& draft, const Object& object, State& state) {
   const NodeState* found = find_named(object.implementation->node_states, state.name);
   if (found == nullptr) return false;
   const PortName port = parse_port(found->node.value);
@@ -274,7 +275,8 @@ void check_space_of_state(const State& state, const References& references, Span
   problem.notes.push_back({"used here", state.span, ""});
 }
 
-void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spec, State& state) {
+void bind_engine_state(UnresolvedGraph& draft, const Object& object, const EntitySpec& spec,
+                       State& state) {
   const EntitySpec* found = find_named(object.implementation->states, state.name);
   if (found == nullptr) {
     draft.diagnostics.error("E0308", state.span,
@@ -297,7 +299,7 @@ void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spe
 }
 
 /// What the graph leaves alone. Nothing of it is in the program, so no problem of it is reported.
-void find_kept_states(Draft& draft, const EntitySpec& spec, Object& object) {
+void find_kept_states(UnresolvedGraph& draft, const EntitySpec& spec, Object& object) {
   Diagnostics unsaid;
   const References references = references_of(*object.entity, spec.config);
   for (const auto& port : object.entity->states) {
@@ -315,12 +317,12 @@ void find_kept_states(Draft& draft, const EntitySpec& spec, Object& object) {
 
 }  // namespace
 
-void resolve_states(Draft& draft) {
+void resolve_states(UnresolvedGraph& draft) {
   std::unordered_map<std::string_view, const EntitySpec*> specs;
   for (const EntitySpec& each : draft.spec.nodes) specs.try_emplace(each.name.value, &each);
   for (const EntitySpec& each : draft.added) specs.try_emplace(each.name.value, &each);
   for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
-    DraftNode& node = draft.nodes[n];
+    UnresolvedNode& node = draft.nodes[n];
     if (node.node.entity == nullptr || draft.is_added(n)) continue;
     if (node.node.role == NodeRole::engine_node) {
       add_unnamed_states(node.node, {}, draft.diagnostics);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
@@ -20,7 +20,7 @@ std::string engines_with_a_clock(const Library& library) {
 
 }  // namespace
 
-void check_sync(Draft& draft) {
+void check_sync(UnresolvedGraph& draft) {
   const auto& sync = draft.spec.sync;
   if (!sync || sync->value) return;
   draft.graph.asynchronous = true;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -32,8 +32,8 @@ std::shared_ptr<const Entity> entity_of(const GraphSpec& spec) {
   return std::make_shared<const Entity>(std::move(entity));
 }
 
-DraftOutput output_of(const std::string& name, Dtype dtype, Span span) {
-  DraftOutput output{name, span, {}, std::nullopt};
+UnresolvedOutput output_of(const std::string& name, Dtype dtype, Span span) {
+  UnresolvedOutput output{name, span, {}, std::nullopt};
   output.declared.dtype = dtype;
   output.declared.shape.emplace();
   output.declared.span = span;
@@ -41,15 +41,15 @@ DraftOutput output_of(const std::string& name, Dtype dtype, Span span) {
 }
 
 /// A term's channel stands next to those of the whole.
-void check_term_name(const Spanned<std::string>& name, const DraftNode& node,
+void check_term_name(const Spanned<std::string>& name, const UnresolvedNode& node,
                      Diagnostics& diagnostics) {
-  if (!ranges::contains(node.outputs, name.value, &DraftOutput::name)) return;
+  if (!ranges::contains(node.outputs, name.value, &UnresolvedOutput::name)) return;
   diagnostics.error("E0315", name.span, fmt::format("the name `{}` is taken", name.value)).help =
       "every task already has reward, terminated, truncated, success: choose another name";
 }
 
 /// Nodes that wait for the environment's action of the same tick.
-std::vector<bool> nodes_behind_actions(const Draft& draft) {
+std::vector<bool> nodes_behind_actions(const UnresolvedGraph& draft) {
   std::vector<bool> behind(draft.nodes.size(), false);
   std::vector<std::vector<std::size_t>> readers(draft.nodes.size());
   for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
@@ -79,7 +79,7 @@ std::vector<ExpressionVariable> variables_of(const GraphNode& node) {
 
 class TaskResolver {
  public:
-  explicit TaskResolver(Draft& draft)
+  explicit TaskResolver(UnresolvedGraph& draft)
       : draft_(draft), variables_(variables_of(draft.graph.nodes[*draft.task])) {}
 
   void run() {
@@ -148,13 +148,13 @@ class TaskResolver {
     problem.notes.push_back({"episodes are cut off here", spec.after_s->span, ""});
   }
 
-  Draft& draft_;
+  UnresolvedGraph& draft_;
   std::vector<ExpressionVariable> variables_;
 };
 
 }  // namespace
 
-void add_task(Draft& draft) {
+void add_task(UnresolvedGraph& draft) {
   if (!draft.spec.task) return;
   const TaskSpec& spec = *draft.spec.task;
   Task& task = draft.graph.task.emplace();
@@ -162,14 +162,14 @@ void add_task(Draft& draft) {
   task.span = spec.span;
   task.entity = entity_of(draft.spec);
   draft.task = task.node;
-  DraftNode node;
+  UnresolvedNode node;
   node.node.name = kTask;
   node.node.role = NodeRole::node;
   node.node.entity = task.entity.get();
   node.node.rate_hz = draft.spec.rate.value;
   node.node.span = spec.span;
   for (const auto& input : spec.inputs) {
-    DraftInput port;
+    UnresolvedInput port;
     port.name = input.name.value;
     port.written = fmt::format("{}.{}", kTask, port.name);
     port.span = input.name.span;
@@ -187,7 +187,7 @@ void add_task(Draft& draft) {
   draft.nodes.push_back(std::move(node));
 }
 
-void let_task_skip(Draft& draft) {
+void let_task_skip(UnresolvedGraph& draft) {
   if (!draft.task) return;
   const std::vector<bool> behind = nodes_behind_actions(draft);
   for (auto& input : draft.nodes[*draft.task].inputs) {
@@ -195,7 +195,7 @@ void let_task_skip(Draft& draft) {
   }
 }
 
-void resolve_task(Draft& draft) {
+void resolve_task(UnresolvedGraph& draft) {
   if (draft.task && !draft.graph.nodes.empty()) TaskResolver(draft).run();
 }
 

@@ -1,14 +1,14 @@
 // What a board sends of itself while it runs.
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 /// Everything that has a channel of its own, by the names that connections call it.
-std::vector<TelemetryChannel> published(const Draft& draft) {
+std::vector<TelemetryChannel> published(const UnresolvedGraph& draft) {
   const Graph& graph = draft.graph;
   std::vector<TelemetryChannel> all;
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
@@ -24,7 +24,7 @@ std::vector<TelemetryChannel> published(const Draft& draft) {
   return all;
 }
 
-void report_unknown(Draft& draft, const Spanned<std::string>& name,
+void report_unknown(UnresolvedGraph& draft, const Spanned<std::string>& name,
                     const std::vector<TelemetryChannel>& all) {
   std::vector<std::string> known;
   known.reserve(all.size());
@@ -39,7 +39,7 @@ void report_unknown(Draft& draft, const Spanned<std::string>& name,
 }
 
 /// Programs for Linux have no telemetry; a board that is a part has no port for it.
-void check_parts(Draft& draft) {
+void check_parts(UnresolvedGraph& draft) {
   for (const PlacedPart& part : draft.graph.placement->parts) {
     if (!part.target->system.empty()) continue;
     auto& problem = draft.diagnostics.error(
@@ -56,7 +56,7 @@ void check_parts(Draft& draft) {
 
 }  // namespace
 
-void resolve_telemetry(Draft& draft) {
+void resolve_telemetry(UnresolvedGraph& draft) {
   if (!draft.spec.telemetry || draft.graph.nodes.empty()) return;
   const TelemetrySpec& spec = *draft.spec.telemetry;
   Telemetry& telemetry = draft.graph.telemetry.emplace();
@@ -72,7 +72,7 @@ void resolve_telemetry(Draft& draft) {
     const auto found = ranges::find(all, name.value, &TelemetryChannel::port);
     if (found == all.end()) {
       const std::string owner = name.value.substr(0, name.value.find('.'));
-      if (!draft.doubtful.contains(owner)) report_unknown(draft, name, all);
+      if (!draft.erroneous.contains(owner)) report_unknown(draft, name, all);
       continue;
     }
     const auto earlier = ranges::find_if(telemetry.channels, [&](const auto& channel) {

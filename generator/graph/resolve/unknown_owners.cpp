@@ -62,7 +62,7 @@ void UnknownOwners::report_declared(const Unknown& unknown, Span declared) {
   problem.label = fmt::format("here, and at {}", counted(unknown.places.size() - 1, "other place"));
   problem.notes.push_back({fmt::format("nothing uses `{}`", unknown.near), declared, ""});
   problem.help = fmt::format("did you mean to call that `{}`?", unknown.owner);
-  draft_.doubtful.insert(unknown.owner);
+  draft_.erroneous.insert(unknown.owner);
 }
 
 void UnknownOwners::report_used(const Unknown& unknown, const Place& place) {

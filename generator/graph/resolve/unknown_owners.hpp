@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {
 
@@ -15,7 +15,7 @@ namespace eagerx::gen {
 /// connections are right, and it is one mistake.
 class UnknownOwners {
  public:
-  explicit UnknownOwners(Draft& draft) : draft_(draft) {}
+  explicit UnknownOwners(UnresolvedGraph& draft) : draft_(draft) {}
 
   /// Whether the next unknown name is compared with the known ones.
   [[nodiscard]] bool helps() const { return unknown_.size() < kMostHelped; }
@@ -46,7 +46,7 @@ class UnknownOwners {
   void report_used(const Unknown& unknown, const Place& place);
   Diagnostic& error(const Unknown& unknown, const Place& place);
 
-  Draft& draft_;
+  UnresolvedGraph& draft_;
   std::vector<Unknown> unknown_;
   std::map<std::string, std::size_t> index_of_;  // in `unknown_`, by owner
   std::size_t helped_ = 0;

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int kNotStarted = 127;
 
-[[noreturn]] void become(const std::vector<std::string>& command, const ProcessOptions& options,
-                         int output) {
+[[noreturn]] void exec(const std::vector<std::string>& command, const ProcessOptions& options,
+                       int output) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -111,7 +111,7 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& command
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
   const pid_t child = fork();
-  if (child == 0) become(command, options, ends[1]);
+  if (child == 0) exec(command, options, ends[1]);
   close(ends[1]);
   if (child < 0) {
     close(ends[0]);

@@ -19,7 +19,7 @@
 #include "generator/frontend/read/memory.hpp"
 #include "generator/support/files/files.hpp"
 #include "generator/support/files/unsaved.hpp"
-#include "generator/tools/commands/half_written.hpp"
+#include "generator/tools/commands/partial_graph.hpp"
 #include "generator/tools/commands/resolved_facts.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/lsp/server.hpp"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "generator/driver/build/become.hpp"
+#include "generator/driver/build/exec.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/replay/compare.hpp"
@@ -29,7 +29,7 @@ int perform(const ReplayOptions& options) {
   }
   std::vector<std::string> arguments = {"--replay", options.log};
   if (!options.given.empty()) arguments.insert(arguments.end(), {"--replay-given", options.given});
-  return become(options.program, arguments);
+  return exec(options.program, arguments);
 }
 
 Command table(ReplayOptions& options) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "generator/graph/plan/ages.hpp"
-#include "generator/graph/plan/hop.hpp"
+#include "generator/graph/plan/path_edge.hpp"
 
 namespace eagerx::gen {
 namespace {

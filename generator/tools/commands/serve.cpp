@@ -17,7 +17,7 @@
 #include "generator/frontend/outline/outline.hpp"
 #include "generator/support/files/files.hpp"
 #include "generator/support/files/paths.hpp"
-#include "generator/tools/commands/half_written.hpp"
+#include "generator/tools/commands/partial_graph.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/lsp/schema_view.hpp"
 #include "generator/tools/page/page.hpp"

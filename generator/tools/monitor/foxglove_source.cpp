@@ -75,7 +75,7 @@ class FoxgloveSource final : public Source, private web_socket::WebSocketListene
   void data(const foxglove::ServerMessage& message);
   void value(const Channel& channel, const foxglove::ServerMessage& message);
 
-  using Said = foxglove::ServerMessage::Kind;
+  using MessageKind = foxglove::ServerMessage::Kind;
 
   const std::string name_;
   std::unique_ptr<web_socket::WebSocketClient> client_;
@@ -98,24 +98,24 @@ bool FoxgloveSource::received(std::string_view bytes, bool is_text) {
   const auto message =
       is_text ? foxglove::read_server_text(bytes) : foxglove::read_server_bytes(bytes);
   switch (message.kind) {
-    case Said::wrong:
+    case MessageKind::wrong:
       listener_->fault(StreamFault::damaged, 1);
       break;
-    case Said::info:
+    case MessageKind::info:
       facts_.graph = message.about("graph");
       facts_.engine = message.about("engine");
       facts_.hash = read_hash(message.about("graph_hash"));
       break;
-    case Said::advertise:
+    case MessageKind::advertise:
       advertise(message);
       break;
-    case Said::unadvertise:
+    case MessageKind::unadvertise:
       for (const std::uint32_t id : message.ids) channels_.erase(id);
       break;
-    case Said::data:
+    case MessageKind::data:
       data(message);
       break;
-    case Said::other:
+    case MessageKind::other:
       break;
   }
   return ++taken_ < kMostAtOnce;

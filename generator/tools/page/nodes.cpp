@@ -7,7 +7,7 @@
 
 #include "generator/analysis/info/info.hpp"
 #include "generator/graph/plan/counts.hpp"
-#include "generator/graph/plan/hop.hpp"
+#include "generator/graph/plan/path_edge.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/tools/page/page.hpp"
 
@@ -38,7 +38,7 @@ constexpr std::int64_t kMostTicks = 400'000;
 
 /// Messages of a connection at each tick of its reader: `begin` at the first ones, then `cycle`
 /// over and over. Null if these are more than `room`, which becomes smaller by them.
-Json received_json(const Hop& hop, bool skip, std::int64_t& room) {
+Json received_json(const PathEdge& hop, bool skip, std::int64_t& room) {
   const std::int64_t ticks = hop.settled + hop.b;
   if (ticks > room) return nullptr;
   room -= ticks;
@@ -281,7 +281,7 @@ class Nodes {
   }
 
   /// Null where messages do not come by count, or too far apart.
-  Json hop_json(const std::optional<Hop>& hop) const {
+  Json hop_json(const std::optional<PathEdge>& hop) const {
     if (!hop) return nullptr;
     return Json{{"a", hop->a},
                 {"b", hop->b},

@@ -84,7 +84,7 @@ bool GraphFile::may_have_changed() const {
 
 GraphFile::Written GraphFile::write(const std::optional<std::string>& expected,
                                     const std::string& text) {
-  host::Draft draft(path_);
+  host::AtomicFile draft(path_);
   int error = draft.write(text);
   if (error == 0) error = draft.put_over(expected);
   if (error == ECANCELED) return Written::changed;

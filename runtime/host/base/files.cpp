@@ -135,13 +135,13 @@ void remove_left_drafts(const std::string& path) {
   }
 }
 
-Draft::Draft(std::string path) : path_(std::move(path)) {}
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {}
 
-Draft::~Draft() {
+AtomicFile::~AtomicFile() {
   if (!draft_.empty()) unlink(draft_.c_str());
 }
 
-int Draft::make_next_to(const struct stat* replaced, std::string_view ending, int& file) {
+int AtomicFile::make_next_to(const struct stat* replaced, std::string_view ending, int& file) {
   constexpr int kTries = 8;
   constexpr mode_t kForAll = 0666, kForOwner = 0600;
   remove_left_drafts(place_);
@@ -162,7 +162,7 @@ int Draft::make_next_to(const struct stat* replaced, std::string_view ending, in
 }
 
 /// `file`: what was made, or none if something is written into. Returns what refuses both.
-int Draft::begin(std::string_view ending, int& file) {
+int AtomicFile::begin(std::string_view ending, int& file) {
   struct stat found {};
   if (stat(path_.c_str(), &found) != 0) {
     if (errno != ENOENT) return errno;
@@ -178,14 +178,14 @@ int Draft::begin(std::string_view ending, int& file) {
   return make_next_to(&found, ending, file);
 }
 
-int Draft::make(std::string_view ending) {
+int AtomicFile::make(std::string_view ending) {
   int file = -1;
   const int error = begin(ending, file);
   is_made_ = true;
   return file < 0 || close(file) == 0 ? error : errno;
 }
 
-int Draft::write(std::string_view bytes, Durability durability) {
+int AtomicFile::write(std::string_view bytes, Durability durability) {
   int file = -1;
   if (const int refused = begin({}, file)) return refused;
   if (file < 0) {
@@ -197,14 +197,14 @@ int Draft::write(std::string_view bytes, Durability durability) {
   return close(file) == 0 || error != 0 ? error : errno;
 }
 
-int Draft::put() {
+int AtomicFile::put() {
   if (draft_.empty()) return write_into();
   if (std::rename(draft_.c_str(), place_.c_str()) != 0) return errno;
   draft_.clear();
   return 0;
 }
 
-int Draft::put_over(const std::optional<std::string>& expected) {
+int AtomicFile::put_over(const std::optional<std::string>& expected) {
   // Programs of this project take turns; others meet the exchange.
   std::optional<FileLock> lock;
   if (expected && lock.emplace(path_, false).error() == EWOULDBLOCK) return EWOULDBLOCK;
@@ -212,7 +212,7 @@ int Draft::put_over(const std::optional<std::string>& expected) {
   return draft_.empty() ? write_into() : exchange(expected);
 }
 
-int Draft::exchange(const std::optional<std::string>& expected) {
+int AtomicFile::exchange(const std::optional<std::string>& expected) {
   const std::optional<std::string> mine = text_of(draft_);
   const auto swap = [&](unsigned flags) {
     return renameat2(AT_FDCWD, draft_.c_str(), AT_FDCWD, place_.c_str(), flags) == 0;
@@ -231,7 +231,7 @@ int Draft::exchange(const std::optional<std::string>& expected) {
   return ECANCELED;
 }
 
-int Draft::write_into() {
+int AtomicFile::write_into() {
   if (is_made_ || (bytes_.empty() && !is_replaced_by_output(path_))) return 0;
   TextFile file;
   if (file.open(path_ == "-" ? "./-" : path_)) file.text(bytes_);
@@ -239,13 +239,13 @@ int Draft::write_into() {
 }
 
 int write_whole(const std::string& path, std::string_view bytes, Durability durability) {
-  Draft draft(path);
+  AtomicFile draft(path);
   const int error = draft.write(bytes, durability);
   return error != 0 ? error : draft.put();
 }
 
 int problem_of_output(const std::string& path) {
-  return Draft(path).make({});
+  return AtomicFile(path).make({});
 }
 
 bool is_replaced_by_output(const std::string& path) {

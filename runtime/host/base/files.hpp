@@ -19,13 +19,13 @@ enum class Durability : std::uint8_t { synced, cached };
 /// replaces. What cannot be replaced so is written into: a device, a FIFO, a file of another owner
 /// or in a folder that takes no new files. A file without write permission is refused, for root
 /// too.
-class Draft {
+class AtomicFile {
  public:
-  explicit Draft(std::string path);
+  explicit AtomicFile(std::string path);
   /// Removes what was not put.
-  ~Draft();
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
 
   const std::string& path() const { return path_; }
   /// Keeps all of `bytes` until put().
@@ -57,16 +57,18 @@ class Draft {
 [[nodiscard]] int write_whole(const std::string& path, std::string_view bytes,
                               Durability durability = Durability::synced);
 
-/// Removes the drafts of `path` that killed programs left behind. A Draft does so itself.
+/// Removes the drafts of `path` that killed programs left behind. A AtomicFile does so itself.
 void remove_left_drafts(const std::string& path);
 
 /// The name behind all links, where there may be nothing yet.
 std::string behind_links(const std::string& path);
 
-/// The file that a Draft of `path` would replace. Changes nothing, and opens no device and no FIFO.
+/// The file that a AtomicFile of `path` would replace. Changes nothing, and opens no device and no
+/// FIFO.
 [[nodiscard]] int problem_of_output(const std::string& path);
 
-/// Whether a Draft replaces what is there. Into anything else, such as a FIFO, all is written once.
+/// Whether a AtomicFile replaces what is there. Into anything else, such as a FIFO, all is written
+/// once.
 bool is_replaced_by_output(const std::string& path);
 
 /// Whether something of this kind is written at all: no folder, socket or disk, and no file that
@@ -76,7 +78,7 @@ bool takes_output(const struct stat& status);
 /// Why a file cannot be written.
 std::string problem_of_writing(int error);
 
-/// For programs that read a file, change it and put a Draft in its place: one at a time.
+/// For programs that read a file, change it and put a AtomicFile in its place: one at a time.
 class FileLock {
  public:
   /// Waits for at most ten seconds. `makes`: an empty file if there is none.

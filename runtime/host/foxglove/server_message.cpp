@@ -7,7 +7,7 @@
 namespace eagerx::foxglove {
 namespace {
 
-using Said = ServerMessage::Kind;
+using MessageKind = ServerMessage::Kind;
 
 /// A whole number below 2^53, or what T can have.
 template <class T>
@@ -95,14 +95,14 @@ ServerMessage read_server_text(std::string_view text) {
   std::string op;
   if (!object || !read_text(object->find("op"), op)) return message;
   if (op == "serverInfo") {
-    message.kind = Said::info;
+    message.kind = MessageKind::info;
     read_info(*object, message);
   } else if (op == "advertise") {
-    if (read_channels(*object, message)) message.kind = Said::advertise;
+    if (read_channels(*object, message)) message.kind = MessageKind::advertise;
   } else if (op == "unadvertise") {
-    if (read_ids(*object, message)) message.kind = Said::unadvertise;
+    if (read_ids(*object, message)) message.kind = MessageKind::unadvertise;
   } else {
-    message.kind = Said::other;
+    message.kind = MessageKind::other;
   }
   return message;
 }
@@ -113,14 +113,14 @@ ServerMessage read_server_bytes(std::string_view bytes) {
   ServerMessage message;
   if (bytes.empty()) return message;
   if (static_cast<unsigned char>(bytes[0]) != kMessageData) {
-    message.kind = Said::other;
+    message.kind = MessageKind::other;
     return message;
   }
   if (bytes.size() < kPayload) return message;
   const auto time_ns = whole_at<std::uint64_t>(bytes, kTime);
   if (time_ns > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max() / 2))
     return message;
-  message.kind = Said::data;
+  message.kind = MessageKind::data;
   message.subscription = whole_at<std::uint32_t>(bytes, kSubscription);
   message.time_ns = static_cast<std::int64_t>(time_ns);
   message.payload = bytes.substr(kPayload);

@@ -33,10 +33,10 @@ void write_file(const std::string& path, std::string_view bytes) {
 }
 
 void write_files(const std::vector<NewFile>& files) {
-  std::deque<host::Draft> drafts;
+  std::deque<host::AtomicFile> drafts;
   for (const NewFile& file : files)
     check(drafts.emplace_back(file.path).write(file.bytes), file.path);
-  for (host::Draft& draft : drafts) check(draft.put(), draft.path());
+  for (host::AtomicFile& draft : drafts) check(draft.put(), draft.path());
 }
 
 void print(std::string_view text) {

@@ -226,7 +226,7 @@ bool ExternalAgent::serve() {
       break;
     case Ask::hash: {
       Answer answer{};
-      answer.said = Said::number;
+      answer.said = AnswerKind::number;
       answer.step = is_traced_ ? program_.hash() : 0;
       say(answer, nullptr, 0);
       break;
@@ -271,7 +271,7 @@ void ExternalAgent::take_parameters() {
   }
   has_tuned_ = true;
   Answer answer{};
-  answer.said = Said::number;
+  answer.said = AnswerKind::number;
   say(answer, nullptr, 0);
 }
 
@@ -322,7 +322,7 @@ bool ExternalAgent::apply_states(StateRow states) {
 
 void ExternalAgent::answer_observation() {
   if (!std::exchange(waits_, false)) return;
-  answer_.said = Said::observation;
+  answer_.said = AnswerKind::observation;
   for (std::size_t i = 0; i < terms_.size(); ++i) row_[i] = static_cast<float>(terms_[i]);
   say(answer_, row_.data(), row_.size() * sizeof(float));
   answer_.reward = 0.0;
@@ -332,14 +332,14 @@ void ExternalAgent::answer_observation() {
 
 void ExternalAgent::answer_problem(const std::string& text) {
   Answer answer{};
-  answer.said = Said::problem;
+  answer.said = AnswerKind::problem;
   say(answer, text.data(), text.size());
 }
 
 void ExternalAgent::answer_piece(const void* data, std::size_t bytes) {
   const std::size_t first = std::min<std::size_t>(request_.number, bytes);
   Answer answer{};
-  answer.said = Said::piece;
+  answer.said = AnswerKind::piece;
   answer.step = bytes;
   say(answer, static_cast<const char*>(data) + first, std::min(kLongestPiece, bytes - first));
 }

@@ -31,12 +31,12 @@ struct Request {
 };
 static_assert(sizeof(Request) == 24);
 
-enum class Said : std::uint32_t { problem = 1, piece = 2, number = 3, observation = 4 };
+enum class AnswerKind : std::uint32_t { problem = 1, piece = 2, number = 3, observation = 4 };
 
 /// An answer of a program. Behind it a text, a piece, or float32: terms of the reward, action,
 /// observation.
 struct Answer {
-  Said said;
+  AnswerKind said;
   std::uint32_t episode;
   std::uint64_t asked;   // what the request had: an agent that was interrupted skips older answers
   std::uint64_t step;    // of the episode; of a piece: bytes of all

@@ -31,7 +31,7 @@ class Film {
   void let_go();
   void give_up();
   std::string path_;
-  std::optional<host::Draft> draft_;
+  std::optional<host::AtomicFile> draft_;
   int held_ = -1;  // the file, until ffmpeg has ended: a FIFO's reader must not see its end before
   int pipe_ = -1;
   pid_t child_ = -1;

@@ -57,7 +57,7 @@ class OutputFiles : public testing::Test {
 TEST_F(OutputFiles, TakesThePlaceOfTheFileAsAWhole) {
   EXPECT_EQ(write_whole(path("q"), "first"), 0);
   {
-    Draft draft(path("q"));
+    AtomicFile draft(path("q"));
     EXPECT_EQ(draft.write("second"), 0);
     EXPECT_EQ(text("q"), "first");
   }
@@ -93,7 +93,7 @@ TEST_F(OutputFiles, AFullDiskLeavesWhatWasThere) {
 
 // At 9028afbf, the one was the draft of the other.
 TEST_F(OutputFiles, NoOutputIsTheDraftOfAnother) {
-  Draft policy(path("q.part")), table(path("q"));
+  AtomicFile policy(path("q.part")), table(path("q"));
   EXPECT_EQ(policy.write("policy"), 0);
   EXPECT_EQ(table.write("table"), 0);
   EXPECT_EQ(table.put(), 0);
@@ -210,7 +210,7 @@ TEST_F(OutputFiles, AnOpenDescriptorIsWritten) {
 
 TEST_F(OutputFiles, IsPutOverTheExpectedTextOnly) {
   const auto put_over = [&](const std::optional<std::string>& expected, const char* after) {
-    Draft draft(path("graph"));
+    AtomicFile draft(path("graph"));
     EXPECT_EQ(draft.write(after), 0);
     return draft.put_over(expected);
   };
@@ -225,7 +225,7 @@ TEST_F(OutputFiles, IsPutOverTheExpectedTextOnly) {
   EXPECT_EQ(text("graph"), "two");
   ASSERT_EQ(symlink("graph", path("link").c_str()), 0);
   {
-    Draft draft(path("link"));
+    AtomicFile draft(path("link"));
     EXPECT_EQ(draft.write("three"), 0);
     EXPECT_EQ(draft.put_over("two"), 0);
   }
@@ -241,7 +241,7 @@ TEST_F(OutputFiles, NoneOfManyIsLost) {
   const auto count = [&] {
     for (int i = 0; i < kEach;) {
       const std::string before = text("count");
-      Draft draft(path("count"));
+      AtomicFile draft(path("count"));
       EXPECT_EQ(draft.write(before + "x", Durability::cached), 0);
       const int error = draft.put_over(before);
       EXPECT_TRUE(error == 0 || error == ECANCELED) << error;
@@ -256,7 +256,7 @@ TEST_F(OutputFiles, NoneOfManyIsLost) {
 
 TEST_F(OutputFiles, AnotherProgramWritesTheDraft) {
   {
-    Draft draft(path("film.mp4"));
+    AtomicFile draft(path("film.mp4"));
     EXPECT_EQ(draft.make(".mp4"), 0);
     EXPECT_NE(draft.name(), path("film.mp4"));
     EXPECT_TRUE(draft.name().ends_with(".mp4"));
@@ -265,7 +265,7 @@ TEST_F(OutputFiles, AnotherProgramWritesTheDraft) {
   }
   EXPECT_EQ(text("film.mp4"), "film");
   ASSERT_EQ(symlink("/dev/null", path("null.mp4").c_str()), 0);
-  Draft nowhere(path("null.mp4"));
+  AtomicFile nowhere(path("null.mp4"));
   EXPECT_EQ(nowhere.make(".mp4"), 0);
   EXPECT_EQ(nowhere.name(), path("null.mp4"));
   EXPECT_EQ(nowhere.put(), 0);

@@ -1,7 +1,7 @@
 // Whole numbers beyond 2^53, which doubles do not all hold.
 #include <gtest/gtest.h>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -1,7 +1,7 @@
 // No text or tag of a user is taken for what the generator found out itself.
 #include <gtest/gtest.h>
 
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -144,7 +144,7 @@ TEST_F(Outside, StepsWithoutAnActionAreCountedAndSummed) {
   EXPECT_EQ(agent.key({1, 2, 7}).episode, 1U);
   agent.reset(0);
   ASSERT_TRUE(agent.go_on());  // answers, and waits 0.8 us without success
-  EXPECT_EQ(answer().said, Said::observation);
+  EXPECT_EQ(answer().said, AnswerKind::observation);
   EXPECT_EQ(agent.late_in_a_row(), 1U);
   EXPECT_EQ(static_cast<const FakeAction*>(agent.action())->choice, 0);
   const float effort = -0.5F;
@@ -182,7 +182,7 @@ TEST_F(Outside, AnEndThatTheAgentWasLateForIsTold) {
   EXPECT_EQ(end.late, 1U);
   EXPECT_EQ(end.asked, 2U) << "the number of the request that it answers";
   const Answer too_late = answer();
-  EXPECT_EQ(too_late.said, Said::problem);
+  EXPECT_EQ(too_late.said, AnswerKind::problem);
   EXPECT_EQ(too_late.asked, 3U);
   EXPECT_TRUE(agent.wants_reset());
 }
@@ -198,8 +198,8 @@ TEST_F(Outside, AnswersQuestionsAndRefusesWhatIsNone) {
   EXPECT_EQ(bytes, text.size());
   EXPECT_EQ(text, R"({"a \"count\"": 3})");
   EXPECT_EQ(answer().step, 42U);
-  EXPECT_EQ(answer(&text).said, Said::problem);
-  EXPECT_EQ(answer(&text).said, Said::piece);
+  EXPECT_EQ(answer(&text).said, AnswerKind::problem);
+  EXPECT_EQ(answer(&text).said, AnswerKind::piece);
   EXPECT_NE(text.find(R"("task": {"terms": ["effort"]})"), std::string::npos) << text;
   EXPECT_NE(agent.problem().find("its row of actions has another size"), std::string::npos);
 }
@@ -211,7 +211,7 @@ TEST_F(Outside, ParametersAreThoseOfTheNextStep) {
   ask(Ask::tune, {1.0F, 2.0F, kNone});  // at, delay
   ask(Ask::reset, kDrawn);
   ASSERT_TRUE(agent.go_on());
-  EXPECT_EQ(answer(&text).said, Said::problem);
+  EXPECT_EQ(answer(&text).said, AnswerKind::problem);
   EXPECT_NE(text.find("no episode has begun"), std::string::npos) << text;
   agent.reset(0);
   ask(Ask::tune, {kNone, kNone, 0.1F});
@@ -219,12 +219,12 @@ TEST_F(Outside, ParametersAreThoseOfTheNextStep) {
   ask(Ask::tune, {1.0F, 2.0F, kNone});
   ask(Ask::step, kAction);
   ASSERT_TRUE(agent.go_on());
-  EXPECT_EQ(answer().said, Said::observation);
-  EXPECT_EQ(answer(&text).said, Said::problem);
+  EXPECT_EQ(answer().said, AnswerKind::observation);
+  EXPECT_EQ(answer(&text).said, AnswerKind::problem);
   EXPECT_EQ(text, "`delay` can be set at a reset, not while an episode runs");
-  EXPECT_EQ(answer(&text).said, Said::problem);
+  EXPECT_EQ(answer(&text).said, AnswerKind::problem);
   EXPECT_NE(text.find("set all of its elements, or none"), std::string::npos) << text;
-  EXPECT_EQ(answer().said, Said::number);
+  EXPECT_EQ(answer().said, AnswerKind::number);
   const StateMemory states(fields.states);
   ASSERT_TRUE(agent.apply_parameters(states.row()));
   EXPECT_FALSE(states.row().has_value[0]);

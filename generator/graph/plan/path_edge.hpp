@@ -8,7 +8,7 @@
 namespace eagerx::gen {
 
 /// Times are in quanta of the plan's grid.
-struct Hop {
+struct PathEdge {
   std::size_t node = 0, input = 0;                  // the reader
   std::int64_t source_period = 1, period = 1;       // of both ends
   std::int64_t a = 1, b = 1, x = 0, off = 0;        // as in Reception, with the longest delay
@@ -26,6 +26,6 @@ struct Hop {
 };
 
 /// nullopt if its numbers do not fit.
-std::optional<Hop> make_hop(const Plan& plan, std::size_t node, std::size_t input);
+std::optional<PathEdge> make_hop(const Plan& plan, std::size_t node, std::size_t input);
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-#include "generator/frontend/compose/ends.hpp"
+#include "generator/frontend/compose/port_bindings.hpp"
 
 #include "generator/frontend/spec/port_name.hpp"
 #include "generator/support/diagnostics/search.hpp"
@@ -30,7 +30,7 @@ void set_processor(YamlValue& map, const YamlValue& inner, Span span) {
 
 }  // namespace
 
-std::string Ends::source(const std::string& port) const {
+std::string PortBindings::source(const std::string& port) const {
   const PortName name = parse_port(port);
   const CompositePorts* composite = find(name.owner);
   if (composite == nullptr) return port;
@@ -39,14 +39,15 @@ std::string Ends::source(const std::string& port) const {
   return sends && found != composite->sources.end() ? found->second : port;
 }
 
-std::vector<Sink> Ends::sinks(const std::string& port) const {
+std::vector<PortBinding> PortBindings::sinks(const std::string& port) const {
   const PortName name = parse_port(port);
   const CompositePorts* composite = find(name.owner);
   if (composite == nullptr) return {{port, {}}};
   const bool takes =
       name.section.empty() || name.section == "inputs" || name.section == "actuators";
   const auto found = composite->sinks.find(name.name);
-  return takes && found != composite->sinks.end() ? found->second : std::vector<Sink>{{port, {}}};
+  return takes && found != composite->sinks.end() ? found->second
+                                                  : std::vector<PortBinding>{{port, {}}};
 }
 
 CompositeSpec shown_composite(const std::string& name, Span span, const Entity& entity,
@@ -58,7 +59,7 @@ CompositeSpec shown_composite(const std::string& name, Span span, const Entity& 
     std::vector<std::string> inside;
     const auto found = ports.sinks.find(port.name.value);
     if (found != ports.sinks.end())
-      for (const Sink& sink : found->second) inside.push_back(sink.port);
+      for (const PortBinding& sink : found->second) inside.push_back(sink.port);
     shown.inputs.emplace_back(port.name.value, std::move(inside));
   }
   for (const auto& port : shown.is_object ? entity.sensors : entity.outputs) {

@@ -14,19 +14,19 @@ namespace eagerx::gen {
 
 /// An input inside, and what the composites around it say of connections to it, the outermost
 /// first: mappings with `window`, `delay`, `processor` …
-struct Sink {
+struct PortBinding {
   std::string port;
   std::vector<YamlValue> settings;
 };
 
 /// The ports of one composite.
 struct CompositePorts {
-  std::map<std::string, std::vector<Sink>> sinks;
+  std::map<std::string, std::vector<PortBinding>> sinks;
   std::map<std::string, std::string> sources;
   std::set<std::string, std::less<>> broken;  // those that send, and what is wrong has been said
 };
 
-class Ends {
+class PortBindings {
  public:
   void add(const std::string& composite, CompositePorts ports) {
     composites_[composite] = std::move(ports);
@@ -44,7 +44,7 @@ class Ends {
   /// The port that sends where a full name such as `arm.u` is written.
   [[nodiscard]] std::string source(const std::string& port) const;
   /// Those that receive. What is no port of a composite stays as it is.
-  [[nodiscard]] std::vector<Sink> sinks(const std::string& port) const;
+  [[nodiscard]] std::vector<PortBinding> sinks(const std::string& port) const;
 
  private:
   std::map<std::string, CompositePorts> composites_;

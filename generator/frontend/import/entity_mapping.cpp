@@ -1,4 +1,4 @@
-#include "generator/frontend/import/counterparts.hpp"
+#include "generator/frontend/import/entity_mapping.hpp"
 
 #include <fmt/format.h>
 
@@ -215,8 +215,8 @@ bool same_value(const YamlValue& a, const YamlValue& b) {
   return left && right ? *left == *right : a.text == b.text;
 }
 
-Counterparts::Choice Counterparts::choose(const std::string& id, const YamlValue& config,
-                                          Use use) const {
+EntityMapping::Choice EntityMapping::choose(const std::string& id, const YamlValue& config,
+                                            Use use) const {
   Choice choice;
   std::size_t conditions = 0;
   for (const auto& [name, entity] : library_.all_entities()) {
@@ -242,12 +242,13 @@ Counterparts::Choice Counterparts::choose(const std::string& id, const YamlValue
   return choice;
 }
 
-const Entity* Counterparts::look_up(const std::string& id, const YamlValue& config, Use use) const {
+const Entity* EntityMapping::look_up(const std::string& id, const YamlValue& config,
+                                     Use use) const {
   return choose(id, config, use).best;
 }
 
-const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue& config, Use use,
-                                 const std::string& user) {
+const Entity* EntityMapping::find(const Spanned<std::string>& id, const YamlValue& config, Use use,
+                                  const std::string& user) {
   const Choice choice = choose(id.value, config, use);
   if (choice.best == nullptr) {
     Missing& missing = missing_[id.value];
@@ -266,7 +267,7 @@ const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue
   return choice.best;
 }
 
-const Entity* Counterparts::require(const SavedEntity& saved, Use use, const std::string& user) {
+const Entity* EntityMapping::require(const SavedEntity& saved, Use use, const std::string& user) {
   const Entity* known = look_up(saved.id.value, saved.config, use);
   if (known != nullptr) return known;
   find(saved.id, saved.config, use, user);
@@ -279,8 +280,8 @@ const Entity* Counterparts::require(const SavedEntity& saved, Use use, const std
   return nullptr;
 }
 
-bool Counterparts::may_stand_in(const Entity& entity, const SavedEntity& saved,
-                                const std::string& user) {
+bool EntityMapping::may_stand_in(const Entity& entity, const SavedEntity& saved,
+                                 const std::string& user) {
   const std::string& id = saved.id.value;
   if (!is_of_script(id) || entity.own) return true;
   const std::string where = difference(entity, saved);
@@ -309,18 +310,18 @@ bool Counterparts::may_stand_in(const Entity& entity, const SavedEntity& saved,
   return false;
 }
 
-bool Counterparts::knows(const std::string& id) const {
+bool EntityMapping::knows(const std::string& id) const {
   return ranges::any_of(library_.all_entities(),
                         [&](const auto& item) { return stands_for(item.second, id); });
 }
 
-bool Counterparts::stands_for(const Entity& entity, const std::string& id) {
+bool EntityMapping::stands_for(const Entity& entity, const std::string& id) {
   return ranges::any_of(entity.eagerx_ids,
                         [&](const EagerxId& eagerx) { return eagerx.id.value == id; });
 }
 
-std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValue& config,
-                                            const std::string& user) {
+std::vector<Setting> EntityMapping::settings(const Entity& entity, const YamlValue& config,
+                                             const std::string& user) {
   std::vector<Setting> result;
   std::vector<std::string> taken;
   for (const auto& parameter : entity.config) {
@@ -360,8 +361,8 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValu
   return result;
 }
 
-std::optional<ProcessorSpec> Counterparts::processor(const SavedPort& port,
-                                                     const std::string& user) {
+std::optional<ProcessorSpec> EntityMapping::processor(const SavedPort& port,
+                                                      const std::string& user) {
   const YamlValue* saved = port.find("processor");
   if (saved == nullptr) return std::nullopt;
   const YamlValue* type = saved->find("processor_type");
@@ -384,7 +385,7 @@ std::optional<ProcessorSpec> Counterparts::processor(const SavedPort& port,
                        settings(*entity, parameters, "the processor of " + user)};
 }
 
-void Counterparts::report_missing() {
+void EntityMapping::report_missing() {
   for (const auto& [id, missing] : missing_) {
     const auto& [user, span] = missing.users.front();
     auto& problem = diagnostics_.error(

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 /// The targets of a graph that was made, once there is what is generated for them: with `--of` the
 /// nodes that are cut out are in its place. Nothing if there is a problem. `output`: a folder from
 /// which the headers of entities must have a path that an include can have; empty: none.
-std::optional<std::vector<const Target*>> judged_targets(Run& run, const GraphOptions& options,
-                                                         const std::string& output = {});
+std::optional<std::vector<const Target*>> check_targets(Run& run, const GraphOptions& options,
+                                                        const std::string& output = {});
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-#include "generator/frontend/read/slips.hpp"
+#include "generator/frontend/read/typos.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "generator/graph/resolve/draft.hpp"
+#include "generator/graph/resolve/unresolved_graph.hpp"
 
 #include <fmt/format.h>
 
@@ -45,32 +45,32 @@ std::vector<double> bounds_of(const std::optional<YamlValue>& written, std::opti
 
 }  // namespace
 
-DraftInput* DraftNode::input(std::string_view name) {
-  return const_cast<DraftInput*>(std::as_const(*this).input(name));
+UnresolvedInput* UnresolvedNode::input(std::string_view name) {
+  return const_cast<UnresolvedInput*>(std::as_const(*this).input(name));
 }
 
-const DraftInput* DraftNode::input(std::string_view name) const {
+const UnresolvedInput* UnresolvedNode::input(std::string_view name) const {
   const auto found = ranges::find_if(
-      inputs, [&](const DraftInput& i) { return i.name == name && !i.feedthrough; });
+      inputs, [&](const UnresolvedInput& i) { return i.name == name && !i.feedthrough; });
   return found == inputs.end() ? nullptr : &*found;
 }
 
-DraftOutput* DraftNode::output(std::string_view name) {
+UnresolvedOutput* UnresolvedNode::output(std::string_view name) {
   return find_named(outputs, name);
 }
 
-void Draft::add_object(DraftObject object) {
+void UnresolvedGraph::add_object(UnresolvedObject object) {
   object_of_name.try_emplace(object.name, objects.size());
   objects.push_back(std::move(object));
 }
 
-const DraftObject* Draft::find_object(std::string_view name) const {
+const UnresolvedObject* UnresolvedGraph::find_object(std::string_view name) const {
   const auto found = object_of_name.find(name);
   return found == object_of_name.end() ? nullptr : &objects[found->second];
 }
 
-bool Draft::is_doubtful(const DraftNode& node) const {
-  return doubtful.contains(node.node.object ? objects[*node.node.object].name : node.node.name);
+bool UnresolvedGraph::is_doubtful(const UnresolvedNode& node) const {
+  return erroneous.contains(node.node.object ? objects[*node.node.object].name : node.node.name);
 }
 
 PartialSpace partial_space(const SpaceSpec& spec, const References& references,
@@ -210,18 +210,18 @@ ConnectionSettings manifest_settings(const PortManifest& port, const References&
   return result;
 }
 
-DraftOutput draft_output(const PortManifest& port, Span span, const References& references,
-                         Diagnostics& diagnostics) {
-  DraftOutput output;
+UnresolvedOutput draft_output(const PortManifest& port, Span span, const References& references,
+                              Diagnostics& diagnostics) {
+  UnresolvedOutput output;
   output.name = port.name.value;
   output.span = span;
   output.declared = partial_space(port.space, references, diagnostics);
   return output;
 }
 
-DraftInput draft_input(const PortManifest& port, const std::string& written, Span span,
-                       const References& references, Diagnostics& diagnostics) {
-  DraftInput input;
+UnresolvedInput draft_input(const PortManifest& port, const std::string& written, Span span,
+                            const References& references, Diagnostics& diagnostics) {
+  UnresolvedInput input;
   input.name = port.name.value;
   input.written = written;
   input.span = span;
@@ -232,8 +232,8 @@ DraftInput draft_input(const PortManifest& port, const std::string& written, Spa
   return input;
 }
 
-void settle(DraftOutput& output, const ComponentSpec& said, const std::string& written,
-            Diagnostics& diagnostics) {
+void apply_overrides(UnresolvedOutput& output, const ComponentSpec& said,
+                     const std::string& written, Diagnostics& diagnostics) {
   if (said.settings.processor) {
     output.processor = said.settings.processor;
     output.published = {};  // of the processor that it replaces

@@ -1,4 +1,4 @@
-#include "generator/driver/commands/judge.hpp"
+#include "generator/driver/commands/check_targets.hpp"
 
 #include <set>
 #include <utility>
@@ -65,8 +65,8 @@ bool cut_graph(Run& run, const GraphOptions& options, const std::string& output)
 
 }  // namespace
 
-std::optional<std::vector<const Target*>> judged_targets(Run& run, const GraphOptions& options,
-                                                         const std::string& output) {
+std::optional<std::vector<const Target*>> check_targets(Run& run, const GraphOptions& options,
+                                                        const std::string& output) {
   const bool cut = !options.of.empty();
   if (cut && !cut_graph(run, options, output)) return std::nullopt;
   auto targets = find_targets(run, options);
@@ -78,7 +78,7 @@ std::optional<std::vector<const Target*>> judged_targets(Run& run, const GraphOp
 }
 
 bool check_text(Run& run, const GraphOptions& options, const std::string& text) {
-  if (!make_of_text(run, options, text) || !judged_targets(run, options)) return false;
+  if (!make_of_text(run, options, text) || !check_targets(run, options)) return false;
   if (options.variant.empty()) check_variants(run, options);
   return !run.diagnostics.has_errors();
 }

@@ -1,4 +1,4 @@
-#include "generator/driver/build/become.hpp"
+#include "generator/driver/build/exec.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 
 namespace eagerx::gen {
 
-int become(const std::string& program, const std::vector<std::string>& arguments) {
+int exec(const std::string& program, const std::vector<std::string>& arguments) {
   std::error_code ignored;
   const std::string path = program.find('/') == std::string::npos ? "./" + program : program;
   std::vector<char*> words;

@@ -1,4 +1,4 @@
-#include "generator/graph/plan/hop.hpp"
+#include "generator/graph/plan/path_edge.hpp"
 
 #include <numeric>
 
@@ -11,12 +11,12 @@ constexpr std::int64_t kMaxQuanta = std::int64_t{1} << 50;  // sums and products
 constexpr std::int64_t kMaxTicks = 1'000'000;               // that are gone through to settle
 
 struct Settled {
-  std::int64_t received = 0, tick = 0;  // as in Hop
+  std::int64_t received = 0, tick = 0;  // as in PathEdge
 };
 
 /// From the first ticks, which the formula treats apart, to the sum that continues without end;
 /// nullopt if that takes too long.
-std::optional<Settled> settle(const Hop& hop, const Counts& counts) {
+std::optional<Settled> settle(const PathEdge& hop, const Counts& counts) {
   std::int64_t total = 0;
   const std::int64_t most = ceil_div(counts.a, counts.b);
   for (std::int64_t n = 0; n < kMaxTicks; ++n) {
@@ -30,22 +30,22 @@ std::optional<Settled> settle(const Hop& hop, const Counts& counts) {
 
 }  // namespace
 
-std::int64_t Hop::total(std::int64_t n) const {
+std::int64_t PathEdge::total(std::int64_t n) const {
   return received + floor_div(a * (n + off) - x, b);
 }
 
-std::int64_t Hop::oldest(std::int64_t n) const {
+std::int64_t PathEdge::oldest(std::int64_t n) const {
   if (window > 0) return total(n) - window;
   const std::int64_t before = total(n - 1);
   return before == total(n) ? before - 1 : before;
 }
 
-std::optional<Hop> make_hop(const Plan& plan, std::size_t node, std::size_t input) {
+std::optional<PathEdge> make_hop(const Plan& plan, std::size_t node, std::size_t input) {
   const Input& what = plan.graph->nodes[node].inputs[input];
   const Reception& reception = plan.nodes[node].receptions[input];
   const RateClass& source = plan.rates[plan.nodes[what.source_node].rate];
   const RateClass& own = plan.rates[plan.nodes[node].rate];
-  Hop hop;
+  PathEdge hop;
   hop.node = node;
   hop.input = input;
   hop.a = reception.a;

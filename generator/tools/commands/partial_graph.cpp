@@ -1,4 +1,4 @@
-#include "generator/tools/commands/half_written.hpp"
+#include "generator/tools/commands/partial_graph.hpp"
 
 #include <filesystem>
 #include <system_error>

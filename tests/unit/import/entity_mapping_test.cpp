@@ -1,4 +1,4 @@
-#include "generator/frontend/import/counterparts.hpp"
+#include "generator/frontend/import/entity_mapping.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(ImportGraph, AClassOfAScriptIsOnlyOursWithTheSameInterface) {
   entity.inputs.resize(1);
   entity.inputs[0].name.value = "i0";
   Diagnostics diagnostics;
-  Counterparts counterparts(library, diagnostics);
+  EntityMapping counterparts(library, diagnostics);
   SavedEntity saved;
   saved.id.value = "__main__/Own";
   EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // no input i0
@@ -67,7 +67,7 @@ TEST(ImportGraph, AUsersOwnEntityIsTakenForAClassOfAScript) {
     entity.own = std::string_view(id) == "B";
   }
   Diagnostics diagnostics;
-  Counterparts counterparts(library, diagnostics);
+  EntityMapping counterparts(library, diagnostics);
   YamlValue none;
   none.kind = YamlKind::map;
   const Entity* found = counterparts.find({"__main__/Own", {}}, none, Use::node, "the node `n`");

@@ -1,8 +1,8 @@
-#include "generator/frontend/spec/slips.hpp"
+#include "generator/frontend/spec/typos.hpp"
 
 #include <fmt/format.h>
 
-#include "generator/frontend/read/slips.hpp"
+#include "generator/frontend/read/typos.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/search.hpp"
 

@@ -23,9 +23,9 @@ struct Missing {
   SavedEntity saved;
 };
 
-class Counterparts {
+class EntityMapping {
  public:
-  Counterparts(const Library& library, Diagnostics& diagnostics)
+  EntityMapping(const Library& library, Diagnostics& diagnostics)
       : library_(library), diagnostics_(diagnostics) {}
 
   /// Our entity for `id` with these parameters, or nullptr. `user`: what needs it, as messages say
@@ -74,7 +74,7 @@ class Counterparts {
 };
 
 /// Every entity that the file needs, those inside objects that are not known too.
-void require_all(const SavedGraph& saved, Counterparts& counterparts);
+void require_all(const SavedGraph& saved, EntityMapping& counterparts);
 
 const char* to_string(Use use);
 
