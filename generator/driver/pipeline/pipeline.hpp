@@ -26,10 +26,10 @@ struct Run {
   Diagnostics diagnostics;
   std::string root;  // of the built-in models, targets, templates
   Library library;
-  YamlValue written;  // the graph's file
-  YamlValue tree;     // of it, in the chosen variant
-  YamlValue flat;     // without composites and arrays
-  PortBindings composites;    // of the graph: their ports
+  YamlValue written;        // the graph's file
+  YamlValue tree;           // of it, in the chosen variant
+  YamlValue flat;           // without composites and arrays
+  PortBindings composites;  // of the graph: their ports
   std::optional<GraphSpec> spec;
   std::optional<SafetySpec> safety_of_cut;  // what the graph says for the nodes that are cut out
   std::vector<std::string> tables;          // files with numbers of the graph

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 
 struct CutRequest {
   std::vector<std::string> names;    // of nodes, composites, arrays; `leg[*]/knee` too
-  PortBindings composites;                   // of the graph
+  PortBindings composites;           // of the graph
   std::optional<SafetySpec> safety;  // of the graph: its names are those of ports at the cut
 };
 
