@@ -141,7 +141,7 @@ void add_rows(const std::string& name, const Command& command, std::string& rows
 
 /// The table of arguments, for tests that try all of them.
 std::string arguments_page(const std::vector<Command>& commands) {
-  std::string rows = "command\tnames\ttype\tuse\trequired\tvalues\tgoes_on\tchoice\tabout\n";
+  std::string rows = "command\tnames\ttype\tuse\trequired\tvalues\tcontinues\tchoice\tabout\n";
   for (const Command& command : commands) add_rows(command.name, command, rows);
   return rows;
 }
