@@ -62,13 +62,13 @@ set(eagerx_web_socket_sources no_web_socket)
 find_file(EAGERX_LIBWEBSOCKETS libwebsockets.h)
 mark_as_advanced(EAGERX_LIBWEBSOCKETS)
 if(EAGERX_LIBWEBSOCKETS AND NOT CMAKE_CROSSCOMPILING)
-  set(eagerx_web_socket_sources client library server)
+  set(eagerx_web_socket_sources client library relay server)
 endif()
 list(TRANSFORM eagerx_web_socket_sources PREPEND ${eagerx_host_folder}/web_socket/)
 list(TRANSFORM eagerx_web_socket_sources APPEND .cpp)
 eagerx_compiled_library(
   eagerx_web_sockets UNITY
-  SOURCES ${eagerx_web_socket_sources} ${eagerx_host_folder}/web_socket/listener.cpp
+  SOURCES ${eagerx_web_socket_sources} ${eagerx_host_folder}/web_socket/client_bytes.cpp ${eagerx_host_folder}/web_socket/listener.cpp
   FOLDERS ${eagerx_host_folder}
   LINK eagerx_base ${CMAKE_DL_LIBS}
   OPTIONS ${eagerx_host_plain_options})

@@ -32,13 +32,14 @@ def connected(port, receive_buffer=None):
 
 
 class WebSocket:
-    def __init__(self, port, path="/", protocol="foxglove.websocket.v1", headers=(), receive_buffer=None):
+    def __init__(self, port, path="/", protocol="foxglove.websocket.v1", headers=(), receive_buffer=None, after=b""):
+        """`after`: what is sent with the handshake."""
         self.socket = connected(port, receive_buffer)
         lines = [f"GET {path} HTTP/1.1", f"Host: 127.0.0.1:{port}", "Upgrade: websocket", "Connection: Upgrade",
                  f"Sec-WebSocket-Key: {base64.b64encode(os.urandom(16)).decode()}", "Sec-WebSocket-Version: 13", *headers]
         if protocol:
             lines.append(f"Sec-WebSocket-Protocol: {protocol}")
-        self.socket.sendall(("\r\n".join(lines) + "\r\n\r\n").encode())
+        self.socket.sendall(("\r\n".join(lines) + "\r\n\r\n").encode() + after)
         self.buffer = b""
         try:
             while b"\r\n\r\n" not in self.buffer:
@@ -64,17 +65,28 @@ class WebSocket:
         self.at += size
         return self.buffer[self.at - size : self.at]
 
+    def receive_frame(self):
+        """(first byte, bytes) of the next frame; ConnectionError when there is none."""
+        first, size = self.read(2)
+        assert size < 128, "a server's frame is masked"
+        if size == 126:
+            size = struct.unpack(">H", self.read(2))[0]
+        elif size == 127:
+            size = struct.unpack(">Q", self.read(8))[0]
+        return first, self.read(size)
+
+    def reason(self):
+        """The number in the frame that closes."""
+        while True:
+            first, data = self.receive_frame()
+            if first & 15 == 8:
+                return struct.unpack(">H", data[:2])[0]
+
     def receive(self):
         """(opcode, bytes) of the next message; ConnectionError when there is none."""
         whole, opcode = b"", 0
         while True:
-            first, size = self.read(2)
-            assert size < 128, "a server's frame is masked"
-            if size == 126:
-                size = struct.unpack(">H", self.read(2))[0]
-            elif size == 127:
-                size = struct.unpack(">Q", self.read(8))[0]
-            data = self.read(size)
+            first, data = self.receive_frame()
             if first & 15 == 8:
                 raise ConnectionError(f"closed, {struct.unpack('>H', data[:2])[0] if data else 'without a reason'}")
             if first & 15 == 9:

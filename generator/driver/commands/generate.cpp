@@ -21,6 +21,7 @@
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/next_steps.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "generator/support/files/beside.hpp"
 #include "generator/support/files/paths.hpp"
 
 namespace eagerx::gen {
@@ -45,10 +46,12 @@ bool keep_folder(Run& run, const GenerateOptions& options, const std::string& fo
     if (!options.quiet) complain("waiting: another eagerx-gen builds in `{}`\n", folder);
   };
   if (KeptFolders::keep(folder, waiting)) return true;
-  run.diagnostics.io_error(
-      "E0901", {},
-      fmt::format("cannot write `{}`: {}", folder,
-                  errno == EWOULDBLOCK ? "another eagerx-gen builds there" : std::strerror(errno)));
+  run.diagnostics
+      .io_error("E0901", {},
+                fmt::format("cannot write `{}`: {}", folder,
+                            errno == EWOULDBLOCK ? "another eagerx-gen builds there"
+                                                 : std::strerror(errno)))
+      .help = help_for_deleted_folder(folder);
   return false;
 }
 

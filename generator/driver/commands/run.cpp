@@ -6,6 +6,7 @@
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/image_budget.hpp"
+#include "generator/driver/commands/image_graph.hpp"
 #include "generator/driver/commands/start_parts.hpp"
 #include "generator/support/files/files.hpp"
 
@@ -44,7 +45,7 @@ int perform(const RunOptions& options) {
   const auto programs = build_graph(run, options, code, &words);
   if (programs) check_built_budget(run, options, *programs);
   const bool started = programs && !run.diagnostics.has_errors() && code == kDone &&
-                       start_parts(run, *programs, words);
+                       check_image_graphs(run, *programs) && start_parts(run, *programs, words);
   code = std::max(finish(run, options), code);
   if (!started || code != kDone) return code;
   if (options.quiet) pass_quiet(*programs->back().target, words);

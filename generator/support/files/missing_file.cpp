@@ -47,11 +47,19 @@ std::vector<std::string> entries_of_folder(const std::string& path) {
   return names;
 }
 
+std::string help_for_deleted_folder(const std::string& path) {
+  std::error_code error;
+  const bool is_absolute = fs::path(path).is_absolute();
+  if (is_absolute || !fs::current_path(error).empty()) return {};
+  return "the current folder has been deleted: change to one that exists";
+}
+
 Help help_for_missing(const std::string& path, const std::string& written) {
   constexpr std::size_t kFew = 3;
   std::error_code error;
   const fs::path file(path);
   if (path.empty() || fs::exists(file, error)) return {};
+  if (std::string help = help_for_deleted_folder(path); !help.empty()) return help;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const fs::path mentioned = fs::path(written).parent_path();
   if (!fs::is_directory(folder, error))

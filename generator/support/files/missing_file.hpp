@@ -16,4 +16,7 @@ std::vector<std::string> entries_of_folder(const std::string& path);
 /// the folder that is not there either. Empty: nothing helps, or there is something at `path`.
 Help help_for_missing(const std::string& path, const std::string& written);
 
+/// Of a relative `path`, if the folder that this runs in has been deleted: what to do. Else empty.
+std::string help_for_deleted_folder(const std::string& path);
+
 }  // namespace eagerx::gen

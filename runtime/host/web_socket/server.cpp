@@ -7,10 +7,13 @@
 #include <chrono>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <runtime/host/web_socket/library.hpp>
+#include <runtime/host/web_socket/relay.hpp>
 #include <runtime/host/web_socket/web_socket.hpp>
 #include <utility>
+#include <vector>
 
 namespace eagerx::web_socket {
 namespace {
@@ -26,6 +29,7 @@ class LwsServer final : public WebSocketServer {
   LwsServer& operator=(const LwsServer&) = delete;
   ~LwsServer() override {
     if (context_ != nullptr) lws.context_destroy(context_);
+    while (carry_all()) continue;
     ::close(listening_);
   }
 
@@ -53,6 +57,7 @@ class LwsServer final : public WebSocketServer {
     std::size_t queued = 0;   // bytes
     std::string_view unsent;  // of the page that it is shown
     bool is_shown = false;
+    std::shared_ptr<Relay> relay;
   };
 
   static int on_event(::lws* wsi, lws_callback_reasons reason, void* /*user*/, void* in,
@@ -69,6 +74,9 @@ class LwsServer final : public WebSocketServer {
   int close_with(::lws* wsi, lws_close_status status);
   void forget(::lws* wsi);
   void accept_all();
+  bool carry_all();
+  int begin(::lws* wsi);
+  int establish(::lws* wsi, Connection& connection);
   void look_at_clocks();
   void end(::lws* wsi, Connection& connection);
   std::optional<std::string> header(::lws* wsi, lws_token_indexes which) const;
@@ -83,6 +91,7 @@ class LwsServer final : public WebSocketServer {
   lws_context* context_ = nullptr;
   lws_vhost* vhost_ = nullptr;
   std::map<::lws*, Connection> connections_;
+  std::vector<std::shared_ptr<Relay>> relays_;  // the oldest first
   std::map<ClientId, ::lws*> clients_;
   ClientId last_client_ = 0;
   std::uint64_t written_ = 0, refused_ = 0, disconnected_ = 0;
@@ -119,10 +128,11 @@ void LwsServer::service() {
   // Each time there is a call for every socket that takes something.
   for (int i = 0; i < kAtOnce; ++i) {
     const std::uint64_t before = written_;
+    const bool did_carry = carry_all();
     for (auto& [wsi, connection] : connections_)
       if (!connection.queue.empty()) lws.callback_on_writable(wsi);
     lws.service(context_, -1);  // below 0: it does not wait
-    if (written_ == before) break;
+    if (written_ == before && !did_carry) break;
   }
 }
 
@@ -131,14 +141,28 @@ void LwsServer::accept_all() {
   for (int i = 0; i < kAtOnce; ++i) {
     const int fd = ::accept4(listening_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
     if (fd < 0) return;
-    if (connections_.size() >= limits_.connections) {
+    const auto relay = std::make_shared<Relay>(fd);
+    if (relays_.size() >= limits_.connections || relay->inner() < 0) {
       ++refused_;
-      ::close(fd);
       continue;
     }
+    relays_.push_back(relay);
     // It may be gone before this returns: event() knows.
-    static_cast<void>(lws.adopt_socket_vhost(vhost_, fd));
+    static_cast<void>(lws.adopt_socket_vhost(vhost_, relay->inner()));
   }
+}
+
+/// Whether there was anything.
+bool LwsServer::carry_all() {
+  bool did_something = false;
+  for (const auto& relay : relays_) {
+    const bool was_unmasked = relay->is_unmasked();
+    if (relay->carry()) did_something = true;
+    if (relay->is_unmasked() && !was_unmasked) ++disconnected_;
+    if (relay->is_no_request()) ++refused_;
+  }
+  std::erase_if(relays_, [](const auto& relay) { return relay->is_over(); });
+  return did_something;
 }
 
 void LwsServer::look_at_clocks() {
@@ -161,8 +185,7 @@ void LwsServer::end(::lws* wsi, Connection& connection) {
 
 int LwsServer::event(::lws* wsi, lws_callback_reasons reason, const void* in, std::size_t size) {
   if (reason == LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION) return admit(wsi);
-  if (reason == LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED)
-    return connections_[wsi].since = Clock::now(), 0;
+  if (reason == LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED) return begin(wsi);
   if (reason == LWS_CALLBACK_CLOSED || reason == LWS_CALLBACK_WSI_DESTROY) return forget(wsi), 0;
   const auto found = connections_.find(wsi);
   if (found == connections_.end()) return 0;
@@ -173,12 +196,7 @@ int LwsServer::event(::lws* wsi, lws_callback_reasons reason, const void* in, st
     case LWS_CALLBACK_HTTP_WRITEABLE:
       return write_page(wsi, connection);
     case LWS_CALLBACK_ESTABLISHED:
-      if (!connection.is_admitted) return -1;
-      connection.client = ++last_client_;
-      connection.since = Clock::now();
-      clients_[connection.client] = wsi;
-      owner_.opened(connection.client, connection.handshake);
-      return 0;
+      return establish(wsi, connection);
     case LWS_CALLBACK_RECEIVE:
       return receive(wsi, connection, in, size);
     case LWS_CALLBACK_SERVER_WRITEABLE:
@@ -200,6 +218,28 @@ int LwsServer::admit(::lws* wsi) {
   if (connection.is_admitted) return 0;
   ++refused_;
   return -1;
+}
+
+int LwsServer::begin(::lws* wsi) {
+  const int inner = lws.get_socket_fd(wsi);
+  // One that has ended may have had the same number.
+  const auto found = std::find_if(relays_.rbegin(), relays_.rend(),
+                                  [&](const auto& relay) { return relay->inner() == inner; });
+  if (found == relays_.rend()) return -1;
+  Connection& connection = connections_[wsi];
+  connection.since = Clock::now();
+  connection.relay = *found;
+  return 0;
+}
+
+int LwsServer::establish(::lws* wsi, Connection& connection) {
+  if (!connection.is_admitted) return -1;
+  connection.relay->answered(ClientBytes::Answer::web_socket);
+  connection.client = ++last_client_;
+  connection.since = Clock::now();
+  clients_[connection.client] = wsi;
+  owner_.opened(connection.client, connection.handshake);
+  return 0;
 }
 
 int LwsServer::receive(::lws* wsi, Connection& from, const void* in, std::size_t size) {
@@ -267,6 +307,7 @@ int LwsServer::show(::lws* wsi, Connection& to, std::string_view path) {
   if (lws.finalize_write_http_header(wsi, begin, &at, end) != 0) return -1;
   to.unsent = page->text;
   to.is_shown = true;
+  to.relay->answered(ClientBytes::Answer::page);
   to.since = Clock::now();
   lws.callback_on_writable(wsi);
   return 0;
@@ -326,7 +367,9 @@ void LwsServer::disconnect(ClientId client) {
 
 bool LwsServer::is_empty() const {
   return std::all_of(connections_.begin(), connections_.end(),
-                     [](const auto& each) { return each.second.queue.empty(); });
+                     [](const auto& each) { return each.second.queue.empty(); }) &&
+         std::all_of(relays_.begin(), relays_.end(),
+                     [](const auto& relay) { return relay->is_empty(); });
 }
 
 /// Empty without one; nothing if there is more of it than is good.

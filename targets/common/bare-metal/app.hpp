@@ -12,6 +12,7 @@
 #include <string_view>
 #include <targets/common/bare-metal/clock.hpp>
 #include <targets/common/bare-metal/console.hpp>
+#include <targets/common/bare-metal/graph_note.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
 #include <targets/common/bare-metal/stack.hpp>
 #include <targets/common/bare-metal/telemetry.hpp>
@@ -292,6 +293,7 @@ inline void print_timing(const target::Timing& timing, target::Pace pace) {
 /// The main function: runs the episodes of the command line on this board and prints what came out.
 template <class Graph>
 int run(const char* board) {
+  static_assert(note_graph<Graph> != nullptr);
   static_assert(
       target::default_agent<Graph>() != target::Agent::csv,
       "this graph has `agent: {csv: FILE}`, but a board has no files: generate it for boards "

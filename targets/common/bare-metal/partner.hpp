@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <targets/common/bare-metal/console.hpp>
+#include <targets/common/bare-metal/graph_note.hpp>
 #include <targets/common/bare-metal/stack.hpp>
 #include <targets/common/partner.hpp>
 
@@ -29,6 +30,7 @@ constinit target::BoardLinkOf<Graph, SerialPort> link_of_run{};
 /// The main function; it does not return.
 template <class Graph>
 int serve() {
+  static_assert(note_graph<Graph> != nullptr);
   target::serve<Graph, SerialPort>(
       target::program_of_run<target::BoardProgramOf<Graph, SerialPort>>, link_of_run<Graph>,
       [] { return static_cast<std::uint32_t>(stack_used_bytes()); });

@@ -1,0 +1,20 @@
+// Whether an image is of the graph that it is started for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "generator/driver/build/built.hpp"
+
+namespace eagerx::gen {
+
+/// What targets/common/bare-metal/graph_note.hpp leaves in the file of an image: the hash of its
+/// graph. Nothing if it leaves none, as a program with a main function of the user's own.
+std::optional<std::uint64_t> graph_in_image(std::string_view file);
+
+/// Before boards are started, as programs for Linux look themselves: E0519.
+bool check_image_graphs(Run& run, const std::vector<BuiltProgram>& programs);
+
+}  // namespace eagerx::gen

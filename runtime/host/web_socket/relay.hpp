@@ -1,0 +1,44 @@
+// The bytes of one connection, between the client's socket and the library's. Both ways; of what
+// the client sends the library has what ClientBytes lets through.
+#pragma once
+
+#include <chrono>
+#include <runtime/host/web_socket/client_bytes.hpp>
+#include <string>
+
+namespace eagerx::web_socket {
+
+class Relay {
+ public:
+  /// Closes `client`, which does not block, when it is over.
+  explicit Relay(int client);
+  Relay(const Relay&) = delete;
+  Relay& operator=(const Relay&) = delete;
+  ~Relay();
+
+  /// The library's end; it closes it. -1: there is none.
+  int inner() const { return inner_; }
+  void answered(ClientBytes::Answer with) { from_client_.answered(with); }
+  bool is_no_request() const { return from_client_.is_no_request(); }
+  bool is_unmasked() const { return from_client_.is_unmasked(); }
+  /// Reads and writes what is possible now. Whether anything was.
+  bool carry();
+  /// Whether one of the two is gone, and what there was for the other is sent or takes too long.
+  bool is_over() const;
+  /// Whether the client has what the library wrote.
+  bool is_empty() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool carry_in();
+  bool carry_out();
+
+  int client_, inner_ = -1, outer_ = -1;  // outer: what the library writes is read there
+  ClientBytes from_client_;
+  std::string to_client_;
+  bool client_has_ended_ = false, library_has_ended_ = false, is_broken_ = false;
+  Clock::time_point ended_at_;  // by the library
+};
+
+}  // namespace eagerx::web_socket

@@ -1,0 +1,31 @@
+// What the file of an image says of its graph, for who starts it.
+#pragma once
+
+#include <cstdint>
+
+namespace eagerx::board {
+
+/// `eagerx graph ` and the graph's hash, the lowest byte first, in a section that is in the file
+/// and not on the board. Nobody calls it: that it is named is enough.
+template <class Graph>
+[[gnu::used]] void note_graph() {
+  constexpr unsigned kWordBits = 32;
+// How a number is written without the mark of a constant. RISC-V has none.
+#ifdef __riscv
+#define EAGERX_NUMBERS "%0, %1"
+#else
+#define EAGERX_NUMBERS "%c0, %c1"
+#endif
+  asm volatile(
+      ".pushsection .eagerx.graph,\"\",%%progbits\n"
+      ".ascii \"eagerx graph \"\n"
+      ".4byte " EAGERX_NUMBERS
+      "\n"
+      ".popsection"
+      :
+      : "i"(static_cast<std::uint32_t>(Graph::kGraphHash)),
+        "i"(static_cast<std::uint32_t>(Graph::kGraphHash >> kWordBits)));
+#undef EAGERX_NUMBERS
+}
+
+}  // namespace eagerx::board
