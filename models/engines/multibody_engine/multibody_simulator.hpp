@@ -7,6 +7,7 @@
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <limits>
+#include <models/engines/multibody_engine/ground.hpp>
 #include <models/engines/multibody_engine/kinematics.hpp>
 #include <models/engines/multibody_engine/state.hpp>
 #include <models/engines/multibody_engine/step.hpp>
@@ -44,13 +45,10 @@ struct MultibodyChecks {
       !requires { Model::template configure<int>; },
       "MultibodyEngine: masses and places of the model are constants, so it has no "
       "configure()");
-  static constexpr bool is_level() {
-    for (const auto& geometry : Model::kGeometries) {
-      if (geometry.kind == ShapeKind::plane && geometry.axis[2] != 1.0) return false;
-    }
-    return true;
-  }
-  static_assert(is_level(), "MultibodyEngine: a plane is level; tilt the gravity for a slope");
+  static_assert(!multibody::kHasHeights<Model> || multibody::count_planes<Model>() == 1,
+                "MultibodyEngine: heights of the ground need a plane that they are above");
+  static_assert(!multibody::kHasHeights<Model> || multibody::plane_normal<Model>()[2] == 1.0,
+                "MultibodyEngine: heights of the ground are above a level plane");
   static constexpr bool kHold = true;
 };
 
@@ -95,6 +93,7 @@ class MultibodySimulator {
     for (auto& drive : state_.drive)
       drive.strength = drive.stiffness_scale = drive.damping_scale = one();
     state_.gravity = multibody::constant<Real>(gravity);
+    state_.roughness = one();
     input = {};
     if constexpr (parameter_count() > 0) {
       const auto defaults = Model::default_parameters();
@@ -156,6 +155,10 @@ class MultibodySimulator {
   void set_center_of_mass(std::size_t /*body*/, const Vector3& shift) {
     state_.shift = vector(shift[0], shift[1], shift[2]);
     state_.shifted = CountOf<Real>(1U);
+  }
+  /// Factor of the heights of the ground.
+  void set_roughness(double factor) {
+    if (is_factor(factor)) state_.roughness = number(factor);
   }
   double mass(std::size_t body) const {
     return static_cast<double>(state_.mass_scale[body]) * Model::kBodies[body].mass;

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <eagerx/math.hpp>
 #include <models/engines/multibody_engine/contact.hpp>
+#include <models/engines/multibody_engine/ground.hpp>
 #include <models/engines/multibody_engine/impulses.hpp>
 #include <models/engines/multibody_engine/limb.hpp>
 #include <models/engines/multibody_engine/mimic.hpp>
 #include <models/engines/multibody_engine/state.hpp>
+#include <type_traits>
 
 namespace eagerx::models::multibody {
 
@@ -121,20 +123,45 @@ class Step : public Impulses<Model> {
         for (std::size_t p = first; p < end; ++p) {
           const std::size_t index = GroupOf<Model, g>::point(k, p);
           auto& point = record.points[p];
-          const auto offset = [index](const auto& axes) __attribute__((always_inline)) {
-            return Points::offset(index, axes);
-          };
-          point.motion = limb.template point_motion<j>(offset, height_, this->state_.gravity);
+          place_point<j>(limb, index, point);
           if constexpr (kSolved) {
-            limb.template set_rows<j>(point, this->settings_.dt, record);
+            limb.template set_rows<j>(point, axes_of(index), this->settings_.dt, record);
           } else {
             set_compliant(this->settings_, Points::friction(this->state_, index),
-                          this->state_.force[index].z, point);
-            limb.template add_compliant<j>(point, this->equation_, record);
+                          axes_of(index).from_world(this->state_.force[index]).z, point);
+            limb.template add_compliant<j>(point, axes_of(index), this->equation_, record);
           }
         }
       }
     });
+  }
+
+  template <std::size_t j, class Limb, class Record>
+  [[gnu::always_inline]] void place_point(const Limb& limb, std::size_t index, Record& point) {
+    if constexpr (kIsLevel<Model>) {
+      const auto offset = [index](const auto& axes) __attribute__((always_inline)) {
+        return Points::offset(index, axes);
+      };
+      point.motion = limb.template point_motion<j>(offset, height_, this->state_.gravity);
+    } else {
+      const Moving<Real>& link = limb.template link<j>();
+      const Touch<Real> touch = touch_of(index, link.axes, link.at);
+      point.motion = limb.template point_motion<j>(touch, this->state_.gravity);
+    }
+  }
+  /// Where a point touches ground that is not level; keeps its axes.
+  Touch<Real> touch_of(std::size_t index, const Mat<Real>& axes, const Vec<Real>& joint) {
+    const Vec<Real> base = this->state_.position - constant<Real>(plane_point<Model>());
+    const Touch<Real> touch = Ground<Model>::touch(this->state_, index, axes, base + joint);
+    contact_axes_[index] = {touch.frame};
+    return touch;
+  }
+  [[gnu::always_inline]] auto axes_of(std::size_t index) const {
+    if constexpr (kIsLevel<Model>) {
+      return static_cast<void>(index), WorldAxes<Real>{};
+    } else {
+      return contact_axes_[index];
+    }
   }
 
   [[gnu::noinline]] void finish_base() {
@@ -176,19 +203,33 @@ class Step : public Impulses<Model> {
     for (std::size_t p = 0; p < kBasePoints; ++p) {
       const std::size_t index = kLimbPoints + p;
       auto& point = base_points_[p];
-      const Vec<Real> d = Points::offset(index, base_.axes);
+      Vec<Real> d,
+          center;  // of a sphere or rim on ground that is not level, which `d` goes along with
+      Real depth;
+      if constexpr (kIsLevel<Model>) {
+        d = center = Points::offset(index, base_.axes);
+        depth = -(height_ + d.z);
+      } else {
+        const Touch<Real> touch = touch_of(index, base_.axes, all(Real(Lane(0))));
+        d = touch.at;
+        center = touch.center;
+        depth = touch.depth;
+      }
+      const auto axes = axes_of(index);
       point.motion = {.at = d,
-                      .velocity = base_.velocity + cross(base_.spin, d),
-                      .bias = cross(base_.spin, cross(base_.spin, d)),
-                      .depth = -(height_ + d.z)};
+                      .velocity = axes.from_world(base_.velocity + cross(base_.spin, d)),
+                      .bias = axes.from_world(cross(base_.spin, cross(base_.spin, center))),
+                      .depth = depth};
       if constexpr (kBaseSolved) {
         set_base_rows(d, point.row_base);
+        axes.turn_rows(point.row_base);
         point.free = point.motion.velocity + point.motion.bias * Real(this->settings_.dt);
       } else {
         set_compliant(this->settings_, Points::friction(this->state_, index),
-                      this->state_.force[index].z, point);
-        this->equation_.add_impedance(d, point.impedance);
-        this->equation_.add_force(d, point.force - scaled(point.impedance, point.motion.bias));
+                      axes.from_world(this->state_.force[index]).z, point);
+        axes.add_impedance(d, point.impedance, this->equation_);
+        this->equation_.add_force(
+            d, axes.to_world(point.force - scaled(point.impedance, point.motion.bias)));
       }
     }
   }
@@ -236,7 +277,7 @@ class Step : public Impulses<Model> {
                       if constexpr (Points::kBounces)
                         let_bounce(this->settings_, Points::bounce(index), point);
                       Vec<Real>& impulse = this->state_.force[index];
-                      impulse = impulse * dt;
+                      impulse = axes_of(index).from_world(impulse) * dt;
                       push<Real, n, kFloating>(point, impulse, links, this->base_pushed_);
                     });
     if constexpr (kMimicking) {
@@ -252,8 +293,10 @@ class Step : public Impulses<Model> {
       });
       if constexpr (kMimicking) this->solve_mimics();
     }
-    each_solved([&]<std::size_t n>(PointRecord<Real, n>&, std::size_t index, Real*) __attribute__((
-        always_inline)) { this->state_.force[index] = this->state_.force[index] * per_step; });
+    each_solved([&]<std::size_t n>(PointRecord<Real, n>&, std::size_t index,
+                                   Real*) __attribute__((always_inline)) {
+      this->state_.force[index] = axes_of(index).to_world(this->state_.force[index]) * per_step;
+    });
     if constexpr (kFloating) {
       unrolled<6>([&](auto j) __attribute__((always_inline)) {
         this->equation_.rhs[j] += this->base_pushed_[j] * per_step;
@@ -332,11 +375,12 @@ class Step : public Impulses<Model> {
         for (std::size_t p = first; p < end; ++p) {
           const auto& point = record.points[p];
           Vec<Real> a = point.motion.bias;
-          if constexpr (kFloating) a = a + of_base(point.motion.at);
+          const std::size_t index = GroupOf<Model, g>::point(k, p);
+          if constexpr (kFloating) a = a + axes_of(index).from_world(of_base(point.motion.at));
           LimbOf<g>::template each_carrier<j>([&](auto i) __attribute__((always_inline)) {
             a = a + point.jacobian[i] * along[i];
           });
-          keep_force(point, a, this->state_.force[GroupOf<Model, g>::point(k, p)]);
+          keep_force(point, axes_of(index), a, this->state_.force[index]);
         }
       }
     });
@@ -345,7 +389,8 @@ class Step : public Impulses<Model> {
 #pragma GCC unroll 1
     for (std::size_t p = 0; p < kBasePoints; ++p) {
       const auto& point = base_points_[p];
-      keep_force(point, point.motion.bias + of_base(point.motion.at),
+      const auto axes = axes_of(kLimbPoints + p);
+      keep_force(point, axes, point.motion.bias + axes.from_world(of_base(point.motion.at)),
                  this->state_.force[kLimbPoints + p]);
     }
   }
@@ -356,11 +401,12 @@ class Step : public Impulses<Model> {
                      this->base_acceleration[2]} +
            cross(turn, at);
   }
-  template <std::size_t n>
-  [[gnu::always_inline]] static void keep_force(const PointRecord<Real, n>& point,
+  template <std::size_t n, class Axes>
+  [[gnu::always_inline]] static void keep_force(const PointRecord<Real, n>& point, const Axes& axes,
                                                 const Vec<Real>& a, Vec<Real>& force) {
     force = point.force - scaled(point.impedance, a);
     force.z = eagerx::max(force.z, Real(Lane(0)));
+    force = axes.to_world(force);
   }
 
   [[gnu::always_inline]] void move() {
@@ -382,6 +428,8 @@ class Step : public Impulses<Model> {
   const Real height_;  // of the base's reference point above the plane
   Moving<Real> base_;
   PointRecord<Real, 0> base_points_[at_least_one(kBasePoints)];
+  static constexpr std::size_t kAxes = kIsLevel<Model> ? 1 : at_least_one(State::kPoints);
+  std::conditional_t<kIsLevel<Model>, WorldAxes<Real>, ContactAxes<Real>> contact_axes_[kAxes];
 };
 
 }  // namespace eagerx::models::multibody
