@@ -184,9 +184,17 @@ template <class Real, std::size_t n, bool kFloating>
   const Real part = eagerx::select(depth > zero, Real(settings.correction / settings.dt),
                                    Real(Lane(1) / settings.dt));
   point.target = eagerx::min(depth * part, Real(kContactSpeed<Lane>));
-  point.per_normal = one / product(2, 2);
+  // On a fixed base, no joint may move the point in a direction. Nothing pushes it there.
+  const auto inverse = [&](const Real& x) __attribute__((always_inline)) {
+    if constexpr (kFloating) {
+      return one / x;
+    } else {
+      return eagerx::select(x > Real(Lane(1e-12)), one / x, zero);
+    }
+  };
+  point.per_normal = inverse(product(2, 2));
   const Real xy = eagerx::abs(product(0, 1));
-  point.per_tangent = one / (eagerx::max(product(0, 0), product(1, 1)) + xy);
+  point.per_tangent = inverse(eagerx::max(product(0, 0), product(1, 1)) + xy);
   point.cross_x = product(0, 2);
   point.cross_y = product(1, 2);
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <models/engines/multibody_engine/ground.hpp>
 #include <models/engines/multibody_engine/kinematics.hpp>
+#include <models/engines/multibody_engine/pairs.hpp>
 #include <models/engines/multibody_engine/state.hpp>
 #include <models/engines/multibody_engine/step.hpp>
 #include <models/engines/open_dynamics_engine/rigid_joints.hpp>
@@ -40,7 +41,11 @@ struct MultibodyChecks {
     if constexpr (requires { Model::kTouchesItself; }) return Model::kTouchesItself;
     return false;
   }
-  static_assert(!touches_itself(), "MultibodyEngine: bodies of an object do not touch each other");
+  static_assert(!touches_itself() || multibody::count_pairs<Model>() > 0,
+                "MultibodyEngine: bodies of an object do not touch each other, but for those of "
+                "`kPairs`");
+  static_assert(multibody::has_round_pairs<Model>(),
+                "MultibodyEngine: `kPairs` names spheres and capsules of bodies");
   static_assert(
       !requires { Model::template configure<int>; },
       "MultibodyEngine: masses and places of the model are constants, so it has no "
@@ -251,6 +256,11 @@ class MultibodySimulator {
       if (is_plane) sum = sum - state_.force[p];
       if (multibody::kTree<Model>.points[p].geometry == geometry) sum = sum + state_.force[p];
     }
+    for (std::size_t p = 0; p < multibody::count_pairs<Model>(); ++p) {
+      const auto& pair = multibody::kPairsOf<Model>[p];
+      if (pair[0].geometry == geometry) sum = sum + state_.pair_force[p];
+      if (pair[1].geometry == geometry) sum = sum - state_.pair_force[p];
+    }
     return {{sum.x, sum.y, sum.z}};
   }
 
@@ -258,6 +268,7 @@ class MultibodySimulator {
   void begin_episode() {
     multibody::follow_leaders<Model>(state_);
     for (auto& force : state_.force) force = multibody::all(zero());
+    for (auto& force : state_.pair_force) force = multibody::all(zero());
     for (auto& drive : state_.drive) drive.applied = zero();
     before_ = state_;
   }

@@ -42,6 +42,7 @@ struct State : Motion<Model> {
 
   JointDrive<Real> drive[at_least_one(kLinks)];
   Vec<Real> force[at_least_one(kPoints)];  // of the plane on points in the last step [N]
+  Vec<Real> pair_force[at_least_one(count_pairs<Model>())];  // on the first of each pair [N]
   // Parameters of the environment.
   Vec<Real> gravity;
   Real mass_scale[kBodies];  // mass, in masses of the model

@@ -213,6 +213,9 @@ constexpr bool is_child(std::size_t body) {
 /// and, where it has some,
 ///   static constexpr Vector3 kOrigin;           // of the object's frame in the world
 ///   static constexpr bool kTouchesItself;       // its own bodies collide (default: not)
+///   static constexpr std::array<std::array<const char*, 2>, …> kPairs;  // spheres and capsules
+///   that
+///                                               // touch each other, on MultibodyEngine
 ///   static constexpr HeightField<…> kHeights;   // what the plane has on it, on MultibodyEngine
 ///   static constexpr std::size_t kInputs;       // numbers that ModelInput sets
 ///   static constexpr std::size_t kParameters;   // numbers that ModelParameters sets, with

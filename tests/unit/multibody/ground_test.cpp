@@ -10,7 +10,7 @@
 #include "tests/unit/multibody/multibody_io.hpp"
 #include "tests/unit/multibody/robots.hpp"
 
-namespace eagerx::models::testing {
+namespace eagerx::models::testing::ground {
 namespace {
 
 constexpr double kG = 9.81;
@@ -325,4 +325,4 @@ TEST(MultibodyGround, LanesHaveTheBitsOfPlainNumbers) {
 }
 
 }  // namespace
-}  // namespace eagerx::models::testing
+}  // namespace eagerx::models::testing::ground
