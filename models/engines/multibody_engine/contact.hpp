@@ -106,6 +106,53 @@ template <class Real>
   rows[2][3] = p.y, rows[2][4] = -p.x, rows[2][5] = zero;
 }
 
+/// The ground near a point.
+template <class Real>
+struct Touch {
+  Mat<Real> frame;   // axes of the contact: two along the ground, then its normal
+  Vec<Real> at;      // from the link's joint
+  Vec<Real> center;  // of the sphere or rim, which `at` goes along with
+  Real depth;        // negative above the ground
+};
+
+/// Contacts on a level plane have the axes of the world.
+template <class Real>
+struct WorldAxes {
+  [[gnu::always_inline]] const Vec<Real>& from_world(const Vec<Real>& v) const { return v; }
+  [[gnu::always_inline]] const Vec<Real>& to_world(const Vec<Real>& v) const { return v; }
+  [[gnu::always_inline]] void turn_rows(Real (&/*rows*/)[3][6]) const {}
+  [[gnu::always_inline]] void add_impedance(const Vec<Real>& at, const Vec<Real>& c,
+                                            BaseEquation<Real>& to) const {
+    to.add_impedance(at, c);
+  }
+};
+/// Others have their own.
+template <class Real>
+struct ContactAxes {
+  Mat<Real> frame;
+
+  [[gnu::always_inline]] Vec<Real> from_world(const Vec<Real>& v) const {
+    return in_axes_of(frame, v);
+  }
+  [[gnu::always_inline]] Vec<Real> to_world(const Vec<Real>& v) const { return frame * v; }
+  void turn_rows(Real (&rows)[3][6]) const {
+    for (std::size_t j = 0; j < 6; ++j) {
+      const Vec<Real> turned = from_world({rows[0][j], rows[1][j], rows[2][j]});
+      rows[0][j] = turned.x, rows[1][j] = turned.y, rows[2][j] = turned.z;
+    }
+  }
+  void add_impedance(const Vec<Real>& at, const Vec<Real>& c, BaseEquation<Real>& to) const {
+    Real rows[3][6];
+    set_base_rows(at, rows);
+    turn_rows(rows);
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (std::size_t k = 0; k <= i; ++k)
+        to.a[i][k] += c.x * rows[0][i] * rows[0][k] + c.y * rows[1][i] * rows[1][k] +
+                      c.z * rows[2][i] * rows[2][k];
+    }
+  }
+};
+
 /// How fast a penetration is undone at most [m/s]: a reset may have put a foot far below the plane.
 template <class Lane>
 inline constexpr Lane kContactSpeed = Lane(1);
@@ -137,9 +184,17 @@ template <class Real, std::size_t n, bool kFloating>
   const Real part = eagerx::select(depth > zero, Real(settings.correction / settings.dt),
                                    Real(Lane(1) / settings.dt));
   point.target = eagerx::min(depth * part, Real(kContactSpeed<Lane>));
-  point.per_normal = one / product(2, 2);
+  // On a fixed base, no joint may move the point in a direction. Nothing pushes it there.
+  const auto inverse = [&](const Real& x) __attribute__((always_inline)) {
+    if constexpr (kFloating) {
+      return one / x;
+    } else {
+      return eagerx::select(x > Real(Lane(1e-12)), one / x, zero);
+    }
+  };
+  point.per_normal = inverse(product(2, 2));
   const Real xy = eagerx::abs(product(0, 1));
-  point.per_tangent = one / (eagerx::max(product(0, 0), product(1, 1)) + xy);
+  point.per_tangent = inverse(eagerx::max(product(0, 0), product(1, 1)) + xy);
   point.cross_x = product(0, 2);
   point.cross_y = product(1, 2);
 }

@@ -82,9 +82,31 @@ class Limb {
     motion.at = link.at + d;
     motion.depth = -(height + motion.at.z);
     motion.velocity = link.velocity + cross(link.spin, d);
-    motion.bias = link.acceleration + gravity + cross(link.spin_acceleration, d) +
-                  cross(link.spin, cross(link.spin, d));
+    motion.bias = bias<j>(d, gravity);
     return motion;
+  }
+  /// The same of a point that touches as `touch` says; velocity and bias in the frame's axes. The
+  /// point stays at the ground while its sphere or rim turns, so the bias is that of the center.
+  template <std::size_t j>
+  [[gnu::always_inline]] PointMotion<Real> point_motion(const Touch<Real>& touch,
+                                                        const Vec<Real>& gravity) const {
+    const Moving<Real>& link = link_[j];
+    return {
+        .at = link.at + touch.at,
+        .velocity = in_axes_of(touch.frame, link.velocity + cross(link.spin, touch.at)),
+        .bias = in_axes_of(touch.frame, bias<j>(touch.center, gravity)),
+        .depth = touch.depth,
+    };
+  }
+  template <std::size_t j>
+  [[nodiscard]] const Moving<Real>& link() const {
+    return link_[j];
+  }
+  template <std::size_t j>
+  [[gnu::always_inline]] Vec<Real> bias(const Vec<Real>& d, const Vec<Real>& gravity) const {
+    const Moving<Real>& link = link_[j];
+    return link.acceleration + gravity + cross(link.spin_acceleration, d) +
+           cross(link.spin, cross(link.spin, d));
   }
   /// The velocity of a point of link j for each rad/s of link i, which carries it.
   template <std::size_t i>
@@ -93,14 +115,15 @@ class Limb {
     return cross(link_[i].axis, at - link_[i].at);
   }
 
-  /// A compliant point of link j, whose force and impedance are known.
-  template <std::size_t j>
-  [[gnu::always_inline]] void add_compliant(PointRecord<Real, n>& point, BaseEquation<Real>& base,
-                                            Record& record) {
+  /// A compliant point of link j, whose force and impedance are known. `axes` are those of the
+  /// contact.
+  template <std::size_t j, class Axes>
+  [[gnu::always_inline]] void add_compliant(PointRecord<Real, n>& point, const Axes& axes,
+                                            BaseEquation<Real>& base, Record& record) {
     const Vec<Real>& c = point.impedance;
     const Vec<Real> force = point.force - scaled(c, point.motion.bias);
     each_carrier<j>([&](auto i) __attribute__((always_inline)) {
-      point.jacobian[i] = jacobian<i>(point.motion.at);
+      point.jacobian[i] = axes.from_world(jacobian<i>(point.motion.at));
     });
     each_carrier<j>([&](auto i) __attribute__((always_inline)) {
       const Vec<Real> push = scaled(c, point.jacobian[i]);
@@ -108,15 +131,16 @@ class Limb {
         mass_[i][up] += dot(push, point.jacobian[up]);
       });
       if constexpr (kFloating) {
-        const Vec<Real> turn = cross(point.motion.at, push);
-        coupling_[i][0] += push.x, coupling_[i][1] += push.y, coupling_[i][2] += push.z;
+        const Vec<Real> pushed = axes.to_world(push);
+        const Vec<Real> turn = cross(point.motion.at, pushed);
+        coupling_[i][0] += pushed.x, coupling_[i][1] += pushed.y, coupling_[i][2] += pushed.z;
         coupling_[i][3] += turn.x, coupling_[i][4] += turn.y, coupling_[i][5] += turn.z;
       }
       record.rhs[i] += dot(force, point.jacobian[i]);
     });
     if constexpr (kFloating) {
-      base.add_impedance(point.motion.at, c);
-      base.add_force(point.motion.at, force);
+      axes.add_impedance(point.motion.at, c, base);
+      base.add_force(point.motion.at, axes.to_world(force));
     }
   }
 
@@ -155,18 +179,19 @@ class Limb {
   }
 
   /// The rows of a solved point of link j, but for what the base's factors do: L⁻ᵀJᵀ.
-  template <std::size_t j>
-  [[gnu::always_inline]] void set_rows(PointRecord<Real, n>& point, Lane dt,
+  template <std::size_t j, class Axes>
+  [[gnu::always_inline]] void set_rows(PointRecord<Real, n>& point, const Axes& axes, Lane dt,
                                        const Record& record) const {
     const Real zero(Lane(0)), step(dt);
     unrolled<3>([&](auto d) __attribute__((always_inline)) {
       unrolled<n>([&](auto i) __attribute__((always_inline)) { point.row[d][i] = zero; });
     });
     each_carrier<j>([&](auto i) __attribute__((always_inline)) {
-      const Vec<Real> along = jacobian<i>(point.motion.at);
+      const Vec<Real> along = axes.from_world(jacobian<i>(point.motion.at));
       point.row[0][i] = along.x, point.row[1][i] = along.y, point.row[2][i] = along.z;
     });
     set_base_rows(point.motion.at, point.row_base);
+    axes.turn_rows(point.row_base);
     point.free = point.motion.velocity + point.motion.bias * step;
     Real* const free[3] = {&point.free.x, &point.free.y, &point.free.z};
     unrolled<3>([&](auto d) __attribute__((always_inline)) {

@@ -7,7 +7,9 @@
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <limits>
+#include <models/engines/multibody_engine/ground.hpp>
 #include <models/engines/multibody_engine/kinematics.hpp>
+#include <models/engines/multibody_engine/pairs.hpp>
 #include <models/engines/multibody_engine/state.hpp>
 #include <models/engines/multibody_engine/step.hpp>
 #include <models/engines/open_dynamics_engine/rigid_joints.hpp>
@@ -39,18 +41,19 @@ struct MultibodyChecks {
     if constexpr (requires { Model::kTouchesItself; }) return Model::kTouchesItself;
     return false;
   }
-  static_assert(!touches_itself(), "MultibodyEngine: bodies of an object do not touch each other");
+  static_assert(!touches_itself() || multibody::count_pairs<Model>() > 0,
+                "MultibodyEngine: bodies of an object do not touch each other, but for those of "
+                "`kPairs`");
+  static_assert(multibody::has_round_pairs<Model>(),
+                "MultibodyEngine: `kPairs` names spheres and capsules of bodies");
   static_assert(
       !requires { Model::template configure<int>; },
       "MultibodyEngine: masses and places of the model are constants, so it has no "
       "configure()");
-  static constexpr bool is_level() {
-    for (const auto& geometry : Model::kGeometries) {
-      if (geometry.kind == ShapeKind::plane && geometry.axis[2] != 1.0) return false;
-    }
-    return true;
-  }
-  static_assert(is_level(), "MultibodyEngine: a plane is level; tilt the gravity for a slope");
+  static_assert(!multibody::kHasHeights<Model> || multibody::count_planes<Model>() == 1,
+                "MultibodyEngine: heights of the ground need a plane that they are above");
+  static_assert(!multibody::kHasHeights<Model> || multibody::plane_normal<Model>()[2] == 1.0,
+                "MultibodyEngine: heights of the ground are above a level plane");
   static constexpr bool kHold = true;
 };
 
@@ -95,6 +98,7 @@ class MultibodySimulator {
     for (auto& drive : state_.drive)
       drive.strength = drive.stiffness_scale = drive.damping_scale = one();
     state_.gravity = multibody::constant<Real>(gravity);
+    state_.roughness = one();
     input = {};
     if constexpr (parameter_count() > 0) {
       const auto defaults = Model::default_parameters();
@@ -156,6 +160,10 @@ class MultibodySimulator {
   void set_center_of_mass(std::size_t /*body*/, const Vector3& shift) {
     state_.shift = vector(shift[0], shift[1], shift[2]);
     state_.shifted = CountOf<Real>(1U);
+  }
+  /// Factor of the heights of the ground.
+  void set_roughness(double factor) {
+    if (is_factor(factor)) state_.roughness = number(factor);
   }
   double mass(std::size_t body) const {
     return static_cast<double>(state_.mass_scale[body]) * Model::kBodies[body].mass;
@@ -248,6 +256,11 @@ class MultibodySimulator {
       if (is_plane) sum = sum - state_.force[p];
       if (multibody::kTree<Model>.points[p].geometry == geometry) sum = sum + state_.force[p];
     }
+    for (std::size_t p = 0; p < multibody::count_pairs<Model>(); ++p) {
+      const auto& pair = multibody::kPairsOf<Model>[p];
+      if (pair[0].geometry == geometry) sum = sum + state_.pair_force[p];
+      if (pair[1].geometry == geometry) sum = sum - state_.pair_force[p];
+    }
     return {{sum.x, sum.y, sum.z}};
   }
 
@@ -255,6 +268,7 @@ class MultibodySimulator {
   void begin_episode() {
     multibody::follow_leaders<Model>(state_);
     for (auto& force : state_.force) force = multibody::all(zero());
+    for (auto& force : state_.pair_force) force = multibody::all(zero());
     for (auto& drive : state_.drive) drive.applied = zero();
     before_ = state_;
   }

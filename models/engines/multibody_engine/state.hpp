@@ -42,12 +42,14 @@ struct State : Motion<Model> {
 
   JointDrive<Real> drive[at_least_one(kLinks)];
   Vec<Real> force[at_least_one(kPoints)];  // of the plane on points in the last step [N]
+  Vec<Real> pair_force[at_least_one(count_pairs<Model>())];  // on the first of each pair [N]
   // Parameters of the environment.
   Vec<Real> gravity;
   Real mass_scale[kBodies];  // mass, in masses of the model
   Real friction[at_least_one(kGeometries)];
   Vec<Real> shift;        // of the centre of mass of the free body, in its axes [m]
   CountOf<Real> shifted;  // whether there is one
+  Real roughness;         // factor of the heights of the ground
   // Forces on the centres of bodies, in the world's axes [N], and whether there is one.
   Vec<Real> outer[kBodies];
   CountOf<Real> pushed;
@@ -153,6 +155,18 @@ struct PointTable {
     const Real scale = one / eagerx::sqrt(eagerx::max(square, flat));
     const Vec<Real> down{axis.x * axis.z * scale, axis.y * axis.z * scale, -(square * scale)};
     const Vec<Real> first = State<Model>::selected(lies, across, down);
+    return first * Real(entry.rim * entry.cosine) +
+           cross(axis, first) * Real(entry.rim * entry.sine);
+  }
+  /// The same on ground with the normal n.
+  [[gnu::always_inline]] static Vec<Real> on_rim(const Entry& entry, const Mat<Real>& axes,
+                                                 const Vec<Real>& n) {
+    const Real one(Lane(1)), flat(Lane(1e-4));
+    const Vec<Real> axis = axes * vector(entry.axis), across = axes * vector(entry.across);
+    const Real up = dot(axis, n), square = one - up * up;
+    const Real scale = one / eagerx::sqrt(eagerx::max(square, flat));
+    const Vec<Real> down = (axis * up - n) * scale;
+    const Vec<Real> first = State<Model>::selected(square < flat, across, down);
     return first * Real(entry.rim * entry.cosine) +
            cross(axis, first) * Real(entry.rim * entry.sine);
   }

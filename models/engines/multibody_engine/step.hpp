@@ -4,17 +4,21 @@
 #include <cstddef>
 #include <eagerx/math.hpp>
 #include <models/engines/multibody_engine/contact.hpp>
+#include <models/engines/multibody_engine/ground.hpp>
 #include <models/engines/multibody_engine/impulses.hpp>
 #include <models/engines/multibody_engine/limb.hpp>
 #include <models/engines/multibody_engine/mimic.hpp>
+#include <models/engines/multibody_engine/pair_contacts.hpp>
 #include <models/engines/multibody_engine/state.hpp>
+#include <type_traits>
 
 namespace eagerx::models::multibody {
 
 template <class Model>
-class Step : public Impulses<Model> {
-  using Base = Impulses<Model>;
-  using Base::each_group, Base::kGroups, Base::kMimicking;
+class Step : public PairContacts<Model> {
+  using Base = PairContacts<Model>;
+  using Base::base_, Base::pairs_;
+  using Base::each_group, Base::kGroups, Base::kMimicking, Base::kPairCount;
   template <std::size_t g>
   using LimbOf = typename Base::template LimbOf<g>;
 
@@ -42,7 +46,7 @@ class Step : public Impulses<Model> {
     start_base();
     each_group([&](auto g) __attribute__((always_inline)) { make_equations<g>(); });
     if constexpr (kFloating) finish_base();
-    if constexpr (kHasSolved || kMimicking) solve_impulses(sweeps);
+    if constexpr (kHasSolved || kMimicking || kPairCount > 0) solve_impulses(sweeps);
     if constexpr (kFloating) accelerate_base();
     each_group([&](auto g) __attribute__((always_inline)) { accelerate_limbs<g>(); });
     if constexpr (kBasePoints > 0 && !kBaseSolved) keep_base_forces();
@@ -108,6 +112,11 @@ class Step : public Impulses<Model> {
       add_points<g, false>(k, limb, record);
       limb.eliminate(this->equation_, record);
       add_points<g, true>(k, limb, record);
+      if constexpr (kPairCount > 0) {
+        unrolled<LimbOf<g>::n>([&](auto j) __attribute__((always_inline)) {
+          pairs_.link[GroupOf<Model, g>::index(k, j)] = limb.template link<j>();
+        });
+      }
     }
   }
 
@@ -121,20 +130,45 @@ class Step : public Impulses<Model> {
         for (std::size_t p = first; p < end; ++p) {
           const std::size_t index = GroupOf<Model, g>::point(k, p);
           auto& point = record.points[p];
-          const auto offset = [index](const auto& axes) __attribute__((always_inline)) {
-            return Points::offset(index, axes);
-          };
-          point.motion = limb.template point_motion<j>(offset, height_, this->state_.gravity);
+          place_point<j>(limb, index, point);
           if constexpr (kSolved) {
-            limb.template set_rows<j>(point, this->settings_.dt, record);
+            limb.template set_rows<j>(point, axes_of(index), this->settings_.dt, record);
           } else {
             set_compliant(this->settings_, Points::friction(this->state_, index),
-                          this->state_.force[index].z, point);
-            limb.template add_compliant<j>(point, this->equation_, record);
+                          axes_of(index).from_world(this->state_.force[index]).z, point);
+            limb.template add_compliant<j>(point, axes_of(index), this->equation_, record);
           }
         }
       }
     });
+  }
+
+  template <std::size_t j, class Limb, class Record>
+  [[gnu::always_inline]] void place_point(const Limb& limb, std::size_t index, Record& point) {
+    if constexpr (kIsLevel<Model>) {
+      const auto offset = [index](const auto& axes) __attribute__((always_inline)) {
+        return Points::offset(index, axes);
+      };
+      point.motion = limb.template point_motion<j>(offset, height_, this->state_.gravity);
+    } else {
+      const Moving<Real>& link = limb.template link<j>();
+      const Touch<Real> touch = touch_of(index, link.axes, link.at);
+      point.motion = limb.template point_motion<j>(touch, this->state_.gravity);
+    }
+  }
+  /// Where a point touches ground that is not level; keeps its axes.
+  Touch<Real> touch_of(std::size_t index, const Mat<Real>& axes, const Vec<Real>& joint) {
+    const Vec<Real> base = this->state_.position - constant<Real>(plane_point<Model>());
+    const Touch<Real> touch = Ground<Model>::touch(this->state_, index, axes, base + joint);
+    contact_axes_[index] = {touch.frame};
+    return touch;
+  }
+  [[gnu::always_inline]] auto axes_of(std::size_t index) const {
+    if constexpr (kIsLevel<Model>) {
+      return static_cast<void>(index), WorldAxes<Real>{};
+    } else {
+      return contact_axes_[index];
+    }
   }
 
   [[gnu::noinline]] void finish_base() {
@@ -176,19 +210,33 @@ class Step : public Impulses<Model> {
     for (std::size_t p = 0; p < kBasePoints; ++p) {
       const std::size_t index = kLimbPoints + p;
       auto& point = base_points_[p];
-      const Vec<Real> d = Points::offset(index, base_.axes);
+      Vec<Real> d,
+          center;  // of a sphere or rim on ground that is not level, which `d` goes along with
+      Real depth;
+      if constexpr (kIsLevel<Model>) {
+        d = center = Points::offset(index, base_.axes);
+        depth = -(height_ + d.z);
+      } else {
+        const Touch<Real> touch = touch_of(index, base_.axes, all(Real(Lane(0))));
+        d = touch.at;
+        center = touch.center;
+        depth = touch.depth;
+      }
+      const auto axes = axes_of(index);
       point.motion = {.at = d,
-                      .velocity = base_.velocity + cross(base_.spin, d),
-                      .bias = cross(base_.spin, cross(base_.spin, d)),
-                      .depth = -(height_ + d.z)};
+                      .velocity = axes.from_world(base_.velocity + cross(base_.spin, d)),
+                      .bias = axes.from_world(cross(base_.spin, cross(base_.spin, center))),
+                      .depth = depth};
       if constexpr (kBaseSolved) {
         set_base_rows(d, point.row_base);
+        axes.turn_rows(point.row_base);
         point.free = point.motion.velocity + point.motion.bias * Real(this->settings_.dt);
       } else {
         set_compliant(this->settings_, Points::friction(this->state_, index),
-                      this->state_.force[index].z, point);
-        this->equation_.add_impedance(d, point.impedance);
-        this->equation_.add_force(d, point.force - scaled(point.impedance, point.motion.bias));
+                      axes.from_world(this->state_.force[index]).z, point);
+        axes.add_impedance(d, point.impedance, this->equation_);
+        this->equation_.add_force(
+            d, axes.to_world(point.force - scaled(point.impedance, point.motion.bias)));
       }
     }
   }
@@ -231,29 +279,34 @@ class Step : public Impulses<Model> {
     });
     each_solved([&]<std::size_t n>(PointRecord<Real, n> & point, std::size_t index, Real * links)
                     __attribute__((always_inline)) {
-                      if constexpr (kFloating) finish_base_rows(point);
+                      if constexpr (kFloating) this->finish_base_rows(point);
                       finish_rows<Real, n, kFloating>(this->settings_, point);
                       if constexpr (Points::kBounces)
                         let_bounce(this->settings_, Points::bounce(index), point);
                       Vec<Real>& impulse = this->state_.force[index];
-                      impulse = impulse * dt;
+                      impulse = axes_of(index).from_world(impulse) * dt;
                       push<Real, n, kFloating>(point, impulse, links, this->base_pushed_);
                     });
+    if constexpr (kPairCount > 0) this->make_pair_rows();
     if constexpr (kMimicking) {
       this->make_mimic_rows();
       this->solve_mimics();
     }
 #pragma GCC unroll 1
-    for (int i = 0; kHasSolved && i < sweeps; ++i) {
+    for (int i = 0; (kHasSolved || kPairCount > 0) && i < sweeps; ++i) {
       each_solved([&]<std::size_t n>(PointRecord<Real, n> & point, std::size_t index,
                                      Real * links) __attribute__((always_inline)) {
         sweep<Real, n, kFloating>(point, Points::friction(this->state_, index),
                                   this->state_.force[index], links, this->base_pushed_);
       });
+      if constexpr (kPairCount > 0) this->sweep_pairs();
       if constexpr (kMimicking) this->solve_mimics();
     }
-    each_solved([&]<std::size_t n>(PointRecord<Real, n>&, std::size_t index, Real*) __attribute__((
-        always_inline)) { this->state_.force[index] = this->state_.force[index] * per_step; });
+    if constexpr (kPairCount > 0) this->keep_pair_forces(per_step);
+    each_solved([&]<std::size_t n>(PointRecord<Real, n>&, std::size_t index,
+                                   Real*) __attribute__((always_inline)) {
+      this->state_.force[index] = axes_of(index).to_world(this->state_.force[index]) * per_step;
+    });
     if constexpr (kFloating) {
       unrolled<6>([&](auto j) __attribute__((always_inline)) {
         this->equation_.rhs[j] += this->base_pushed_[j] * per_step;
@@ -267,24 +320,6 @@ class Step : public Impulses<Model> {
       }
     });
   }
-  /// The base's part of L⁻ᵀJᵀ.
-  template <std::size_t n>
-  [[gnu::always_inline]] void finish_base_rows(PointRecord<Real, n>& point) {
-    Real* const free[3] = {&point.free.x, &point.free.y, &point.free.z};
-    const Real dt(this->settings_.dt);
-    unrolled<3>([&](auto d) __attribute__((always_inline)) {
-      Real(&row)[6] = point.row_base[d];
-      unrolled<6>([&](auto back) __attribute__((always_inline)) {
-        constexpr std::size_t j = 5 - back;
-        unrolled<j>([&](auto i) __attribute__((always_inline)) {
-          row[i] -= this->equation_.a[j][i] * row[j];
-        });
-        point.weighted_base[d][j] = row[j] * this->base_inverse_[j];
-        *free[d] += dt * (point.weighted_base[d][j] * this->equation_.rhs[j]);
-      });
-    });
-  }
-
   // ---- accelerations
   [[gnu::always_inline]] void accelerate_base() {
     unrolled<6>([&](auto j) __attribute__((always_inline)) {
@@ -332,11 +367,12 @@ class Step : public Impulses<Model> {
         for (std::size_t p = first; p < end; ++p) {
           const auto& point = record.points[p];
           Vec<Real> a = point.motion.bias;
-          if constexpr (kFloating) a = a + of_base(point.motion.at);
+          const std::size_t index = GroupOf<Model, g>::point(k, p);
+          if constexpr (kFloating) a = a + axes_of(index).from_world(of_base(point.motion.at));
           LimbOf<g>::template each_carrier<j>([&](auto i) __attribute__((always_inline)) {
             a = a + point.jacobian[i] * along[i];
           });
-          keep_force(point, a, this->state_.force[GroupOf<Model, g>::point(k, p)]);
+          keep_force(point, axes_of(index), a, this->state_.force[index]);
         }
       }
     });
@@ -345,7 +381,8 @@ class Step : public Impulses<Model> {
 #pragma GCC unroll 1
     for (std::size_t p = 0; p < kBasePoints; ++p) {
       const auto& point = base_points_[p];
-      keep_force(point, point.motion.bias + of_base(point.motion.at),
+      const auto axes = axes_of(kLimbPoints + p);
+      keep_force(point, axes, point.motion.bias + axes.from_world(of_base(point.motion.at)),
                  this->state_.force[kLimbPoints + p]);
     }
   }
@@ -356,11 +393,12 @@ class Step : public Impulses<Model> {
                      this->base_acceleration[2]} +
            cross(turn, at);
   }
-  template <std::size_t n>
-  [[gnu::always_inline]] static void keep_force(const PointRecord<Real, n>& point,
+  template <std::size_t n, class Axes>
+  [[gnu::always_inline]] static void keep_force(const PointRecord<Real, n>& point, const Axes& axes,
                                                 const Vec<Real>& a, Vec<Real>& force) {
     force = point.force - scaled(point.impedance, a);
     force.z = eagerx::max(force.z, Real(Lane(0)));
+    force = axes.to_world(force);
   }
 
   [[gnu::always_inline]] void move() {
@@ -380,8 +418,9 @@ class Step : public Impulses<Model> {
   }
 
   const Real height_;  // of the base's reference point above the plane
-  Moving<Real> base_;
   PointRecord<Real, 0> base_points_[at_least_one(kBasePoints)];
+  static constexpr std::size_t kAxes = kIsLevel<Model> ? 1 : at_least_one(State::kPoints);
+  std::conditional_t<kIsLevel<Model>, WorldAxes<Real>, ContactAxes<Real>> contact_axes_[kAxes];
 };
 
 }  // namespace eagerx::models::multibody

@@ -143,6 +143,13 @@ constexpr std::size_t count_points() {
   return count_planes<Model>() == 0 ? 0 : count;
 }
 
+/// Pairs of geometries of an object that touch each other.
+template <class Model>
+constexpr std::size_t count_pairs() {
+  if constexpr (requires { Model::kPairs; }) return Model::kPairs.size();
+  return 0;
+}
+
 /// Point `i` of a geometry, from the geometry's centre and in its axes. A cylinder has three on
 /// each rim: the lowest, which goes around when it rolls, and two on which it stands.
 constexpr Point point_of(const RigidGeometry& geometry, std::size_t i) {

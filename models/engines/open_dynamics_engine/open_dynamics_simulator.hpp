@@ -34,6 +34,9 @@ class OpenDynamicsSimulator {
                 "OpenDynamicsEngine: joints must make a tree, with parents before their children");
   static_assert(!scene::has_mimics<Model>(),
                 "OpenDynamicsEngine: no joint mimics another one; MultibodyEngine can do it");
+  static_assert(
+      !requires { Model::kHeights; },
+      "OpenDynamicsEngine: a plane has no heights on it; MultibodyEngine can do it");
 
   static constexpr std::size_t inputs() {
     if constexpr (requires { Model::kInputs; }) return Model::kInputs;

@@ -77,6 +77,18 @@ struct RigidGeometry {
   Quaternion rotation{{1.0, 0.0, 0.0, 0.0}};  // from the axes of body or frame; not of planes
 };
 
+/// Heights of the ground above a level plane [m], on MultibodyEngine: bilinear between the points
+/// of a grid, height[i][k] at corner + (i·spacing, k·spacing) of the object's frame; around the
+/// grid as at its edge.
+template <std::size_t X, std::size_t Y>
+struct HeightField {
+  static_assert(X >= 2 && Y >= 2, "a height field has at least two points along x and y");
+  static constexpr std::size_t kX = X, kY = Y;
+  double corner[2] = {0.0, 0.0};  // x, y [m]
+  double spacing = 0.1;           // [m]
+  std::array<std::array<float, Y>, X> height{};
+};
+
 namespace scene {
 
 constexpr bool equal(const char* a, const char* b, std::size_t length_of_b) {
@@ -201,6 +213,10 @@ constexpr bool is_child(std::size_t body) {
 /// and, where it has some,
 ///   static constexpr Vector3 kOrigin;           // of the object's frame in the world
 ///   static constexpr bool kTouchesItself;       // its own bodies collide (default: not)
+///   static constexpr std::array<std::array<const char*, 2>, …> kPairs;  // spheres and capsules
+///   that
+///                                               // touch each other, on MultibodyEngine
+///   static constexpr HeightField<…> kHeights;   // what the plane has on it, on MultibodyEngine
 ///   static constexpr std::size_t kInputs;       // numbers that ModelInput sets
 ///   static constexpr std::size_t kParameters;   // numbers that ModelParameters sets, with
 ///   static constexpr Array<double, kParameters> default_parameters();

@@ -21,6 +21,7 @@
 #include <models/nodes/backlash/backlash.hpp>
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
 #include <models/nodes/complementary_filter/complementary_filter.hpp>
+#include <models/nodes/computed_torque/computed_torque.hpp>
 #include <models/nodes/constant/constant.hpp>
 #include <models/nodes/counter/counter.hpp>
 #include <models/nodes/dead_zone/dead_zone.hpp>
@@ -31,8 +32,13 @@
 #include <models/nodes/extended_kalman_filter/extended_kalman_filter.hpp>
 #include <models/nodes/fallback_controller/fallback_controller.hpp>
 #include <models/nodes/first_order_lag/first_order_lag.hpp>
+#include <models/nodes/forward_kinematics/forward_kinematics.hpp>
 #include <models/nodes/gain/gain.hpp>
+#include <models/nodes/gravity_compensation/gravity_compensation.hpp>
 #include <models/nodes/integrator/integrator.hpp>
+#include <models/nodes/inverse_dynamics/inverse_dynamics.hpp>
+#include <models/nodes/inverse_kinematics/inverse_kinematics.hpp>
+#include <models/nodes/jacobian/jacobian.hpp>
 #include <models/nodes/kalman_filter/kalman_filter.hpp>
 #include <models/nodes/lookup_table/lookup_table.hpp>
 #include <models/nodes/lookup_table_2d/lookup_table_2d.hpp>
@@ -42,6 +48,7 @@
 #include <models/nodes/mux/mux.hpp>
 #include <models/nodes/nan_guard/nan_guard.hpp>
 #include <models/nodes/observer/observer.hpp>
+#include <models/nodes/operational_space/operational_space.hpp>
 #include <models/nodes/pid_controller/pid_controller.hpp>
 #include <models/nodes/product/product.hpp>
 #include <models/nodes/quantizer/quantizer.hpp>
@@ -84,6 +91,7 @@
 #include "tests/unit/models/entity_io.hpp"
 #include "tests/unit/models/gym_io.hpp"
 #include "tests/unit/models/safety_io.hpp"
+#include "tests/unit/multibody/robot_block_io.hpp"
 
 namespace eagerx::models {
 
@@ -268,6 +276,27 @@ template struct Clip<ConversionIo<double, Array<float, 2>, Array<float, 2>>>;
 template struct Reshape<ConversionIo<float, Array<float, 4>, Array<float, 2, 2>>>;
 template struct ToScalar<ConversionIo<float, Array<float, 1>, float>>;
 template struct ToVector<ConversionIo<float, float, Array<float, 1>>>;
+
+// Blocks that know a robot.
+namespace robots = testing::robots;
+template <class Real>
+using ArmConfig = robots::MixedConfig<robots::MixedArm<Real>>;
+template <class Real>
+using HandConfig = robots::HandConfig<robots::MixedArm<Real>>;
+template class InverseDynamics<robots::DynamicsIo<float, ArmConfig<float>, 4>>;
+template class InverseDynamics<robots::DynamicsIo<double, ArmConfig<double>, 4>>;
+template class GravityCompensation<robots::GravityIo<float, ArmConfig<float>, 4>>;
+template class GravityCompensation<robots::GravityIo<double, ArmConfig<double>, 4>>;
+template class ComputedTorque<robots::ComputedIo<float, ArmConfig<float>, 4>>;
+template class ComputedTorque<robots::ComputedIo<double, ArmConfig<double>, 4>>;
+template class ForwardKinematics<robots::ForwardIo<float, ArmConfig<float>, 4>>;
+template class ForwardKinematics<robots::ForwardIo<double, ArmConfig<double>, 4>>;
+template class Jacobian<robots::JacobianIo<float, ArmConfig<float>, 4>>;
+template class Jacobian<robots::JacobianIo<double, ArmConfig<double>, 4>>;
+template class InverseKinematics<robots::InverseIo<float, ArmConfig<float>, 4, 7>>;
+template class InverseKinematics<robots::InverseIo<double, ArmConfig<double>, 4, 7>>;
+template class OperationalSpace<robots::OperationalIo<float, HandConfig<float>, 4, 7>>;
+template class OperationalSpace<robots::OperationalIo<double, HandConfig<double>, 4, 7>>;
 
 // A callback that takes the tick of any pack is no part of what the lines above make.
 template <class Node>

@@ -29,6 +29,12 @@ struct Around {
     return static_cast<float>(Offset) + 5.0F * triangle + 0.1F * even(n, channel);
   }
 };
+/// Of joints that are bent, and points within their reach.
+struct Bent {
+  static float at(Seq n, std::uint32_t channel) {
+    return 0.45F + 0.04F * Around<0>::at(n, channel);
+  }
+};
 /// What SwingIo measures of a pendulum that hangs and shakes: angles pi and its half. Where it
 /// could go over the top, two filters could take different sides.
 struct Hanging {

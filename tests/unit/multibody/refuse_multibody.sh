@@ -31,8 +31,12 @@ refuse 'joints are hinges, sliders and fixed ones' \
 refuse 'an object with a free body has no joint on the world' "$two $joint {{{.child = \"other\"}}};"
 refuse 'names a body that it does not have' "$joint {{{.child = \"bix\"}}};"
 refuse 'bodies of an object do not touch each other' 'static constexpr bool kTouchesItself = true;'
-refuse 'a plane is level' \
-  'static constexpr std::array<RigidGeometry, 1> kGeometries = {{{.kind = ShapeKind::plane, .axis = {{0.0, 0.6, 0.8}}}}};'
+refuse '`kPairs` names spheres and capsules of bodies' \
+  'static constexpr std::array<std::array<const char*, 2>, 1> kPairs = {{{"box", "box"}}};'
+refuse 'heights of the ground are above a level plane' \
+  'static constexpr HeightField<2, 2> kHeights{}; static constexpr std::array<RigidGeometry, 1> kGeometries = {{{.kind = ShapeKind::plane, .axis = {{0.0, 0.6, 0.8}}}}};'
+refuse 'heights of the ground need a plane' \
+  'static constexpr HeightField<2, 2> kHeights{}; static constexpr std::array<RigidGeometry, 0> kGeometries = {};'
 refuse 'an object touches one plane' \
   'static constexpr std::array<RigidGeometry, 2> kGeometries = {{{.kind = ShapeKind::plane}, {.kind = ShapeKind::plane}}};'
 refuse 'so it has no configure()' 'template <class S> static void configure(S& simulator) { simulator.nothing(); }'
