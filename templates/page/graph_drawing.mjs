@@ -125,11 +125,12 @@ export function fitGraph() {
   const box = graphSvg.getBoundingClientRect();
   const {width, height} = graphView.shown;
   if (!box.width || !box.height) return;
-  const zoom = Math.min(1.5, (box.width - 40) / width, (box.height - 90) / height);
+  const side = 16, above = 50, below = 16;  // above are the buttons
+  const zoom = Math.min(2, (box.width - 2 * side) / width, (box.height - above - below) / height);
   graphView.zoom = zoom;
   graphView.moved = false;
   graphView.x = (box.width - width * zoom) / 2;
-  graphView.y = 50 + (box.height - 50 - height * zoom) / 2;
+  graphView.y = above + (box.height - above - below - height * zoom) / 2;
   place();
 }
 
