@@ -134,6 +134,21 @@ export function fitGraph() {
   place();
 }
 
+/** The Fit button: all of it; again, the whole width, from the top, where only the height made it small. */
+export function fitGraphOrWidth() {
+  const box = graphSvg.getBoundingClientRect(), {width, height} = graphView.shown;
+  const {x, y, zoom, moved} = graphView;
+  fitGraph();
+  const same = !moved && zoom === graphView.zoom && x === graphView.x && y === graphView.y;
+  const wide = Math.min(2, (box.width - 32) / width);
+  if (!same || wide <= zoom || !(height > 0)) return;
+  graphView.zoom = wide;
+  graphView.x = (box.width - width * wide) / 2;
+  graphView.y = 50;
+  graphView.moved = true;
+  place();
+}
+
 /** All of it, or of a large graph the beginning. */
 export function beginGraph() {
   fitGraph();
