@@ -140,7 +140,7 @@ export function fitGraphOrWidth() {
   const {x, y, zoom, moved} = graphView;
   fitGraph();
   const same = !moved && zoom === graphView.zoom && x === graphView.x && y === graphView.y;
-  const wide = Math.min(2, (box.width - 32) / width);
+  const wide = Math.min(1.5, (box.width - 32) / width);
   if (!same || wide <= zoom || !(height > 0)) return;
   graphView.zoom = wide;
   graphView.x = (box.width - width * wide) / 2;

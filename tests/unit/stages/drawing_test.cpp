@@ -37,7 +37,7 @@ TEST(Drawing, AGraphWithoutActionsHasNoBoxForThem) {
         "name: g\nrate: 30\nengine: {type: OdeEngine, rate: 30}\nobjects:\n"
         "  pendulum: {type: Pendulum, sensors: [theta]}\nnodes:\n"
         "  drive: {type: Reference, rate: 30, config: {shape: step, amplitude: 0.4}}\n"
-        "observations: [angle]\nconnections:\n"
+        "actions: {}\nobservations: [angle]\nconnections:\n"
         "  - {from: drive.y, to: pendulum.u}\n  - {from: pendulum.theta, to: observations.angle}\n",
         view);
     EXPECT_EQ(std::ranges::find(what.boxes, "actions", &Box::name), what.boxes.end());
