@@ -7,7 +7,7 @@ const chartRoom = {
   left: 64,
   right: 14,
   top: 8,
-  bottom: 22
+  bottom: 36  // numbers, and what they are
 };
 
 /** {right, low, high} of all that a chart shows: from 0 on to the right. */
@@ -60,13 +60,16 @@ function paintAxes(context, chart, range, {x, y}, width, height) {
   }
   context.stroke();
   context.textAlign = "center";
-  const below = height - 9;
+  const below = height - 23;
   if (chart.labels) return chart.labels.forEach((label, i) => context.fillText(label, x(i), below));
   const stride = stepOf(range.right, (width - 80) / 110);
   for (let i = 0; i * stride <= range.right * (1 + 1e-9); ++i) {
     const text = largeNumber(i * stride), half = context.measureText?.(text)?.width / 2 || 0;
     context.fillText(text, Math.min(x(i * stride), width - half - 2), below);
   }
+  if (!chart.over) return;
+  context.textAlign = "right";
+  context.fillText(chart.over, width - chartRoom.right, height - 7);
 }
 
 function paintLine(context, line, {x, y}, fill) {
@@ -93,7 +96,10 @@ function paintLine(context, line, {x, y}, fill) {
   context.stroke();
 }
 
-/** `chart`: {lines: [{x, y, low?, high?, dots?}], unit, labels?}, `cursor`: where the pointer is, in its numbers. */
+/**
+ * `chart`: {lines: [{x, y, low?, high?, dots?}], unit, over?, labels?}: `over` names the axis to the right.
+ * `cursor`: where the pointer is, in its numbers.
+ */
 export function paintChart(context, chart, width, height, cursor = null) {
   const range = chartRange(chart), places = chartPlaces(chart, range, width, height);
   paintAxes(context, chart, range, places, width, height);
@@ -138,7 +144,7 @@ export function chartBox(chart, over, height = 190) {
   const draw = onFrame(() => {
     const width = Math.floor(canvas.parentElement.getBoundingClientRect().width);
     const context = prepare(canvas, width, height);
-    if (context) paintChart(context, chart, width, height, cursor);
+    if (context) paintChart(context, {...chart, over}, width, height, cursor);
     marks.forEach(({line, mark}, i) => (mark.style.background = shade(line.shade ?? i)));
   });
   const moved = (event) => {

@@ -5,6 +5,7 @@ import {
   beginGraph,
   drawingOf,
   fitGraph,
+  fitGraphOrWidth,
   frame,
   graphSvg,
   graphView,
@@ -174,7 +175,7 @@ export function makeGraphView(panel) {
          el("div.segment", {role: "group", "aria-label": "Zoom"},
             button("−", () => zoomGraph(0.8), {title: "Zoom out ( - )"}),
             button("+", () => zoomGraph(1.25), {title: "Zoom in ( + )"}),
-            button("Fit", fitGraph, {title: "Show all ( 0 )"})),
+            button("Fit", fitGraphOrWidth, {title: "Show all; again: the whole width ( 0 )"})),
          data.composites.length ?
              el("div.segment", {},
                 button("Open / close", toggleAll, {title: "Show what composites are made of ( o )"})) :

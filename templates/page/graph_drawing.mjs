@@ -125,11 +125,27 @@ export function fitGraph() {
   const box = graphSvg.getBoundingClientRect();
   const {width, height} = graphView.shown;
   if (!box.width || !box.height) return;
-  const zoom = Math.min(1.5, (box.width - 40) / width, (box.height - 90) / height);
+  const side = 16, above = 50, below = 16;  // above are the buttons
+  const zoom = Math.min(2, (box.width - 2 * side) / width, (box.height - above - below) / height);
   graphView.zoom = zoom;
   graphView.moved = false;
   graphView.x = (box.width - width * zoom) / 2;
-  graphView.y = 50 + (box.height - 50 - height * zoom) / 2;
+  graphView.y = above + (box.height - above - below - height * zoom) / 2;
+  place();
+}
+
+/** The Fit button: all of it; again, the whole width, from the top, where only the height made it small. */
+export function fitGraphOrWidth() {
+  const box = graphSvg.getBoundingClientRect(), {width, height} = graphView.shown;
+  const {x, y, zoom, moved} = graphView;
+  fitGraph();
+  const same = !moved && zoom === graphView.zoom && x === graphView.x && y === graphView.y;
+  const wide = Math.min(1.5, (box.width - 32) / width);
+  if (!same || wide <= zoom || !(height > 0)) return;
+  graphView.zoom = wide;
+  graphView.x = (box.width - width * wide) / 2;
+  graphView.y = 50;
+  graphView.moved = true;
   place();
 }
 

@@ -57,6 +57,18 @@ export function drawAxes(context, width, height, [low, high], last, frame = plot
   return {x, y, bottom};
 }
 
+/** Upright, left of the numbers. */
+function drawUnit(context, unit, y) {
+  if (!unit) return;
+  context.save();
+  context.textAlign = "center";
+  context.fillStyle = colour("faint");
+  context.translate(8, y);
+  context.rotate(-Math.PI / 2);
+  context.fillText(`[${unit}]`, 0, 0);
+  context.restore();
+}
+
 export function drawElement(context, points, element, {x, y}, fill, frame = plots) {
   const from = Math.max(0, Math.floor((frame.begin - points.begin) / points.step) - 1);
   const to = Math.min(element.low.length - 1, Math.ceil((frame.begin + frame.span - points.begin) / points.step) + 1);
@@ -104,6 +116,7 @@ function drawCanvas(row, cell, range, last) {
   const context = prepare(cell.canvas, width, height);
   if (!context) return;
   const axes = drawAxes(context, width, height, range, last);
+  drawUnit(context, row.series.unit, axes.bottom / 2);
   context.save();
   context.beginPath();
   context.rect(kLeft, 0, width - kLeft, axes.bottom + 2);

@@ -238,11 +238,12 @@ class Measurement {
   }
 
   void attribute_data(SizeReport& report) {
+    read_classes();
     for (const auto& [address, symbol] : symbols_) {
       if (is_code(symbol)) continue;
       const bool data = address >= ends_["eagerx_data_begin"] && address < ends_["eagerx_data_end"];
       const bool bss = address >= ends_["eagerx_bss_begin"] && address < ends_["eagerx_bss_end"];
-      if (bss && symbol.name.find("program_of_run<") != std::string::npos) {
+      if (bss && is_program(symbol)) {
         attribute_program(report, symbol.size);
         continue;
       }
@@ -253,10 +254,24 @@ class Measurement {
     }
   }
 
-  /// The members of the program object, from the type's description: from one offset to the next.
-  void attribute_program(SizeReport& report, std::uint64_t size) {
-    std::map<std::uint64_t, std::string> members, best;
-    bool inside = false, in_member = false, right_size = false;
+  /// The program object: of a program of eagerx-gen by its name; of a library, whose object has a
+  /// name of the user's, by its class, which has members of the map.
+  bool is_program(const Symbol& symbol) const {
+    if (symbol.name.find("program_of_run<") != std::string::npos) return true;
+    const auto found = classes_.find(symbol.size);
+    return found != classes_.end() && std::ranges::any_of(found->second, [&](const auto& member) {
+             return map_.owner_of_member.contains(member.second);
+           });
+  }
+
+  using Members = std::map<std::uint64_t, std::string>;  // by their offset
+
+  /// The classes of the image's description that have members: by their size, of several the one
+  /// with the most members.
+  void read_classes() {
+    Members members;
+    bool inside = false, in_member = false;
+    std::uint64_t size = 0;
     std::string name;
     const auto value = [](std::string_view line) {
       return std::string(line.substr(line.rfind(' ') + 1));
@@ -265,36 +280,43 @@ class Measurement {
       return std::strtoull(value(line).c_str(), nullptr, 0);
     };
     const auto finish = [&] {
-      if (right_size && members.size() > best.size()) best = members;
+      std::erase_if(members, [&](const auto& member) { return member.first >= size; });
+      if (members.size() > classes_[size].size()) classes_[size] = members;
       members.clear();
     };
-    for_each_line(
-        {prefix_ + "readelf", "--debug-dump=info", "-W", image_}, [&](std::string_view line) {
-          if (line.find("Abbrev Number") != std::string_view::npos) {
-            in_member = inside && line.find("DW_TAG_member") != std::string_view::npos;
-            if (line.find("DW_TAG_class_type") != std::string_view::npos) {
-              finish();
-              inside = true;
-              right_size = false;
-            }
-          } else if (!inside) {
-            return;
-          } else if (!in_member && line.find("DW_AT_byte_size") != std::string_view::npos) {
-            right_size = right_size || number(line) == size;
-          } else if (in_member && line.find("DW_AT_name") != std::string_view::npos) {
-            name = value(line);
-          } else if (in_member &&
-                     line.find("DW_AT_data_member_location") != std::string_view::npos) {
-            if (const auto offset = number(line); offset < size) members[offset] = name;
-          }
-        });
+    for_each_line({prefix_ + "readelf", "--debug-dump=info", "-W", image_},
+                  [&](std::string_view line) {
+                    if (line.find("Abbrev Number") != std::string_view::npos) {
+                      in_member = inside && line.find("DW_TAG_member") != std::string_view::npos;
+                      if (line.find("DW_TAG_class_type") != std::string_view::npos) {
+                        finish();
+                        inside = true;
+                        size = 0;
+                      }
+                    } else if (!inside) {
+                      return;
+                    } else if (!in_member && size == 0 &&
+                               line.find("DW_AT_byte_size") != std::string_view::npos) {
+                      size = number(line);
+                    } else if (in_member && line.find("DW_AT_name") != std::string_view::npos) {
+                      name = value(line);
+                    } else if (in_member &&
+                               line.find("DW_AT_data_member_location") != std::string_view::npos) {
+                      members[number(line)] = name;
+                    }
+                  });
     finish();
-    for (auto member = best.begin(); member != best.end(); ++member) {
+  }
+
+  /// The members of the program object: from one offset to the next.
+  void attribute_program(SizeReport& report, std::uint64_t size) {
+    const Members& members = classes_[size];
+    for (auto member = members.begin(); member != members.end(); ++member) {
       const auto next = std::next(member);
-      const std::uint64_t bytes = (next == best.end() ? size : next->first) - member->first;
+      const std::uint64_t bytes = (next == members.end() ? size : next->first) - member->first;
       usage(report, map_.owner(member->second)).ram += bytes;
     }
-    if (best.empty()) report.others["schedule"].ram += size;
+    if (members.empty()) report.others["schedule"].ram += size;
   }
 
   /// Nodes that are one loop have equal parts of it; what is left over is the first one's.
@@ -334,6 +356,7 @@ class Measurement {
   std::vector<Frames> addresses_;
   std::vector<std::uint64_t> places_;  // of these
   ProgramMap map_;
+  std::map<std::uint64_t, Members> classes_;
 };
 
 }  // namespace

@@ -158,7 +158,8 @@ Help help_with_target(const Run& run, const std::string& wanted,
   const std::string system = wanted.starts_with("esp32") ? "esp-idf"
                              : wanted == "teensy" || wanted == "pico" || wanted == "rp2040"
                                  ? "arduino"
-                                 : wanted;
+                             : wanted.starts_with("nucleo") || wanted == "discovery" ? "platformio"
+                                                                                     : wanted;
   for (const std::string& package : names_of_packages(run)) {
     if (system == package || names(package))
       return fmt::format("it is a package: `eagerx-gen generate GRAPH.yaml --package {}`", package);

@@ -192,4 +192,12 @@ void check_built_budget(Run& run, const GraphOptions& options,
   if (!options.quiet) tell_what_is_left(budget, options, of_images, image);
 }
 
+void check_library_budget(Run& run, const GraphOptions& options, JudgedImage image) {
+  if (!run.spec->budget) return;
+  image.parts = parts_of(*run.graph, nullptr);
+  check_image_budget(image, *run.spec->budget, run.diagnostics);
+  if (!options.quiet && run.spec->budget->find("instructions") != nullptr)
+    complain("note: instructions of `budget:` are counted in programs, not in a library\n");
+}
+
 }  // namespace eagerx::gen

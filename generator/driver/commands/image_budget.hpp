@@ -30,4 +30,9 @@ void check_image_budget(const JudgedImage& image, const YamlValue& budget,
 void check_built_budget(Run& run, const GraphOptions& options,
                         const std::vector<BuiltProgram>& programs);
 
+/// An image with the library of `--of`, or the library alone, against the budget of its graph: of
+/// the nodes those that the library has. It has no slots, so instructions are not checked, which is
+/// said on the standard error.
+void check_library_budget(Run& run, const GraphOptions& options, JudgedImage image);
+
 }  // namespace eagerx::gen

@@ -13,9 +13,13 @@
 #include "generator/analysis/info/info.hpp"
 #include "generator/analysis/plausibility/plausibility.hpp"
 #include "generator/analysis/size/tools.hpp"
+#include "generator/driver/build/built.hpp"
+#include "generator/driver/build/library_project.hpp"
+#include "generator/driver/build/targets.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/image_budget.hpp"
+#include "generator/driver/commands/judge.hpp"
 #include "generator/driver/pipeline/paths.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 
@@ -24,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct SizeOptions : GraphOptions {
+struct SizeOptions : GenerateOptions {
   std::string image, build, baseline;  // files and the build folder; empty: none, the image's
   std::string run_on;                  // a target; empty: nothing is run
   bool json_output = false;
@@ -91,11 +95,56 @@ void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan,
   say("{}\n", dump_json(json));
 }
 
-int perform(const SizeOptions& options) {
+bool is_yaml(const std::string& path) {
+  return path.ends_with(".yaml") || path.ends_with(".yml");
+}
+
+/// The least program around the library of `--of`, for the board of `--target`.
+std::optional<BuiltProgram> build_least(Run& run, const SizeOptions& options, int& code) {
+  GenerateOptions library = options;
+  const std::string folder =
+      folder_for_options("generated/" + fs::path(options.graph).stem().string() + "-size", options);
+  library.output = folder + "/library";
+  const auto generated = make(run, library) ? generate_graph(run, library, code) : std::nullopt;
+  if (!generated) return std::nullopt;
+  const Target& target = *run.library.find_target(wanted_targets(options).front());
+  return build_library_project(run, options, target, "size", folder);
+}
+
+/// What a main loop of the user's takes besides is not the library's.
+void leave_out_board(SizeReport& report) {
+  const Usage board = report.others["board"];
+  report.flash -= board.flash;
+  report.ram -= board.ram;
+  report.others.erase("board");
+}
+
+/// `size GRAPH.yaml --of NODE --target BOARD`: what the least program takes without its board.
+int perform_library(SizeOptions options) {
+  Run run;
+  int code = kDone;
+  options.graph = options.image;
+  const auto baseline = read_baseline(run, options);
+  if (run.diagnostics.has_errors()) return finish(run, options);
+  const auto program = build_least(run, options, code);
+  auto report =
+      program ? measure_image(program->image, program->build, run.diagnostics) : std::nullopt;
+  if (!report) return std::max(finish(run, options), code);
+  leave_out_board(*report);
+  if (!options.quiet) print_report(*report, std::nullopt, options.json_output);
+  check_library_budget(run, options, {*report, baseline, "the library", std::nullopt});
+  return std::max(finish(run, options), code);
+}
+
+/// `size IMAGE.elf`.
+int perform_image(const SizeOptions& options) {
   Run run;
   run.root = data_root();
   std::optional<PlanInfo> plan;
-  if (!options.graph.empty() && make(run, options)) {
+  const bool made = !options.graph.empty() && make(run, options);
+  if (made && !options.of.empty()) {
+    if (!judged_targets(run, options)) return finish(run, options);
+  } else if (made) {
     plan = info_of(*run.plan, run.spec->budget, run.diagnostics);
     allow_warnings(run.spec->allow, false, run.diagnostics);
   }
@@ -111,25 +160,56 @@ int perform(const SizeOptions& options) {
           "E0911", {}, fmt::format("cannot run `{}` on `{}`", options.image, options.run_on));
   }
   if (!options.quiet) print_report(*report, plan, options.json_output);
-  if (plan && run.spec->budget) {
-    check_image_budget({*report, baseline, "the image", std::nullopt}, *run.spec->budget,
-                       run.diagnostics);
+  const JudgedImage image{*report, baseline, "the image", std::nullopt};
+  if (!options.of.empty()) {
+    check_library_budget(run, options, image);
+  } else if (plan && run.spec->budget) {
+    check_image_budget(image, *run.spec->budget, run.diagnostics);
     check_plan_budget(*plan, *run.spec->budget, run.diagnostics);
   }
   return finish(run, options);
 }
 
+int perform(const SizeOptions& options) {
+  return is_yaml(options.image) ? perform_library(options) : perform_image(options);
+}
+
+std::string check(const SizeOptions& options) {
+  if (!is_yaml(options.image)) {
+    if (!options.targets.empty()) return "--target is for a graph; an image was built for one";
+    return options.of.empty() || !options.graph.empty()
+               ? ""
+               : "--of needs the graph of the image: --graph GRAPH.yaml";
+  }
+  if (options.of.empty())
+    return "a graph has no size: name nodes with --of, to measure their library, or give an image";
+  if (options.targets.size() != 1)
+    return "the size of a library is that for a board: name one with --target";
+  if (!options.graph.empty()) return "--graph is for an image; the graph is given instead of one";
+  return options.run_on.empty() ? "" : "--run counts instructions of an image, not of a library";
+}
+
 Command table(SizeOptions& options) {
   return {
       .name = "size",
-      .about = "flash, RAM, stack and instructions of an image",
+      .about = "flash, RAM, stack and instructions of an image, or of a library for a board",
       .examples = {{"flash and RAM of each node", "eagerx-gen size build/pendulum.elf"},
                    {"check a graph's budget and count instructions in the emulator",
-                    "eagerx-gen size build/pendulum.elf --graph pendulum.yaml --run mps2-an386"}},
+                    "eagerx-gen size build/pendulum.elf --graph pendulum.yaml --run mps2-an386"},
+                   {"the controller of a graph with its plant, as a library for a board",
+                    "eagerx-gen size robot.yaml --of controller --target mps2-an386"},
+                   {"a main loop of your own with this library, against the budget of the graph",
+                    "eagerx-gen size build/robot.elf --graph robot.yaml --of controller"}},
       .arguments = joined(
-          {{required(reads(text("image", options.image, "the image", "IMAGE.elf"))),
+          {{required(reads(text("image", options.image,
+                                "the image; with --of a graph, whose library is built first",
+                                "IMAGE.elf|GRAPH.yaml"))),
             reads(text("--graph", options.graph,
                        "also check the image against this graph's `budget:`", "GRAPH.yaml")),
+            cut_out_nodes(options,
+                          "measure the library of these nodes, composites or arrays alone, as "
+                          "generate --of; of an image, check their part of the budget"),
+            texts("--target", options.targets, "board that the library is built for", "NAME"),
             folder(text("--build", options.build,
                         "build folder of the image (default: the folder that it lies in)", "DIR")),
             variant(options),
@@ -144,6 +224,7 @@ Command table(SizeOptions& options) {
                        "FILE.json")),
             flag("--json", options.json_output, "print JSON")},
            diagnostics(options)}),
+      .check = [&options] { return check(options); },
       .run = [&options] { return perform(options); }};
 }
 

@@ -16,6 +16,8 @@ struct OtherName {
 };
 
 constexpr std::array kOtherNames = {
+    OtherName{"pd", "PidController"},
+    OtherName{"pi", "PidController"},
     OtherName{"lqr", "StateFeedback"},
     OtherName{"lqg", "StateFeedback"},
     OtherName{"pole_placement", "StateFeedback"},

@@ -65,6 +65,13 @@ Help other_form(const YamlValue& yaml, const Format& format) {
 
 }  // namespace
 
+/// `thirty`, not `30 fps` or `$(config rate)`.
+static bool is_word(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+  });
+}
+
 bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   const bool mapping = format.kind == Format::Kind::record || format.kind == Format::Kind::map;
   auto& problem =
@@ -92,6 +99,10 @@ bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagno
     problem.help = glued->help;
     if (yaml.text.find(':') != std::string::npos)
       problem.help.fixes = {change_to(fmt::format("{}: {}", glued->key, glued->value))};
+  } else if (problem.help.empty() && is_word(yaml.text) &&
+             (format.kind == Format::Kind::integer || format.kind == Format::Kind::decimal ||
+              format.kind == Format::Kind::number)) {
+    problem.help = "write it in digits, such as `30`";
   }
   return false;
 }

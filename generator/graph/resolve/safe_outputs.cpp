@@ -94,30 +94,37 @@ class SafeOutputReader {
   bool good_ = true;
 };
 
-void report_unknown_outputs(const GraphNode& environment, const SafetySpec& written,
-                            Diagnostics& diagnostics) {
-  const auto known = names_of(environment.inputs);
-  for (const auto& output : written.outputs) {
-    if (contains(known, output.name.value)) continue;
-    diagnostics
-        .error("E0307", output.name.span,
-               fmt::format("there is no observation `{}`", output.name.value))
-        .help = suggestion(output.name.value, known, "the graph has no observations");
-  }
+/// `none`: what helps where no known name is near.
+void report_unknown(const std::string& name, Span span, const char* what,
+                    const std::vector<std::string>& known, const Help& none,
+                    Diagnostics& diagnostics) {
+  if (contains(known, name)) return;
+  diagnostics.error("E0307", span, fmt::format("there is no {} `{}`", what, name)).help =
+      did_you_mean(name, known, none);
 }
 
-void report_unknown(const GraphNode& environment, const SafetySpec& written,
+void report_unknown(const GraphNode& environment, const SafetySpec& written, bool has_engine,
                     Diagnostics& diagnostics) {
-  report_unknown_outputs(environment, written, diagnostics);
-  report_unknown_names(written.frozen, names_of(environment.outputs), "action",
-                       "the graph has no actions", diagnostics);
+  const auto none = [&](const std::string& name, const std::vector<std::string>& known,
+                        const char* otherwise) -> Help {
+    if (!has_engine) return suggestion(name, known, otherwise);
+    return "nothing acts on outputs of a simulation: if this is for a library of some of its "
+           "nodes, name them with `--of NODE`, and their ports are known";
+  };
+  const auto outputs = names_of(environment.inputs), actions = names_of(environment.outputs);
+  for (const auto& output : written.outputs)
+    report_unknown(output.name.value, output.name.span, "observation", outputs,
+                   none(output.name.value, outputs, "the graph has no observations"), diagnostics);
+  for (const Setting& setting : written.frozen)
+    report_unknown(setting.name, setting.span, "action", actions,
+                   none(setting.name, actions, "the graph has no actions"), diagnostics);
 }
 
 }  // namespace
 
 void read_safe_outputs(const GraphNode& environment, const SafetySpec* written, Safety& safety,
                        Diagnostics& diagnostics) {
-  if (written != nullptr) report_unknown(environment, *written, diagnostics);
+  if (written != nullptr) report_unknown(environment, *written, false, diagnostics);
   if (environment.outputs.empty() || (written != nullptr && written->no_outputs)) return;
   for (const auto& action : environment.outputs) {
     const Setting* const setting =
@@ -153,7 +160,7 @@ void resolve_safe_outputs(UnresolvedGraph& draft) {
   if (!draft.spec.has_engine() && !stay) {
     read_safe_outputs(environment, written, draft.graph.safety, draft.diagnostics);
   } else if (written != nullptr) {
-    report_unknown(environment, *written, draft.diagnostics);
+    report_unknown(environment, *written, draft.spec.has_engine(), draft.diagnostics);
   }
 }
 

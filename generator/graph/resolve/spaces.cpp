@@ -89,7 +89,21 @@ class SpaceResolver {
     if (draft_.erroneous.contains(parse_port(port).owner)) return;
     diagnostics()
         .error("E0309", declared.like_span, fmt::format("`{}` is not an input of this graph", port))
-        .help = suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");
+        .help = suggestion(port, written_inputs(), "write the port as in `to:` of a connection");
+  }
+
+  /// As a user writes them: a composite's ports in place of those inside; of the owner that `port`
+  /// names where it has some.
+  [[nodiscard]] std::vector<std::string> written_inputs() const {
+    std::vector<std::string> names;
+    for (const CompositeSpec& composite : draft_.spec.composites)
+      for (const auto& [name, ports] : composite.inputs)
+        names.push_back(composite.name + "." + name);
+    for (const std::string& name : input_names(draft_))
+      if (name.find('/') == std::string::npos && !name.starts_with(std::string(kTask) + ".") &&
+          !name.starts_with(std::string(kRender) + "."))
+        names.push_back(name);
+    return names;
   }
 
   /// Inputs of most nodes take any space, and so does a composite's port that leads to one.

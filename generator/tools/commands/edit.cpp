@@ -9,6 +9,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@
 #include "generator/frontend/read/tree.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
+#include "generator/support/quote/quote.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/serve/graph_file.hpp"
 
@@ -117,6 +119,19 @@ bool fix_one(std::unique_ptr<Run>& run, const EditOptions& options, std::string&
   return false;
 }
 
+/// Errors in manifests and files that a graph extends are fixed there.
+void say_other_files(const Run& run, const EditOptions& options) {
+  std::set<std::string> others;
+  for (const Diagnostic& each : run.diagnostics.all()) {
+    if (each.severity != Severity::error || each.span.file == FileId::none) continue;
+    const std::string name = run.sources.name(each.span.file);
+    if (name != options.graph && fix_of(each, run.sources.text(each.span.file)))
+      others.insert(name);
+  }
+  for (const std::string& other : others)
+    complain("help: `eagerx-gen fix {}` changes that file\n", shell_word(other));
+}
+
 int perform_fix(const EditOptions& options) {
   constexpr int kMost = 1000;  // so that two changes that undo each other come to an end
   Run reading;
@@ -130,6 +145,7 @@ int perform_fix(const EditOptions& options) {
   const int code = finish(*run, options);
   if (!options.quiet && made == 0)
     say("{}: there is no error whose help is a change of the text\n", options.graph);
+  if (!options.quiet) say_other_files(*run, options);
   return code;
 }
 

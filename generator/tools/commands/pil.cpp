@@ -7,10 +7,9 @@
 #include <runtime/host/base/handover.hpp>
 #include <runtime/host/base/hash.hpp>
 
-#include "generator/backend/emit/render.hpp"
 #include "generator/driver/build/built.hpp"
+#include "generator/driver/build/library_project.hpp"
 #include "generator/driver/build/targets.hpp"
-#include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/support/files/paths.hpp"
 #include "generator/support/process/process.hpp"
@@ -69,27 +68,6 @@ bool check_pil_target(Run& run, const Target& target) {
   return false;
 }
 
-/// The project around the library, with what was recorded.
-bool write_project(Run& run, const Target& target, const std::string& folder,
-                   const std::string& words) {
-  const fs::path templates = fs::path(run.root) / "templates" / "pil";
-  View view = object();
-  view.set("version", EAGERX_GEN_VERSION);
-  view.set("name", run.graph->name);
-  view.set("namespace", "graphs::" + run.graph->name);
-  view.set("file", run.graph->file_name);
-  view.set("target", target.id.value);
-  std::vector<GeneratedFile> files;
-  for (const char* file : {"CMakeLists.txt", "main.cpp"}) {
-    auto text = render_file((templates / (std::string(file) + ".mustache")).string(), file, view,
-                            run.diagnostics);
-    if (!text) return false;
-    files.push_back({file, std::move(*text)});
-  }
-  files.push_back({"recorded.bin", words});
-  return write_files(folder, std::move(files), run.diagnostics).has_value();
-}
-
 std::optional<BuiltProgram> build_pil(Run& run, const PilOptions& options,
                                       const std::string& folder, const std::string& log,
                                       int& code) {
@@ -105,11 +83,8 @@ std::optional<BuiltProgram> build_pil(Run& run, const PilOptions& options,
     run.diagnostics.error("E0517", {}, recording ? "the simulation has no steps to compare" : why);
     return std::nullopt;
   }
-  if (!write_project(run, target, folder, recording->words)) return std::nullopt;
-  const Tree tree = tree_of(run, options, target, folder, false);
-  if (!build_program(run, tree, target, run.graph->name, options.quiet)) return std::nullopt;
-  return BuiltProgram{&target, tree.build,
-                      tree.build + (target.system.empty() ? "/pil.elf" : "/pil")};
+  return build_library_project(run, options, target, "pil", folder,
+                               {{"recorded.bin", recording->words}});
 }
 
 int perform(const PilOptions& options) {

@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <utility>
 
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
+#include "generator/tools/campaign/plot.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
+#include "generator/tools/page/units.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -22,7 +25,8 @@ struct LogOptions : MessageOptions {
 };
 
 struct PlotOptions : LogOptions {
-  std::vector<std::string> channels;
+  std::vector<std::string> channels;     // of a campaign: another table
+  GraphOptions graph;                    // that has the units; its file may be empty
   std::optional<std::uint64_t> episode;  // without: all
 };
 
@@ -62,8 +66,29 @@ int perform(const LogOptions& options) {
   return finish(options, convert_log(options.log, *trace_format_of(options.output)));
 }
 
+bool is_table(const std::string& path) {
+  return path.ends_with(".csv");
+}
+
+/// Of the channels of the graph, by their names in a trace.
+std::map<std::string, std::string> units_of(Run& run, const GraphOptions& options) {
+  std::map<std::string, std::string> units;
+  if (options.graph.empty() || !make(run, options)) return units;
+  for (const GraphNode& node : run.graph->nodes)
+    for (const Output& output : node.outputs)
+      units[node.name + "/" + output.name] = unit_of(*run.graph, node, output);
+  return units;
+}
+
 int perform(const PlotOptions& options) {
-  PlotRequest request{options.log, options.channels, {}};
+  if (is_table(options.log)) {
+    std::vector<std::string> tables = {options.log};
+    tables.insert(tables.end(), options.channels.begin(), options.channels.end());
+    return finish(options, campaign::plot_campaigns(tables));
+  }
+  Run run;
+  PlotRequest request{options.log, options.channels, {}, units_of(run, options.graph)};
+  if (run.diagnostics.has_errors()) return gen::finish(run, options);
   if (options.episode) request.episode = static_cast<std::uint32_t>(*options.episode);
   return finish(options, options.output == "-"
                              ? plot_log_as_text(request, columns_of_terminal(), has_braille())
@@ -89,6 +114,16 @@ Command table(LogOptions& options) {
           .run = [&options] { return perform(options); }};
 }
 
+std::string check(const PlotOptions& options) {
+  if (!is_table(options.log))
+    return options.channels.empty() ? "name at least one channel of the log" : "";
+  if (options.channels.size() > 1 ||
+      (options.channels.size() == 1 && !is_table(options.channels.front())))
+    return "after the table of a campaign there may be one other, to be compared with it";
+  if (options.output == "-") return "a campaign is drawn as a picture: -o FILE.svg";
+  return options.episode ? "--episode is for logs" : "";
+}
+
 Command table(PlotOptions& options) {
   constexpr std::uint64_t kLastEpisode = 999'999'999;
   Argument output = checked(
@@ -98,18 +133,30 @@ Command table(PlotOptions& options) {
       "is neither .svg nor -");
   return {
       .name = "plot",
-      .about = "draw channels of a log over time",
+      .about = "draw channels of a log over time, or the runs of a campaign",
       .examples = {{"a picture", "eagerx-gen plot run.log theta voltage -o run.svg"},
-                   {"in the terminal", "eagerx-gen plot run.log theta -o -"}},
+                   {"with units at the axes",
+                    "eagerx-gen plot run.log theta --graph pendulum.yaml -o run.svg"},
+                   {"in the terminal", "eagerx-gen plot run.log theta -o -"},
+                   {"returns of a campaign, and success over what it varied",
+                    "eagerx-gen plot runs.csv -o runs.svg"},
+                   {"two variants, run by run", "eagerx-gen plot plain.csv fast.csv -o both.svg"}},
       .arguments =
-          {required(reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
-           required(texts("channel", options.channels,
-                          "channels: their names, or a part such as theta; one element: pose[3]; "
-                          "several in one plot: theta,goal",
-                          "CHANNEL")),
+          {required(reads(text("log", options.log,
+                               "what a run wrote with --trace, or a campaign with --csv",
+                               "LOG|RUNS.csv"))),
+           texts("channel", options.channels,
+                 "channels: their names, or a part such as theta; one element: pose[3]; several in "
+                 "one plot: theta,goal. Of a campaign: the table of another one with the same "
+                 "--seed",
+                 "CHANNEL|RUNS.csv"),
            std::move(output),
+           reads(text("--graph", options.graph.graph, "take the units of channels from this graph",
+                      "GRAPH.yaml")),
+           variant(options.graph), library(options.graph),
            whole("--episode", options.episode, "only this episode, from 0", 0, kLastEpisode),
            quiet(options)},
+      .check = [&options] { return check(options); },
       .run = [&options] { return perform(options); }};
 }
 

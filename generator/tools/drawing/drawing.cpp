@@ -58,11 +58,24 @@ class Builder {
     for (const std::size_t end : {kActions, observations_})
       drawing_.boxes[end].node = Graph::kEnvironment;
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) add_wires(n);
+    for (const std::size_t end : {observations_, kActions}) drop_without_ports(end);
     if (!composites_.empty()) add_groups(composites_, drawing_);
     return std::move(drawing_);
   }
 
  private:
+  /// Of a graph without actions: a box that nothing leads to would only take room. Its number is
+  /// that of the next box then.
+  void drop_without_ports(std::size_t end) {
+    const Box& box = drawing_.boxes[end];
+    if (!box.inputs.empty() || !box.outputs.empty()) return;
+    drawing_.boxes.erase(drawing_.boxes.begin() + static_cast<std::ptrdiff_t>(end));
+    for (Wire& wire : drawing_.wires) {
+      if (wire.from > end) --wire.from;
+      if (wire.to > end) --wire.to;
+    }
+  }
+
   std::size_t add_box(BoxKind kind, std::string name, std::string subtitle,
                       std::string about = {}) {
     drawing_.boxes.push_back(

@@ -10,6 +10,7 @@
 #include "generator/graph/plan/path_edge.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/tools/page/page.hpp"
+#include "generator/tools/page/units.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -219,18 +220,6 @@ class Nodes {
     return json;
   }
 
-  std::string unit_of(const GraphNode& node, const Output& output) const {
-    const PortManifest* port = node.entity != nullptr ? node.entity->output(output.name) : nullptr;
-    const std::vector<std::string> sensors = output.names();
-    if (node.object && !sensors.empty()) {
-      const auto& object = *graph_.objects[*node.object].entity;
-      const std::string& written = sensors.front();
-      if (const auto* sensor = object.sensor(written.substr(written.find('.') + 1))) port = sensor;
-    }
-    // A processor gives something else.
-    return port != nullptr && !output.processor ? port->unit : std::string();
-  }
-
   Json node(std::size_t n) {
     const GraphNode& node = graph_.nodes[n];
     Json json{{"name", node.name},
@@ -251,7 +240,7 @@ class Nodes {
           Json{{"name", node.outputs[o].name},
                {"sensor", fmt::format("{}", join(node.outputs[o].sensors, ", "))},
                {"space", json_of(node.outputs[o].space)},
-               {"unit", unit_of(node, node.outputs[o])},
+               {"unit", unit_of(graph_, node, node.outputs[o])},
                {"processor", json_of(node.outputs[o].processor)}});
     return json;
   }

@@ -43,7 +43,7 @@ std::optional<std::uint32_t> channel_named(const Log& log, const std::string& na
 PlotPanel panel_of(const Log& log, std::uint32_t channel, std::optional<std::uint32_t> episode) {
   const Timeline timeline = timeline_of(log);
   const auto& of = log.channels[channel];
-  PlotPanel panel{of.name, of.size, {}, {}};
+  PlotPanel panel{of.name, of.size, {}, {}, {of.name}};
   for (std::uint64_t k = 0; of.size > 1 && k < of.size; ++k)
     panel.names.push_back(fmt::format("[{}]", k));
   std::size_t first = 0;  // line of the episode's element 0
@@ -107,6 +107,7 @@ void lay_over(PlotPanel added, PlotPanel& panel) {
   panel.elements += added.elements;
   panel.title += (panel.title.empty() ? "" : ", ") + added.title;
   panel.names.insert(panel.names.end(), added.names.begin(), added.names.end());
+  panel.channels.insert(panel.channels.end(), added.channels.begin(), added.channels.end());
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ struct PlotPanel {
   std::uint64_t elements = 1;           // of all channels
   std::vector<std::string> names = {};  // of each element, in the legend; empty: one without
   std::vector<PlotLine> lines;
+  std::vector<std::string> channels = {};  // whose they are
+  std::string unit = {};                   // of all of them; empty: not known
 };
 
 /// The channel that `name` means: its whole name, or the only one that has all its parts in their

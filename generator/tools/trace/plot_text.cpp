@@ -93,7 +93,7 @@ std::string panel_text(const PlotPanel& panel, const PlotRange& time, std::size_
   const PlotRange range = value_range(panel);
   Dots dots(columns - kMargin, braille);
   for (const PlotLine& line : panel.lines) draw(line, time, range, dots);
-  std::string text = panel.title + "\n";
+  std::string text = panel.title + (panel.unit.empty() ? "" : " [" + panel.unit + "]") + "\n";
   for (std::size_t y = 0; y < kRows; ++y) {
     const std::string number = y == 0           ? fmt::format("{:.4g}", range.high)
                                : y == kRows - 1 ? fmt::format("{:.4g}", range.low)

@@ -23,6 +23,17 @@ TraceResult with_log(const std::string& path, F&& f) {
   return result;
 }
 
+/// The unit that all channels of a panel have; empty if they have none, or different ones.
+std::string unit_of(const PlotPanel& panel, const std::map<std::string, std::string>& units) {
+  std::string found;
+  for (const std::string& channel : panel.channels) {
+    const auto unit = units.find(channel);
+    if (unit == units.end() || (!found.empty() && found != unit->second)) return {};
+    found = unit->second;
+  }
+  return found;
+}
+
 std::vector<PlotPanel> panels_of(const Log& log, const PlotRequest& request, std::string& problem) {
   std::vector<PlotPanel> panels;
   if (request.episode && *request.episode >= log.episodes()) {
@@ -33,10 +44,12 @@ std::vector<PlotPanel> panels_of(const Log& log, const PlotRequest& request, std
   }
   for (const auto& name : request.channels) {
     std::string why;
-    if (auto panel = panel_named(log, name, request.episode, why))
+    if (auto panel = panel_named(log, name, request.episode, why)) {
+      panel->unit = unit_of(*panel, request.units);
       panels.push_back(std::move(*panel));
-    else
+    } else {
       problem += (problem.empty() ? "error: " : "\nerror: ") + why;
+    }
   }
   return panels;
 }

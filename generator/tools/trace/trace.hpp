@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,7 +35,8 @@ TraceResult convert_log(const std::string& path, TraceFormat format);
 struct PlotRequest {
   std::string log;
   std::vector<std::string> channels;
-  std::optional<std::uint32_t> episode;  // without: all
+  std::optional<std::uint32_t> episode;           // without: all
+  std::map<std::string, std::string> units = {};  // of channels, where one is known
 };
 TraceResult plot_log_as_svg(const PlotRequest& request);
 /// In lines of `columns` characters: of Braille, or where a terminal has none of ASCII.

@@ -30,6 +30,29 @@ TEST(Drawing, AnObjectIsABoxAsWrittenAndItsNodesAsItRuns) {
   EXPECT_GT(engine.boxes.size(), user.boxes.size());
 }
 
+/// As in a variant that has reference steps instead of an agent: a box that nothing leads to.
+TEST(Drawing, AGraphWithoutActionsHasNoBoxForThem) {
+  for (const GraphView view : {GraphView::user, GraphView::engine}) {
+    const Drawing what = drawing(
+        "name: g\nrate: 30\nengine: {type: OdeEngine, rate: 30}\nobjects:\n"
+        "  pendulum: {type: Pendulum, sensors: [theta]}\nnodes:\n"
+        "  drive: {type: Reference, rate: 30, config: {shape: step, amplitude: 0.4}}\n"
+        "actions: {}\nobservations: [angle]\nconnections:\n"
+        "  - {from: drive.y, to: pendulum.u}\n  - {from: pendulum.theta, to: observations.angle}\n",
+        view);
+    EXPECT_EQ(std::ranges::find(what.boxes, "actions", &Box::name), what.boxes.end());
+    for (const Wire& wire : what.wires) {
+      EXPECT_LT(wire.output, what.boxes.at(wire.from).outputs.size()) << wire.about;
+      EXPECT_LT(wire.input, what.boxes.at(wire.to).inputs.size()) << wire.about;
+    }
+    const auto to_angle = std::ranges::find_if(what.wires, [&](const Wire& wire) {
+      return what.boxes.at(wire.to).name == "observations";
+    });
+    ASSERT_NE(to_angle, what.wires.end());
+    EXPECT_TRUE(what.boxes.at(to_angle->from).name.starts_with("pendulum"));
+  }
+}
+
 TEST(Drawing, BoxesLieApartAndWiresEndAtPorts) {
   const Drawing what = nested(drawing(swing(), GraphView::engine));
   const Layout layout = layout_of(what, Composites::closed);

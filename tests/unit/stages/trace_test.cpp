@@ -144,7 +144,9 @@ TEST_F(LogsTest, ALegendNamesSeventeenElementsAndTellsThemApart) {
     panel.names.push_back("[" + std::to_string(i) + "]");
     panel.lines.push_back({0, i, {0.0, 1.0}, {0.0, static_cast<double>(i)}});
   }
+  panel.unit = "rad";
   const std::string svg = plot_svg({panel}, "test");
+  EXPECT_NE(svg.find(">[rad]<"), std::string::npos);
   for (std::size_t i = 0; i < 16; ++i)
     EXPECT_NE(svg.find(">[" + std::to_string(i) + "]<"), std::string::npos) << i;
   EXPECT_NE(svg.find(">[16] and 1 more<"), std::string::npos);
