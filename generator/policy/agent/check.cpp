@@ -105,11 +105,10 @@ bool bounded(const Space& space) {
 /// Twice as many numbers are probably means and deviations, as of rsl_rl's `state_dependent_std`.
 void suggest_means(const Network& network, const Sum& given, Diagnostic& problem) {
   if (given.total == 0 || network.outputs() != 2 * given.total) return;
-  problem.help += fmt::format(
-      "; if the second half are deviations (rsl_rl's `state_dependent_std`), keep the first {} "
-      "rows "
-      "of the last layer's weight and bias in the file, which are the means",
-      given.total);
+  problem.help +=
+      "; if the second half are deviations (rsl_rl's `state_dependent_std`), keep the first half "
+      "of "
+      "the rows of the last layer's weight and bias in the file, which gives the means";
 }
 
 }  // namespace

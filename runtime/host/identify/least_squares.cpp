@@ -57,7 +57,8 @@ bool LeastSquares::fit(Trial& trial) {
     if (!descend_states(trial, window, kSteps)) return false;
   }
   if (!descend_states(trial, kAll, kSteps)) return false;
-  start_again(trial, true);
+  start_again(trial, !has_fitted_);
+  has_fitted_ = true;
   if (!repeat(trial, 1, kSteps)) return false;
   start_again(trial, false);
   return repeat(trial, 1, kSteps);
