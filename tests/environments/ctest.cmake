@@ -41,3 +41,7 @@ eagerx_add_graph(TARGET environments_controller GRAPH ${PROJECT_SOURCE_DIR}/test
 add_test(NAME environments.controller COMMAND ${CMAKE_CURRENT_LIST_DIR}/controller $<TARGET_FILE:environments_controller>)
 # 3,000 wrong calls; more of them, and with the address sanitizer: tests/environments/misuse EAGERX_GEN 100000
 add_test(NAME environments.misuse COMMAND ${CMAKE_CURRENT_LIST_DIR}/misuse $<TARGET_FILE:environments_swing>)
+# A policy with actions from -1 to 1: the program's returns are those of a rollout in Python.
+eagerx_add_graph(TARGET environments_normalized GRAPH ${CMAKE_CURRENT_LIST_DIR}/normalized.yaml BOARD environments)
+eagerx_add_graph(TARGET environments_normalized_alone GRAPH ${CMAKE_CURRENT_LIST_DIR}/normalized.yaml)
+add_test(NAME environments.normalized COMMAND ${CMAKE_CURRENT_LIST_DIR}/normalized $<TARGET_FILE:environments_normalized> $<TARGET_FILE:environments_normalized_alone>)

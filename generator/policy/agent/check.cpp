@@ -102,6 +102,15 @@ bool bounded(const Space& space) {
   return !space.low.empty() && !space.high.empty();
 }
 
+/// Twice as many numbers are probably means and deviations, as of rsl_rl's `state_dependent_std`.
+void suggest_means(const Network& network, const Sum& given, Diagnostic& problem) {
+  if (given.total == 0 || network.outputs() != 2 * given.total) return;
+  problem.help +=
+      "; if the second half are deviations (rsl_rl's `state_dependent_std`), keep the first half "
+      "of "
+      "the rows of the last layer's weight and bias in the file, which gives the means";
+}
+
 }  // namespace
 
 bool check_policy(const PolicyUse& use, const Network& network, Diagnostics& diagnostics) {
@@ -127,8 +136,11 @@ bool check_policy(const PolicyUse& use, const Network& network, Diagnostics& dia
     suggest_stack(use, network, taken, problem);
     mark_connection(use, network, taken, problem);
   }
-  if (use.kind(network) != ActionKind::argmax && given.total != network.outputs())
-    report("E0702", use, false, network.outputs(), given, use.outputs.front()->span, diagnostics);
+  if (use.kind(network) != ActionKind::argmax && given.total != network.outputs()) {
+    auto& problem = report("E0702", use, false, network.outputs(), given, use.outputs.front()->span,
+                           diagnostics);
+    suggest_means(network, given, problem);
+  }
   if (diagnostics.error_count() == errors_before) check_policy_world(use, network, diagnostics);
   return diagnostics.error_count() == errors_before;
 }

@@ -109,7 +109,11 @@ void Experiment::begin(const Trial* trial) {
   residuals_.clear();
   segment_ = 0;
   has_segment_ = false;
-  if (trial == nullptr) samples_.clear();
+  if (trial == nullptr) {
+    samples_.clear();
+  } else {
+    arrivals_.resize(trial->states.size());
+  }
 }
 
 void Experiment::episode(std::uint32_t index) {
@@ -123,9 +127,11 @@ void Experiment::simulator(std::string_view name, Seq tick, const SimulatorView&
   if (tick == 0) note_input(i);
   if (trial_ == nullptr) return note_state(i, simulator.state);
   if (begins_segment_) {
-    const double* const state =
-        trial_->states.data() + segment_ * states() + objects_[i].first_state;
-    for (std::size_t k = 0; k < simulator.state.size; ++k) simulator.state.set(k, state[k]);
+    const std::size_t first = segment_ * states() + objects_[i].first_state;
+    for (std::size_t k = 0; k < simulator.state.size; ++k) {
+      arrivals_[first + k] = simulator.state.get(k);
+      simulator.state.set(k, trial_->states[first + k]);
+    }
     if (simulator.step_bytes > 0) std::memset(simulator.step, 0, simulator.step_bytes);
   }
 }

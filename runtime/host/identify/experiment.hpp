@@ -86,6 +86,10 @@ class Experiment {
   const std::vector<Object>& objects() const { return objects_; }
   const std::vector<Group>& groups() const { return groups_; }
   const std::vector<Sample>& samples() const { return samples_; }
+  /// Of the last run: the state that each segment was about to begin in, as the one before it
+  /// ended, in the order of Trial::states. Of an episode's first segment: what the reset routine
+  /// set.
+  const std::vector<double>& arrivals() const { return arrivals_; }
   /// Typical size of each state, from the run without a trial.
   const std::vector<double>& state_scale() const { return state_scale_; }
   /// Typical size of each group, from the log.
@@ -145,6 +149,7 @@ class Experiment {
   bool has_segment_ = false;
   std::vector<double> numbers_;  // of a message
   std::vector<double> residuals_;
+  std::vector<double> arrivals_;
   std::vector<Group> groups_;
   std::vector<std::size_t> first_group_;  // of each channel
   std::vector<std::uint32_t> positions_;  // of each group, in this segment

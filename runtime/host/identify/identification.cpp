@@ -104,7 +104,10 @@ bool Identification::find(double tick_s, double longest_delay_s, std::string& pr
     trial.parameters.push_back(0.0);
   }
   LeastSquares solver(
-      experiment_, ranges, [this](const Trial& tried) -> const auto& { return run_chosen(tried); });
+      experiment_, ranges,
+      experiment_.actuators().size(), [this](const Trial& tried) -> const auto& {
+        return run_chosen(tried);
+      });
   bool numbers = solver.fit(trial);
   for (std::size_t a = 0; a < experiment_.actuators().size() && numbers; ++a)
     numbers = find_delay(a, most, solver, trial);

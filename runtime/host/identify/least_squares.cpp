@@ -8,10 +8,8 @@
 namespace eagerx::identification {
 namespace {
 
-constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max();
 constexpr double kStateStep = 1e-4;      // of a difference, of a state's typical size
 constexpr double kParameterStep = 1e-2;  // of half the range
-constexpr double kTiny = 1e-9;           // keeps what nothing is known of where it is
 
 constexpr double kFirstDamping = 1e-6, kLess = 0.1, kMore = 10.0;
 constexpr double kDone = 1e-7;  // relative decrease of the cost
@@ -26,9 +24,12 @@ bool damp_and_factor(Matrix& states, std::size_t n, double damping) {
 
 }  // namespace
 
-LeastSquares::LeastSquares(const Experiment& experiment, std::vector<Range> ranges, Run run)
+LeastSquares::LeastSquares(const Experiment& experiment, std::vector<Range> ranges,
+                           std::size_t delays, Run run)
     : experiment_(experiment),
       ranges_(std::move(ranges)),
+      first_delay_(ranges_.size() - delays),
+      is_held_(ranges_.size(), false),
       run_(std::move(run)),
       scale_(experiment.state_scale()),
       deviation_(experiment.group_scale()),
@@ -55,12 +56,62 @@ bool LeastSquares::fit(Trial& trial) {
   for (std::uint32_t window = 1; window <= longest; window *= kMore) {
     if (!descend_states(trial, window, kSteps)) return false;
   }
-  return descend_states(trial, kAll, kSteps) && repeat(trial, 2, kSteps);
+  if (!descend_states(trial, kAll, kSteps)) return false;
+  start_again(trial, !has_fitted_);
+  has_fitted_ = true;
+  if (!repeat(trial, 1, kSteps)) return false;
+  start_again(trial, false);
+  return repeat(trial, 1, kSteps);
+}
+
+/// There may be several minima for the first state of a segment: an accelerometer alone does not
+/// tell a pendulum's angle from its supplement. A segment goes down once more from where the one
+/// before it arrives, as long as that helps, and from some states of typical size; the best counts.
+void LeastSquares::start_again(Trial& trial, bool anywhere) {
+  constexpr int kPasses = 4, kStarts = 4;
+  const std::size_t n = unknown_states();
+  for (int i = 0; i < kPasses; ++i) {
+    run_(trial);
+    Trial tried = trial;
+    const std::vector<double>& arrivals = experiment_.arrivals();
+    for (std::size_t s = 0; s < tried.states.size(); ++s) {
+      if (std::isfinite(arrivals[s])) tried.states[s] = arrivals[s];
+    }
+    if (!take_better_states(trial, tried)) break;
+  }
+  for (int i = 1; i <= kStarts && anywhere; ++i) {
+    Trial tried = trial;
+    for (std::size_t s = 0; s < tried.states.size(); ++s) {
+      // Multiples of powers of the golden ratio fill a cube evenly.
+      const double turns = i * std::pow(0.6180339887498949, static_cast<double>(s % n + 1));
+      tried.states[s] = scale_[s % n] * (2.0 * (turns - std::floor(turns)) - 1.0);
+    }
+    take_better_states(trial, tried);
+  }
+}
+
+/// Fits the states of `tried` and takes those of the segments that are better so. False: none is.
+bool LeastSquares::take_better_states(Trial& trial, Trial& tried) {
+  constexpr int kSteps = 6;
+  constexpr double kBetter = 1e-3;  // relative
+  const auto n = static_cast<std::ptrdiff_t>(unknown_states());
+  const std::vector<double> before = costs(run_(trial), kAll);
+  if (!descend_states(tried, kAll, kSteps)) return false;
+  const std::vector<double> after = costs(run_(tried), kAll);
+  bool better = false;
+  for (std::size_t s = 0; s < before.size(); ++s) {
+    if (!(after[s] < (1.0 - kBetter) * before[s])) continue;
+    better = true;
+    const auto first = static_cast<std::ptrdiff_t>(s) * n;
+    std::copy_n(tried.states.begin() + first, n, trial.states.begin() + first);
+  }
+  return better;
 }
 
 bool LeastSquares::refine(Trial& trial) {
   constexpr int kRounds = 4;
   constexpr int kSteps = 15;
+  start_again(trial, true);
   return repeat(trial, kRounds, kSteps);
 }
 
@@ -120,7 +171,7 @@ double LeastSquares::cost(const Trial& trial, const std::vector<double>& residua
   double sum = std::accumulate(of_segments.begin(), of_segments.end(), 0.0);
   for (std::size_t p = 0; p < ranges_.size(); ++p) {  // the range as what was known before
     const double ratio = (trial.parameters[p] - ranges_[p].low) / half(p) - 1.0;
-    sum += ratio * ratio;
+    sum += known_before(p) * ratio * ratio;
   }
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
@@ -155,33 +206,6 @@ bool LeastSquares::differentiate(const Trial& trial, bool with_parameters) {
     }
   }
   return true;
-}
-
-/// The residuals jump with a delay if sensors read the input. A step that crosses
-/// one says too much of the delay, so the gentler side counts.
-void LeastSquares::take_gentler_sides(const Trial& trial, const std::vector<double>& residuals) {
-  const std::size_t n = unknown_states();
-  for (std::size_t p = 0; p < ranges_.size(); ++p) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const double side : {-1.0, 1.0}) {
-      Trial moved = trial;
-      moved.parameters[p] = std::clamp(trial.parameters[p] + side * kParameterStep * half(p),
-                                       ranges_[p].low, ranges_[p].high);
-      const double width = (moved.parameters[p] - trial.parameters[p]) / half(p);
-      if (std::abs(width) < kParameterStep / 2) continue;  // at the end of the range
-      std::vector<double> slopes = run_(moved);
-      double sum = 0.0;
-      for (std::size_t i = 0; i < slopes.size(); ++i) {
-        const std::uint32_t group = experiment_.samples()[i].group;
-        slopes[i] = (slopes[i] - residuals[i]) / width;
-        if (!std::isfinite(slopes[i])) slopes[i] = 0.0;
-        if (counts_[group]) sum += slopes[i] * slopes[i] / (deviation_[group] * deviation_[group]);
-      }
-      if (sum >= least) continue;
-      least = sum;
-      columns_[n + p] = std::move(slopes);
-    }
-  }
 }
 
 void LeastSquares::assemble(Equations& equations, const std::vector<double>& residuals,
@@ -224,8 +248,8 @@ Trial LeastSquares::moved(const Trial& trial, const Equations& equations, double
   std::vector<Matrix> factors;
   solved = true;
   for (std::size_t p = 0; p < parameters; ++p) {
-    step[p] += (trial.parameters[p] - ranges_[p].low) / half(p) - 1.0;
-    reduced(p, p) += 1.0 + damping * equations.parameters(p, p);
+    step[p] += known_before(p) * ((trial.parameters[p] - ranges_[p].low) / half(p) - 1.0);
+    reduced(p, p) += known_before(p) + damping * equations.parameters(p, p);
   }
   for (const auto& segment : equations.segments) {
     Matrix& states = factors.emplace_back(segment.states);
@@ -243,6 +267,7 @@ Trial LeastSquares::moved(const Trial& trial, const Equations& equations, double
       }
     }
   }
+  hold(reduced, step);
   solved = factor(reduced, parameters);
   if (!solved) return trial;
   solve(reduced, parameters, step);
@@ -263,6 +288,16 @@ Trial LeastSquares::moved(const Trial& trial, const Equations& equations, double
     for (std::size_t a = 0; a < n; ++a) next.states[s * n + a] -= state[a] * scale_[a];
   }
   return next;
+}
+
+/// Equations that leave each held parameter where it is.
+void LeastSquares::hold(Matrix& equations, std::vector<double>& step) const {
+  for (std::size_t p = 0; p < is_held_.size(); ++p) {
+    if (!is_held_[p]) continue;
+    for (std::size_t q = 0; q < is_held_.size(); ++q) equations(p, q) = equations(q, p) = 0.0;
+    equations(p, p) = 1.0;
+    step[p] = 0.0;
+  }
 }
 
 /// The cost of each segment.
@@ -361,61 +396,6 @@ bool LeastSquares::descend(Trial& trial, int iterations) {
     before = after;
   }
   return true;
-}
-
-std::vector<double> LeastSquares::deviations(const Trial& trial) {
-  const std::size_t n = unknown_states();
-  const std::size_t parameters = ranges_.size();
-  std::vector<double> result(parameters);
-  for (std::size_t p = 0; p < parameters; ++p) result[p] = half(p);
-  const std::vector<double> residuals = run_(trial);
-  if (!differentiate(trial, true)) return result;
-  take_gentler_sides(trial, residuals);
-  Equations equations{Matrix(parameters, parameters), std::vector<double>(parameters, 0.0), {}};
-  assemble(equations, residuals, kAll, parameters);
-  Matrix reduced = equations.parameters;
-  Matrix scatter(parameters, parameters);
-  std::vector<double> left(parameters);  // the step that would come next
-  for (std::size_t p = 0; p < parameters; ++p) {
-    reduced(p, p) += 1.0;
-    left[p] = (trial.parameters[p] - ranges_[p].low) / half(p) - 1.0;
-  }
-  for (auto& segment : equations.segments) {
-    for (std::size_t a = 0; a < n; ++a)
-      segment.states(a, a) += kTiny * (segment.states(a, a) + 1.0);
-    if (!factor(segment.states, n)) continue;
-    std::vector<double> score = segment.parameter_gradient;
-    for (std::size_t p = 0; p < parameters; ++p) {
-      std::vector<double> column(n);
-      for (std::size_t a = 0; a < n; ++a) column[a] = segment.mixed(p, a);
-      solve(segment.states, n, column);
-      for (std::size_t a = 0; a < n; ++a) score[p] -= column[a] * segment.gradient[a];
-      for (std::size_t q = 0; q < parameters; ++q) {
-        for (std::size_t a = 0; a < n; ++a) reduced(p, q) -= column[a] * segment.mixed(q, a);
-      }
-    }
-    for (std::size_t p = 0; p < parameters; ++p) {
-      left[p] += score[p];
-      for (std::size_t q = 0; q < parameters; ++q) scatter(p, q) += score[p] * score[q];
-    }
-  }
-  if (!factor(reduced, parameters)) return result;
-  // The parameters were chosen to make the scatter small.
-  const auto segments = static_cast<double>(equations.segments.size());
-  const auto fitted = static_cast<double>(parameters);
-  const double small_sample = segments / std::max(segments - fitted, 1.0);
-  solve(reduced, parameters, left);
-  for (std::size_t p = 0; p < parameters; ++p) {
-    std::vector<double> row(parameters, 0.0);
-    row[p] = 1.0;
-    solve(reduced, parameters, row);  // a row of the inverse
-    double robust = 0.0;
-    for (std::size_t a = 0; a < parameters; ++a) {
-      for (std::size_t b = 0; b < parameters; ++b) robust += row[a] * scatter(a, b) * row[b];
-    }
-    result[p] = half(p) * std::sqrt(std::max(row[p], small_sample * robust) + left[p] * left[p]);
-  }
-  return result;
 }
 
 }  // namespace eagerx::identification

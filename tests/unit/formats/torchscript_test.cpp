@@ -304,10 +304,18 @@ std::string with_state(const std::string& line) {
 
 TEST(TorchScript, StatesAreKeptAndBeginWithZeros) {
   EXPECT_TRUE(read_good(with_state("self.hidden_state = h")).has_memory());
+  // What has a part of the old state keeps that.
+  EXPECT_TRUE(
+      read_good(with_state("_9 = torch.squeeze(hidden_state0, 0)\n    self.hidden_state = h"))
+          .has_memory());
   expect_refused(with_state("pass"), "E0756", "that is not kept");
   expect_refused(with_state("self.hidden_state = x0"), "E0756", "not the state of a GRU or LSTM");
   expect_refused(with_state("_2 = torch.copy_(hidden_state0, torch.relu(h))"), "E0756",
                  "not the state of a GRU or LSTM");
+  // A history in a buffer, newest last.
+  expect_refused(with_state("self.hidden_state = torch.cat([torch.slice(hidden_state0, 2, 1), "
+                            "torch.slice(h, 2, 0, 1)], 2)"),
+                 "E0756", "not the state of a GRU or LSTM");
   std::size_t refused = 0;  // the storage of the state is one of those of 8 numbers
   for (int i = 0; i < 13; ++i) {
     Diagnostics diagnostics;

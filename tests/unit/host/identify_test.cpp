@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -148,6 +149,125 @@ TEST(Identify, ASensorThatReadsALateInput) {
   EXPECT_NEAR(found.mass, kMass, 1e-4);
   EXPECT_NEAR(found.friction, kFriction, 1e-3);
   EXPECT_NEAR(found.delay_s, 0.02, 1e-5);
+}
+
+/// A pendulum with friction, whose accelerometer (100 Hz) is all that it has: [angle, speed].
+class Swing {
+ public:
+  static constexpr std::uint64_t kHz = 200;
+  static constexpr Seq kSwingTicks = 2000;
+  double mass = 1.0, friction = 0.5, stiffness = 4.0;
+  std::array<double, 2> state{};
+
+  void run(const std::vector<double>& force, Experiment* experiment,
+           const std::function<void(std::uint32_t, Seq, double&)>& message) {
+    input_ = {0.0};
+    for (Seq tick = 0; tick < kSwingTicks; ++tick) {
+      if (tick > 0) {
+        if (experiment != nullptr) experiment->engine_runs();
+        advance();
+      }
+      if (experiment != nullptr) {
+        const SimulatorView view{{nullptr, state.data(), 2}, {nullptr, input_.data(), 1}};
+        experiment->simulator("cart", tick, view);
+      }
+      if (tick % 2 == 0) {
+        double acceleration = derivative(state)[1];
+        message(0, tick / 2, acceleration);
+      }
+      if (tick % 4 != 0) continue;
+      double applied = force[tick / 4];
+      input_[0] = applied;
+      message(1, tick / 4, applied);
+    }
+  }
+
+ private:
+  std::array<double, 2> derivative(std::array<double, 2> x) const {
+    return {x[1], (input_[0] - friction * x[1] - stiffness * std::sin(x[0])) / mass};
+  }
+  void advance() {  // Heun's method
+    constexpr double kStep_s = 1.0 / static_cast<double>(kHz);
+    const auto a = derivative(state);
+    const auto b = derivative({state[0] + kStep_s * a[0], state[1] + kStep_s * a[1]});
+    for (std::size_t i = 0; i < 2; ++i) state[i] += kStep_s / 2 * (a[i] + b[i]);
+  }
+  std::array<double, 1> input_{};
+};
+
+/// The angle and its supplement give the same acceleration: each piece of the log has several
+/// minima, and a band around a wrong one does not have the truth in it.
+TEST(Identify, FirstStatesWithSeveralMinima) {
+  constexpr std::array<Channel, 3> kOfSwing{{
+      {"cart/acceleration/y", "float64", 1, 100, 1, Publisher::engine_node},
+      {"cart/force/action_applied", "float64", 1, 50, 1, Publisher::engine_node},
+      {"engine/tick", "int64", 1, Swing::kHz, 1, Publisher::engine},
+  }};
+  constexpr double kNoise = 0.1;
+  for (const unsigned seed : {1U, 3U}) {
+    std::mt19937 bits(seed);
+    const auto uniform = [&](double low, double high) {
+      return low + (high - low) * static_cast<double>(bits()) / 4294967296.0;
+    };
+    std::vector<double> force(Swing::kSwingTicks / 4);
+    Swing truth;
+    truth.stiffness = uniform(3.0, 8.0);
+    truth.state = {uniform(-0.5, 0.5), uniform(-0.5, 0.5)};
+    for (double& each : force) each = uniform(-5.0, 5.0);
+    trace_log::Log log;
+    log.engine = "OdeEngine";
+    log.complete = true;
+    for (const Channel& channel : kOfSwing)
+      log.channels.push_back({channel.name,
+                              channel.publisher == Publisher::engine ? trace_log::Dtype::int64
+                                                                     : trace_log::Dtype::float64,
+                              1, channel.rate_num, 1});
+    truth.run(force, nullptr, [&](std::uint32_t channel, Seq seq, double& value) {
+      trace_log::Row row;
+      row.first = log.values.size();
+      row.seq = seq;
+      row.channel = channel;
+      log.rows.push_back(row);
+      double noise = -6.0;  // of twelve uniform numbers: nearly normal, with a deviation of 1
+      for (int i = 0; i < 12; ++i) noise += uniform(0.0, 1.0);
+      log.values.push_back(
+          std::bit_cast<std::uint64_t>(value + (channel == 0 ? kNoise * noise : 0.0)));
+    });
+    Experiment experiment;
+    std::string problem;
+    ASSERT_TRUE(experiment.prepare(log, {kOfSwing, "OdeEngine", 50, 1}, "", 0.5, problem));
+    std::vector<Parameter> parameters{{"cart.mass", 0, 1, true, 0.7, 1.7},
+                                      {"cart.friction", 0, 1, true, 0.1, 1.0},
+                                      {"cart.stiffness", 0, 1, true, 2.0, 9.0}};
+    Swing swing;
+    const auto run = [&](const Trial* trial) -> const std::vector<double>& {
+      swing.mass = trial != nullptr ? trial->parameters[0] : 1.2;
+      swing.friction = trial != nullptr ? trial->parameters[1] : 0.55;
+      swing.stiffness = trial != nullptr ? trial->parameters[2] : 5.5;
+      swing.state = {0.3, 0.3};
+      experiment.begin(trial);
+      experiment.episode(0);
+      swing.run(force, &experiment, [&](std::uint32_t channel, Seq seq, double& value) {
+        experiment.message(channel, seq, &value, 1);
+      });
+      return experiment.residuals();
+    };
+    run(nullptr);
+    experiment.find_actuators();
+    run(nullptr);
+    Identification identification(
+        experiment, parameters, [&](const Trial& trial) -> const auto& { return run(&trial); });
+    ASSERT_TRUE(identification.find(1.0 / Swing::kHz, 0.1, problem)) << problem;
+    const std::array<double, 3> known{truth.mass, truth.friction, truth.stiffness};
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(parameters[i].value, known[i], 3 * parameters[i].deviation) << seed << " " << i;
+      EXPECT_LT(parameters[i].deviation, (parameters[i].high - parameters[i].low) / 4) << seed;
+    }
+    // The accelerometer sees an input two ticks later, so a delay below that is no other one.
+    const Delay& delay = identification.delays().at(0);
+    EXPECT_LE(delay.value_s, 2.5 / Swing::kHz) << seed;
+    EXPECT_LE(delay.value_s, 3 * delay.deviation_s + 1e-9) << seed;
+  }
 }
 
 /// Without actions the messages say how many steps there were.

@@ -134,14 +134,20 @@ bool TorchInterpreter::assign(const std::vector<TorchExpression>& targets, Torch
   }
   const auto old = member(*module, target.text);
   if (!old) return false;
-  if (!old->is_tensor() || old->tensor->is_part) {
-    return fail("changes a member that is no tensor of a module");
+  if (!old->is_tensor()) return fail("changes a member that is no tensor of a module");
+  if (!old->tensor->buffer.empty() && value.tensor->value.remembered.empty()) {
+    return refuse(problem_, "E0756",
+                  fmt::format("has a buffer `{}` that is changed, and is not the state of a GRU or "
+                              "LSTM ({})",
+                              printable(target.text), where()),
+                  kStateAsInput);
   }
   // Holders of the old tensor keep it.
   auto cell = std::make_shared<TorchTensor>();
   cell->value = value.tensor->value;
   cell->buffer = old->tensor->buffer;
   cell->is_written = true;
+  cell->is_part = value.tensor->is_part;
   cells_[*index_of(*module, target.text)] = std::move(cell);
   return true;
 }

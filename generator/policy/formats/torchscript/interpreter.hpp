@@ -13,6 +13,11 @@
 
 namespace eagerx::gen {
 
+/// What helps where a module keeps something else than the state of a GRU or LSTM.
+inline constexpr const char* kStateAsInput =
+    "give a history of observations to the policy as its input (`window: 5` at a connection), or "
+    "export the actor with its state as an input and an output, to ONNX";
+
 class TorchInterpreter {
  public:
   /// At most `*budget` statements; what is used is taken from it.

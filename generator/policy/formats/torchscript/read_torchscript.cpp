@@ -322,7 +322,7 @@ class TorchReading {
   bool check_states(const TorchTry& made) {
     const auto fail = [&](const std::string& name, const char* what) {
       return refuse(problem_, "E0756", fmt::format("has a buffer `{}` {}", printable(name), what),
-                    "export the actor with its state as an input and an output, to ONNX");
+                    kStateAsInput);
     };
     PolicyProblem ignored;
     const std::vector<NetStep>& steps = made.state.steps;
