@@ -9,7 +9,10 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "generator/analysis/bound/bound.hpp"
 #include "generator/analysis/info/info.hpp"
 #include "generator/analysis/plausibility/plausibility.hpp"
 #include "generator/analysis/size/tools.hpp"
@@ -28,6 +31,7 @@ struct SizeOptions : GraphOptions {
   std::string image, build, baseline;  // files and the build folder; empty: none, the image's
   std::string run_on;                  // a target; empty: nothing is run
   bool json_output = false;
+  bool worst = false;
 };
 
 /// Runs the image in the target's emulator, where an instruction lasts 2^shift ns.
@@ -76,12 +80,23 @@ std::optional<Json> read_baseline(Run& run, const SizeOptions& options) {
   return json;
 }
 
-void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan, bool as_json) {
+/// Of the graph's rates, in the order of the bits of a slot.
+std::vector<std::string> rate_names(const Run& run) {
+  std::vector<std::string> names;
+  if (!run.plan) return names;
+  for (const RateClass& rate : run.plan->rates) names.push_back(rate.rate_hz.to_string() + " Hz");
+  return names;
+}
+
+void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan,
+                  const std::optional<BoundReport>& bound, bool as_json) {
   if (!as_json) {
-    say("{}{}", size_text(report), plan ? timing_text(*plan) : "");
+    say("{}{}{}", size_text(report), bound ? bound_text(*bound) : "",
+        plan ? timing_text(*plan) : "");
     return;
   }
   Json json = size_json(report);
+  if (bound) json["worst"] = bound_json(*bound);
   if (plan) {
     Json timing = info_json(*plan);
     json["ages"] = std::move(timing["ages"]);
@@ -110,7 +125,12 @@ int perform(const SizeOptions& options) {
       run.diagnostics.io_error(
           "E0911", {}, fmt::format("cannot run `{}` on `{}`", options.image, options.run_on));
   }
-  if (!options.quiet) print_report(*report, plan, options.json_output);
+  std::optional<BoundReport> bound;
+  if (options.worst) {
+    bound = bound_instructions(options.image, rate_names(run), run.diagnostics);
+    if (!bound) return finish(run, options);
+  }
+  if (!options.quiet) print_report(*report, plan, bound, options.json_output);
   if (plan && run.spec->budget) {
     check_image_budget({*report, baseline, "the image", std::nullopt}, *run.spec->budget,
                        run.diagnostics);
@@ -136,6 +156,8 @@ Command table(SizeOptions& options) {
             text("--engine", options.engine,
                  "engine that the image was generated with, if not the graph's", "NAME"),
             library(options),
+            flag("--worst", options.worst,
+                 "also bound the instructions of each part, from the disassembled image"),
             text("--run", options.run_on, "also count instructions, in the target's emulator",
                  "TARGET"),
             reads(text("--baseline", options.baseline,

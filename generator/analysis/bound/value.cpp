@@ -1,0 +1,122 @@
+#include "generator/analysis/bound/value.hpp"
+
+#include <algorithm>
+
+#include "generator/analysis/bound/transfer.hpp"
+
+namespace eagerx::gen::bound {
+namespace {
+
+constexpr std::int64_t kLeastUnsigned = 0;
+
+// The bits of a base: what made it, of how many bits it is, half its address, its location.
+constexpr unsigned kIsPlace = 63, kOrigin = 60, kBits = 55, kAddress = 24;
+constexpr unsigned kMostBits = 31;
+
+/// Whether left - right is negative, zero, positive: what of it is possible.
+struct Signs {
+  bool negative = true, zero = true, positive = true;
+};
+
+Signs signs_of(const Comparison& comparison) {
+  Value a = comparison.left, b = comparison.right;
+  if (a.base != b.base) {
+    a = resolved(a);
+    b = resolved(b);
+  }
+  if (a.base != b.base) return {};
+  const std::int64_t low = a.low - b.high, high = a.high - b.low;
+  return {low < 0, low <= 0 && high >= 0, high > 0};
+}
+
+/// Unsigned order is that of the signed numbers where neither is negative.
+bool is_unsigned_order(const Comparison& comparison) {
+  return resolved(comparison.left).low >= kLeastUnsigned &&
+         resolved(comparison.right).low >= kLeastUnsigned;
+}
+
+std::optional<bool> one_of(bool may_hold, bool may_fail) {
+  if (may_hold && may_fail) return std::nullopt;
+  return may_hold;
+}
+
+}  // namespace
+
+const Value* State::find(const Location& location) const {
+  if (!location.on_stack) return &registers[static_cast<std::size_t>(location.at)];
+  const auto found = stack.find(location.at);
+  return found == stack.end() ? nullptr : &found->second;
+}
+
+void State::set(const Location& location, const Value& value) {
+  if (location.on_stack)
+    stack[location.at] = value;
+  else
+    registers[static_cast<std::size_t>(location.at)] = value;
+}
+
+Base base_of(Origin origin, Address at, const Location& location) {
+  constexpr std::uint64_t kOffset = 0x7fffff, kOfStack = 0x800000;
+  const auto where = static_cast<std::uint64_t>(location.at) & kOffset;
+  return (std::uint64_t{1} << kIsPlace) | (static_cast<std::uint64_t>(origin) << kOrigin) |
+         (std::uint64_t{at >> 1U} << kAddress) | where | (location.on_stack ? kOfStack : 0);
+}
+
+Base base_of_bits(Address at, const Location& location, unsigned bits) {
+  return base_of(Origin::made, at, location) | (std::uint64_t{bits & kMostBits} << kBits);
+}
+
+std::optional<Address> place_of(Base base) {
+  if (base >> kIsPlace == 0) return std::nullopt;
+  return static_cast<Address>(base >> kAddress) << 1U;
+}
+
+Value resolved(const Value& value) {
+  const auto bits = static_cast<unsigned>(value.base >> kBits) & kMostBits;
+  if (value.base >> kIsPlace == 0 || bits == 0) return value;
+  return {0, value.low, value.high + (std::int64_t{1} << bits) - 1};
+}
+
+namespace {
+
+Value joined(const Value& a, const Value& b, Address at, const Location& location) {
+  if (a == b) return a;
+  if (a.base == b.base) return {a.base, std::min(a.low, b.low), std::max(a.high, b.high)};
+  return {base_of(Origin::joined, at, location), 0, 0};
+}
+
+}  // namespace
+
+State join(const State& a, const State& b, Address at) {
+  State result;
+  for (std::size_t i = 0; i < kRegisters; ++i)
+    result.registers[i] =
+        joined(a.registers[i], b.registers[i], at, {false, static_cast<std::int64_t>(i)});
+  for (const auto& [offset, value] : a.stack) {
+    if (const auto other = b.stack.find(offset); other != b.stack.end())
+      result.stack[offset] = joined(value, other->second, at, {true, offset});
+  }
+  if (a.comparison == b.comparison) result.comparison = a.comparison;
+  result.escaped = std::min(a.escaped, b.escaped);
+  return result;
+}
+
+std::optional<bool> holds(std::string_view condition, const Comparison& comparison) {
+  const Signs s = signs_of(comparison);
+  if (condition == "eq") return one_of(s.zero, s.negative || s.positive);
+  if (condition == "ne") return one_of(s.negative || s.positive, s.zero);
+  // Of others than numbers, only the difference is known: their order may wrap.
+  if (comparison.zero_only || resolved(comparison.left).base != 0) return std::nullopt;
+  const bool is_signed =
+      condition == "lt" || condition == "le" || condition == "gt" || condition == "ge";
+  if (!is_signed && !is_unsigned_order(comparison)) return std::nullopt;
+  if (condition == "lt" || condition == "cc" || condition == "lo")
+    return one_of(s.negative, s.zero || s.positive);
+  if (condition == "ge" || condition == "cs" || condition == "hs")
+    return one_of(s.zero || s.positive, s.negative);
+  if (condition == "gt" || condition == "hi") return one_of(s.positive, s.zero || s.negative);
+  if (condition == "le" || condition == "ls") return one_of(s.zero || s.negative, s.positive);
+  return std::nullopt;
+}
+
+}  // namespace eagerx::gen::bound

@@ -1,0 +1,285 @@
+#include "generator/analysis/bound/walk.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "generator/analysis/bound/transfer.hpp"
+
+namespace eagerx::gen::bound {
+namespace {
+
+std::vector<Location> locations_of(const State& state) {
+  std::vector<Location> all;
+  for (std::size_t r = 0; r < kRegisters; ++r)
+    all.push_back({false, static_cast<std::int64_t>(r)});
+  for (const auto& [offset, value] : state.stack) all.push_back({true, offset});
+  return all;
+}
+
+bool is_on_every_turn(const Flow& flow, const Loop& loop, BlockIndex block) {
+  return std::ranges::all_of(loop.latches,
+                             [&](BlockIndex latch) { return flow.dominates(block, latch); });
+}
+
+void add(std::map<BlockIndex, State>& open, BlockIndex to, const State& state, Address at) {
+  const auto [found, is_new] = open.emplace(to, state);
+  if (!is_new) found->second = join(found->second, state, at);
+}
+
+}  // namespace
+
+void Walk::function(const State& entry) {
+  result_.flow = &flow_;
+  result_.reached.assign(flow_.blocks.size(), false);
+  result_.most_turns.assign(flow_.loops.size(), 0);
+  for (const auto& [from, to] : flow_.entered_elsewhere)
+    result_.obstacles.push_back({Reason::several_entries, address(to)});
+  pass(kNone, entry, true);
+  for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
+    if (result_.reached[b] && flow_.blocks[b].lost)
+      result_.obstacles.push_back({Reason::lost, flow_.blocks[b].code.back()->at});
+  }
+}
+
+Walk::Pass Walk::pass(LoopIndex loop_index, const State& header, bool record) {
+  Pass result;
+  std::map<BlockIndex, State> open;
+  open.emplace(loop_index == kNone ? 0 : flow_.loops[loop_index].header, header);
+  for (const BlockIndex b : flow_.order) {
+    const auto found = open.find(b);
+    if (found == open.end()) continue;
+    const State state = std::move(found->second);
+    open.erase(found);
+    const LoopIndex inner = flow_.child(loop_index, b);
+    if (inner == kNone) {
+      block(loop_index, b, state, record, result, open);
+    } else {
+      for (const auto& [edge, out] : loop(inner, state, record))
+        deliver(loop_index, edge, out, record, result, open);
+    }
+  }
+  return result;
+}
+
+void Walk::block(LoopIndex loop_index, BlockIndex b, State state, bool record, Pass& to,
+                 std::map<BlockIndex, State>& open) {
+  const Block& here = flow_.blocks[b];
+  if (record) result_.reached[b] = true;
+  for (const Instruction* instruction : here.code) {
+    const Turn turn = turn_of(*instruction);
+    if (record && turn == Turn::call_pointer)
+      result_.obstacles.push_back({Reason::pointer_call, instruction->at});
+    if (record && turn == Turn::call) {
+      const Address callee = instruction->target;
+      if (analysis_.active_.contains(callee))
+        result_.obstacles.push_back({Reason::recursion, instruction->at});
+      else
+        result_.calls[instruction->at] = analysis_.analyse(callee, entry_state(callee, &state));
+    }
+    apply(image_, *instruction, state);
+  }
+  const auto is_taken = taken(here, state, to, b);
+  for (std::size_t i = 0; i < here.next.size(); ++i) {
+    if (is_taken && here.next.size() == 2 && *is_taken != (i == 1)) continue;
+    deliver(loop_index, {b, here.next[i]}, state, record, to, open);
+  }
+}
+
+/// Whether the branch at the end of a block is taken, if that is known.
+std::optional<bool> Walk::taken(const Block& block, const State& state, Pass& to,
+                                BlockIndex b) const {
+  if (block.code.empty()) return std::nullopt;
+  const Instruction& last = *block.code.back();
+  if (turn_of(last) != Turn::branch || block.next.size() != 2) return std::nullopt;
+  std::optional<Comparison> comparison = state.comparison;
+  std::string condition = last.condition;
+  if (last.name.starts_with("cb")) {
+    const auto tested = register_of(last.operands.front());
+    if (!tested) return std::nullopt;
+    comparison = Comparison{state.registers[*tested], Value::of(0), false};
+    condition = last.name == "cbz" ? "eq" : "ne";
+  }
+  if (!comparison) return std::nullopt;
+  to.tests[b] = *comparison;
+  return holds(condition, *comparison);
+}
+
+void Walk::deliver(LoopIndex loop_index, Edge edge, const State& state, bool record, Pass& to,
+                   std::map<BlockIndex, State>& open) {
+  if (record) result_.possible.insert(edge);
+  const BlockIndex target = edge.second;
+  if (loop_index != kNone && target == flow_.loops[loop_index].header) {
+    to.latch = to.latch ? join(*to.latch, state, address(target)) : state;
+  } else if (flow_.is_in(target, loop_index)) {
+    add(open, target, state, address(target));
+  } else {
+    const auto [found, is_new] = to.exits.emplace(edge, state);
+    if (!is_new) found->second = join(found->second, state, address(target));
+  }
+}
+
+/// The header's state where all that may change is a number of its own.
+State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& fixed) const {
+  State header = in;
+  const Address at = address(flow_.loops[l].header);
+  for (const Location& where : locations_of(in)) {
+    if (!fixed.contains(where)) header.set(where, {base_of(Origin::header, at, where), 0, 0});
+  }
+  header.comparison.reset();
+  header.escaped = INT64_MIN;  // whatever the loop lets escape
+  if (in.escaped == INT64_MAX) header.escaped = in.escaped;
+  return header;
+}
+
+Walk::Changes Walk::changes(LoopIndex l, const State& in, const State& header, const State& latch,
+                            const std::set<Location>& fixed) const {
+  Changes result;
+  const Address at = address(flow_.loops[l].header);
+  for (const Location& where : locations_of(in)) {
+    const Value* after = latch.find(where);
+    if (after == nullptr) continue;
+    if (fixed.contains(where)) {
+      if (*after == *header.find(where)) result.fixed.insert(where);
+      continue;
+    }
+    if (after->base != base_of(Origin::header, at, where)) continue;
+    if (after->low == 0 && after->high == 0)
+      result.fixed.insert(where);
+    else
+      result.steps[where] = Value{0, after->low, after->high};
+  }
+  return result;
+}
+
+bool Walk::is_made_in(LoopIndex l, Base base) {
+  const auto place = place_of(base);
+  if (!place) return false;
+  std::set<Address>& addresses = addresses_[l];
+  if (addresses.empty()) {
+    for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
+      if (!flow_.loops[l].has[b]) continue;
+      for (const Instruction* instruction : flow_.blocks[b].code) addresses.insert(instruction->at);
+    }
+  }
+  return addresses.contains(*place);
+}
+
+std::optional<Progress> Walk::progress(LoopIndex l, const State& in, const Changes& changes,
+                                       const Value& value) const {
+  const Address at = address(flow_.loops[l].header);
+  for (const auto& [where, step] : changes.steps) {
+    if (value.base != base_of(Origin::header, at, where)) continue;
+    const auto start = sum(*in.find(where), {0, value.low, value.high}, 1);
+    return start ? std::optional(Progress{*start, step}) : std::nullopt;
+  }
+  for (const Location& where : changes.fixed) {
+    if (value.base != base_of(Origin::header, at, where)) continue;
+    const auto start = sum(*in.find(where), {0, value.low, value.high}, 1);
+    return start ? std::optional(Progress{*start, Value::of(0)}) : std::nullopt;
+  }
+  return Progress{value, Value::of(0)};
+}
+
+std::optional<Turns> Walk::turns(LoopIndex l, const State& in, const Pass& pass,
+                                 const Changes& changes) {
+  const Loop& loop = flow_.loops[l];
+  std::optional<Turns> best;
+  std::size_t exits = 0;
+  for (const auto& [edge, state] : pass.exits) {
+    ++exits;
+    const auto test = pass.tests.find(edge.first);
+    if (test == pass.tests.end() || !is_on_every_turn(flow_, loop, edge.first)) continue;
+    const Block& block = flow_.blocks[edge.first];
+    if (block.loop != l || block.next.size() != 2) continue;
+    const Instruction& last = *block.code.back();
+    std::string condition = last.condition;
+    if (last.name.starts_with("cb")) condition = last.name == "cbz" ? "eq" : "ne";
+    const bool leaves_when_taken = edge.second == block.next[1];
+    const auto progress_of = [&](const Value& value) -> std::optional<Progress> {
+      const auto found = progress(l, in, changes, value);
+      // What the loop itself makes is another number every turn.
+      if (!found || (found->start.base == value.base && is_made_in(l, value.base)))
+        return std::nullopt;
+      return found;
+    };
+    const auto found =
+        turns_of({test->second, leaves_when_taken ? opposite(condition) : condition}, progress_of);
+    if (found && (!best || found->most < best->most)) best = found;
+  }
+  if (best && exits > 1) best->is_exact = false;
+  return best;
+}
+
+/// What its source says: a place that is passed a number of times in all. Copies share the number.
+std::optional<std::uint64_t> Walk::noted(LoopIndex l) const {
+  const Loop& loop = flow_.loops[l];
+  std::optional<std::uint64_t> most;
+  std::uint64_t copies = 0;
+  for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
+    if (flow_.blocks[b].loop != l || !is_on_every_turn(flow_, loop, b)) continue;
+    for (const Instruction* instruction : flow_.blocks[b].code) {
+      const auto note = image_.notes().find(instruction->at);
+      if (note == image_.notes().end()) continue;
+      ++copies;
+      const std::uint64_t passes = note->second.waits ? 0 : note->second.most;
+      most = std::min(most.value_or(passes), passes);
+    }
+  }
+  if (!most) return most;
+  return *most / copies + 1;
+}
+
+/// The header's state in all turns, or in the last one.
+State Walk::running_header(LoopIndex l, const State& in, const Changes& changes,
+                           const std::optional<Turns>& turns, bool last) const {
+  std::set<Location> known = changes.fixed;
+  std::map<Location, Value> values;
+  for (const auto& [where, step] : changes.steps) {
+    if (!turns) continue;
+    const auto count = static_cast<std::int64_t>(std::min<std::uint64_t>(turns->most - 1, INT32_MAX));
+    const std::int64_t down = step.low * count, up = step.high * count;
+    const Value way = last ? Value{0, down, up}
+                           : Value{0, std::min<std::int64_t>(down, 0), std::max<std::int64_t>(up, 0)};
+    const auto value = sum(*in.find(where), way, 1);
+    if (!value) continue;
+    known.insert(where);
+    values[where] = *value;
+  }
+  State header = open_header(l, in, known);
+  for (const auto& [where, value] : values) header.set(where, value);
+  return header;
+}
+
+std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
+  // First with all values open, then with those that stay.
+  State header = open_header(l, in, {{false, kSp}});
+  Pass first = pass(l, header, false);
+  Changes found;
+  std::optional<Turns> count;
+  if (first.latch) {
+    found = changes(l, in, header, *first.latch, {{false, kSp}});
+    header = open_header(l, in, found.fixed);
+    Pass second = pass(l, header, false);
+    if (second.latch) {
+      found = changes(l, in, header, *second.latch, found.fixed);
+      count = turns(l, in, second, found);
+    } else {
+      count = Turns{1, true};
+    }
+  } else {
+    count = Turns{1, true};  // it never goes back
+    header = in;
+    for (const Location& where : locations_of(in)) found.fixed.insert(where);
+  }
+  if (const auto note = noted(l); note && (!count || *note < count->most)) count = Turns{*note, false};
+  if (record) {
+    result_.most_turns[l] = count ? std::optional(count->most) : std::nullopt;
+    if (!count) result_.obstacles.push_back({Reason::loop, address(flow_.loops[l].header)});
+  }
+  auto exits = pass(l, running_header(l, in, found, count, false), record).exits;
+  if (count && count->is_exact && exits.size() == 1)
+    return pass(l, running_header(l, in, found, count, true), false).exits;
+  return exits;
+}
+
+}  // namespace eagerx::gen::bound
