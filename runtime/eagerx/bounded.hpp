@@ -1,4 +1,5 @@
-// Loops with a limit, for the bound of instructions that `eagerx-gen size --worst` finds in an image.
+// Loops with a limit, for the bound of instructions that `eagerx-gen size --worst` finds in an
+// image.
 #pragma once
 
 #include <cstdint>
@@ -59,7 +60,8 @@ class Bounded {
 /// A loop that turns `count` times, but at most `Most` times, whatever `count` is:
 ///   for (const std::uint32_t i : eagerx::bounded<16>(in.joints)) …
 /// Without a count, `Most` times; leave it earlier with `break`:
-///   for ([[maybe_unused]] const std::uint32_t i : eagerx::bounded<20>()) { if (close(x)) break; … }
+///   for ([[maybe_unused]] const std::uint32_t i : eagerx::bounded<20>()) { if (close(x)) break; …
+///   }
 template <std::uint32_t Most>
 constexpr Bounded<Most> bounded(std::uint32_t count = Most) {
   return Bounded<Most>(count);

@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::size_t kArguments = 4;        // registers: AAPCS 6.4
 constexpr std::int64_t kStackArguments = 8;  // words that are looked at
-constexpr std::int64_t kWordBytes = 4;
 
 bool returns(const Flow& flow) {
   for (const BlockIndex b : flow.order) {
@@ -62,12 +61,13 @@ const Analysed* Analysis::analyse(Address entry, const State& state) {
 State entry_state(Address entry, const State* caller) {
   State state;
   for (std::size_t r = 0; r < kRegisters; ++r)
-    state.registers[r] = {base_of(Origin::entry, entry, {false, static_cast<std::int64_t>(r)}), 0, 0};
+    state.registers[r] = {base_of(Origin::entry, entry, {false, static_cast<std::int64_t>(r)}), 0,
+                          0};
   state.registers[kSp] = {kStack, 0, 0};
   if (caller == nullptr) return state;
   std::map<Base, Value> first;  // of each base: what stands for it in the callee
   for (std::size_t r = 0; r < kArguments; ++r) {
-    const Value value = resolved(caller->registers[r]);
+    const Value value = caller->resolve(caller->registers[r]);
     if (value.base == 0) {
       state.registers[r] = value;
       continue;
@@ -77,7 +77,7 @@ State entry_state(Address entry, const State* caller) {
     // As far from the argument before it as it is in the caller.
     if (!same->second.is_exact()) continue;
     for (std::size_t before = 0; before < r; ++before) {
-      if (resolved(caller->registers[before]) != same->second) continue;
+      if (caller->resolve(caller->registers[before]) != same->second) continue;
       const std::int64_t offset = same->second.low;
       state.registers[r] = {state.registers[before].base, value.low - offset, value.high - offset};
       break;
@@ -87,20 +87,19 @@ State entry_state(Address entry, const State* caller) {
   if (sp.base != kStack || !sp.is_exact()) return state;
   for (std::int64_t i = 0; i < kStackArguments; ++i) {
     const auto found = caller->stack.find(sp.low + i * kWordBytes);
-    if (found != caller->stack.end() && resolved(found->second).base == 0)
-      state.stack[i * kWordBytes] = resolved(found->second);
+    if (found != caller->stack.end() && caller->resolve(found->second).base == 0)
+      state.stack[i * kWordBytes] = caller->resolve(found->second);
   }
   return state;
 }
 
 std::string key_of(const State& entry) {
   std::string key;
-  const auto base_of_register = [&](std::size_t r) {
-    return entry.registers[r].base & 0xff;
-  };
+  const auto base_of_register = [&](std::size_t r) { return entry.registers[r].base & 0xff; };
   for (std::size_t r = 0; r < kArguments; ++r) {
     const Value& value = entry.registers[r];
-    const bool is_own = value.base != 0 && base_of_register(r) == r && value == Value{value.base, 0, 0};
+    const bool is_own =
+        value.base != 0 && base_of_register(r) == r && value == Value{value.base, 0, 0};
     if (!is_own)
       key += fmt::format("r{}={}:{}:{} ", r, value.base == 0 ? 99 : base_of_register(r), value.low,
                          value.high);

@@ -17,28 +17,28 @@
 namespace eagerx::gen::bound {
 
 enum class Reason : std::uint8_t {
-  loop,          // how often it turns is not known
+  loop,  // how often it turns is not known
   several_entries,
   recursion,
   pointer_call,
-  lost,          // a jump to where nothing is known
+  lost,  // a jump to where nothing is known
 };
 
 /// Why a function has no bound.
 struct Obstacle {
   Reason reason = Reason::loop;
-  Address at = 0;        // the loop's header, the call, the jump
+  Address at = 0;  // the loop's header, the call, the jump
   auto operator<=>(const Obstacle&) const = default;
 };
 
 /// A function with what is known of its arguments.
 struct Analysed {
   const Flow* flow = nullptr;
-  std::vector<bool> reached;                              // [blocks]
-  std::set<std::pair<BlockIndex, BlockIndex>> possible;   // edges
-  std::vector<std::optional<std::uint64_t>> most_turns;   // [loops] runs of the header
-  std::map<Address, const Analysed*> calls;               // by the call's address
-  std::vector<Obstacle> obstacles;                        // its own
+  std::vector<bool> reached;                             // [blocks]
+  std::set<std::pair<BlockIndex, BlockIndex>> possible;  // edges
+  std::vector<std::optional<std::uint64_t>> most_turns;  // [loops] runs of the header
+  std::map<Address, const Analysed*> calls;              // by the call's address
+  std::vector<Obstacle> obstacles;                       // its own
 };
 
 class Analysis {
@@ -48,7 +48,6 @@ class Analysis {
   /// The function at `entry`, whatever its arguments are.
   const Analysed& of(Address entry);
   [[nodiscard]] const Image& image() const { return image_; }
-
 
  private:
   friend class Walk;

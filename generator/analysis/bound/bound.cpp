@@ -77,7 +77,11 @@ Words words_of(Reason reason) {
 class Report {
  public:
   Report(const bound::Image& image, const std::vector<std::string>& rates)
-      : image_(image), rates_(rates), places_(image), analysis_(image), regions_(analysis_, places_) {}
+      : image_(image),
+        rates_(rates),
+        places_(image),
+        analysis_(image),
+        regions_(analysis_, places_) {}
 
   /// nullopt: the image has no program with a map.
   std::optional<BoundReport> make(const std::string& path, Diagnostics& diagnostics) {
@@ -94,6 +98,7 @@ class Report {
     add_slots();
     add_nodes(*map);
     add_missing();
+    add_functions();
     return std::move(report_);
   }
 
@@ -102,7 +107,8 @@ class Report {
   void name_functions() {
     for (const auto& [at, instruction] : image_.instructions()) {
       for (const auto& frame : places_.of(at)) {
-        if (!names_.contains(frame.function)) names_[frame.function] = function_name(frame.function);
+        if (!names_.contains(frame.function))
+          names_[frame.function] = function_name(frame.function);
       }
     }
   }
@@ -178,7 +184,10 @@ class Report {
   void add_missing() {
     for (const auto& [obstacle, of] : obstacles_) {
       const Words words = words_of(obstacle.reason);
-      NoBound missing{words.what, "", function_name(image_.function_of(obstacle.at)), words.help,
+      NoBound missing{words.what,
+                      "",
+                      function_name(image_.function_of(obstacle.at)),
+                      words.help,
                       {of.begin(), of.end()}};
       const auto& frames = places_.of(obstacle.at);
       if (!frames.empty() && frames.front().line > 0) {
@@ -186,6 +195,15 @@ class Report {
         missing.function = names_.at(frames.front().function);
       }
       report_.missing.push_back(std::move(missing));
+    }
+  }
+
+  void add_functions() {
+    for (const auto& [at, name] : image_.functions()) {
+      bound::LongestPath path(bound::Weight::all());
+      const std::uint64_t most = path.of(analysis_.of(at));
+      if (path.obstacles().empty() && most > 0)
+        report_.functions.push_back({function_name(name), at, most});
     }
   }
 
@@ -222,9 +240,9 @@ std::optional<BoundReport> bound_instructions(const std::string& image,
   const auto prefix = tool_prefix(image);
   if (!prefix || *prefix != "arm-none-eabi-") {
     diagnostics
-        .io_error("E0911", {},
-                  fmt::format("instructions of `{}` have no bound: it is no image for a Cortex-M",
-                              image))
+        .io_error(
+            "E0911", {},
+            fmt::format("instructions of `{}` have no bound: it is no image for a Cortex-M", image))
         .help = "other machines are not analysed; count in an emulator with `--run TARGET`";
     return std::nullopt;
   }
@@ -263,12 +281,14 @@ Json bound_json(const BoundReport& report) {
   json["parts"] = rows_json(report.parts);
   json["slots"] = rows_json(report.slots);
   json["nodes"] = rows_json(report.nodes);
+  Json functions = Json::list();
+  for (const FunctionBound& one : report.functions)
+    functions.push_back(Json{{"name", one.name}, {"address", one.address}, {"most", one.most}});
+  json["functions"] = std::move(functions);
   Json missing = Json::list();
   for (const NoBound& one : report.missing)
-    missing.push_back(Json{{"what", one.what},
-                           {"place", one.place},
-                           {"function", one.function},
-                           {"of", one.of}});
+    missing.push_back(
+        Json{{"what", one.what}, {"place", one.place}, {"function", one.function}, {"of", one.of}});
   json["missing"] = std::move(missing);
   return json;
 }

@@ -26,10 +26,17 @@ struct InstructionBound {
   bool is_bound = true;  // false: `most` leaves out what NoBound names
 };
 
+/// A function of the image, whatever its arguments are.
+struct FunctionBound {
+  std::string name;
+  std::uint64_t address = 0, most = 0;
+};
+
 struct BoundReport {
-  std::vector<InstructionBound> parts;  // step, reset, guard, policy: those that the image has
-  std::vector<InstructionBound> slots;  // each kind of slot, by the rates that are due
-  std::vector<InstructionBound> nodes;  // in a step
+  std::vector<InstructionBound> parts;   // step, reset, guard, policy: those that the image has
+  std::vector<InstructionBound> slots;   // each kind of slot, by the rates that are due
+  std::vector<InstructionBound> nodes;   // in a step
+  std::vector<FunctionBound> functions;  // that have a bound; for comparisons with what is executed
   std::vector<NoBound> missing;
 };
 

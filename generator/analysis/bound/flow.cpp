@@ -1,25 +1,43 @@
 #include "generator/analysis/bound/flow.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string_view>
 
 namespace eagerx::gen::bound {
 namespace {
 
-bool has_register(const std::string& operand, std::string_view name) {
-  const auto found = operand.find(name);
-  return found != std::string::npos;
+/// The last entry of a table, by the comparison before a jump through it: `cmp r3, #4`, `bhi`,
+/// `tbb [pc, r3]`. Without one: as many as there can be.
+Address last_entry(const Image& image, const Instruction& jump) {
+  constexpr int kFar = 12;
+  constexpr Address kAny = 0xffff;
+  if (jump.operands.empty()) return kAny;
+  const std::string_view text = jump.operands[0];
+  const auto begin = std::min(text.find(", ") + 2, text.size());
+  const std::string_view index = text.substr(begin, text.find_first_of(",]", begin) - begin);
+  auto at = image.instructions().find(jump.at);
+  bool is_checked = false;
+  for (int i = 0; i < kFar && at != image.instructions().begin(); ++i) {
+    const Instruction& before = (--at)->second;
+    is_checked |= before.name == "b" && before.condition == "hi";
+    if (before.operands.empty() || before.operands[0] != index) continue;
+    if (before.name != "cmp" || !is_checked || before.operands.size() != 2) return kAny;
+    return static_cast<Address>(std::strtoul(before.operands[1].c_str() + 1, nullptr, 10));
+  }
+  return kAny;
 }
 
-/// The entries of tbb and tbh lie behind them, as halves of offsets: up to the first that leads to
-/// no instruction, or lies behind where one leads.
+/// The entries of tbb and tbh lie behind them, as halves of offsets. Where their number is not
+/// known: up to the first that leads to no instruction, or lies behind where one leads.
 std::vector<Address> table_targets(const Image& image, const Instruction& instruction) {
   const bool is_byte = instruction.name == "tbb";
   const unsigned size = is_byte ? 1 : 2;
   const Address begin = instruction.at + 4;
+  const Address last = begin + last_entry(image, instruction) * size;
   std::vector<Address> targets;
   Address least = static_cast<Address>(-1);
-  for (Address at = begin; at < least; at += size) {
+  for (Address at = begin; at < least && at <= last; at += size) {
     const auto entry = image.constant(at, size);
     if (!entry || image.instruction(at) != nullptr) break;
     const Address target = begin + 2 * *entry;
@@ -254,7 +272,8 @@ Turn turn_of(const Instruction& instruction) {
   if (name == "tbb" || name == "tbh") return Turn::table;
   if (name == "udf") return Turn::halt;
   const bool loads_many = name == "pop" || name.starts_with("ldm");
-  if (loads_many) return has_register(instruction.operands.back(), "pc") ? Turn::back : Turn::none;
+  if (loads_many)
+    return instruction.operands.back().find("pc") != std::string::npos ? Turn::back : Turn::none;
   if (operand(0) != "pc") return Turn::none;
   if (name == "ldr" && operand(1).starts_with("[sp")) return Turn::back;
   if (name == "mov" && operand(1) == "lr") return Turn::back;

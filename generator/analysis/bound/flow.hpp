@@ -17,29 +17,30 @@ inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 struct Block {
   std::vector<const Instruction*> code;
-  std::vector<BlockIndex> next;      // in the order: not taken, taken; or those of a table
+  std::vector<BlockIndex> next;  // in the order: not taken, taken; or those of a table
   std::vector<BlockIndex> before;
-  bool returns = false;              // it may end the function
-  bool lost = false;                 // where it leads is not known
-  LoopIndex loop = kNone;            // the innermost one that it lies in
+  bool returns = false;    // it may end the function
+  bool lost = false;       // where it leads is not known
+  LoopIndex loop = kNone;  // the innermost one that it lies in
 };
 
 /// A natural loop; its header dominates it.
 struct Loop {
   BlockIndex header = 0;
   LoopIndex parent = kNone;
-  std::vector<bool> has;             // [blocks]
-  std::vector<BlockIndex> latches;   // from which it goes back to its header
+  std::vector<bool> has;            // [blocks]
+  std::vector<BlockIndex> latches;  // from which it goes back to its header
 };
 
 /// From an entry on, along branches: what another function jumps to is part of it, calls are not.
 struct Flow {
   Address entry = 0;
-  std::vector<Block> blocks;         // [0] is the entry
-  std::vector<Loop> loops;           // outer ones first
-  std::vector<BlockIndex> order;     // reverse postorder: without going back, first to last
-  std::vector<BlockIndex> dominator; // immediate ones; the entry's is itself
-  std::vector<std::pair<BlockIndex, BlockIndex>> entered_elsewhere;  // edges into loops with several
+  std::vector<Block> blocks;          // [0] is the entry
+  std::vector<Loop> loops;            // outer ones first
+  std::vector<BlockIndex> order;      // reverse postorder: without going back, first to last
+  std::vector<BlockIndex> dominator;  // immediate ones; the entry's is itself
+  std::vector<std::pair<BlockIndex, BlockIndex>>
+      entered_elsewhere;  // edges into loops with several
 
   [[nodiscard]] bool dominates(BlockIndex above, BlockIndex below) const;
   [[nodiscard]] bool is_in(BlockIndex block, LoopIndex loop) const {

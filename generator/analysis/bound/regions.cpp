@@ -40,8 +40,7 @@ std::vector<Region> Regions::find(const IsNamed& is_named) const {
       const bool is_whole = i + 1 == frames.size();
       const Address function = function_at(analysis_.image(), at);
       const std::string from =
-          is_whole ? std::string()
-                   : fmt::format("{}:{}", frames[i + 1].file, frames[i + 1].line);
+          is_whole ? std::string() : fmt::format("{}:{}", frames[i + 1].file, frames[i + 1].line);
       Region& region = found[{function, from}];
       region.function = function;
       if (!is_whole) region.code.insert(at);

@@ -14,8 +14,8 @@ namespace eagerx::gen::bound {
 
 /// A function of the program, once: where it was inlined, or on its own.
 struct Region {
-  Address function = 0;     // the function that it lies in
-  std::set<Address> code;   // empty: all of that function
+  Address function = 0;    // the function that it lies in
+  std::set<Address> code;  // empty: all of that function
 };
 
 /// Whether a function's mangled name is that of the part that is looked for.

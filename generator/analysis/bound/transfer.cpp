@@ -31,15 +31,11 @@ std::optional<std::size_t> register_of(std::string_view operand) {
   const auto result = std::from_chars(operand.data() + 1, operand.data() + operand.size(), number);
   if (result.ec != std::errc() || result.ptr != operand.data() + operand.size())
     return std::nullopt;
-  constexpr std::size_t kCore = 16;
   if (operand[0] == 'r') return number < kCore ? std::optional(number) : std::nullopt;
   return number + kCore < kRegisters ? std::optional(number + kCore) : std::nullopt;
 }
 
 namespace {
-
-constexpr std::size_t kCore = 16;
-constexpr std::int64_t kWordBytes = 4;
 
 std::optional<std::int64_t> number_of(std::string_view operand) {
   if (!operand.starts_with("#")) return std::nullopt;
@@ -154,8 +150,8 @@ class Step {
   }
 
   void forget_written() {
-    const bool two = starts_with_any(name_, {"umull", "smull", "umlal", "smlal", "umaal", "smlald",
-                                             "smlsld", "ldrexd"});
+    const bool two = starts_with_any(
+        name_, {"umull", "smull", "umlal", "smlal", "umaal", "smlald", "smlsld", "ldrexd"});
     if (sets_flags()) state_.comparison.reset();
     const bool is_vector = name_.starts_with("v");
     for (std::size_t i = 0; i < instruction_.operands.size(); ++i) {
@@ -232,7 +228,8 @@ class Step {
   void move_stack() {
     const auto& list = instruction_.operands.back();
     std::int64_t bytes = 0;
-    const auto registers = list.starts_with("{d") ? std::vector<std::size_t>() : listed_registers(list);
+    const auto registers =
+        list.starts_with("{d") ? std::vector<std::size_t>() : listed_registers(list);
     bytes = static_cast<std::int64_t>(registers.size()) * kWordBytes;
     if (list.starts_with("{d")) bytes = doubles(list) * 2 * kWordBytes;
     const bool pushes = name_ == "push" || name_ == "vpush";
@@ -340,7 +337,8 @@ class Step {
       const auto r = register_of(operand(i));
       if (!r || *r == kCore - 1) continue;
       std::optional<Value> value;
-      if (at) value = load(*sum(*at, Value::of(static_cast<std::int64_t>(i) * kWordBytes), 1), width());
+      if (at)
+        value = load(*sum(*at, Value::of(static_cast<std::int64_t>(i) * kWordBytes), 1), width());
       if (!value && name_.starts_with("ldrb")) value = of_bits(8);
       if (!value && name_ == "ldrh") value = of_bits(16);
       write(*r, value);
@@ -450,8 +448,9 @@ class Step {
     return Value{base_of_bits(instruction_.at, where, bits), 0, 0};
   }
 
-  static std::optional<Value> scaled(const Value& unscaled, std::optional<std::int64_t> shift) {
-    const Value value = resolved(unscaled);
+  [[nodiscard]] std::optional<Value> scaled(const Value& unscaled,
+                                            std::optional<std::int64_t> shift) const {
+    const Value value = state_.resolve(unscaled);
     if (!shift || *shift > 31 || value.base != 0 || value.low < 0) return std::nullopt;
     const Value result{0, value.low << *shift, value.high << *shift};
     return result.high <= INT32_MAX ? std::optional(result) : std::nullopt;
@@ -460,6 +459,13 @@ class Step {
   /// False: not an operation that is known. An empty value: its result is not known.
   bool result(std::string_view name, std::optional<Value>& value) const {
     const auto [left, right] = two_operands();
+    if (name == "mov" && instruction_.operands.size() == 3) {
+      const std::string_view shift = operand(2);
+      const auto from = read(operand(1));
+      const auto by = shift.size() > 4 ? number_of(shift.substr(4)) : std::nullopt;
+      if (!by) return false;
+      return bits(shift.substr(0, 3), from, Value::of(*by), value);
+    }
     if (name == "mov" || name == "movw" || name == "vmov") {
       if (instruction_.operands.size() != 2) return false;
       if (name == "vmov" && !register_of(operand(1))) return false;  // a float's bits
@@ -476,7 +482,8 @@ class Step {
     } else if (name == "sub" || name == "subw") {
       if (left && right) value = sum(*left, *right, -1);
     } else if (name == "rsb" || name == "neg") {
-      if (left && right) value = name == "neg" ? sum(Value::of(0), *right, -1) : sum(*right, *left, -1);
+      if (left && right)
+        value = name == "neg" ? sum(Value::of(0), *right, -1) : sum(*right, *left, -1);
     } else {
       return bits(name, left, right, value);
     }
@@ -489,7 +496,7 @@ class Step {
     if (name == "lsl") {
       if (left && right && right->is_number()) value = scaled(*left, right->low);
     } else if (name == "lsr") {
-      const auto from = left ? std::optional(resolved(*left)) : left;
+      const auto from = left ? std::optional(state_.resolve(*left)) : left;
       const bool shifts = right && right->is_number() && right->low > 0 && right->low < 32;
       if (shifts && from && from->base == 0 && from->low >= 0)
         value = Value{0, from->low >> right->low, from->high >> right->low};
@@ -499,7 +506,8 @@ class Step {
       if (numbers)
         value = Value::of(left->low & right->low);
       else if (right && right->is_number() && right->low >= 0)
-        value = of_bits(static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(right->low))));
+        value =
+            of_bits(static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(right->low))));
     } else if (name == "bic") {
       if (numbers) value = Value::of(left->low & ~right->low);
     } else if (name == "orr") {
@@ -512,7 +520,7 @@ class Step {
     } else if (name == "uxtb" || name == "uxth") {
       const unsigned width = name == "uxtb" ? 8 : 16;
       value = of_bits(width);
-      const auto from = right ? resolved(*right) : Value{~Base{0}, 0, 0};
+      const auto from = right ? state_.resolve(*right) : Value{~Base{0}, 0, 0};
       if (from.base == 0 && from.low >= 0 && from.high < (std::int64_t{1} << width)) value = right;
     } else {
       return false;

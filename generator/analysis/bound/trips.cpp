@@ -12,8 +12,9 @@ namespace {
 constexpr std::int64_t kMostNumber = INT32_MAX;
 
 /// What any number meets that grows to a limit, without a sign: it is below it for so many turns.
-std::optional<std::uint64_t> below_limit(const Progress& left, const Progress& right) {
-  const Value limit = resolved(right.start);
+std::optional<std::uint64_t> below_limit(const Progress& left, const Progress& right,
+                                         const State& state) {
+  const Value limit = state.resolve(right.start);
   constexpr std::int64_t kLargestStep = 1 << 16;
   if (limit.base != 0 || limit.low < 0 || right.step != Value::of(0)) return std::nullopt;
   if (left.step.low <= 0 || left.step.high > kLargestStep) return std::nullopt;
@@ -26,12 +27,13 @@ struct Difference {
   Progress left, right;
 };
 
-std::optional<Difference> difference(const Test& test, const ProgressOf& progress_of) {
+std::optional<Difference> difference(const Test& test, const ProgressOf& progress_of,
+                                     const State& state) {
   auto left = progress_of(test.comparison.left), right = progress_of(test.comparison.right);
   if (!left || !right) return std::nullopt;
   if (left->start.base != right->start.base) {
-    left->start = resolved(left->start);
-    right->start = resolved(right->start);
+    left->start = state.resolve(left->start);
+    right->start = state.resolve(right->start);
   }
   const auto start = sum(left->start, right->start, -1), step = sum(left->step, right->step, -1);
   if (!start || !step || start->base != 0 || step->base != 0) return std::nullopt;
@@ -64,8 +66,7 @@ std::optional<std::uint64_t> while_below(const Difference& d, bool or_equal, boo
   if (numbers && d.right.step != Value::of(0) && is_unsigned) return std::nullopt;
   const std::int64_t way = -d.start.low;
   if (way < 0 || (way == 0 && !or_equal)) return 0;
-  return or_equal ? static_cast<std::uint64_t>(way / d.step.low) + 1
-                  : rounded_up(way, d.step.low);
+  return or_equal ? static_cast<std::uint64_t>(way / d.step.low) + 1 : rounded_up(way, d.step.low);
 }
 
 /// While left > right, or >=, where left falls towards right.
@@ -108,14 +109,14 @@ std::optional<std::uint64_t> stays(const Difference& d, const std::string& condi
 
 }  // namespace
 
-std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of) {
-  const auto d = difference(test, progress_of);
+std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, const State& state) {
+  const auto d = difference(test, progress_of, state);
   if (!d) {
-    const bool is_unsigned = test.stays_while == "cc" || test.stays_while == "lo" ||
-                             test.stays_while == "ls";
+    const bool is_unsigned =
+        test.stays_while == "cc" || test.stays_while == "lo" || test.stays_while == "ls";
     const auto left = progress_of(test.comparison.left), right = progress_of(test.comparison.right);
     if (!is_unsigned || test.comparison.zero_only || !left || !right) return std::nullopt;
-    const auto most = below_limit(*left, *right);
+    const auto most = below_limit(*left, *right, state);
     return most ? std::optional(Turns{*most + 1, false}) : std::nullopt;
   }
   const auto count = stays(*d, test.stays_while, test.comparison.zero_only);
@@ -124,9 +125,14 @@ std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of) {
 }
 
 std::string opposite(const std::string& condition) {
-  static constexpr std::array<std::pair<const char*, const char*>, 8> kPairs = {
-      {{"eq", "ne"}, {"cs", "cc"}, {"hs", "lo"}, {"mi", "pl"},
-       {"vs", "vc"}, {"hi", "ls"}, {"ge", "lt"}, {"gt", "le"}}};
+  static constexpr std::array<std::pair<const char*, const char*>, 8> kPairs = {{{"eq", "ne"},
+                                                                                 {"cs", "cc"},
+                                                                                 {"hs", "lo"},
+                                                                                 {"mi", "pl"},
+                                                                                 {"vs", "vc"},
+                                                                                 {"hi", "ls"},
+                                                                                 {"ge", "lt"},
+                                                                                 {"gt", "le"}}};
   for (const auto& [a, b] : kPairs) {
     if (condition == a) return b;
     if (condition == b) return a;

@@ -28,7 +28,8 @@ struct Turns {
 
 /// What a value of the loop's body is at the first turn, and how it changes; nullopt: not known.
 using ProgressOf = std::function<std::optional<Progress>(const Value&)>;
-std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of);
+/// `state`: where the loop is entered.
+std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, const State& state);
 
 /// The condition that holds where `condition` does not.
 std::string opposite(const std::string& condition);

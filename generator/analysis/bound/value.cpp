@@ -77,6 +77,42 @@ Value resolved(const Value& value) {
   return {0, value.low, value.high + (std::int64_t{1} << bits) - 1};
 }
 
+Value State::resolve(const Value& value) const {
+  const auto found = limits.find(value.base);
+  if (found == limits.end()) return resolved(value);
+  return {0, value.low + found->second.low, value.high + found->second.high};
+}
+
+void State::learn(std::string_view condition, const Comparison& comparison) {
+  const Value right = resolve(comparison.right);
+  const Value& left = comparison.left;
+  if (right.base != 0 || left.base == 0 || left.base == kStack || !left.is_exact()) return;
+  Value limit{0, INT32_MIN, INT32_MAX};
+  if (condition == "eq") {
+    limit = right;
+  } else if (comparison.zero_only) {
+    return;
+  } else if (condition == "cc" || condition == "lo" || condition == "ls") {
+    const std::int64_t most = right.high - (condition == "ls" ? 0 : 1);
+    if (right.low < 0 || most < 0) return;
+    limit = {0, 0, most};
+  } else if (condition == "lt" || condition == "le") {
+    limit.high = right.high - (condition == "lt" ? 1 : 0);
+  } else if (condition == "gt" || condition == "ge") {
+    limit.low = right.low + (condition == "gt" ? 1 : 0);
+  } else {
+    return;
+  }
+  // A sum that may wrap says nothing of its base, but a range of it that is known whole does.
+  if (left.low != 0 && (limit.low == INT32_MIN || limit.high == INT32_MAX)) return;
+  limit.low -= left.low;
+  limit.high -= left.low;
+  const Value known = resolve({left.base, 0, 0});
+  if (known.base == 0)
+    limit = {0, std::max(limit.low, known.low), std::min(limit.high, known.high)};
+  if (limit.low <= limit.high) limits[left.base] = limit;
+}
+
 namespace {
 
 Value joined(const Value& a, const Value& b, Address at, const Location& location) {
@@ -98,6 +134,11 @@ State join(const State& a, const State& b, Address at) {
   }
   if (a.comparison == b.comparison) result.comparison = a.comparison;
   result.escaped = std::min(a.escaped, b.escaped);
+  for (const auto& [base, limit] : a.limits) {
+    if (const auto other = b.limits.find(base); other != b.limits.end())
+      result.limits[base] = {0, std::min(limit.low, other->second.low),
+                             std::max(limit.high, other->second.high)};
+  }
   return result;
 }
 

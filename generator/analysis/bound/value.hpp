@@ -28,7 +28,9 @@ struct Value {
 };
 
 inline constexpr std::size_t kRegisters = 48;  // r0 to r15, then s0 to s31
+inline constexpr std::size_t kCore = 16;       // r0 to r15
 inline constexpr std::size_t kSp = 13;
+inline constexpr std::int64_t kWordBytes = 4;
 
 /// Where a value is: a register, or a word of the stack by its distance from kStack.
 struct Location {
@@ -50,9 +52,14 @@ struct State {
   std::map<std::int64_t, Value> stack;
   std::optional<Comparison> comparison;
   std::int64_t escaped = INT64_MAX;  // from here on other pointers may lead to the stack
+  std::map<Base, Value> limits;      // of numbers that are not known: from low to high
 
   [[nodiscard]] const Value* find(const Location& location) const;
   void set(const Location& location, const Value& value);
+  /// By what is known of its base. Else the value itself.
+  [[nodiscard]] Value resolve(const Value& value) const;
+  /// What follows from a condition that holds.
+  void learn(std::string_view condition, const Comparison& comparison);
 };
 
 /// The number that is made at an address, or that two paths bring to it.
@@ -62,7 +69,7 @@ Base base_of(Origin origin, Address at, const Location& location);
 Base base_of_bits(Address at, const Location& location, unsigned bits);
 /// The address that a base was made at; nullopt: it is none.
 std::optional<Address> place_of(Base base);
-/// By what is known of its base: from 0 to 255, say. Else the value itself.
+/// The same by its bits alone: from 0 to 255, say.
 Value resolved(const Value& value);
 
 /// What is true on both ways to `at`.

@@ -10,8 +10,7 @@ namespace {
 
 std::vector<Location> locations_of(const State& state) {
   std::vector<Location> all;
-  for (std::size_t r = 0; r < kRegisters; ++r)
-    all.push_back({false, static_cast<std::int64_t>(r)});
+  for (std::size_t r = 0; r < kRegisters; ++r) all.push_back({false, static_cast<std::int64_t>(r)});
   for (const auto& [offset, value] : state.stack) all.push_back({true, offset});
   return all;
 }
@@ -19,6 +18,12 @@ std::vector<Location> locations_of(const State& state) {
 bool is_on_every_turn(const Flow& flow, const Loop& loop, BlockIndex block) {
   return std::ranges::all_of(loop.latches,
                              [&](BlockIndex latch) { return flow.dominates(block, latch); });
+}
+
+/// When a branch is taken.
+std::string condition_of(const Instruction& branch) {
+  if (!branch.name.starts_with("cb")) return branch.condition;
+  return branch.name == "cbz" ? "eq" : "ne";
 }
 
 void add(std::map<BlockIndex, State>& open, BlockIndex to, const State& state, Address at) {
@@ -78,30 +83,37 @@ void Walk::block(LoopIndex loop_index, BlockIndex b, State state, bool record, P
     }
     apply(image_, *instruction, state);
   }
-  const auto is_taken = taken(here, state, to, b);
+  const auto branch = branch_of(here, state);
+  if (branch) to.tests[b] = branch->comparison;
+  const auto is_taken = branch ? branch->is_taken : std::nullopt;
   for (std::size_t i = 0; i < here.next.size(); ++i) {
-    if (is_taken && here.next.size() == 2 && *is_taken != (i == 1)) continue;
-    deliver(loop_index, {b, here.next[i]}, state, record, to, open);
+    if (is_taken && *is_taken != (i == 1)) continue;
+    State after = state;
+    if (branch)
+      after.learn(i == 1 ? branch->condition : opposite(branch->condition), branch->comparison);
+    deliver(loop_index, {b, here.next[i]}, after, record, to, open);
   }
 }
 
-/// Whether the branch at the end of a block is taken, if that is known.
-std::optional<bool> Walk::taken(const Block& block, const State& state, Pass& to,
-                                BlockIndex b) const {
+/// The branch at the end of a block with two ways on; nullopt: what it compares is not known.
+std::optional<Walk::Branch> Walk::branch_of(const Block& block, const State& state) {
   if (block.code.empty()) return std::nullopt;
   const Instruction& last = *block.code.back();
   if (turn_of(last) != Turn::branch || block.next.size() != 2) return std::nullopt;
-  std::optional<Comparison> comparison = state.comparison;
-  std::string condition = last.condition;
+  Branch branch{condition_of(last), {}, std::nullopt};
   if (last.name.starts_with("cb")) {
     const auto tested = register_of(last.operands.front());
     if (!tested) return std::nullopt;
-    comparison = Comparison{state.registers[*tested], Value::of(0), false};
-    condition = last.name == "cbz" ? "eq" : "ne";
+    branch.comparison = {state.registers[*tested], Value::of(0), false};
+  } else {
+    if (!state.comparison) return std::nullopt;
+    branch.comparison = *state.comparison;
   }
-  if (!comparison) return std::nullopt;
-  to.tests[b] = *comparison;
-  return holds(condition, *comparison);
+  Comparison known = branch.comparison;
+  if (known.left.base != known.right.base)
+    known = {state.resolve(known.left), state.resolve(known.right), known.zero_only};
+  branch.is_taken = holds(branch.condition, known);
+  return branch;
 }
 
 void Walk::deliver(LoopIndex loop_index, Edge edge, const State& state, bool record, Pass& to,
@@ -191,9 +203,7 @@ std::optional<Turns> Walk::turns(LoopIndex l, const State& in, const Pass& pass,
     if (test == pass.tests.end() || !is_on_every_turn(flow_, loop, edge.first)) continue;
     const Block& block = flow_.blocks[edge.first];
     if (block.loop != l || block.next.size() != 2) continue;
-    const Instruction& last = *block.code.back();
-    std::string condition = last.condition;
-    if (last.name.starts_with("cb")) condition = last.name == "cbz" ? "eq" : "ne";
+    const std::string condition = condition_of(*block.code.back());
     const bool leaves_when_taken = edge.second == block.next[1];
     const auto progress_of = [&](const Value& value) -> std::optional<Progress> {
       const auto found = progress(l, in, changes, value);
@@ -202,8 +212,8 @@ std::optional<Turns> Walk::turns(LoopIndex l, const State& in, const Pass& pass,
         return std::nullopt;
       return found;
     };
-    const auto found =
-        turns_of({test->second, leaves_when_taken ? opposite(condition) : condition}, progress_of);
+    const auto found = turns_of({test->second, leaves_when_taken ? opposite(condition) : condition},
+                                progress_of, in);
     if (found && (!best || found->most < best->most)) best = found;
   }
   if (best && exits > 1) best->is_exact = false;
@@ -236,10 +246,12 @@ State Walk::running_header(LoopIndex l, const State& in, const Changes& changes,
   std::map<Location, Value> values;
   for (const auto& [where, step] : changes.steps) {
     if (!turns) continue;
-    const auto count = static_cast<std::int64_t>(std::min<std::uint64_t>(turns->most - 1, INT32_MAX));
+    const auto count =
+        static_cast<std::int64_t>(std::min<std::uint64_t>(turns->most - 1, INT32_MAX));
     const std::int64_t down = step.low * count, up = step.high * count;
-    const Value way = last ? Value{0, down, up}
-                           : Value{0, std::min<std::int64_t>(down, 0), std::max<std::int64_t>(up, 0)};
+    const Value way =
+        last ? Value{0, down, up}
+             : Value{0, std::min<std::int64_t>(down, 0), std::max<std::int64_t>(up, 0)};
     const auto value = sum(*in.find(where), way, 1);
     if (!value) continue;
     known.insert(where);
@@ -248,6 +260,23 @@ State Walk::running_header(LoopIndex l, const State& in, const Changes& changes,
   State header = open_header(l, in, known);
   for (const auto& [where, value] : values) header.set(where, value);
   return header;
+}
+
+/// Turn by turn with what is known of each, while that is not the same again: flags, shifts.
+std::optional<Turns> Walk::one_by_one(LoopIndex l, const State& in) {
+  constexpr std::uint64_t kMostTurns = 64;
+  if (depth_ > 0) return std::nullopt;  // not in each turn of another one
+  ++depth_;
+  std::optional<State> header = in;
+  std::uint64_t turns = 0;
+  while (header && turns < kMostTurns) {
+    auto next = pass(l, *header, false).latch;
+    ++turns;
+    if (next && next->registers == header->registers && next->stack == header->stack) break;
+    header = std::move(next);
+  }
+  --depth_;
+  return header ? std::nullopt : std::optional(Turns{turns, false});
 }
 
 std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
@@ -271,7 +300,9 @@ std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
     header = in;
     for (const Location& where : locations_of(in)) found.fixed.insert(where);
   }
-  if (const auto note = noted(l); note && (!count || *note < count->most)) count = Turns{*note, false};
+  if (!count && !noted(l)) count = one_by_one(l, in);
+  if (const auto note = noted(l); note && (!count || *note < count->most))
+    count = Turns{*note, false};
   if (record) {
     result_.most_turns[l] = count ? std::optional(count->most) : std::nullopt;
     if (!count) result_.obstacles.push_back({Reason::loop, address(flow_.loops[l].header)});

@@ -1,4 +1,5 @@
-// Goes over a function's blocks, inner loops before what follows them, with what is known of values.
+// Goes over a function's blocks, inner loops before what follows them, with what is known of
+// values.
 #pragma once
 
 #include <map>
@@ -25,8 +26,8 @@ class Walk {
  private:
   /// What one pass over a loop, or the function, gave.
   struct Pass {
-    std::optional<State> latch;          // at its end, before it goes back to the header
-    std::map<Edge, State> exits;         // that leave it
+    std::optional<State> latch;   // at its end, before it goes back to the header
+    std::map<Edge, State> exits;  // that leave it
     std::map<BlockIndex, Comparison> tests;
   };
   /// What is known of the places that a loop changes.
@@ -40,13 +41,20 @@ class Walk {
              std::map<BlockIndex, State>& open);
   void deliver(LoopIndex loop, Edge edge, const State& state, bool record, Pass& to,
                std::map<BlockIndex, State>& open);
-  std::optional<bool> taken(const Block& block, const State& state, Pass& to, BlockIndex b) const;
+  struct Branch {
+    std::string condition;  // when it is taken
+    Comparison comparison;
+    std::optional<bool> is_taken;
+  };
+  static std::optional<Branch> branch_of(const Block& block, const State& state);
 
+  std::optional<Turns> one_by_one(LoopIndex l, const State& in);
   std::map<Edge, State> loop(LoopIndex l, const State& in, bool record);
   State open_header(LoopIndex l, const State& in, const std::set<Location>& fixed) const;
   [[nodiscard]] Changes changes(LoopIndex l, const State& in, const State& header,
                                 const State& latch, const std::set<Location>& fixed) const;
-  std::optional<Turns> turns(LoopIndex l, const State& in, const Pass& pass, const Changes& changes);
+  std::optional<Turns> turns(LoopIndex l, const State& in, const Pass& pass,
+                             const Changes& changes);
   [[nodiscard]] std::optional<Progress> progress(LoopIndex l, const State& in,
                                                  const Changes& changes, const Value& value) const;
   [[nodiscard]] bool is_made_in(LoopIndex l, Base base);
@@ -62,6 +70,7 @@ class Walk {
   const Flow& flow_;
   Analysed& result_;
   std::map<LoopIndex, std::set<Address>> addresses_;  // of loops
+  unsigned depth_ = 0;                                // of loops that are gone through one by one
 };
 
 }  // namespace eagerx::gen::bound

@@ -34,7 +34,8 @@ std::optional<ProgramMap> map_of_program(const std::string& program, const std::
   auto map = parse_program_map(*map_text, path, diagnostics);
   if (!map) return std::nullopt;
   if (map->program_hash != host::fnv1a(*text)) {
-    diagnostics.io_error("E0911", {}, fmt::format("`{}` was not made with this `{}`", path, program))
+    diagnostics
+        .io_error("E0911", {}, fmt::format("`{}` was not made with this `{}`", path, program))
         .help = "generate the program again and build it anew; do not edit program.hpp";
     return std::nullopt;
   }
