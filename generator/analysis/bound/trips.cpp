@@ -31,10 +31,7 @@ std::optional<Difference> difference(const Test& test, const ProgressOf& progres
                                      const State& state) {
   auto left = progress_of(test.comparison.left), right = progress_of(test.comparison.right);
   if (!left || !right) return std::nullopt;
-  if (left->start.base != right->start.base) {
-    left->start = state.resolve(left->start);
-    right->start = state.resolve(right->start);
-  }
+  if (!state.relate(left->start, right->start)) return std::nullopt;
   const auto start = sum(left->start, right->start, -1), step = sum(left->step, right->step, -1);
   if (!start || !step || start->base != 0 || step->base != 0) return std::nullopt;
   return Difference{*start, *step, *left, *right};

@@ -77,10 +77,44 @@ Value resolved(const Value& value) {
   return {0, value.low, value.high + (std::int64_t{1} << bits) - 1};
 }
 
+namespace {
+
+/// One step further: what the base of a value is between.
+Value resolved_once(const State& state, const Value& value) {
+  const auto found = state.limits.find(value.base);
+  if (found == state.limits.end()) return resolved(value);
+  const Value& limit = found->second;
+  return {limit.base, value.low + limit.low, value.high + limit.high};
+}
+
+constexpr int kMostSteps = 8;
+
+}  // namespace
+
 Value State::resolve(const Value& value) const {
-  const auto found = limits.find(value.base);
-  if (found == limits.end()) return resolved(value);
-  return {0, value.low + found->second.low, value.high + found->second.high};
+  Value result = value;
+  for (int i = 0; i < kMostSteps && result.base != 0; ++i) result = resolved_once(*this, result);
+  return result.base == 0 ? result : value;
+}
+
+bool State::relate(Value& a, Value& b) const {
+  for (int i = 0; i < kMostSteps && a.base != b.base; ++i) {
+    const Value next_a = resolved_once(*this, a), next_b = resolved_once(*this, b);
+    if (next_a == a && next_b == b) return false;
+    if (next_a.base == b.base) {
+      a = next_a;
+    } else if (next_b.base == a.base) {
+      b = next_b;
+    } else {
+      a = next_a;
+      b = next_b;
+    }
+  }
+  return a.base == b.base;
+}
+
+bool is_same(const State& a, const State& b) {
+  return a.registers == b.registers && a.stack == b.stack;
 }
 
 void State::learn(std::string_view condition, const Comparison& comparison) {
@@ -135,8 +169,9 @@ State join(const State& a, const State& b, Address at) {
   if (a.comparison == b.comparison) result.comparison = a.comparison;
   result.escaped = std::min(a.escaped, b.escaped);
   for (const auto& [base, limit] : a.limits) {
-    if (const auto other = b.limits.find(base); other != b.limits.end())
-      result.limits[base] = {0, std::min(limit.low, other->second.low),
+    const auto other = b.limits.find(base);
+    if (other != b.limits.end() && other->second.base == limit.base)
+      result.limits[base] = {limit.base, std::min(limit.low, other->second.low),
                              std::max(limit.high, other->second.high)};
   }
   return result;

@@ -52,12 +52,14 @@ struct State {
   std::map<std::int64_t, Value> stack;
   std::optional<Comparison> comparison;
   std::int64_t escaped = INT64_MAX;  // from here on other pointers may lead to the stack
-  std::map<Base, Value> limits;      // of numbers that are not known: from low to high
+  std::map<Base, Value> limits;      // what numbers that are not known are between
 
   [[nodiscard]] const Value* find(const Location& location) const;
   void set(const Location& location, const Value& value);
-  /// By what is known of its base. Else the value itself.
+  /// A number by what is known of its base, and of the base of that. Else the value itself.
   [[nodiscard]] Value resolve(const Value& value) const;
+  /// The same until both have one base; false if they have none.
+  bool relate(Value& a, Value& b) const;
   /// What follows from a condition that holds.
   void learn(std::string_view condition, const Comparison& comparison);
 };
@@ -71,6 +73,9 @@ Base base_of_bits(Address at, const Location& location, unsigned bits);
 std::optional<Address> place_of(Base base);
 /// The same by its bits alone: from 0 to 255, say.
 Value resolved(const Value& value);
+
+/// Whether the numbers of two states are the same.
+bool is_same(const State& a, const State& b);
 
 /// What is true on both ways to `at`.
 State join(const State& a, const State& b, Address at);

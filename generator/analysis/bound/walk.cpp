@@ -110,8 +110,7 @@ std::optional<Walk::Branch> Walk::branch_of(const Block& block, const State& sta
     branch.comparison = *state.comparison;
   }
   Comparison known = branch.comparison;
-  if (known.left.base != known.right.base)
-    known = {state.resolve(known.left), state.resolve(known.right), known.zero_only};
+  if (!state.relate(known.left, known.right)) known = branch.comparison;
   branch.is_taken = holds(branch.condition, known);
   return branch;
 }
@@ -130,9 +129,15 @@ void Walk::deliver(LoopIndex loop_index, Edge edge, const State& state, bool rec
   }
 }
 
+/// What was known of numbers that the loop makes anew.
+void Walk::forget_limits(LoopIndex l, State& state) {
+  std::erase_if(state.limits, [&](const auto& limit) { return is_made_in(l, limit.first); });
+}
+
 /// The header's state where all that may change is a number of its own.
-State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& fixed) const {
+State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& fixed) {
   State header = in;
+  forget_limits(l, header);
   const Address at = address(flow_.loops[l].header);
   for (const Location& where : locations_of(in)) {
     if (!fixed.contains(where)) header.set(where, {base_of(Origin::header, at, where), 0, 0});
@@ -192,32 +197,53 @@ std::optional<Progress> Walk::progress(LoopIndex l, const State& in, const Chang
   return Progress{value, Value::of(0)};
 }
 
+/// Whether no turn is possible without one of these tests.
+bool Walk::separates(LoopIndex l, const std::set<BlockIndex>& tests) const {
+  const Loop& loop = flow_.loops[l];
+  std::vector<BlockIndex> open = {loop.header};
+  std::set<BlockIndex> seen;
+  while (!open.empty()) {
+    const BlockIndex b = open.back();
+    open.pop_back();
+    if (tests.contains(b) || !seen.insert(b).second) continue;
+    for (const BlockIndex next : flow_.blocks[b].next) {
+      if (next == loop.header) return false;
+      if (loop.has[next]) open.push_back(next);
+    }
+  }
+  return true;
+}
+
+/// A turn after the most that a test allows would leave the loop there. So the first tests, by what
+/// they allow, of which every turn makes one.
 std::optional<Turns> Walk::turns(LoopIndex l, const State& in, const Pass& pass,
                                  const Changes& changes) {
-  const Loop& loop = flow_.loops[l];
-  std::optional<Turns> best;
-  std::size_t exits = 0;
+  std::vector<std::pair<Turns, BlockIndex>> tests;
+  const auto progress_of = [&](const Value& value) -> std::optional<Progress> {
+    const auto found = progress(l, in, changes, value);
+    // What the loop itself makes is another number every turn.
+    if (!found || (found->start.base == value.base && is_made_in(l, value.base)))
+      return std::nullopt;
+    return found;
+  };
   for (const auto& [edge, state] : pass.exits) {
-    ++exits;
     const auto test = pass.tests.find(edge.first);
-    if (test == pass.tests.end() || !is_on_every_turn(flow_, loop, edge.first)) continue;
     const Block& block = flow_.blocks[edge.first];
-    if (block.loop != l || block.next.size() != 2) continue;
+    if (test == pass.tests.end() || block.loop != l) continue;
     const std::string condition = condition_of(*block.code.back());
     const bool leaves_when_taken = edge.second == block.next[1];
-    const auto progress_of = [&](const Value& value) -> std::optional<Progress> {
-      const auto found = progress(l, in, changes, value);
-      // What the loop itself makes is another number every turn.
-      if (!found || (found->start.base == value.base && is_made_in(l, value.base)))
-        return std::nullopt;
-      return found;
-    };
     const auto found = turns_of({test->second, leaves_when_taken ? opposite(condition) : condition},
                                 progress_of, in);
-    if (found && (!best || found->most < best->most)) best = found;
+    if (found) tests.emplace_back(*found, edge.first);
   }
-  if (best && exits > 1) best->is_exact = false;
-  return best;
+  std::ranges::sort(tests, {}, [](const auto& test) { return test.first.most; });
+  std::set<BlockIndex> passed;
+  for (const auto& [turns, block] : tests) {
+    passed.insert(block);
+    if (!separates(l, passed)) continue;
+    return Turns{turns.most, turns.is_exact && pass.exits.size() == 1};
+  }
+  return std::nullopt;
 }
 
 /// What its source says: a place that is passed a number of times in all. Copies share the number.
@@ -241,24 +267,20 @@ std::optional<std::uint64_t> Walk::noted(LoopIndex l) const {
 
 /// The header's state in all turns, or in the last one.
 State Walk::running_header(LoopIndex l, const State& in, const Changes& changes,
-                           const std::optional<Turns>& turns, bool last) const {
-  std::set<Location> known = changes.fixed;
-  std::map<Location, Value> values;
+                           const std::optional<Turns>& turns, bool last) {
+  State header = open_header(l, in, changes.fixed);
+  if (!turns) return header;
+  const auto count = static_cast<std::int64_t>(std::min<std::uint64_t>(turns->most - 1, INT32_MAX));
   for (const auto& [where, step] : changes.steps) {
-    if (!turns) continue;
-    const auto count =
-        static_cast<std::int64_t>(std::min<std::uint64_t>(turns->most - 1, INT32_MAX));
     const std::int64_t down = step.low * count, up = step.high * count;
-    const Value way =
-        last ? Value{0, down, up}
-             : Value{0, std::min<std::int64_t>(down, 0), std::max<std::int64_t>(up, 0)};
-    const auto value = sum(*in.find(where), way, 1);
-    if (!value) continue;
-    known.insert(where);
-    values[where] = *value;
+    if (last) {
+      if (const auto value = sum(*in.find(where), {0, down, up}, 1)) header.set(where, *value);
+      continue;
+    }
+    const Value way{0, std::min<std::int64_t>(down, 0), std::max<std::int64_t>(up, 0)};
+    if (const auto value = sum(*in.find(where), way, 1))
+      header.limits[header.find(where)->base] = *value;
   }
-  State header = open_header(l, in, known);
-  for (const auto& [where, value] : values) header.set(where, value);
   return header;
 }
 
@@ -270,9 +292,14 @@ std::optional<Turns> Walk::one_by_one(LoopIndex l, const State& in) {
   std::optional<State> header = in;
   std::uint64_t turns = 0;
   while (header && turns < kMostTurns) {
-    auto next = pass(l, *header, false).latch;
+    // What a turn before made is another number than what this one makes.
+    State open = open_header(l, *header, {});
+    for (const Location& where : locations_of(*header)) {
+      if (!is_made_in(l, header->find(where)->base)) open.set(where, *header->find(where));
+    }
+    auto next = pass(l, open, false).latch;
     ++turns;
-    if (next && next->registers == header->registers && next->stack == header->stack) break;
+    if (next && is_same(*next, *header)) break;
     header = std::move(next);
   }
   --depth_;

@@ -50,7 +50,9 @@ class Walk {
 
   std::optional<Turns> one_by_one(LoopIndex l, const State& in);
   std::map<Edge, State> loop(LoopIndex l, const State& in, bool record);
-  State open_header(LoopIndex l, const State& in, const std::set<Location>& fixed) const;
+  State open_header(LoopIndex l, const State& in, const std::set<Location>& fixed);
+  void forget_limits(LoopIndex l, State& state);
+  [[nodiscard]] bool separates(LoopIndex l, const std::set<BlockIndex>& tests) const;
   [[nodiscard]] Changes changes(LoopIndex l, const State& in, const State& header,
                                 const State& latch, const std::set<Location>& fixed) const;
   std::optional<Turns> turns(LoopIndex l, const State& in, const Pass& pass,
@@ -60,7 +62,7 @@ class Walk {
   [[nodiscard]] bool is_made_in(LoopIndex l, Base base);
   [[nodiscard]] std::optional<std::uint64_t> noted(LoopIndex l) const;
   State running_header(LoopIndex l, const State& in, const Changes& changes,
-                       const std::optional<Turns>& turns, bool last) const;
+                       const std::optional<Turns>& turns, bool last);
   [[nodiscard]] Address address(BlockIndex b) const {
     return flow_.blocks[b].code.empty() ? 0 : flow_.blocks[b].code.front()->at;
   }
