@@ -12,6 +12,7 @@
 
 #include "generator/analysis/bound/flow.hpp"
 #include "generator/analysis/bound/image.hpp"
+#include "generator/analysis/bound/library.hpp"
 #include "generator/analysis/bound/value.hpp"
 
 namespace eagerx::gen::bound {
@@ -43,7 +44,9 @@ struct Analysed {
 
 class Analysis {
  public:
-  explicit Analysis(const Image& image) : image_(image) { find_never_returning(); }
+  explicit Analysis(const Image& image) : image_(image), library_(library_loops(image)) {
+    find_never_returning();
+  }
 
   /// The function at `entry`, whatever its arguments are.
   const Analysed& of(Address entry);
@@ -57,6 +60,7 @@ class Analysis {
   const Analysed* analyse(Address entry, const State& state);
 
   const Image& image_;
+  std::map<Address, LibraryLoop> library_;
   std::set<Address> never_returns_;
   std::map<Address, Flow> flows_;
   std::map<std::pair<Address, std::string>, std::unique_ptr<Analysed>> known_;

@@ -115,6 +115,7 @@ bool Image::read_functions() {
     const std::string name = line.substr(space + 3);
     if (name.starts_with("$") || name.starts_with(".L") || !code_.contains(at)) return;
     functions_.emplace(at, name);
+    addresses_.emplace(name, at);
   });
   return !functions_.empty();
 }

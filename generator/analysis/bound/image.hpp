@@ -39,6 +39,8 @@ class Image {
   [[nodiscard]] const std::map<Address, Instruction>& instructions() const { return code_; }
   /// Names of functions (mangled), by their addresses; of several names the first.
   [[nodiscard]] const std::map<Address, std::string>& functions() const { return functions_; }
+  /// The same by name, all of them.
+  [[nodiscard]] const std::multimap<std::string, Address>& addresses() const { return addresses_; }
   /// The function that this address lies in; empty: none.
   [[nodiscard]] std::string function_of(Address at) const;
   [[nodiscard]] const std::map<Address, LoopNote>& notes() const { return notes_; }
@@ -59,6 +61,7 @@ class Image {
   std::vector<Segment> constants_;
   std::map<Address, Instruction> code_;
   std::map<Address, std::string> functions_;
+  std::multimap<std::string, Address> addresses_;
   std::map<Address, LoopNote> notes_;
 };
 

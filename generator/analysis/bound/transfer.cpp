@@ -202,8 +202,14 @@ class Step {
   }
 
   void call() {
-    for (std::size_t r : {0, 1, 2, 3, 12, 14}) write(r, std::nullopt);
-    for (std::size_t s = 0; s < kCore; ++s) write(kCore + s, std::nullopt);
+    // A part of a function, which assembly calls, preserves nothing.
+    const bool is_function = image_.functions().contains(instruction_.target) ||
+                             turn_of(instruction_) == Turn::call_pointer;
+    for (std::size_t r = 0; r < kCore; ++r) {
+      if (r != kSp && (!is_function || r < 4 || r == 12 || r == 14)) write(r, std::nullopt);
+    }
+    for (std::size_t s = 0; s < (is_function ? kCore : kRegisters - kCore); ++s)
+      write(kCore + s, std::nullopt);
     state_.comparison.reset();
     forget_stack();
     const Value& sp = state_.registers[kSp];

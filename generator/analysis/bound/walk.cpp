@@ -34,6 +34,7 @@ void add(std::map<BlockIndex, State>& open, BlockIndex to, const State& state, A
 }  // namespace
 
 void Walk::function(const State& entry) {
+  entry_ = entry;
   result_.flow = &flow_;
   result_.reached.assign(flow_.blocks.size(), false);
   result_.most_turns.assign(flow_.loops.size(), 0);
@@ -120,6 +121,8 @@ void Walk::deliver(LoopIndex loop_index, Edge edge, const State& state, bool rec
   if (record) result_.possible.insert(edge);
   const BlockIndex target = edge.second;
   if (loop_index != kNone && target == flow_.loops[loop_index].header) {
+    auto& escaped = escapes_.emplace(loop_index, state.escaped).first->second;
+    escaped = std::min(escaped, state.escaped);
     to.latch = to.latch ? join(*to.latch, state, address(target)) : state;
   } else if (flow_.is_in(target, loop_index)) {
     add(open, target, state, address(target));
@@ -143,8 +146,8 @@ State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& 
     if (!fixed.contains(where)) header.set(where, {base_of(Origin::header, at, where), 0, 0});
   }
   header.comparison.reset();
-  header.escaped = INT64_MIN;  // whatever the loop lets escape
-  if (in.escaped == INT64_MAX) header.escaped = in.escaped;
+  if (const auto found = escapes_.find(l); found != escapes_.end())
+    header.escaped = std::min(header.escaped, found->second);
   return header;
 }
 
@@ -265,6 +268,18 @@ std::optional<std::uint64_t> Walk::noted(LoopIndex l) const {
   return *most / copies + 1;
 }
 
+/// What is known of the loops of libraries.
+std::optional<std::uint64_t> Walk::of_library(LoopIndex l) const {
+  constexpr std::size_t kBytes = 2;  // r2: memset, memcpy and memmove take a number of bytes
+  const auto found = analysis_.library_.find(address(flow_.loops[l].header));
+  if (found == analysis_.library_.end()) return std::nullopt;
+  const LibraryLoop& loop = found->second;
+  if (loop.bytes_a_turn == 0) return loop.most;
+  const Value& bytes = entry_.registers[kBytes];
+  if (flow_.entry != loop.function || bytes.base != 0 || bytes.low < 0) return std::nullopt;
+  return loop.most + static_cast<std::uint64_t>(bytes.high) / loop.bytes_a_turn;
+}
+
 /// The header's state in all turns, or in the last one.
 State Walk::running_header(LoopIndex l, const State& in, const Changes& changes,
                            const std::optional<Turns>& turns, bool last) {
@@ -327,6 +342,7 @@ std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
     header = in;
     for (const Location& where : locations_of(in)) found.fixed.insert(where);
   }
+  if (const auto known = of_library(l); known && !count) count = Turns{*known, false};
   if (!count && !noted(l)) count = one_by_one(l, in);
   if (const auto note = noted(l); note && (!count || *note < count->most))
     count = Turns{*note, false};

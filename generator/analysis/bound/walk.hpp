@@ -61,6 +61,7 @@ class Walk {
                                                  const Changes& changes, const Value& value) const;
   [[nodiscard]] bool is_made_in(LoopIndex l, Base base);
   [[nodiscard]] std::optional<std::uint64_t> noted(LoopIndex l) const;
+  [[nodiscard]] std::optional<std::uint64_t> of_library(LoopIndex l) const;
   State running_header(LoopIndex l, const State& in, const Changes& changes,
                        const std::optional<Turns>& turns, bool last);
   [[nodiscard]] Address address(BlockIndex b) const {
@@ -72,7 +73,9 @@ class Walk {
   const Flow& flow_;
   Analysed& result_;
   std::map<LoopIndex, std::set<Address>> addresses_;  // of loops
-  unsigned depth_ = 0;                                // of loops that are gone through one by one
+  std::map<LoopIndex, std::int64_t> escapes_;         // the least of State::escaped in a loop
+  State entry_;
+  unsigned depth_ = 0;  // of loops that are gone through one by one
 };
 
 }  // namespace eagerx::gen::bound
