@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -12,6 +13,7 @@
 #include "generator/analysis/size/function_name.hpp"
 #include "generator/analysis/size/program_file.hpp"
 #include "generator/analysis/size/tools.hpp"
+#include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -181,20 +183,27 @@ class Report {
     }
   }
 
+  /// Copies of one loop, which the compiler made, are one.
   void add_missing() {
     for (const auto& [obstacle, of] : obstacles_) {
       const Words words = words_of(obstacle.reason);
-      NoBound missing{words.what,
-                      "",
-                      function_name(image_.function_of(obstacle.at)),
-                      words.help,
-                      {of.begin(), of.end()}};
+      NoBound missing{
+          words.what, "", function_name(image_.function_of(obstacle.at)), words.help, {}};
       const auto& frames = places_.of(obstacle.at);
       if (!frames.empty() && frames.front().line > 0) {
-        missing.place = fmt::format("{}:{}", frames.front().file, frames.front().line);
+        const std::string file =
+            std::filesystem::path(frames.front().file).lexically_normal().string();
+        missing.place = fmt::format("{}:{}", file, frames.front().line);
         missing.function = names_.at(frames.front().function);
       }
-      report_.missing.push_back(std::move(missing));
+      const auto same = std::ranges::find_if(report_.missing, [&](const NoBound& other) {
+        return other.what == missing.what && other.place == missing.place &&
+               other.function == missing.function;
+      });
+      NoBound& one = same == report_.missing.end() ? report_.missing.emplace_back(missing) : *same;
+      for (const std::string& name : of) {
+        if (std::ranges::find(one.of, name) == one.of.end()) one.of.push_back(name);
+      }
     }
   }
 
@@ -256,13 +265,13 @@ std::optional<BoundReport> bound_instructions(const std::string& image,
   auto report = Report(*read, rates).make(image, diagnostics);
   if (!report) return std::nullopt;
   for (const NoBound& missing : report->missing) {
-    std::string of;
-    for (const std::string& name : missing.of) of += (of.empty() ? "`" : ", `") + name + "`";
+    std::vector<std::string> of;
+    for (const std::string& name : missing.of) of.push_back("`" + name + "`");
     diagnostics
         .error("E0427", {},
-               fmt::format("{} at {} in `{}` has no bound, so {} has none", missing.what,
+               fmt::format("{} at {} in `{}` has no bound: none for {}", missing.what,
                            missing.place.empty() ? "an unknown place" : missing.place,
-                           missing.function, of))
+                           missing.function, join(of, ", ")))
         .help = missing.help;
   }
   return report;

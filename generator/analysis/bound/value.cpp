@@ -117,14 +117,14 @@ bool is_same(const State& a, const State& b) {
   return a.registers == b.registers && a.stack == b.stack;
 }
 
-void State::learn(std::string_view condition, const Comparison& comparison) {
-  const Value right = resolve(comparison.right);
-  const Value& left = comparison.left;
+void State::learn(std::string_view condition, const Comparison& compared) {
+  const Value right = resolve(compared.right);
+  const Value& left = compared.left;
   if (right.base != 0 || left.base == 0 || left.base == kStack || !left.is_exact()) return;
   Value limit{0, INT32_MIN, INT32_MAX};
   if (condition == "eq") {
     limit = right;
-  } else if (comparison.zero_only) {
+  } else if (compared.zero_only) {
     return;
   } else if (condition == "cc" || condition == "lo" || condition == "ls") {
     const std::int64_t most = right.high - (condition == "ls" ? 0 : 1);

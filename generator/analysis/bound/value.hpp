@@ -61,7 +61,7 @@ struct State {
   /// The same until both have one base; false if they have none.
   bool relate(Value& a, Value& b) const;
   /// What follows from a condition that holds.
-  void learn(std::string_view condition, const Comparison& comparison);
+  void learn(std::string_view condition, const Comparison& compared);
 };
 
 /// The number that is made at an address, or that two paths bring to it.
