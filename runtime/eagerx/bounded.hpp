@@ -7,9 +7,10 @@
 namespace eagerx {
 
 /// In a loop's step or condition: since the loop was entered it was passed at most `Most` times.
-/// No instruction: an address and a number in a section of the image that is not loaded. The
-/// compiler copies it with the code around it. Nothing checks it: where a mistake is possible take
-/// `bounded`.
+/// No instruction: an address and a number in a section of the image that is not loaded.
+/// For the runtime and boards, in loops that the compiler cannot unroll because they end when the
+/// hardware says so: a copy of the note in a loop around it would be taken for that one's. Nothing
+/// checks it. In all other loops take `bounded`.
 template <std::uint32_t Most>
 [[gnu::always_inline]] inline void note_turns() {
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
@@ -28,7 +29,8 @@ template <std::uint32_t Most>
   note_turns<0>();
 }
 
-/// The numbers 0, 1, … below `count`, and never more than `Most` of them.
+/// The numbers 0, 1, … below `count`, and never more than `Most` of them: the comparison with
+/// `Most` is what the bound is found by.
 template <std::uint32_t Most>
 class Bounded {
  public:
@@ -39,7 +41,6 @@ class Bounded {
     constexpr explicit Iterator(std::uint32_t at) : at_(at) {}
     constexpr std::uint32_t operator*() const { return at_; }
     constexpr Iterator& operator++() {
-      if (!__builtin_is_constant_evaluated()) note_turns<Most>();
       ++at_;
       return *this;
     }

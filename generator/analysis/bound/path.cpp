@@ -4,6 +4,19 @@
 
 namespace eagerx::gen::bound {
 
+namespace {
+
+/// What never returns is on no path to a return.
+bool can_return(const Analysed& function) {
+  for (BlockIndex b = 0; b < function.reached.size(); ++b) {
+    const Block& block = function.flow->blocks[b];
+    if (function.reached[b] && (block.returns || block.lost)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Weight Weight::all() {
   return {[](const Instruction&, bool) { return true; },
           [](const Instruction&, bool) { return Callee::by_weight; }};
@@ -28,7 +41,7 @@ std::uint64_t LongestPath::length(const Analysed& function) {
 
 std::uint64_t LongestPath::call(const Analysed& function, const Instruction& instruction) {
   const auto callee = function.calls.find(instruction.at);
-  if (callee == function.calls.end()) return 0;
+  if (callee == function.calls.end() || !can_return(*callee->second)) return 0;
   const auto counts = weight_.callee(instruction, &function == first_);
   if (counts == Weight::Callee::nothing) return 0;
   if (counts == Weight::Callee::by_weight) return length(*callee->second);

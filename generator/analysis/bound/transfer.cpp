@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/analysis/bound/flow.hpp"
+#include "generator/analysis/bound/trips.hpp"
 
 namespace eagerx::gen::bound {
 
@@ -144,9 +145,25 @@ class Step {
   }
 
   void write(std::size_t r, const std::optional<Value>& value) {
+    const Value old = state_.registers[r];
     state_.registers[r] = value && instruction_.condition.empty() ? *value : made(r);
+    if (!instruction_.condition.empty() && value) limit_either(r, *value, old);
     if (r < kCore && state_.registers[r].base == kStack && r != kSp)
       state_.escaped = std::min(state_.escaped, state_.registers[r].low);
+  }
+
+  /// A register that an instruction writes only under its condition: what it is between. So
+  /// `cmp r3, #5`, `it cs`, `movcs r3, #5` is a number up to 5.
+  void limit_either(std::size_t r, const Value& value, const Value& old) {
+    State when = state_, otherwise = state_;
+    if (state_.comparison) {
+      when.learn(instruction_.condition, *state_.comparison);
+      otherwise.learn(opposite(instruction_.condition), *state_.comparison);
+    }
+    const Value a = when.resolve(value), b = otherwise.resolve(old);
+    state_.limits.erase(made(r).base);
+    if (a.base == 0 && b.base == 0)
+      state_.limits[made(r).base] = {0, std::min(a.low, b.low), std::max(a.high, b.high)};
   }
 
   void forget_written() {

@@ -157,23 +157,36 @@ Value joined(const Value& a, const Value& b, Address at, const Location& locatio
 
 }  // namespace
 
+namespace {
+
+/// Puts what a location is on either way into `result`; of two numbers, what they are between.
+void join_at(const Location& where, const State& a, const State& b, Address at, State& result) {
+  const Value &left = *a.find(where), &right = *b.find(where);
+  const Value both = joined(left, right, at, where);
+  result.set(where, both);
+  if (left == right || left.base == right.base) return;
+  const Value from = a.resolve(left), to = b.resolve(right);
+  if (from.base != 0 || to.base != 0) return;
+  result.limits[both.base] = {0, std::min(from.low, to.low), std::max(from.high, to.high)};
+}
+
+}  // namespace
+
 State join(const State& a, const State& b, Address at) {
   State result;
-  for (std::size_t i = 0; i < kRegisters; ++i)
-    result.registers[i] =
-        joined(a.registers[i], b.registers[i], at, {false, static_cast<std::int64_t>(i)});
-  for (const auto& [offset, value] : a.stack) {
-    if (const auto other = b.stack.find(offset); other != b.stack.end())
-      result.stack[offset] = joined(value, other->second, at, {true, offset});
-  }
-  if (a.comparison == b.comparison) result.comparison = a.comparison;
-  result.escaped = std::min(a.escaped, b.escaped);
   for (const auto& [base, limit] : a.limits) {
     const auto other = b.limits.find(base);
     if (other != b.limits.end() && other->second.base == limit.base)
       result.limits[base] = {limit.base, std::min(limit.low, other->second.low),
                              std::max(limit.high, other->second.high)};
   }
+  for (std::size_t i = 0; i < kRegisters; ++i)
+    join_at({false, static_cast<std::int64_t>(i)}, a, b, at, result);
+  for (const auto& [offset, value] : a.stack) {
+    if (b.stack.contains(offset)) join_at({true, offset}, a, b, at, result);
+  }
+  if (a.comparison == b.comparison) result.comparison = a.comparison;
+  result.escaped = std::min(a.escaped, b.escaped);
   return result;
 }
 

@@ -249,23 +249,22 @@ std::optional<Turns> Walk::turns(LoopIndex l, const State& in, const Pass& pass,
   return std::nullopt;
 }
 
-/// What its source says: a place that is passed a number of times in all. Copies share the number.
+/// What its source says of a place that every turn passes. Copies of it are those of another loop
+/// that was unrolled, perhaps, and say nothing.
 std::optional<std::uint64_t> Walk::noted(LoopIndex l) const {
   const Loop& loop = flow_.loops[l];
   std::optional<std::uint64_t> most;
-  std::uint64_t copies = 0;
   for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
-    if (flow_.blocks[b].loop != l || !is_on_every_turn(flow_, loop, b)) continue;
+    if (flow_.blocks[b].loop != l) continue;
     for (const Instruction* instruction : flow_.blocks[b].code) {
       const auto note = image_.notes().find(instruction->at);
       if (note == image_.notes().end()) continue;
-      ++copies;
-      const std::uint64_t passes = note->second.waits ? 0 : note->second.most;
-      most = std::min(most.value_or(passes), passes);
+      if (most || !is_on_every_turn(flow_, loop, b)) return std::nullopt;
+      most = note->second.waits ? 0 : note->second.most;
     }
   }
   if (!most) return most;
-  return *most / copies + 1;
+  return *most + 1;
 }
 
 /// What is known of the loops of libraries.

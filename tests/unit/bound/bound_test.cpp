@@ -157,6 +157,22 @@ TEST(Loops, ALimitCheckedBeforeHoldsBehind) {
             only(3 + 12 * 3 + 1));
 }
 
+TEST(Loops, ALimitMayBeTheSmallerOfTwoNumbers) {
+  // if (r0 >= 5) r0 = 5; for (r3 = 0; r3 != r0; ++r3), as a conditional instruction and as a
+  // branch.
+  const std::string loop =
+      "   8:\tmovs\tr3, #0\n   a:\tcmp\tr3, r0\n   c:\tbeq.n\t12 <f+0x12>\n   e:\tadds\tr3, #1\n"
+      "  10:\tb.n\ta <f+0xa>\n  12:\tbx\tlr\n";
+  EXPECT_EQ(bound_of("   0:\tldr\tr0, [r1, #0]\n   2:\tcmp\tr0, #5\n   4:\tit\tcs\n"
+                     "   6:\tmovcs\tr0, #5\n" +
+                     loop),
+            only(5 + 5 * 4 + 2 + 1));
+  EXPECT_EQ(bound_of("   0:\tldr\tr0, [r1, #0]\n   2:\tcmp\tr0, #5\n   4:\tbcc.n\t8 <f+0x8>\n"
+                     "   6:\tmovs\tr0, #5\n" +
+                     loop),
+            only(5 + 5 * 4 + 2 + 1));
+}
+
 TEST(Loops, WhatHasNoBoundSaysWhy) {
   EXPECT_EQ(
       bound_of("   0:\tldr\tr3, [r0, #0]\n   2:\tcmp\tr3, #0\n   4:\tbne.n\t0 <f>\n   6:\tbx\tlr\n")
@@ -174,7 +190,7 @@ TEST(Loops, WhatHasNoBoundSaysWhy) {
   EXPECT_EQ(bound_of("   0:\tcbz\tr0, 4 <f+0x4>\n   2:\tnop\n   4:\tnop\n   6:\tcmp\tr1, #0\n"
                      "   8:\tbne.n\t2 <f+0x2>\n   a:\tbx\tlr\n")
                 .why,
-            std::set{Reason::loop});
+            std::set{Reason::several_entries});
 }
 
 TEST(Loops, OneThatIsNotCountedInNeedsNoBound) {
