@@ -44,13 +44,13 @@ class Bounded {
       ++at_;
       return *this;
     }
-    constexpr bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+    constexpr bool operator!=(const Iterator& end) const { return at_ != Most && at_ != end.at_; }
 
    private:
     std::uint32_t at_;
   };
 
-  constexpr explicit Bounded(std::uint32_t count) : end_(count < Most ? count : Most) {}
+  constexpr explicit Bounded(std::uint32_t count) : end_(count) {}
   [[nodiscard]] constexpr Iterator begin() const { return Iterator(0); }
   [[nodiscard]] constexpr Iterator end() const { return Iterator(end_); }
 
