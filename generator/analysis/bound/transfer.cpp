@@ -463,7 +463,7 @@ class Step {
     return scaled(*value, number_of(operand(i + 1).substr(4)));
   }
 
-  /// A number of its own of so many bits.
+  /// A number of its own with these bits.
   [[nodiscard]] std::optional<Value> of_bits(unsigned bits) const {
     const auto r = register_of(operand(0));
     if (!r || bits > 31) return std::nullopt;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kMostNumber = INT32_MAX;
 
-/// What any number meets that grows to a limit, without a sign: it is below it for so many turns.
+/// A number without a sign that grows is below a limit for this many turns, wherever it starts.
 std::optional<std::uint64_t> below_limit(const Progress& left, const Progress& right,
                                          const State& state) {
   const Value limit = state.resolve(right.start);
