@@ -90,6 +90,7 @@ std::optional<Instruction> InstructionReader::line(std::string_view text) {
   instruction.at = *at;
   instruction.name = name.substr(0, name.find('.'));
   instruction.operands = split(rest);
+  if (instruction.operands.empty()) instruction.operands.emplace_back();  // there is always a first
   const bool from_code = rest.find("[pc") != std::string_view::npos;
   instruction.target = target_of(instruction, from_code ? comment : std::string_view());
   condition(instruction);

@@ -101,6 +101,7 @@ bool starts_with_any(std::string_view name, std::initializer_list<std::string_vi
 /// Registers of "{r4, r5-r7, lr}".
 std::vector<std::size_t> listed_registers(std::string_view list) {
   std::vector<std::size_t> registers;
+  if (!list.starts_with('{')) return registers;
   list.remove_prefix(1);
   list = list.substr(0, list.find('}'));
   for (const auto part : parts_of(list)) {
@@ -285,7 +286,8 @@ class Step {
     std::size_t last = 0;
     std::from_chars(list.data() + begin, list.data() + list.size(), first);
     std::from_chars(list.data() + end, list.data() + list.size(), last);
-    return {first, last};
+    constexpr std::size_t kLast = 31;
+    return {std::min(first, kLast), std::min(std::max(first, last), kLast)};
   }
   static std::int64_t doubles(std::string_view list) {
     const auto [first, last] = range_of_doubles(list);
@@ -474,7 +476,8 @@ class Step {
   [[nodiscard]] std::optional<Value> scaled(const Value& unscaled,
                                             std::optional<std::int64_t> shift) const {
     const Value value = state_.resolve(unscaled);
-    if (!shift || *shift > 31 || value.base != 0 || value.low < 0) return std::nullopt;
+    if (!shift || *shift < 0 || *shift > 31 || value.base != 0 || value.low < 0)
+      return std::nullopt;
     const Value result{0, value.low << *shift, value.high << *shift};
     return result.high <= INT32_MAX ? std::optional(result) : std::nullopt;
   }
