@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <runtime/host/base/hash.hpp>
-#include <sstream>
 
+#include "generator/analysis/size/program_file.hpp"
 #include "generator/analysis/size/size.hpp"
 #include "generator/analysis/size/stack.hpp"
 #include "generator/analysis/size/tools.hpp"
@@ -27,13 +25,6 @@ struct Symbol {
 
 std::uint64_t hex(std::string_view text) {
   return std::strtoull(std::string(text).c_str(), nullptr, 16);
-}
-
-std::optional<std::string> text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return file ? std::optional(text.str()) : std::nullopt;
 }
 
 class Measurement {
@@ -158,24 +149,8 @@ class Measurement {
   bool read_map() {
     const std::string program = find_program();
     if (program.empty()) return true;
-    const std::string path = fs::path(program).replace_extension(".map").string();
-    const auto text = text_of(program), map_text = text_of(path);
-    if (!text || !map_text) {
-      diagnostics_
-          .io_error("E0911", {},
-                    fmt::format("cannot read `{}`, which says what of `{}` belongs to which node",
-                                text ? path : program, image_))
-          .help = "keep what `eagerx-gen generate` wrote where the image was built from it";
-      return false;
-    }
-    auto map = parse_program_map(*map_text, path, diagnostics_);
+    auto map = map_of_program(program, image_, diagnostics_);
     if (!map) return false;
-    if (map->program_hash != host::fnv1a(*text)) {
-      diagnostics_
-          .io_error("E0911", {}, fmt::format("`{}` was not made with this `{}`", path, program))
-          .help = "generate the program again and build it anew; do not edit program.hpp";
-      return false;
-    }
     map_ = std::move(*map);
     return true;
   }

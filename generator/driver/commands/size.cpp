@@ -9,7 +9,10 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "generator/analysis/bound/bound.hpp"
 #include "generator/analysis/info/info.hpp"
 #include "generator/analysis/plausibility/plausibility.hpp"
 #include "generator/analysis/size/tools.hpp"
@@ -32,6 +35,7 @@ struct SizeOptions : GenerateOptions {
   std::string image, build, baseline;  // files and the build folder; empty: none, the image's
   std::string run_on;                  // a target; empty: nothing is run
   bool json_output = false;
+  bool worst = false;
 };
 
 /// Runs the image in the target's emulator, where an instruction lasts 2^shift ns.
@@ -80,12 +84,23 @@ std::optional<Json> read_baseline(Run& run, const SizeOptions& options) {
   return json;
 }
 
-void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan, bool as_json) {
+/// Of the graph's rates, in the order of the bits of a slot.
+std::vector<std::string> rate_names(const Run& run) {
+  std::vector<std::string> names;
+  if (!run.plan) return names;
+  for (const RateClass& rate : run.plan->rates) names.push_back(rate.rate_hz.to_string() + " Hz");
+  return names;
+}
+
+void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan,
+                  const std::optional<BoundReport>& bound, bool as_json) {
   if (!as_json) {
-    say("{}{}", size_text(report), plan ? timing_text(*plan) : "");
+    say("{}{}{}", size_text(report), bound ? bound_text(*bound) : "",
+        plan ? timing_text(*plan) : "");
     return;
   }
   Json json = size_json(report);
+  if (bound) json["worst"] = bound_json(*bound);
   if (plan) {
     Json timing = info_json(*plan);
     json["ages"] = std::move(timing["ages"]);
@@ -131,7 +146,7 @@ int perform_library(SizeOptions options) {
       program ? measure_image(program->image, program->build, run.diagnostics) : std::nullopt;
   if (!report) return std::max(finish(run, options), code);
   leave_out_board(*report);
-  if (!options.quiet) print_report(*report, std::nullopt, options.json_output);
+  if (!options.quiet) print_report(*report, std::nullopt, std::nullopt, options.json_output);
   check_library_budget(run, options, {*report, baseline, "the library", std::nullopt});
   return std::max(finish(run, options), code);
 }
@@ -159,7 +174,12 @@ int perform_image(const SizeOptions& options) {
       run.diagnostics.io_error(
           "E0911", {}, fmt::format("cannot run `{}` on `{}`", options.image, options.run_on));
   }
-  if (!options.quiet) print_report(*report, plan, options.json_output);
+  std::optional<BoundReport> bound;
+  if (options.worst) {
+    bound = bound_instructions(options.image, rate_names(run), run.diagnostics);
+    if (!bound) return finish(run, options);
+  }
+  if (!options.quiet) print_report(*report, plan, bound, options.json_output);
   const JudgedImage image{*report, baseline, "the image", std::nullopt};
   if (!options.of.empty()) {
     check_library_budget(run, options, image);
@@ -186,6 +206,7 @@ std::string check(const SizeOptions& options) {
   if (options.targets.size() != 1)
     return "the size of a library is that for a board: name one with --target";
   if (!options.graph.empty()) return "--graph is for an image; the graph is given instead of one";
+  if (options.worst) return "--worst bounds the instructions of an image, not of a library";
   return options.run_on.empty() ? "" : "--run counts instructions of an image, not of a library";
 }
 
@@ -216,6 +237,8 @@ Command table(SizeOptions& options) {
             text("--engine", options.engine,
                  "engine that the image was generated with, if not the graph's", "NAME"),
             library(options),
+            flag("--worst", options.worst,
+                 "also bound the instructions of each part, from the disassembled image"),
             text("--run", options.run_on, "also count instructions, in the target's emulator",
                  "TARGET"),
             reads(text("--baseline", options.baseline,

@@ -1,5 +1,6 @@
 // SysTick as a clock: it counts the core's cycles down from 2^24 - 1, and its exception counts the
 // rounds. Source: ARMv7-M Architecture Reference Manual (DDI 0403E) B3.3.
+#include <eagerx/bounded.hpp>
 #include <targets/common/bare-metal/clock.hpp>
 
 extern "C" void SysTick_Handler();
@@ -27,6 +28,7 @@ void start_clock() {
 std::uint64_t clock_ticks() {
   constexpr std::uint32_t kPending = 1U << 26U;  // PENDSTSET of ICSR, B3.2.4
   while (true) {
+    eagerx::note_turns<2>();  // again only where a round ends meanwhile, once in 2^24 cycles
     const std::uint32_t round = rounds;
     const std::uint32_t left = reg(0xE000E018);
     // Where exceptions wait (in another handler, with interrupts off), a round that is over is not
@@ -40,11 +42,13 @@ std::uint64_t clock_ticks() {
 void wait_for_clock(std::uint64_t ticks) {
   constexpr std::uint64_t kNear = kRound / 2;
   while (clock_ticks() + kNear < ticks) {
+    eagerx::note_wait();
   }
   // The counter's value at `ticks`: near the end nothing else is read, five instructions a turn.
   const std::uint32_t end = kRound - 1 - static_cast<std::uint32_t>(ticks % kRound);
   if (clock_ticks() >= ticks) return;
   while ((reg(0xE000E018) - end - 1) % kRound < kNear) {
+    eagerx::note_wait();
   }
 }
 

@@ -32,8 +32,9 @@ class Kept : public ::testing::Test {
     if (program != 0) return;
     dup2(ends[1], STDERR_FILENO);
     {
-      const Supervisor supervisor([](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; },
-                              &ends[1], most_silent_ns);
+      const Supervisor supervisor(
+          [](void* end) { return write(*static_cast<int*>(end), "s", 1) == 1; }, &ends[1],
+          most_silent_ns);
       life();
     }
     static_cast<void>(!write(ends[1], "e", 1));

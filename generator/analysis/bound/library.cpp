@@ -1,0 +1,78 @@
+#include "generator/analysis/bound/library.hpp"
+
+#include <array>
+#include <runtime/host/base/hash.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eagerx::gen::bound {
+namespace {
+
+struct Row {
+  Address offset = 0;  // of the loop's header from the function
+  std::uint32_t most = 0, bytes_a_turn = 0;
+};
+
+struct LibraryFunction {
+  std::string_view name;
+  std::uint32_t bytes = 0;
+  std::uint64_t hash = 0;  // of these bytes
+  std::vector<Row> loops;
+};
+
+/// libgcc's ieee754-df.S and ieee754-sf.S, newlib's memset.c, memcpy-armv7m.S and memmove.c (nano),
+/// as Debian 12 compiles them for v7-m (soft) and v7e-m+fp (hard). A number that is denormal is
+/// shifted until its highest bit is in place: 52 or 23 times at most, for it is not 0. A division
+/// makes four bits a turn: 5 turns for the high word of the quotient, 8 for the low one; 6 of a
+/// float. `tests/bound/library_functions` prints size and hash.
+const std::vector<LibraryFunction>& library_functions() {
+  static const std::vector<Row> kMemset = {{0x16, 3, 0}, {0x44, 0, 16}, {0x70, 3, 0}, {0x82, 3, 0}};
+  static const std::vector<LibraryFunction> kAll = {
+      {"__aeabi_dmul", 596, 0x47882f38ec381bb7U, {{0x1a6, 52, 0}, {0x1c6, 52, 0}}},
+      {"__aeabi_ddiv", 464, 0x711fdbf38e1692f9U, {{0x82, 13, 0}}},
+      {"__aeabi_fmul", 360, 0xe01f8b84c35552d3U, {{0xce, 23, 0}, {0xe6, 23, 0}}},
+      {"__aeabi_fdiv", 310, 0xdf182ce31006f658U, {{0x46, 6, 0}, {0xc2, 23, 0}, {0xda, 23, 0}}},
+      {"memset", 162, 0x8caab2a8f0554b75U, kMemset},
+      {"memset", 160, 0xde06bc811463fab4U, kMemset},
+      {"memcpy",
+       308,
+       0x6094587af927bcedU,
+       {{0x10, 0, 64}, {0x98, 3, 0}, {0xc0, 3, 0}, {0x118, 0, 1}}},
+      {"memcpy",
+       236,
+       0x3bbd7ec428f9d521U,
+       {{0x10, 0, 16}, {0x5c, 0, 4}, {0x78, 0, 4}, {0xd0, 0, 1}}},
+      {"memmove",
+       254,
+       0xac56c2d8102a3520U,
+       {{0x14, 0, 1}, {0x38, 0, 1}, {0x68, 0, 1}, {0xb8, 0, 1}, {0xe2, 0, 1}}}};
+  return kAll;
+}
+
+bool is_code_of(const Image& image, Address at, const LibraryFunction& function) {
+  std::string bytes;
+  for (std::uint32_t i = 0; i < function.bytes; ++i) {
+    const auto byte = image.constant(at + i, 1);
+    if (!byte) return false;
+    bytes += static_cast<char>(*byte);
+  }
+  return host::fnv1a(bytes) == function.hash;
+}
+
+}  // namespace
+
+std::map<Address, LibraryLoop> library_loops(const Image& image) {
+  std::map<Address, LibraryLoop> loops;
+  for (const auto& [name, at] : image.addresses()) {
+    for (const LibraryFunction& function : library_functions()) {
+      if (function.name != name || !is_code_of(image, at, function)) continue;
+      // The header runs once more than the loop turns back.
+      for (const Row& row : function.loops)
+        loops[at + row.offset] = {at, row.most + 1, row.bytes_a_turn};
+    }
+  }
+  return loops;
+}
+
+}  // namespace eagerx::gen::bound

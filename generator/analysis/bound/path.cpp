@@ -1,0 +1,127 @@
+#include "generator/analysis/bound/path.hpp"
+
+#include <algorithm>
+
+namespace eagerx::gen::bound {
+
+namespace {
+
+/// What never returns is on no path to a return.
+bool can_return(const Analysed& function) {
+  for (BlockIndex b = 0; b < function.reached.size(); ++b) {
+    const Block& block = function.flow->blocks[b];
+    if (function.reached[b] && (block.returns || block.lost)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Weight Weight::all() {
+  return {[](const Instruction&, bool) { return true; },
+          [](const Instruction&, bool) { return Callee::by_weight; }};
+}
+
+std::uint64_t LongestPath::of(const Analysed& function) {
+  first_ = &function;
+  return length(function);
+}
+
+std::uint64_t LongestPath::length(const Analysed& function) {
+  const auto known = known_.find(&function);
+  if (known != known_.end()) return known->second;
+  const Part whole = part(function, kNone);
+  if (whole.weighs) {
+    for (const Obstacle& obstacle : function.obstacles) {
+      if (obstacle.reason != Reason::loop) obstacles_.insert(obstacle);
+    }
+  }
+  return known_[&function] = whole.returns;
+}
+
+std::uint64_t LongestPath::call(const Analysed& function, const Instruction& instruction) {
+  const auto callee = function.calls.find(instruction.at);
+  if (callee == function.calls.end() || !can_return(*callee->second)) return 0;
+  const auto counts = weight_.callee(instruction, &function == first_);
+  if (counts == Weight::Callee::nothing) return 0;
+  if (counts == Weight::Callee::by_weight) return length(*callee->second);
+  if (const auto found = whole_.find(callee->second); found != whole_.end()) return found->second;
+  LongestPath whole(Weight::all());
+  const std::uint64_t result = whole.of(*callee->second);
+  obstacles_.insert(whole.obstacles_.begin(), whole.obstacles_.end());
+  return whole_[callee->second] = result;
+}
+
+std::uint64_t LongestPath::block(const Analysed& function, BlockIndex b) {
+  std::uint64_t sum = 0;
+  for (const Instruction* instruction : function.flow->blocks[b].code) {
+    sum += weight_.counts(*instruction, &function == first_) ? 1 : 0;
+    if (turn_of(*instruction) == Turn::call) sum += call(function, *instruction);
+  }
+  return sum;
+}
+
+void LongestPath::leave(const Analysed& function, LoopIndex loop, Edge edge, std::uint64_t length,
+                        Part& part, std::map<BlockIndex, std::uint64_t>& open) {
+  const Flow& flow = *function.flow;
+  const auto longest = [&](std::uint64_t& to) { to = std::max(to, length); };
+  if (loop != kNone && edge.second == flow.loops[loop].header)
+    part.turn = std::max(part.turn.value_or(0), length);
+  else if (flow.is_in(edge.second, loop))
+    longest(open[edge.second]);
+  else
+    longest(part.leaves[edge]);
+}
+
+LongestPath::Part LongestPath::part(const Analysed& function, LoopIndex loop) {
+  const Flow& flow = *function.flow;
+  Part result;
+  std::map<BlockIndex, std::uint64_t> open;
+  open[loop == kNone ? 0 : flow.loops[loop].header] = 0;
+  for (const BlockIndex b : flow.order) {
+    const auto found = open.find(b);
+    if (found == open.end() || !function.reached[b]) continue;
+    const std::uint64_t before = found->second;
+    if (const LoopIndex inner = flow.child(loop, b); inner != kNone) {
+      if (flow.loops[inner].header != b) continue;
+      const Part all = turned(function, inner);
+      result.weighs |= all.weighs;
+      result.returns = std::max(result.returns, before + all.returns);
+      for (const auto& [edge, length] : all.leaves)
+        leave(function, loop, edge, before + length, result, open);
+      continue;
+    }
+    const std::uint64_t own = block(function, b);
+    result.weighs |= own > 0;
+    if (flow.blocks[b].returns) result.returns = std::max(result.returns, before + own);
+    for (const BlockIndex next : flow.blocks[b].next) {
+      if (function.possible.contains({b, next}))
+        leave(function, loop, {b, next}, before + own, result, open);
+    }
+  }
+  return result;
+}
+
+/// A loop with all its turns.
+LongestPath::Part LongestPath::turned(const Analysed& function, LoopIndex loop) {
+  Part once = part(function, loop);
+  if (!once.turn || !once.weighs) return once;
+  if (&function == first_ && weight_.once.contains(loop)) {
+    // A turn may end at the header: what is asked for is over then.
+    for (auto& [edge, length] : once.leaves) length = std::max(length, *once.turn);
+    once.returns = once.returns > 0 ? std::max(once.returns, *once.turn) : 0;
+    return once;
+  }
+  const auto most = function.most_turns[loop];
+  if (!most) {
+    const Block& header = function.flow->blocks[function.flow->loops[loop].header];
+    obstacles_.insert({Reason::loop, header.code.front()->at});
+    return once;
+  }
+  const std::uint64_t turns = (*most > 0 ? *most - 1 : 0) * *once.turn;
+  if (once.returns > 0) once.returns += turns;
+  for (auto& [edge, length] : once.leaves) length += turns;
+  return once;
+}
+
+}  // namespace eagerx::gen::bound

@@ -1,0 +1,58 @@
+// The longest path through a function: blocks weigh, loops multiply.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "generator/analysis/bound/analysis.hpp"
+
+namespace eagerx::gen::bound {
+
+/// What is counted of the function that a path is asked for, and of those that it calls.
+struct Weight {
+  /// How much of a call's callee is.
+  enum class Callee : std::uint8_t { nothing, by_weight, whole };
+  /// Whether an instruction is. `is_first`: it is one of that function itself.
+  std::function<bool(const Instruction&, bool is_first)> counts;
+  std::function<Callee(const Instruction& call, bool is_first)> callee;
+  /// Loops of that function that count once: what is asked for is within a turn.
+  std::set<LoopIndex> once = {};
+
+  static Weight all();
+};
+
+/// The longest path by weight; its loops must have bounds only where something in them weighs.
+class LongestPath {
+ public:
+  explicit LongestPath(Weight weight) : weight_(std::move(weight)) {}
+
+  /// Only a bound if there are no obstacles().
+  std::uint64_t of(const Analysed& function);
+  [[nodiscard]] const std::set<Obstacle>& obstacles() const { return obstacles_; }
+
+ private:
+  using Edge = std::pair<BlockIndex, BlockIndex>;
+  struct Part {
+    std::optional<std::uint64_t> turn;     // the longest way from the header back to it
+    std::map<Edge, std::uint64_t> leaves;  // to each exit
+    std::uint64_t returns = 0;             // to a return
+    bool weighs = false;
+  };
+
+  std::uint64_t length(const Analysed& function);
+  Part part(const Analysed& function, LoopIndex loop);
+  std::uint64_t block(const Analysed& function, BlockIndex b);
+  void leave(const Analysed& function, LoopIndex loop, Edge edge, std::uint64_t length, Part& part,
+             std::map<BlockIndex, std::uint64_t>& open);
+  Part turned(const Analysed& function, LoopIndex loop);
+  std::uint64_t call(const Analysed& function, const Instruction& instruction);
+
+  Weight weight_;
+  const Analysed* first_ = nullptr;
+  std::map<const Analysed*, std::uint64_t> known_, whole_;
+  std::set<Obstacle> obstacles_;
+};
+
+}  // namespace eagerx::gen::bound

@@ -1,0 +1,111 @@
+#include "generator/analysis/bound/regions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace eagerx::gen::bound {
+namespace {
+
+/// The function of the image that an instruction lies in.
+Address function_at(const Image& image, Address at) {
+  const auto after = image.functions().upper_bound(at);
+  return after == image.functions().begin() ? at : std::prev(after)->first;
+}
+
+/// Loops that have all of a region: it is within one of their turns.
+std::set<LoopIndex> loops_around(const Flow& flow, const std::set<Address>& code) {
+  std::set<LoopIndex> around;
+  for (LoopIndex l = 0; l < flow.loops.size(); ++l) {
+    bool has_all = true;
+    for (BlockIndex b = 0; has_all && b < flow.blocks.size(); ++b) {
+      if (flow.loops[l].has[b]) continue;
+      has_all = std::ranges::none_of(flow.blocks[b].code, [&](const Instruction* instruction) {
+        return code.contains(instruction->at);
+      });
+    }
+    if (has_all) around.insert(l);
+  }
+  return around;
+}
+
+}  // namespace
+
+std::vector<Region> Regions::find(const IsNamed& is_named) const {
+  std::map<std::pair<Address, std::string>, Region> found;
+  for (const auto& [at, instruction] : analysis_.image().instructions()) {
+    const auto& frames = places_.of(at);
+    for (std::size_t i = frames.size(); i-- > 0;) {
+      if (!is_named(frames[i].function)) continue;
+      const bool is_whole = i + 1 == frames.size();
+      const Address function = function_at(analysis_.image(), at);
+      const std::string from =
+          is_whole ? std::string() : fmt::format("{}:{}", frames[i + 1].file, frames[i + 1].line);
+      Region& region = found[{function, from}];
+      region.function = function;
+      if (!is_whole) region.code.insert(at);
+      break;
+    }
+  }
+  std::vector<Region> regions;
+  for (auto& [where, region] : found) regions.push_back(std::move(region));
+  return regions;
+}
+
+Regions::Most Regions::longest(const Region& region, Weight weight) {
+  const Analysed& function = analysis_.of(region.function);
+  if (!region.code.empty()) weight.once = loops_around(*function.flow, region.code);
+  LongestPath path(std::move(weight));
+  const std::uint64_t instructions = path.of(function);
+  return {instructions, path.obstacles()};
+}
+
+Regions::Most Regions::most(const std::vector<Region>& regions,
+                            const std::function<bool(Address)>& counts) {
+  Most result;
+  for (const Region& region : regions) {
+    const auto is_in = [&region](const Instruction& i, bool is_first) {
+      return !is_first || region.code.empty() || region.code.contains(i.at);
+    };
+    Weight weight;
+    weight.counts = [&](const Instruction& i, bool is_first) {
+      return is_in(i, is_first) && (!counts || counts(i.at));
+    };
+    weight.callee = [&](const Instruction& call, bool is_first) {
+      if (!is_in(call, is_first)) return Weight::Callee::nothing;
+      return counts && counts(call.at) ? Weight::Callee::whole : Weight::Callee::by_weight;
+    };
+    const Most one = longest(region, std::move(weight));
+    result.instructions = std::max(result.instructions, one.instructions);
+    result.obstacles.insert(one.obstacles.begin(), one.obstacles.end());
+  }
+  return result;
+}
+
+Regions::Most Regions::most_without(const std::vector<Region>& regions,
+                                    const std::vector<Region>& others) {
+  std::set<Address> left_out, functions;
+  for (const Region& other : others) {
+    left_out.insert(other.code.begin(), other.code.end());
+    if (other.code.empty()) functions.insert(other.function);
+  }
+  Most result;
+  for (const Region& region : regions) {
+    Weight weight;
+    const auto is_in = [&](const Instruction& i, bool is_first) {
+      return !left_out.contains(i.at) &&
+             (!is_first || region.code.empty() || region.code.contains(i.at));
+    };
+    weight.counts = is_in;
+    weight.callee = [&](const Instruction& call, bool is_first) {
+      if (!is_in(call, is_first) || functions.contains(call.target)) return Weight::Callee::nothing;
+      return Weight::Callee::by_weight;
+    };
+    const Most one = longest(region, std::move(weight));
+    result.instructions = std::max(result.instructions, one.instructions);
+    result.obstacles.insert(one.obstacles.begin(), one.obstacles.end());
+  }
+  return result;
+}
+
+}  // namespace eagerx::gen::bound

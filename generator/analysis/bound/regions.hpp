@@ -1,0 +1,46 @@
+// The parts of a program in its image: whole functions, or what the compiler inlined of them.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "generator/analysis/bound/path.hpp"
+#include "generator/analysis/bound/places.hpp"
+
+namespace eagerx::gen::bound {
+
+/// A function of the program, once: where it was inlined, or on its own.
+struct Region {
+  Address function = 0;    // the function that it lies in
+  std::set<Address> code;  // empty: all of that function
+};
+
+/// Whether a function's mangled name is that of the part that is looked for.
+using IsNamed = std::function<bool(const std::string& mangled)>;
+
+class Regions {
+ public:
+  Regions(Analysis& analysis, const Places& places) : analysis_(analysis), places_(places) {}
+
+  [[nodiscard]] std::vector<Region> find(const IsNamed& is_named) const;
+  /// The most that one of the regions takes, of instructions for which `counts` says so; of others
+  /// only what they call. Empty: of all.
+  struct Most {
+    std::uint64_t instructions = 0;
+    std::set<Obstacle> obstacles;
+  };
+  Most most(const std::vector<Region>& regions, const std::function<bool(Address)>& counts = {});
+  /// The same without what is in `others`.
+  Most most_without(const std::vector<Region>& regions, const std::vector<Region>& others);
+
+ private:
+  Most longest(const Region& region, Weight weight);
+
+  Analysis& analysis_;
+  const Places& places_;
+};
+
+}  // namespace eagerx::gen::bound

@@ -1,0 +1,37 @@
+// How often a loop turns, from what changes in it and when it is left.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "generator/analysis/bound/value.hpp"
+
+namespace eagerx::gen::bound {
+
+/// A number that starts somewhere and grows by a step, each turn.
+struct Progress {
+  Value start, step;
+};
+
+/// A test of a loop that every turn makes: it stays while the condition holds.
+struct Test {
+  Comparison comparison;
+  std::string stays_while;
+};
+
+struct Turns {
+  std::uint64_t most = 0;  // tests, the last one included
+  bool is_exact = false;
+};
+
+/// What a value of the loop's body is at the first turn, and how it changes; nullopt: not known.
+using ProgressOf = std::function<std::optional<Progress>(const Value&)>;
+/// `state`: where the loop is entered.
+std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, const State& state);
+
+/// The condition that holds where `condition` does not.
+std::string opposite(const std::string& condition);
+
+}  // namespace eagerx::gen::bound

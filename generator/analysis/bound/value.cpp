@@ -1,0 +1,211 @@
+#include "generator/analysis/bound/value.hpp"
+
+#include <algorithm>
+
+#include "generator/analysis/bound/transfer.hpp"
+
+namespace eagerx::gen::bound {
+namespace {
+
+constexpr std::int64_t kLeastUnsigned = 0;
+
+// The bits of a base: what made it, of how many bits it is, half its address, its location.
+constexpr unsigned kIsPlace = 63, kOrigin = 60, kBits = 55, kAddress = 24;
+constexpr unsigned kMostBits = 31;
+
+/// Whether left - right is negative, zero, positive: what of it is possible.
+struct Signs {
+  bool negative = true, zero = true, positive = true;
+};
+
+Signs signs_of(const Comparison& comparison) {
+  Value a = comparison.left, b = comparison.right;
+  if (a.base != b.base) {
+    a = resolved(a);
+    b = resolved(b);
+  }
+  if (a.base != b.base) return {};
+  const std::int64_t low = a.low - b.high, high = a.high - b.low;
+  return {low < 0, low <= 0 && high >= 0, high > 0};
+}
+
+/// Unsigned order is that of the signed numbers where neither is negative.
+bool is_unsigned_order(const Comparison& comparison) {
+  return resolved(comparison.left).low >= kLeastUnsigned &&
+         resolved(comparison.right).low >= kLeastUnsigned;
+}
+
+std::optional<bool> one_of(bool may_hold, bool may_fail) {
+  if (may_hold && may_fail) return std::nullopt;
+  return may_hold;
+}
+
+}  // namespace
+
+const Value* State::find(const Location& location) const {
+  if (!location.on_stack) return &registers[static_cast<std::size_t>(location.at)];
+  const auto found = stack.find(location.at);
+  return found == stack.end() ? nullptr : &found->second;
+}
+
+void State::set(const Location& location, const Value& value) {
+  if (location.on_stack)
+    stack[location.at] = value;
+  else
+    registers[static_cast<std::size_t>(location.at)] = value;
+}
+
+Base base_of(Origin origin, Address at, const Location& location) {
+  constexpr std::uint64_t kOffset = 0x7fffff, kOfStack = 0x800000;
+  const auto where = static_cast<std::uint64_t>(location.at) & kOffset;
+  return (std::uint64_t{1} << kIsPlace) | (static_cast<std::uint64_t>(origin) << kOrigin) |
+         (std::uint64_t{at >> 1U} << kAddress) | where | (location.on_stack ? kOfStack : 0);
+}
+
+Base base_of_bits(Address at, const Location& location, unsigned bits) {
+  return base_of(Origin::made, at, location) | (std::uint64_t{bits & kMostBits} << kBits);
+}
+
+std::optional<Address> place_of(Base base) {
+  if (base >> kIsPlace == 0) return std::nullopt;
+  return static_cast<Address>(base >> kAddress) << 1U;
+}
+
+Value resolved(const Value& value) {
+  const auto bits = static_cast<unsigned>(value.base >> kBits) & kMostBits;
+  if (value.base >> kIsPlace == 0 || bits == 0) return value;
+  return {0, value.low, value.high + (std::int64_t{1} << bits) - 1};
+}
+
+namespace {
+
+/// One step further: what the base of a value is between.
+Value resolved_once(const State& state, const Value& value) {
+  const auto found = state.limits.find(value.base);
+  if (found == state.limits.end()) return resolved(value);
+  const Value& limit = found->second;
+  return {limit.base, value.low + limit.low, value.high + limit.high};
+}
+
+constexpr int kMostSteps = 8;
+
+}  // namespace
+
+Value State::resolve(const Value& value) const {
+  Value result = value;
+  for (int i = 0; i < kMostSteps && result.base != 0; ++i) result = resolved_once(*this, result);
+  return result.base == 0 ? result : value;
+}
+
+bool State::relate(Value& a, Value& b) const {
+  for (int i = 0; i < kMostSteps && a.base != b.base; ++i) {
+    const Value next_a = resolved_once(*this, a), next_b = resolved_once(*this, b);
+    if (next_a == a && next_b == b) return false;
+    if (next_a.base == b.base) {
+      a = next_a;
+    } else if (next_b.base == a.base) {
+      b = next_b;
+    } else {
+      a = next_a;
+      b = next_b;
+    }
+  }
+  return a.base == b.base;
+}
+
+bool is_same(const State& a, const State& b) {
+  return a.registers == b.registers && a.stack == b.stack;
+}
+
+void State::learn(std::string_view condition, const Comparison& compared) {
+  const Value right = resolve(compared.right);
+  const Value& left = compared.left;
+  if (right.base != 0 || left.base == 0 || left.base == kStack || !left.is_exact()) return;
+  Value limit{0, INT32_MIN, INT32_MAX};
+  if (condition == "eq") {
+    limit = right;
+  } else if (compared.zero_only) {
+    return;
+  } else if (condition == "cc" || condition == "lo" || condition == "ls") {
+    const std::int64_t most = right.high - (condition == "ls" ? 0 : 1);
+    if (right.low < 0 || most < 0) return;
+    limit = {0, 0, most};
+  } else if (condition == "lt" || condition == "le") {
+    limit.high = right.high - (condition == "lt" ? 1 : 0);
+  } else if (condition == "gt" || condition == "ge") {
+    limit.low = right.low + (condition == "gt" ? 1 : 0);
+  } else {
+    return;
+  }
+  // A sum that may wrap says nothing of its base, but a range of it that is known whole does.
+  if (left.low != 0 && (limit.low == INT32_MIN || limit.high == INT32_MAX)) return;
+  limit.low -= left.low;
+  limit.high -= left.low;
+  const Value known = resolve({left.base, 0, 0});
+  if (known.base == 0)
+    limit = {0, std::max(limit.low, known.low), std::min(limit.high, known.high)};
+  if (limit.low <= limit.high) limits[left.base] = limit;
+}
+
+namespace {
+
+Value joined(const Value& a, const Value& b, Address at, const Location& location) {
+  if (a == b) return a;
+  if (a.base == b.base) return {a.base, std::min(a.low, b.low), std::max(a.high, b.high)};
+  return {base_of(Origin::joined, at, location), 0, 0};
+}
+
+}  // namespace
+
+namespace {
+
+/// Puts what a location is on either way into `result`; of two numbers, what they are between.
+void join_at(const Location& where, const State& a, const State& b, Address at, State& result) {
+  const Value &left = *a.find(where), &right = *b.find(where);
+  const Value both = joined(left, right, at, where);
+  result.set(where, both);
+  if (left == right || left.base == right.base) return;
+  const Value from = a.resolve(left), to = b.resolve(right);
+  if (from.base != 0 || to.base != 0) return;
+  result.limits[both.base] = {0, std::min(from.low, to.low), std::max(from.high, to.high)};
+}
+
+}  // namespace
+
+State join(const State& a, const State& b, Address at) {
+  State result;
+  for (const auto& [base, limit] : a.limits) {
+    const auto other = b.limits.find(base);
+    if (other != b.limits.end() && other->second.base == limit.base)
+      result.limits[base] = {limit.base, std::min(limit.low, other->second.low),
+                             std::max(limit.high, other->second.high)};
+  }
+  for (std::size_t i = 0; i < kRegisters; ++i)
+    join_at({false, static_cast<std::int64_t>(i)}, a, b, at, result);
+  for (const auto& [offset, value] : a.stack) {
+    if (b.stack.contains(offset)) join_at({true, offset}, a, b, at, result);
+  }
+  if (a.comparison == b.comparison) result.comparison = a.comparison;
+  result.escaped = std::min(a.escaped, b.escaped);
+  return result;
+}
+
+std::optional<bool> holds(std::string_view condition, const Comparison& comparison) {
+  const Signs s = signs_of(comparison);
+  if (condition == "eq") return one_of(s.zero, s.negative || s.positive);
+  if (condition == "ne") return one_of(s.negative || s.positive, s.zero);
+  // Of others than numbers, only the difference is known: their order may wrap.
+  if (comparison.zero_only || resolved(comparison.left).base != 0) return std::nullopt;
+  const bool is_signed =
+      condition == "lt" || condition == "le" || condition == "gt" || condition == "ge";
+  if (!is_signed && !is_unsigned_order(comparison)) return std::nullopt;
+  if (condition == "lt" || condition == "cc" || condition == "lo")
+    return one_of(s.negative, s.zero || s.positive);
+  if (condition == "ge" || condition == "cs" || condition == "hs")
+    return one_of(s.zero || s.positive, s.negative);
+  if (condition == "gt" || condition == "hi") return one_of(s.positive, s.zero || s.negative);
+  if (condition == "le" || condition == "ls") return one_of(s.zero || s.negative, s.positive);
+  return std::nullopt;
+}
+
+}  // namespace eagerx::gen::bound

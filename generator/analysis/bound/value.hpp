@@ -1,0 +1,92 @@
+// What is known of registers and of the stack at a point of a function.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "generator/analysis/bound/image.hpp"
+
+namespace eagerx::gen::bound {
+
+/// A number that is not known, by the place that gave it; 0: the number 0.
+using Base = std::uint64_t;
+inline constexpr Base kStack = 1;  // the stack pointer at the function's entry
+
+/// base + something from low to high.
+struct Value {
+  Base base = 0;
+  std::int64_t low = 0, high = 0;
+
+  static Value of(std::int64_t number) { return {0, number, number}; }
+  [[nodiscard]] bool is_exact() const { return low == high; }
+  [[nodiscard]] bool is_number() const { return base == 0 && low == high; }
+  bool operator==(const Value&) const = default;
+};
+
+inline constexpr std::size_t kRegisters = 48;  // r0 to r15, then s0 to s31
+inline constexpr std::size_t kCore = 16;       // r0 to r15
+inline constexpr std::size_t kSp = 13;
+inline constexpr std::int64_t kWordBytes = 4;
+
+/// Where a value is: a register, or a word of the stack by its distance from kStack.
+struct Location {
+  bool on_stack = false;
+  std::int64_t at = 0;
+  auto operator<=>(const Location&) const = default;
+};
+
+/// What the last comparison compared; empty: not known. With `zero_only`, a difference whose
+/// overflow and carry are not known.
+struct Comparison {
+  Value left, right;
+  bool zero_only = false;
+  bool operator==(const Comparison&) const = default;
+};
+
+struct State {
+  std::array<Value, kRegisters> registers{};
+  std::map<std::int64_t, Value> stack;
+  std::optional<Comparison> comparison;
+  std::int64_t escaped = INT64_MAX;  // from here on other pointers may lead to the stack
+  std::map<Base, Value> limits;      // what numbers that are not known are between
+
+  [[nodiscard]] const Value* find(const Location& location) const;
+  void set(const Location& location, const Value& value);
+  /// A number by what is known of its base, and of the base of that. Else the value itself.
+  [[nodiscard]] Value resolve(const Value& value) const;
+  /// The same until both have one base; false if they have none.
+  bool relate(Value& a, Value& b) const;
+  /// What follows from a condition that holds.
+  void learn(std::string_view condition, const Comparison& compared);
+};
+
+/// The number that is made at an address, or that two paths bring to it.
+enum class Origin : std::uint8_t { made, joined, header, entry };
+Base base_of(Origin origin, Address at, const Location& location);
+/// The same of a number from 0 to 2^bits - 1; `bits` up to 31.
+Base base_of_bits(Address at, const Location& location, unsigned bits);
+/// The address that a base was made at; nullopt: it is none.
+std::optional<Address> place_of(Base base);
+/// The same by its bits alone: from 0 to 255, say.
+Value resolved(const Value& value);
+
+/// Whether the numbers of two states are the same.
+bool is_same(const State& a, const State& b);
+
+/// What is true on both ways to `at`.
+State join(const State& a, const State& b, Address at);
+
+/// Applies an instruction that is no jump. A call leaves what a callee must preserve (AAPCS 6.1).
+void apply(const Image& image, const Instruction& instruction, State& state);
+
+/// The core register ("r0", "sp") or the word of the floating-point unit ("s1"); nullopt: neither.
+std::optional<std::size_t> register_of(std::string_view operand);
+
+/// Whether a condition holds: nullopt if both are possible.
+std::optional<bool> holds(std::string_view condition, const Comparison& comparison);
+
+}  // namespace eagerx::gen::bound

@@ -1,0 +1,358 @@
+#include "generator/analysis/bound/walk.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "generator/analysis/bound/transfer.hpp"
+
+namespace eagerx::gen::bound {
+namespace {
+
+std::vector<Location> locations_of(const State& state) {
+  std::vector<Location> all;
+  for (std::size_t r = 0; r < kRegisters; ++r) all.push_back({false, static_cast<std::int64_t>(r)});
+  for (const auto& [offset, value] : state.stack) all.push_back({true, offset});
+  return all;
+}
+
+bool is_on_every_turn(const Flow& flow, const Loop& loop, BlockIndex block) {
+  return std::ranges::all_of(loop.latches,
+                             [&](BlockIndex latch) { return flow.dominates(block, latch); });
+}
+
+/// When a branch is taken.
+std::string condition_of(const Instruction& branch) {
+  if (!branch.name.starts_with("cb")) return branch.condition;
+  return branch.name == "cbz" ? "eq" : "ne";
+}
+
+void add(std::map<BlockIndex, State>& open, BlockIndex to, const State& state, Address at) {
+  const auto [found, is_new] = open.emplace(to, state);
+  if (!is_new) found->second = join(found->second, state, at);
+}
+
+}  // namespace
+
+void Walk::function(const State& entry) {
+  entry_ = entry;
+  result_.flow = &flow_;
+  result_.reached.assign(flow_.blocks.size(), false);
+  result_.most_turns.assign(flow_.loops.size(), 0);
+  for (const auto& [from, to] : flow_.entered_elsewhere)
+    result_.obstacles.push_back({Reason::several_entries, address(to)});
+  pass(kNone, entry, true);
+  for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
+    if (result_.reached[b] && flow_.blocks[b].lost)
+      result_.obstacles.push_back({Reason::lost, flow_.blocks[b].code.back()->at});
+  }
+}
+
+Walk::Pass Walk::pass(LoopIndex loop_index, const State& header, bool record) {
+  Pass result;
+  std::map<BlockIndex, State> open;
+  open.emplace(loop_index == kNone ? 0 : flow_.loops[loop_index].header, header);
+  for (const BlockIndex b : flow_.order) {
+    const auto found = open.find(b);
+    if (found == open.end()) continue;
+    const State state = std::move(found->second);
+    open.erase(found);
+    const LoopIndex inner = flow_.child(loop_index, b);
+    if (inner == kNone) {
+      block(loop_index, b, state, record, result, open);
+    } else {
+      for (const auto& [edge, out] : loop(inner, state, record))
+        deliver(loop_index, edge, out, record, result, open);
+    }
+  }
+  return result;
+}
+
+void Walk::block(LoopIndex loop_index, BlockIndex b, State state, bool record, Pass& to,
+                 std::map<BlockIndex, State>& open) {
+  const Block& here = flow_.blocks[b];
+  if (record) result_.reached[b] = true;
+  for (const Instruction* instruction : here.code) {
+    const Turn turn = turn_of(*instruction);
+    if (record && turn == Turn::call_pointer)
+      result_.obstacles.push_back({Reason::pointer_call, instruction->at});
+    if (record && turn == Turn::call) {
+      const Address callee = instruction->target;
+      if (analysis_.active_.contains(callee))
+        result_.obstacles.push_back({Reason::recursion, instruction->at});
+      else
+        result_.calls[instruction->at] = analysis_.analyse(callee, entry_state(callee, &state));
+    }
+    apply(image_, *instruction, state);
+  }
+  const auto branch = branch_of(here, state);
+  if (branch) to.tests[b] = branch->comparison;
+  const auto is_taken = branch ? branch->is_taken : std::nullopt;
+  for (std::size_t i = 0; i < here.next.size(); ++i) {
+    if (is_taken && *is_taken != (i == 1)) continue;
+    State after = state;
+    if (branch)
+      after.learn(i == 1 ? branch->condition : opposite(branch->condition), branch->comparison);
+    deliver(loop_index, {b, here.next[i]}, after, record, to, open);
+  }
+}
+
+/// The branch at the end of a block with two ways on; nullopt: what it compares is not known.
+std::optional<Walk::Branch> Walk::branch_of(const Block& block, const State& state) {
+  if (block.code.empty()) return std::nullopt;
+  const Instruction& last = *block.code.back();
+  if (turn_of(last) != Turn::branch || block.next.size() != 2) return std::nullopt;
+  Branch branch{condition_of(last), {}, std::nullopt};
+  if (last.name.starts_with("cb")) {
+    const auto tested = register_of(last.operands.front());
+    if (!tested) return std::nullopt;
+    branch.comparison = {state.registers[*tested], Value::of(0), false};
+  } else {
+    if (!state.comparison) return std::nullopt;
+    branch.comparison = *state.comparison;
+  }
+  Comparison known = branch.comparison;
+  if (!state.relate(known.left, known.right)) known = branch.comparison;
+  branch.is_taken = holds(branch.condition, known);
+  return branch;
+}
+
+void Walk::deliver(LoopIndex loop_index, Edge edge, const State& state, bool record, Pass& to,
+                   std::map<BlockIndex, State>& open) {
+  if (record) result_.possible.insert(edge);
+  const BlockIndex target = edge.second;
+  if (loop_index != kNone && target == flow_.loops[loop_index].header) {
+    auto& escaped = escapes_.emplace(loop_index, state.escaped).first->second;
+    escaped = std::min(escaped, state.escaped);
+    to.latch = to.latch ? join(*to.latch, state, address(target)) : state;
+  } else if (flow_.is_in(target, loop_index)) {
+    add(open, target, state, address(target));
+  } else {
+    const auto [found, is_new] = to.exits.emplace(edge, state);
+    if (!is_new) found->second = join(found->second, state, address(target));
+  }
+}
+
+/// What was known of numbers that the loop makes anew.
+void Walk::forget_limits(LoopIndex l, State& state) {
+  std::erase_if(state.limits, [&](const auto& limit) { return is_made_in(l, limit.first); });
+}
+
+/// The header's state where all that may change is a number of its own.
+State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& fixed) {
+  State header = in;
+  forget_limits(l, header);
+  const Address at = address(flow_.loops[l].header);
+  for (const Location& where : locations_of(in)) {
+    if (!fixed.contains(where)) header.set(where, {base_of(Origin::header, at, where), 0, 0});
+  }
+  header.comparison.reset();
+  if (const auto found = escapes_.find(l); found != escapes_.end())
+    header.escaped = std::min(header.escaped, found->second);
+  return header;
+}
+
+Walk::Changes Walk::changes(LoopIndex l, const State& in, const State& header, const State& latch,
+                            const std::set<Location>& fixed) const {
+  Changes result;
+  const Address at = address(flow_.loops[l].header);
+  for (const Location& where : locations_of(in)) {
+    const Value* after = latch.find(where);
+    if (after == nullptr) continue;
+    if (fixed.contains(where)) {
+      if (*after == *header.find(where)) result.fixed.insert(where);
+      continue;
+    }
+    if (after->base != base_of(Origin::header, at, where)) continue;
+    if (after->low == 0 && after->high == 0)
+      result.fixed.insert(where);
+    else
+      result.steps[where] = Value{0, after->low, after->high};
+  }
+  return result;
+}
+
+bool Walk::is_made_in(LoopIndex l, Base base) {
+  const auto place = place_of(base);
+  if (!place) return false;
+  std::set<Address>& addresses = addresses_[l];
+  if (addresses.empty()) {
+    for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
+      if (!flow_.loops[l].has[b]) continue;
+      for (const Instruction* instruction : flow_.blocks[b].code) addresses.insert(instruction->at);
+    }
+  }
+  return addresses.contains(*place);
+}
+
+std::optional<Progress> Walk::progress(LoopIndex l, const State& in, const Changes& changes,
+                                       const Value& value) const {
+  const Address at = address(flow_.loops[l].header);
+  for (const auto& [where, step] : changes.steps) {
+    if (value.base != base_of(Origin::header, at, where)) continue;
+    const auto start = sum(*in.find(where), {0, value.low, value.high}, 1);
+    return start ? std::optional(Progress{*start, step}) : std::nullopt;
+  }
+  for (const Location& where : changes.fixed) {
+    if (value.base != base_of(Origin::header, at, where)) continue;
+    const auto start = sum(*in.find(where), {0, value.low, value.high}, 1);
+    return start ? std::optional(Progress{*start, Value::of(0)}) : std::nullopt;
+  }
+  return Progress{value, Value::of(0)};
+}
+
+/// Whether no turn is possible without one of these tests.
+bool Walk::separates(LoopIndex l, const std::set<BlockIndex>& tests) const {
+  const Loop& loop = flow_.loops[l];
+  std::vector<BlockIndex> open = {loop.header};
+  std::set<BlockIndex> seen;
+  while (!open.empty()) {
+    const BlockIndex b = open.back();
+    open.pop_back();
+    if (tests.contains(b) || !seen.insert(b).second) continue;
+    for (const BlockIndex next : flow_.blocks[b].next) {
+      if (next == loop.header) return false;
+      if (loop.has[next]) open.push_back(next);
+    }
+  }
+  return true;
+}
+
+/// A turn after the most that a test allows would leave the loop there. So the first tests, by what
+/// they allow, of which every turn makes one.
+std::optional<Turns> Walk::turns(LoopIndex l, const State& in, const Pass& pass,
+                                 const Changes& changes) {
+  std::vector<std::pair<Turns, BlockIndex>> tests;
+  const auto progress_of = [&](const Value& value) -> std::optional<Progress> {
+    const auto found = progress(l, in, changes, value);
+    // What the loop itself makes is another number every turn.
+    if (!found || (found->start.base == value.base && is_made_in(l, value.base)))
+      return std::nullopt;
+    return found;
+  };
+  for (const auto& [edge, state] : pass.exits) {
+    const auto test = pass.tests.find(edge.first);
+    const Block& block = flow_.blocks[edge.first];
+    if (test == pass.tests.end() || block.loop != l) continue;
+    const std::string condition = condition_of(*block.code.back());
+    const bool leaves_when_taken = edge.second == block.next[1];
+    const auto found = turns_of({test->second, leaves_when_taken ? opposite(condition) : condition},
+                                progress_of, in);
+    if (found) tests.emplace_back(*found, edge.first);
+  }
+  std::ranges::sort(tests, {}, [](const auto& test) { return test.first.most; });
+  std::set<BlockIndex> passed;
+  for (const auto& [turns, block] : tests) {
+    passed.insert(block);
+    if (!separates(l, passed)) continue;
+    return Turns{turns.most, turns.is_exact && pass.exits.size() == 1};
+  }
+  return std::nullopt;
+}
+
+/// What its source says of a place that every turn passes. Copies of it are those of another loop
+/// that was unrolled, perhaps, and say nothing.
+std::optional<std::uint64_t> Walk::noted(LoopIndex l) const {
+  const Loop& loop = flow_.loops[l];
+  std::optional<std::uint64_t> most;
+  for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
+    if (flow_.blocks[b].loop != l) continue;
+    for (const Instruction* instruction : flow_.blocks[b].code) {
+      const auto note = image_.notes().find(instruction->at);
+      if (note == image_.notes().end()) continue;
+      if (most || !is_on_every_turn(flow_, loop, b)) return std::nullopt;
+      most = note->second.waits ? 0 : note->second.most;
+    }
+  }
+  if (!most) return most;
+  return *most + 1;
+}
+
+/// What is known of the loops of libraries.
+std::optional<std::uint64_t> Walk::of_library(LoopIndex l) const {
+  constexpr std::size_t kBytes = 2;  // r2: memset, memcpy and memmove take a number of bytes
+  const auto found = analysis_.library_.find(address(flow_.loops[l].header));
+  if (found == analysis_.library_.end()) return std::nullopt;
+  const LibraryLoop& loop = found->second;
+  if (loop.bytes_a_turn == 0) return loop.most;
+  const Value& bytes = entry_.registers[kBytes];
+  if (flow_.entry != loop.function || bytes.base != 0 || bytes.low < 0) return std::nullopt;
+  return loop.most + static_cast<std::uint64_t>(bytes.high) / loop.bytes_a_turn;
+}
+
+/// The header's state in all turns, or in the last one.
+State Walk::running_header(LoopIndex l, const State& in, const Changes& changes,
+                           const std::optional<Turns>& turns, bool last) {
+  State header = open_header(l, in, changes.fixed);
+  if (!turns) return header;
+  const auto count = static_cast<std::int64_t>(std::min<std::uint64_t>(turns->most - 1, INT32_MAX));
+  for (const auto& [where, step] : changes.steps) {
+    const std::int64_t down = step.low * count, up = step.high * count;
+    if (last) {
+      if (const auto value = sum(*in.find(where), {0, down, up}, 1)) header.set(where, *value);
+      continue;
+    }
+    const Value way{0, std::min<std::int64_t>(down, 0), std::max<std::int64_t>(up, 0)};
+    if (const auto value = sum(*in.find(where), way, 1))
+      header.limits[header.find(where)->base] = *value;
+  }
+  return header;
+}
+
+/// Turn by turn with what is known of each, while that is not the same again: flags, shifts.
+std::optional<Turns> Walk::one_by_one(LoopIndex l, const State& in) {
+  constexpr std::uint64_t kMostTurns = 64;
+  if (depth_ > 0) return std::nullopt;  // not in each turn of another one
+  ++depth_;
+  std::optional<State> header = in;
+  std::uint64_t turns = 0;
+  while (header && turns < kMostTurns) {
+    // What a turn before made is another number than what this one makes.
+    State open = open_header(l, *header, {});
+    for (const Location& where : locations_of(*header)) {
+      if (!is_made_in(l, header->find(where)->base)) open.set(where, *header->find(where));
+    }
+    auto next = pass(l, open, false).latch;
+    ++turns;
+    if (next && is_same(*next, *header)) break;
+    header = std::move(next);
+  }
+  --depth_;
+  return header ? std::nullopt : std::optional(Turns{turns, false});
+}
+
+std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
+  // First with all values open, then with those that stay.
+  State header = open_header(l, in, {{false, kSp}});
+  Pass first = pass(l, header, false);
+  Changes found;
+  std::optional<Turns> count;
+  if (first.latch) {
+    found = changes(l, in, header, *first.latch, {{false, kSp}});
+    header = open_header(l, in, found.fixed);
+    Pass second = pass(l, header, false);
+    if (second.latch) {
+      found = changes(l, in, header, *second.latch, found.fixed);
+      count = turns(l, in, second, found);
+    } else {
+      count = Turns{1, true};
+    }
+  } else {
+    count = Turns{1, true};  // it never goes back
+    header = in;
+    for (const Location& where : locations_of(in)) found.fixed.insert(where);
+  }
+  if (const auto known = of_library(l); known && !count) count = Turns{*known, false};
+  if (!count && !noted(l)) count = one_by_one(l, in);
+  if (const auto note = noted(l); note && (!count || *note < count->most))
+    count = Turns{*note, false};
+  if (record) {
+    result_.most_turns[l] = count ? std::optional(count->most) : std::nullopt;
+    if (!count) result_.obstacles.push_back({Reason::loop, address(flow_.loops[l].header)});
+  }
+  auto exits = pass(l, running_header(l, in, found, count, false), record).exits;
+  if (count && count->is_exact && exits.size() == 1)
+    return pass(l, running_header(l, in, found, count, true), false).exits;
+  return exits;
+}
+
+}  // namespace eagerx::gen::bound

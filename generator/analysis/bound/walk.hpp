@@ -1,0 +1,81 @@
+// Goes over a function's blocks, inner loops before what follows them, with what is known of
+// values.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "generator/analysis/bound/analysis.hpp"
+#include "generator/analysis/bound/trips.hpp"
+
+namespace eagerx::gen::bound {
+
+using Edge = std::pair<BlockIndex, BlockIndex>;
+
+/// Calls are analysed, and results are written, in `record` mode only: once for each block.
+class Walk {
+ public:
+  Walk(Analysis& analysis, const Flow& flow, Analysed& result)
+      : analysis_(analysis), image_(analysis.image_), flow_(flow), result_(result) {}
+
+  void function(const State& entry);
+
+ private:
+  /// What one pass over a loop, or the function, gave.
+  struct Pass {
+    std::optional<State> latch;   // at its end, before it goes back to the header
+    std::map<Edge, State> exits;  // that leave it
+    std::map<BlockIndex, Comparison> tests;
+  };
+  /// What is known of the places that a loop changes.
+  struct Changes {
+    std::set<Location> fixed;
+    std::map<Location, Value> steps;
+  };
+
+  Pass pass(LoopIndex loop, const State& header, bool record);
+  void block(LoopIndex loop, BlockIndex b, State state, bool record, Pass& to,
+             std::map<BlockIndex, State>& open);
+  void deliver(LoopIndex loop, Edge edge, const State& state, bool record, Pass& to,
+               std::map<BlockIndex, State>& open);
+  struct Branch {
+    std::string condition;  // when it is taken
+    Comparison comparison;
+    std::optional<bool> is_taken;
+  };
+  static std::optional<Branch> branch_of(const Block& block, const State& state);
+
+  std::optional<Turns> one_by_one(LoopIndex l, const State& in);
+  std::map<Edge, State> loop(LoopIndex l, const State& in, bool record);
+  State open_header(LoopIndex l, const State& in, const std::set<Location>& fixed);
+  void forget_limits(LoopIndex l, State& state);
+  [[nodiscard]] bool separates(LoopIndex l, const std::set<BlockIndex>& tests) const;
+  [[nodiscard]] Changes changes(LoopIndex l, const State& in, const State& header,
+                                const State& latch, const std::set<Location>& fixed) const;
+  std::optional<Turns> turns(LoopIndex l, const State& in, const Pass& pass,
+                             const Changes& changes);
+  [[nodiscard]] std::optional<Progress> progress(LoopIndex l, const State& in,
+                                                 const Changes& changes, const Value& value) const;
+  [[nodiscard]] bool is_made_in(LoopIndex l, Base base);
+  [[nodiscard]] std::optional<std::uint64_t> noted(LoopIndex l) const;
+  [[nodiscard]] std::optional<std::uint64_t> of_library(LoopIndex l) const;
+  State running_header(LoopIndex l, const State& in, const Changes& changes,
+                       const std::optional<Turns>& turns, bool last);
+  [[nodiscard]] Address address(BlockIndex b) const {
+    return flow_.blocks[b].code.empty() ? 0 : flow_.blocks[b].code.front()->at;
+  }
+
+  Analysis& analysis_;
+  const Image& image_;
+  const Flow& flow_;
+  Analysed& result_;
+  std::map<LoopIndex, std::set<Address>> addresses_;  // of loops
+  std::map<LoopIndex, std::int64_t> escapes_;         // the least of State::escaped in a loop
+  State entry_;
+  unsigned depth_ = 0;  // of loops that are gone through one by one
+};
+
+}  // namespace eagerx::gen::bound

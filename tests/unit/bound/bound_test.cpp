@@ -1,0 +1,242 @@
+// Instructions, control flow, turns of loops and longest paths, of disassemblies as objdump prints
+// them.
+#include "generator/analysis/bound/bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/analysis/bound/path.hpp"
+#include "tests/unit/size/tools.hpp"
+
+namespace eagerx::gen::bound {
+namespace {
+
+/// The bytes of an ELF header without segments and sections.
+std::string empty_elf() {
+  std::string head = Tools::elf(Tools::kArm);
+  head.resize(64, '\0');
+  return head;
+}
+
+/// A disassembly with functions f at 0 and g at 0x100.
+class Disassembled {
+ public:
+  explicit Disassembled(const std::string& f, const std::string& g = "") {
+    tools_.file("image.elf", empty_elf());
+    tools_.says("objdump", "00000000 <f>:\n" + f + "\n00000100 <g>:\n" + g);
+    tools_.says("nm", std::string("00000001 T f\n") + (g.empty() ? "" : "00000101 T g\n"));
+    image_ = Image::read(tools_.image(), "arm-none-eabi-");
+  }
+
+  struct Result {
+    std::uint64_t most = 0;
+    std::set<Reason> why;
+    bool operator==(const Result&) const = default;
+  };
+  Result bound() {
+    if (!image_) return {0, {Reason::lost}};
+    Analysis analysis(*image_);
+    LongestPath path(Weight::all());
+    Result result{path.of(analysis.of(0)), {}};
+    for (const Obstacle& obstacle : path.obstacles()) result.why.insert(obstacle.reason);
+    return result;
+  }
+
+ private:
+  Tools tools_;
+  std::optional<Image> image_;
+};
+
+using Result = Disassembled::Result;
+
+Result bound_of(const std::string& f, const std::string& g = "") {
+  return Disassembled(f, g).bound();
+}
+
+Result only(std::uint64_t most) {
+  return {most, {}};
+}
+
+TEST(Path, TheLongerSideOfABranchCounts) {
+  EXPECT_EQ(bound_of("   0:\tcmp\tr0, #3\n   2:\tbeq.n\t8 <f+0x8>\n   4:\tadds\tr0, #1\n"
+                     "   6:\tadds\tr0, #2\n   8:\tbx\tlr\n"),
+            only(5));
+}
+
+TEST(Path, AConditionalReturnIsOneOfTwoEnds) {
+  EXPECT_EQ(
+      bound_of("   0:\tcmp\tr0, #3\n   2:\tit\teq\n   4:\tbxeq\tlr\n   6:\tnop\n   8:\tbx\tlr\n"),
+      only(5));
+}
+
+TEST(Path, WhatNeverReturnsIsNoPath) {
+  EXPECT_EQ(bound_of("   0:\tcbz\tr0, 6 <f+0x6>\n   2:\tbl\t100 <g>\n   6:\tbx\tlr\n",
+                     " 100:\tnop\n 102:\tb.n\t102 <g+0x2>\n"),
+            only(2));
+}
+
+TEST(Path, ACalleeCountsWithWhatItIsGiven) {
+  const std::string g =
+      " 100:\tmovs\tr3, #0\n 102:\tadds\tr3, #1\n 104:\tcmp\tr3, r0\n 106:\tbne.n\t102 <g+0x2>\n"
+      " 108:\tbx\tlr\n";
+  EXPECT_EQ(bound_of("   0:\tpush\t{lr}\n   2:\tmovs\tr0, #7\n   4:\tbl\t100 <g>\n"
+                     "   8:\tmovs\tr0, #2\n   a:\tbl\t100 <g>\n   e:\tpop\t{pc}\n",
+                     g),
+            only(6 + (1 + 7 * 3 + 1) + (1 + 2 * 3 + 1)));
+  EXPECT_EQ(bound_of("   0:\tpush\t{lr}\n   2:\tbl\t100 <g>\n   6:\tpop\t{pc}\n", g).why,
+            std::set{Reason::loop});
+}
+
+TEST(Loops, CountUpTo) {
+  const auto counted = [](const char* test, const char* branch) {
+    return bound_of(std::string("   0:\tmovs\tr3, #0\n   2:\tadds\tr3, #2\n   4:\t") + test +
+                    "\n   6:\t" + branch + "\t2 <f+0x2>\n   8:\tbx\tlr\n");
+  };
+  EXPECT_EQ(counted("cmp\tr3, #10", "bne.n"), only(1 + 5 * 3 + 1));
+  EXPECT_EQ(counted("cmp\tr3, #10", "blt.n"), only(1 + 5 * 3 + 1));
+  EXPECT_EQ(counted("cmp\tr3, #10", "bls.n"), only(1 + 6 * 3 + 1));
+  EXPECT_EQ(counted("cmp\tr3, #11", "bcc.n"), only(1 + 6 * 3 + 1));
+  // Steps of two never meet 11.
+  EXPECT_EQ(counted("cmp\tr3, #11", "bne.n").why, std::set{Reason::loop});
+  EXPECT_EQ(counted("cmp\tr3, r7", "bne.n").why, std::set{Reason::loop});
+}
+
+TEST(Loops, CountDown) {
+  EXPECT_EQ(bound_of("   0:\tmovs\tr3, #9\n   2:\tsubs\tr3, #1\n   4:\tbne.n\t2 <f+0x2>\n"
+                     "   6:\tbx\tlr\n"),
+            only(1 + 9 * 2 + 1));
+  // Without a sign, 0 is not below 0.
+  EXPECT_EQ(bound_of("   0:\tmovs\tr3, #9\n   2:\tsubs\tr3, #1\n   4:\tcmp\tr3, #0\n"
+                     "   6:\tbcs.n\t2 <f+0x2>\n   8:\tbx\tlr\n")
+                .why,
+            std::set{Reason::loop});
+}
+
+TEST(Loops, PointersMeetAnEndThatIsAsFarAsTheyStart) {
+  EXPECT_EQ(bound_of("   0:\tadd.w\tr1, r0, #48\t@ 0x30\n   4:\tvldmia\tr0!, {s15}\n"
+                     "   8:\tcmp\tr0, r1\n   a:\tbne.n\t4 <f+0x4>\n   c:\tbx\tlr\n"),
+            only(1 + 12 * 3 + 1));
+}
+
+TEST(Loops, ACounterMayLieOnTheStack) {
+  const std::string loop =
+      "   4:\tldr\tr3, [sp, #4]\n   6:\tadds\tr3, #1\n   8:\tstr\tr3, [sp, #4]\n"
+      "   a:\tcmp\tr3, #4\n   c:\tbne.n\t4 <f+0x4>\n   e:\tadd\tsp, #8\n  10:\tbx\tlr\n";
+  EXPECT_EQ(bound_of("   0:\tmovs\tr3, #0\n   1:\tsub\tsp, #8\n   2:\tstr\tr3, [sp, #4]\n" + loop),
+            only(3 + 4 * 5 + 2));
+  // Its address is known, and a pointer that is not may lead there.
+  EXPECT_EQ(bound_of("   0:\tsub\tsp, #8\n   2:\tmov\tr1, sp\n   4:\tmovs\tr3, #0\n"
+                     "   6:\tstr\tr3, [sp, #4]\n   8:\tldr\tr3, [sp, #4]\n   a:\tadds\tr3, #1\n"
+                     "   c:\tstr\tr3, [sp, #4]\n   e:\tstr\tr2, [r7, #0]\n  10:\tcmp\tr3, #4\n"
+                     "  12:\tbne.n\t8 <f+0x8>\n  14:\tadd\tsp, #8\n  16:\tbx\tlr\n")
+                .why,
+            std::set{Reason::loop});
+}
+
+TEST(Loops, InnerOnesStartWhereOuterOnesAre) {
+  // for (r4 = 0; r4 < 3; ++r4) for (r5 = r4; r5 < 8; ++r5): at most 8 turns of the inner one.
+  EXPECT_EQ(bound_of("   0:\tmovs\tr4, #0\n   2:\tmov\tr5, r4\n   4:\tadds\tr5, #1\n"
+                     "   6:\tcmp\tr5, #8\n   8:\tblt.n\t4 <f+0x4>\n   a:\tadds\tr4, #1\n"
+                     "   c:\tcmp\tr4, #3\n   e:\tblt.n\t2 <f+0x2>\n  10:\tbx\tlr\n"),
+            only(1 + 3 * (1 + 8 * 3 + 3) + 1));
+}
+
+TEST(Loops, FlagsAndShiftsAreFollowedTurnByTurn) {
+  EXPECT_EQ(bound_of("   0:\tmovs\tr5, #2\n   2:\tcmp\tr5, #1\n   4:\tbeq.n\ta <f+0xa>\n"
+                     "   6:\tmovs\tr5, #1\n   8:\tb.n\t2 <f+0x2>\n   a:\tbx\tlr\n"),
+            only(1 + 4 + 2 + 1));
+  EXPECT_EQ(bound_of("   0:\tmov.w\tip, #524288\t@ 0x80000\n   4:\tnop\n"
+                     "   6:\tmovs.w\tip, ip, lsr #4\n   a:\tbne.n\t4 <f+0x4>\n   c:\tbx\tlr\n"),
+            only(1 + 5 * 3 + 1));
+}
+
+TEST(Loops, ALimitCheckedBeforeHoldsBehind) {
+  // if (r0 > 11) return; for (; r0 != 12; ++r0)
+  EXPECT_EQ(bound_of("   0:\tldr\tr0, [r1, #0]\n   2:\tcmp\tr0, #11\n   4:\tbhi.n\tc <f+0xc>\n"
+                     "   6:\tadds\tr0, #1\n   8:\tcmp\tr0, #12\n   a:\tbne.n\t6 <f+0x6>\n"
+                     "   c:\tbx\tlr\n"),
+            only(3 + 12 * 3 + 1));
+}
+
+TEST(Loops, ALimitMayBeTheSmallerOfTwoNumbers) {
+  // if (r0 >= 5) r0 = 5; for (r3 = 0; r3 != r0; ++r3), as a conditional instruction and as a
+  // branch.
+  const std::string loop =
+      "   8:\tmovs\tr3, #0\n   a:\tcmp\tr3, r0\n   c:\tbeq.n\t12 <f+0x12>\n   e:\tadds\tr3, #1\n"
+      "  10:\tb.n\ta <f+0xa>\n  12:\tbx\tlr\n";
+  EXPECT_EQ(bound_of("   0:\tldr\tr0, [r1, #0]\n   2:\tcmp\tr0, #5\n   4:\tit\tcs\n"
+                     "   6:\tmovcs\tr0, #5\n" +
+                     loop),
+            only(5 + 5 * 4 + 2 + 1));
+  EXPECT_EQ(bound_of("   0:\tldr\tr0, [r1, #0]\n   2:\tcmp\tr0, #5\n   4:\tbcc.n\t8 <f+0x8>\n"
+                     "   6:\tmovs\tr0, #5\n" +
+                     loop),
+            only(5 + 5 * 4 + 2 + 1));
+}
+
+TEST(Loops, WhatHasNoBoundSaysWhy) {
+  EXPECT_EQ(
+      bound_of("   0:\tldr\tr3, [r0, #0]\n   2:\tcmp\tr3, #0\n   4:\tbne.n\t0 <f>\n   6:\tbx\tlr\n")
+          .why,
+      std::set{Reason::loop});
+  EXPECT_EQ(bound_of("   0:\tpush\t{lr}\n   2:\tbl\t100 <g>\n   6:\tpop\t{pc}\n",
+                     " 100:\tpush\t{lr}\n 102:\tcbz\tr0, 108 <g+0x8>\n 104:\tbl\t0 <f>\n"
+                     " 108:\tpop\t{pc}\n")
+                .why,
+            std::set{Reason::recursion});
+  EXPECT_EQ(bound_of("   0:\tpush\t{lr}\n   2:\tblx\tr3\n   4:\tpop\t{pc}\n").why,
+            std::set{Reason::pointer_call});
+  EXPECT_EQ(bound_of("   0:\tbx\tr3\n").why, std::set{Reason::lost});
+  // A loop with two entries.
+  EXPECT_EQ(bound_of("   0:\tcbz\tr0, 4 <f+0x4>\n   2:\tnop\n   4:\tnop\n   6:\tcmp\tr1, #0\n"
+                     "   8:\tbne.n\t2 <f+0x2>\n   a:\tbx\tlr\n")
+                .why,
+            std::set{Reason::several_entries});
+}
+
+TEST(Loops, OneThatIsNotCountedInNeedsNoBound) {
+  Tools tools;
+  tools.file("image.elf", empty_elf());
+  tools.says("objdump",
+             "00000000 <f>:\n   0:\tnop\n   2:\tldr\tr3, [r0, #0]\n   4:\tcmp\tr3, #0\n"
+             "   6:\tbne.n\t2 <f+0x2>\n   8:\tnop\n   a:\tbx\tlr\n");
+  tools.says("nm", "00000001 T f\n");
+  const auto image = Image::read(tools.image(), "arm-none-eabi-");
+  ASSERT_TRUE(image);
+  Analysis analysis(*image);
+  LongestPath path({[](const Instruction& i, bool) { return i.name == "nop"; },
+                    [](const Instruction&, bool) { return Weight::Callee::nothing; }});
+  EXPECT_EQ(path.of(analysis.of(0)), 2U);
+  EXPECT_TRUE(path.obstacles().empty());
+}
+
+TEST(Bound, IsAnErrorForWhatIsNoImage) {
+  Tools tools;
+  Diagnostics diagnostics;
+  EXPECT_FALSE(bound_instructions(tools.file("x.txt", "no image"), {}, diagnostics));
+  EXPECT_FALSE(bound_instructions(tools.image(), {}, diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 2U);
+  for (const auto& problem : diagnostics.all()) EXPECT_EQ(problem.code, "E0911");
+}
+
+TEST(Bound, NonsenseOfTheToolsIsNoCrash) {
+  for (const std::string text :
+       {"0:\t\n", "   0:\tb\n   2:\tbl\n",
+        "   0:\tldr\n   2:\tstr\tr0, [\n   4:\tldm\n   6:\tpop\n",
+        "   0:\tvpush\t{d\n   2:\tmov\n   4:\tcbz\n   6:\ttbb\n   8:\tbx\n",
+        "   0:\tadd\tr0, r1, lsl #99\n"}) {
+    Tools tools;
+    tools.file("image.elf", empty_elf());
+    tools.says("objdump", text);
+    tools.says("nm", "00000001 T f\n00000003 T g\n");
+    const auto image = Image::read(tools.image(), "arm-none-eabi-");
+    if (!image) continue;
+    Analysis analysis(*image);
+    for (const auto& [at, name] : image->functions()) {
+      LongestPath path(Weight::all());
+      path.of(analysis.of(at));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace eagerx::gen::bound
