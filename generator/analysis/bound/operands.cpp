@@ -103,4 +103,11 @@ std::pair<std::size_t, std::size_t> range_of_doubles(std::string_view list) {
   return {std::min(first, kLast), std::min(std::max(first, last), kLast)};
 }
 
+bool sets_flags(std::string_view name) {
+  static constexpr std::array<std::string_view, 19> kSetters = {
+      "adds", "subs", "movs", "ands", "orrs", "eors", "bics", "lsls", "lsrs", "asrs",
+      "rsbs", "muls", "mvns", "adcs", "sbcs", "rors", "rrxs", "orns", "negs"};
+  return std::ranges::find(kSetters, name) != kSetters.end() || name == "msr";
+}
+
 }  // namespace eagerx::gen::bound

@@ -29,6 +29,8 @@ std::optional<Memory> memory_of(const Instruction& instruction);
 std::vector<std::size_t> listed_registers(std::string_view list);
 /// The first and the last of "{d8-d11}".
 std::pair<std::size_t, std::size_t> range_of_doubles(std::string_view list);
+/// Whether an instruction of this name sets the flags: "adds", not "mls".
+bool sets_flags(std::string_view name);
 bool starts_with_any(std::string_view name, std::initializer_list<std::string_view> beginnings);
 
 }  // namespace eagerx::gen::bound

@@ -68,7 +68,7 @@ class Step {
   void forget_written() {
     const bool two = starts_with_any(
         name_, {"umull", "smull", "umlal", "smlal", "umaal", "smlald", "smlsld", "ldrexd"});
-    if (sets_flags()) state_.comparison.reset();
+    if (sets_flags(name_)) state_.comparison.reset();
     const bool is_vector = name_.starts_with("v");
     for (std::size_t i = 0; i < instruction_.operands.size(); ++i) {
       if (i >= (is_vector ? 4U : two ? 2U : 1U)) break;
@@ -88,14 +88,6 @@ class Step {
     for (std::size_t i = 0; i < 2; ++i) {
       if (kCore + 2 * number + i < kRegisters) write(kCore + 2 * number + i, std::nullopt);
     }
-  }
-
-  /// Of the names that Thumb has; "mls", "vmls", "bics".
-  [[nodiscard]] bool sets_flags() const {
-    static constexpr std::array<std::string_view, 19> kSetters = {
-        "adds", "subs", "movs", "ands", "orrs", "eors", "bics", "lsls", "lsrs", "asrs",
-        "rsbs", "muls", "mvns", "adcs", "sbcs", "rors", "rrxs", "orns", "negs"};
-    return std::ranges::find(kSetters, name_) != kSetters.end() || name_ == "msr";
   }
 
   [[nodiscard]] std::optional<Value> read(std::string_view text) const {
@@ -316,7 +308,7 @@ class Step {
   bool calculate() {
     const auto destination = register_of(operand(0));
     if (!destination || instruction_.operands.size() < 2) return false;
-    const bool flags = sets_flags();
+    const bool flags = sets_flags(name_);
     const std::string_view name = flags ? name_.substr(0, name_.size() - 1) : name_;
     std::optional<Value> value;
     if (!result(name, value)) return false;
