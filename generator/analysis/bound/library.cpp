@@ -25,7 +25,7 @@ struct LibraryFunction {
 /// as Debian 12 compiles them for v7-m (soft) and v7e-m+fp (hard). A number that is denormal is
 /// shifted until its highest bit is in place: 52 or 23 times at most, for it is not 0. A division
 /// makes four bits a turn: 5 turns for the high word of the quotient, 8 for the low one; 6 of a
-/// float. `tests/bound/library_functions` prints size and hash.
+/// float.
 const std::vector<LibraryFunction>& library_functions() {
   static const std::vector<Row> kMemset = {{0x16, 3, 0}, {0x44, 0, 16}, {0x70, 3, 0}, {0x82, 3, 0}};
   static const std::vector<LibraryFunction> kAll = {

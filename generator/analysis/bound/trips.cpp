@@ -4,8 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "generator/analysis/bound/transfer.hpp"
-
 namespace eagerx::gen::bound {
 namespace {
 

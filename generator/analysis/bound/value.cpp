@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "generator/analysis/bound/transfer.hpp"
-
 namespace eagerx::gen::bound {
 namespace {
 
@@ -53,6 +51,17 @@ void State::set(const Location& location, const Value& value) {
     stack[location.at] = value;
   else
     registers[static_cast<std::size_t>(location.at)] = value;
+}
+
+std::optional<Value> sum(const Value& a, const Value& b, int sign) {
+  const std::int64_t low = a.low + (sign > 0 ? b.low : -b.high);
+  const std::int64_t high = a.high + (sign > 0 ? b.high : -b.low);
+  constexpr std::int64_t kMost = INT32_MAX;
+  if (low < -kMost || high > kMost) return std::nullopt;
+  if (b.base == 0) return Value{a.base, low, high};
+  if (sign > 0 && a.base == 0) return Value{b.base, low, high};
+  if (sign < 0 && a.base == b.base) return Value{0, low, high};
+  return std::nullopt;
 }
 
 Base base_of(Origin origin, Address at, const Location& location) {

@@ -64,6 +64,9 @@ struct State {
   void learn(std::string_view condition, const Comparison& compared);
 };
 
+/// a + sign * b, if the sum has one base.
+std::optional<Value> sum(const Value& a, const Value& b, int sign);
+
 /// The number that is made at an address, or that two paths bring to it.
 enum class Origin : std::uint8_t { made, joined, header, entry };
 Base base_of(Origin origin, Address at, const Location& location);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "generator/analysis/bound/transfer.hpp"
-
 namespace eagerx::gen::bound {
 namespace {
 
