@@ -135,7 +135,7 @@ struct ProgramNames {
 /// begin with that of the member that has all of it.
 bool is_drawn(const Plan& plan, const Ring& ring);
 
-/// packs/draws.hpp: what several episodes begin with.
+/// vectorized/draws.hpp: what several episodes begin with.
 View draws_view(const Plan& plan, const ProgramNames& names);
 
 /// The view of the templates of one program.

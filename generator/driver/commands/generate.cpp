@@ -21,7 +21,7 @@
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/next_steps.hpp"
 #include "generator/support/diagnostics/join.hpp"
-#include "generator/support/files/beside.hpp"
+#include "generator/support/files/missing_file.hpp"
 #include "generator/support/files/paths.hpp"
 
 namespace eagerx::gen {

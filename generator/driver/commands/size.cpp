@@ -22,7 +22,7 @@
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/image_budget.hpp"
-#include "generator/driver/commands/judge.hpp"
+#include "generator/driver/commands/check_targets.hpp"
 #include "generator/driver/pipeline/paths.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 
@@ -158,7 +158,7 @@ int perform_image(const SizeOptions& options) {
   std::optional<PlanInfo> plan;
   const bool made = !options.graph.empty() && make(run, options);
   if (made && !options.of.empty()) {
-    if (!judged_targets(run, options)) return finish(run, options);
+    if (!check_targets(run, options)) return finish(run, options);
   } else if (made) {
     plan = info_of(*run.plan, run.spec->budget, run.diagnostics);
     allow_warnings(run.spec->allow, false, run.diagnostics);
