@@ -408,7 +408,7 @@ test("agents, words of a command line, output of programs, curves", () => {
   assert.deepEqual([undefined, "zero", {policy: "a"}, {csv: "a"}].map(kindOfAgent), ["", "zero", "policy", "csv"]);
   assert.deepEqual(wordsOf("--steps 300  --name \"a b\" 'c d'"), ["--steps", "300", "--name", "a b", "c d"]);
   const known = {id: 1, next: 5, row: 2, lines: [{text: "old"}], columns: [], rows: [[1]]};
-  const answer ==
+  const answer =
       {id: 2, kind: "train", running: true, exit_code: null, next: 1, result: false, lines: [{n: 0, text: "new"}]};
   assert.ok(takeRun(known, {...answer, next: 9, lines: []}));  // lines before the fifth were not sent
   assert.deepEqual([known.id, known.next, known.lines.length], [2, 0, 0]);

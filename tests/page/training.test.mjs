@@ -73,7 +73,7 @@ test("points are where they belong", () => {
   const context = new Element("canvas").getContext();
   paintChart(context, {unit: "%", lines: [{x: [0, 50, 100], y: [0, 1, 0.5]}]}, 278, 130);
   const places = context.calls.filter(([name]) => /^(moveTo|lineTo)$/.test(name)).slice(-3);
-  assert.deepEqual(places, [["moveTo", 64, 108], ["lineTo", 164, 8], ["lineTo", 264, 58]]);
+  assert.deepEqual(places, [["moveTo", 64, 94], ["lineTo", 164, 8], ["lineTo", 264, 51]]);
 });
 
 test("the view says what the record says, and all of it is text", () => {

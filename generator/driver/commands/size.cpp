@@ -20,9 +20,9 @@
 #include "generator/driver/build/library_project.hpp"
 #include "generator/driver/build/targets.hpp"
 #include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/commands/check_targets.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/image_budget.hpp"
-#include "generator/driver/commands/check_targets.hpp"
 #include "generator/driver/pipeline/paths.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 

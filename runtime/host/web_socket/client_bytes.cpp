@@ -82,7 +82,7 @@ void ClientBytes::take_head(char byte) {
   if (head_.size() < kPlainHead) return;
   const unsigned second = static_cast<unsigned char>(head_[1]);
   if ((second & kMaskBit) == 0) {
-    // A frame of a kind that there is not: the library closes with 1002, a protocol error.
+    // A frame with a reserved opcode: the library closes with 1002, a protocol error.
     passed += kReserved;
     state_ = State::unmasked;
   } else if (head_.size() == size_of_head(second)) {

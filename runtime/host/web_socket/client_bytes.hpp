@@ -22,7 +22,7 @@ class ClientBytes {
   /// A frame was not masked.
   bool is_unmasked() const { return state_ == State::unmasked; }
 
-  std::string passed;  // for the library; whoever passes it on empties it
+  std::string passed;  // for the library; empty it after passing it on
 
  private:
   enum class State : std::uint8_t { request, waits, page, frames, no_request, unmasked };

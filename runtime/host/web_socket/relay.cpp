@@ -29,7 +29,7 @@ Read read_some(int from, std::string& bytes) {
   return Read::some;
 }
 
-/// False: nobody is there.
+/// False: the other end is closed.
 bool write_some(int to, std::string& bytes) {
   const ssize_t size = ::send(to, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
   if (size < 0) return would_block();

@@ -6,7 +6,7 @@
 namespace eagerx::board {
 
 /// `eagerx graph ` and the graph's hash, the lowest byte first, in a section that is in the file
-/// and not on the board. Nobody calls it: that it is named is enough.
+/// and not on the board. It is never called: naming it is enough.
 template <class Graph>
 [[gnu::used]] void note_graph() {
   constexpr unsigned kWordBits = 32;

@@ -273,7 +273,7 @@ struct BelliedOnSlope : On<WalkerOf<double>, Slope> {
 };
 TEST(MultibodyGround, ATrunkLiesOnASlope) {
   MultibodyScene<BelliedOnSlope> scene;
-  for (std::size_t j = 0; j < 12; ++j)  // legs folded beside the trunk
+  for (std::size_t j = 0; j < 12; ++j)  // legs folded next to the trunk
     scene.simulator.want_joint(j, {{j % 3 == 0 ? 0.0 : j % 3 == 1 ? 1.6 : -2.6, 0.0}, {0.0, 0.0}});
   scene.simulator.want_pose(0, {{0.0, 0.0041, 0.2, 1.0, 0.0, 0.0, 0.0}});
   scene.reset();
