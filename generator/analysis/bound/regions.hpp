@@ -26,8 +26,8 @@ class Regions {
   Regions(Analysis& analysis, const Places& places) : analysis_(analysis), places_(places) {}
 
   [[nodiscard]] std::vector<Region> find(const IsNamed& is_named) const;
-  /// The most that one of the regions takes, of instructions for which `counts` says so; of others
-  /// only what they call. Empty: of all.
+  /// The most that one of the regions takes, of instructions for which `counts` says so; the other
+  /// ones count only what they call. Empty: all count.
   struct Most {
     std::uint64_t instructions = 0;
     std::set<Obstacle> obstacles;

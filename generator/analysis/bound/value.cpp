@@ -203,7 +203,7 @@ std::optional<bool> holds(std::string_view condition, const Comparison& comparis
   const Signs s = signs_of(comparison);
   if (condition == "eq") return one_of(s.zero, s.negative || s.positive);
   if (condition == "ne") return one_of(s.negative || s.positive, s.zero);
-  // Of others than numbers, only the difference is known: their order may wrap.
+  // Of values that are not numbers, only the difference is known: their order may wrap.
   if (comparison.zero_only || resolved(comparison.left).base != 0) return std::nullopt;
   const bool is_signed =
       condition == "lt" || condition == "le" || condition == "gt" || condition == "ge";

@@ -92,7 +92,7 @@ class SpaceResolver {
         .help = suggestion(port, written_inputs(), "write the port as in `to:` of a connection");
   }
 
-  /// As a user writes them: a composite's ports in place of those inside; of the owner that `port`
+  /// As a user writes them: a composite's ports instead of those inside; of the owner that `port`
   /// names where it has some.
   [[nodiscard]] std::vector<std::string> written_inputs() const {
     std::vector<std::string> names;

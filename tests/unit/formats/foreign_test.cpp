@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
         Foreign{"keras_h5", "\x89HDF\r\n\x1a\n",
                 "an HDF5 file, as Keras, RLtools and others save their weights",
                 "convert it to ONNX: of Keras with `python -m tf2onnx.convert --keras FILE`; of "
-                "others copy its layers into a `torch.nn.Sequential`, and save that"},
+                "other libraries copy its layers into a `torch.nn.Sequential`, and save that"},
         Foreign{"keras_zip", test::zip({{"config.json", "{}"}, {"model.weights.h5", "x"}}),
                 "a Keras model", kKeras},
         Foreign{"tflite", "\x1c\0\0\0TFL3\x14\0\x20\0"s, "a TensorFlow Lite model",
