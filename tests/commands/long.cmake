@@ -18,7 +18,6 @@ if(NOT EAGERX_SANITIZE)
   add_test(NAME commands_sanitized COMMAND ${CMAKE_CURRENT_LIST_DIR}/sanitized ${PROJECT_BINARY_DIR})
 endif()
 add_test(NAME commands_at_once_all COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/at_once ${PROJECT_BINARY_DIR} --all)
-add_test(NAME commands_pairs_all COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/pairs ${PROJECT_BINARY_DIR} --all)
 # No output on an input or on another output, in any command.
 add_test(NAME commands_one_file COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_file ${PROJECT_BINARY_DIR})
 # The work of a check grows with the number of problems, not with its square.
