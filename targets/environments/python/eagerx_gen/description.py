@@ -34,7 +34,7 @@ class Field:
         # Whole numbers of 64 bits arrive as doubles, whose highest is beyond the type's.
         info = None if self.dtype.kind in "fb" else np.iinfo(self.dtype)
         converted = [otherwise if x is None else x if info is None else min(max(int(x), info.min), info.max) for x in numbers]
-        return np.array(numbers, self.dtype).reshape(self.shape)
+        return np.array(converted, self.dtype).reshape(self.shape)
 
 
 def numbers_of(fields):
