@@ -1,6 +1,7 @@
 // Io structs and signals of long runs: slow constants, values far from 0.
 #pragma once
 
+#include <array>
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
 
 #include "tests/unit/models/block_harness.hpp"
@@ -33,6 +34,13 @@ struct Around {
 struct Bent {
   static float at(Seq n, std::uint32_t channel) {
     return 0.45F + 0.04F * Around<0>::at(n, channel);
+  }
+};
+/// Points around the hand of the arm [3], and a posture near them [4].
+struct Reached {
+  static float at(Seq n, std::uint32_t channel) {
+    constexpr std::array<float, 7> kMiddle = {0.66F, 0.26F, 0.92F, -1.2F, -1.0F, 0.4F, 0.6F};
+    return kMiddle[channel] + (channel < 3 ? 0.01F * Around<0>::at(n, channel) : 0.0F);
   }
 };
 /// What SwingIo measures of a pendulum that hangs and shakes: angles pi and its half. Where it

@@ -273,15 +273,15 @@ using ArmForwardIo = robots::ForwardIo<Real, ArmConfig<Real>, 4>;
 template <class Real>
 using ArmJacobianIo = robots::JacobianIo<Real, ArmConfig<Real>, 4>;
 template <class Real>
-using ArmInverseIo = robots::InverseIo<Real, ArmConfig<Real>, 4, 3>;
+using ArmInverseIo = robots::PosturedInverseIo<Real, ArmConfig<Real>, 4, 3>;
 template <class Real>
 using ArmHandIo = robots::OperationalIo<Real, robots::HandConfig<robots::MixedArm<Real>>, 4, 3>;
 
 /// Bounds of 1e-5 and more have a reason: sums without a limit keep what each product is rounded
 /// by, slow filters divide the roundings of P by their gain, phases have the digits of float within
 /// a second times the frequency, and a derivative within the PID controllers divides by the period.
-/// Where a robot has more joints than the goal of InverseKinematics needs, roundings move the
-/// others slowly.
+/// Torques are sums of terms that are a hundred times as large. The search of InverseKinematics
+/// begins at one posture: from its last q, roundings move the joint that the goal leaves free.
 inline constexpr std::array kBlocks = {
     row<ActionLimits, LimitsOfActionIo, Near, 0, 1>("action_limits", "", 0.0),
     row<Backlash, BacklashIo, Far, 0, 1>("backlash", "", 1e-7),
@@ -304,15 +304,15 @@ inline constexpr std::array kBlocks = {
     row<ExtendedKalmanFilter, SwingIo, Hanging, 0, 2, 1>("extended_kalman_filter", "", 1e-3),
     row<FallbackController, ChoiceIo, Near, 0, 1, 1>("fallback_controller", "", 0.0),
     row<FirstOrderLag, SlowLagIo, Far, 0, 1>("first_order_lag", "60 s", 1e-6),
-    row<ForwardKinematics, ArmForwardIo, Near, 0, 4>("forward_kinematics", "", 2e-6),
+    row<ForwardKinematics, ArmForwardIo, Near, 0, 4>("forward_kinematics", "", 4e-6),
     row<Gain, blocks::GainIo, Far, 0, 2>("gain", "", 1e-7),
-    row<GravityCompensation, ArmGravityIo, Near, 0, 4>("gravity_compensation", "", 1e-5),
+    row<GravityCompensation, ArmGravityIo, Near, 0, 4>("gravity_compensation", "", 2e-5),
     row<Integrator, blocks::BackwardIo, Near, 0, 1>("integrator", "backward", 1e-5),
     row<Integrator, blocks::ForwardIo, Far, 0, 1>("integrator", "forward", 1e-6),
     row<Integrator, blocks::TrapezoidalIo, Far, 0, 1>("integrator", "trapezoidal", 1e-6),
-    row<InverseDynamics, ArmDynamicsIo, Near, 0, 4, 4, 4>("inverse_dynamics", "", 2e-5),
-    row<InverseKinematics, ArmInverseIo, Bent, 0, 3>("inverse_kinematics", "", 2e-3),
-    row<Jacobian, ArmJacobianIo, Near, 0, 4>("jacobian", "", 2e-6),
+    row<InverseDynamics, ArmDynamicsIo, Near, 0, 4, 4, 4>("inverse_dynamics", "", 2e-4),
+    row<InverseKinematics, ArmInverseIo, Reached, 0, 3, 4>("inverse_kinematics", "", 5e-6),
+    row<Jacobian, ArmJacobianIo, Near, 0, 4>("jacobian", "", 4e-6),
     row<KalmanFilter, TrackIo, Far, 0, 2, 2>("kalman_filter", "", 2e-4),
     row<LookupTable, blocks::TableIo, Near, 0, 1>("lookup_table", "", 1e-6),
     row<LookupTable2d, blocks::GridIo, Near, 0, 1, 1>("lookup_table_2d", "", 1e-6),

@@ -171,6 +171,16 @@ struct InverseIo : RobotIo<Real, Config> {
   };
 };
 template <class Real, class Config, std::size_t N, std::size_t Goal>
+struct PosturedInverseIo : RobotIo<Real, Config> {
+  struct Inputs {
+    Skipped<Array<Real, Goal>> goal;
+    Skipped<Array<Real, N>> start;
+  };
+  struct Outputs {
+    Array<Real, N>& q;
+  };
+};
+template <class Real, class Config, std::size_t N, std::size_t Goal>
 struct OperationalIo : RobotIo<Real, Config> {
   static constexpr std::size_t kRows = Goal == 3 ? 3 : 6;
   struct Inputs {
