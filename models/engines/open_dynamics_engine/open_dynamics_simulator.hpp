@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <models/engines/open_dynamics_engine/reset_targets.hpp>
 #include <models/engines/open_dynamics_engine/rigid_joints.hpp>
 #include <models/engines/open_dynamics_engine/rigid_parts.hpp>
 #include <models/engines/open_dynamics_engine/rigid_world.hpp>
@@ -96,25 +97,20 @@ class OpenDynamicsSimulator {
 
   // ---- what engine states want of the next place()
   void want_joint(std::size_t joint, const JointCoordinates& coordinates) {
-    wanted_joint_[joint] = coordinates;
-    joint_wanted_[joint] = true;
+    targets_.set_joint(joint, coordinates);
     placed_ = false;
   }
   /// The last argument of want_joint() for the next place(), else the current value.
   JointCoordinates next_joint(std::size_t joint) const {
-    return joint_wanted_[joint] ? wanted_joint_[joint] : present(joint);
+    return targets_.has_joint(joint) ? targets_.joint(joint) : present(joint);
   }
   /// Of a body that no joint holds; the rotation need not have length 1.
   void want_pose(std::size_t body, const Pose& pose) {
-    wanted_body_[body].position = {{pose[0], pose[1], pose[2]}};
-    wanted_body_[body].rotation = normalised({{pose[3], pose[4], pose[5], pose[6]}});
-    pose_wanted_[body] = true;
+    targets_.set_pose(body, pose);
     placed_ = false;
   }
   void want_twist(std::size_t body, const Twist& twist) {
-    wanted_body_[body].velocity = {{twist[0], twist[1], twist[2]}};
-    wanted_body_[body].angular_velocity = {{twist[3], twist[4], twist[5]}};
-    twist_wanted_[body] = true;
+    targets_.set_twist(body, twist);
     placed_ = false;
   }
   /// After `parameters` have been set.
@@ -123,10 +119,11 @@ class OpenDynamicsSimulator {
     placed_ = false;
   }
   void set_friction(std::size_t geometry, double friction) {
-    shape_[geometry].friction = eagerx::max(finite(friction), 0.0);
+    shape_[geometry].friction = eagerx::max(finite_or_zero(friction), 0.0);
   }
   void set_gravity(const Vector3& gravity) {  // of the whole world
-    dWorldSetGravity(world_, finite(gravity[0]), finite(gravity[1]), finite(gravity[2]));
+    dWorldSetGravity(world_, finite_or_zero(gravity[0]), finite_or_zero(gravity[1]),
+                     finite_or_zero(gravity[2]));
   }
 
   // ---- for configure() of the model
@@ -162,14 +159,14 @@ class OpenDynamicsSimulator {
   // No actuator has more torque than the joint's max_torque.
   /// Held until it is set again, instead of torques.
   void set_joint_servo(std::size_t joint, JointServo servo) {
-    servo.position = finite(servo.position);
+    servo.position = finite_or_zero(servo.position);
     servo.max_torque = eagerx::min(servo.max_torque, Model::kJoints[joint].max_torque);
     servo_[joint] = servo;
   }
   /// Held until it is set again: torque of a hinge about its axis [N·m], force of a slider [N].
   void set_joint_torque(std::size_t joint, double torque) {
     const double most = Model::kJoints[joint].max_torque;
-    torque_[joint] = eagerx::max(-most, eagerx::min(finite(torque), most));
+    torque_[joint] = eagerx::max(-most, eagerx::min(finite_or_zero(torque), most));
   }
   double joint_torque(std::size_t joint) const { return torque_[joint] * factors_[joint].strength; }
   /// Makes hinge or slider move at `velocity` with `torque` at most (a force of sliders). One that
@@ -177,9 +174,10 @@ class OpenDynamicsSimulator {
   void set_joint_motor(std::size_t joint, double velocity, double torque) {
     const RigidJoint& of = Model::kJoints[joint];
     const double strength = factors_[joint].strength;
-    const double most = eagerx::min(finite(torque), of.max_torque) * strength - of.friction;
+    const double most = eagerx::min(finite_or_zero(torque), of.max_torque) * strength - of.friction;
     has_motor_[joint] = most > 0.0;
-    set_joint_parameter(joint_[joint], of.kind, dParamVel, most > 0.0 ? finite(velocity) : 0.0);
+    set_joint_parameter(joint_[joint], of.kind, dParamVel,
+                        most > 0.0 ? finite_or_zero(velocity) : 0.0);
     set_joint_parameter(joint_[joint], of.kind, dParamFMax, most > 0.0 ? most : of.friction);
   }
   double joint_position(std::size_t joint, std::size_t axis = 0) const {
@@ -211,7 +209,7 @@ class OpenDynamicsSimulator {
   }
   /// In the centre of mass, in the world's axes [N]; held until it is set again.
   void set_force(std::size_t body, const Vector3& force) {
-    force_[body] = {{finite(force[0]), finite(force[1]), finite(force[2])}};
+    force_[body] = {{finite_or_zero(force[0]), finite_or_zero(force[1]), finite_or_zero(force[2])}};
   }
   /// From now on, the geometry's contact_force() is known; until then it is zero.
   void watch_contact_force(std::size_t geometry) { shape_[geometry].watched = true; }
@@ -233,9 +231,9 @@ class OpenDynamicsSimulator {
     std::array<JointCoordinates, kJoints> at{};
     for (std::size_t b = 0; b < kBodies; ++b) before[b] = state(b);
     for (std::size_t j = 0; j < kJoints; ++j)
-      at[j] = joint_wanted_[j] ? finite_coordinates(wanted_joint_[j]) : present(j);
+      at[j] = targets_.has_joint(j) ? finite_coordinates(targets_.joint(j)) : present(j);
     if (reconfigured_) configure();
-    for (std::size_t b = 0; b < kBodies; ++b) after[b] = wanted_state(b, before[b]);
+    for (std::size_t b = 0; b < kBodies; ++b) after[b] = targets_.state(b, before[b]);
     for (std::size_t j = 0; j < kJoints; ++j) {
       const std::size_t child = kChild[j];
       after[child] =
@@ -244,9 +242,7 @@ class OpenDynamicsSimulator {
     for (std::size_t b = 0; b < kBodies; ++b) place_body(body_[b], after[b]);
     for (std::size_t j = 0; j < kJoints; ++j) count_turns(j, at[j].position[0]);
     for (std::size_t b = 0; b < kBodies; ++b) velocity_before_[b] = after[b].velocity;
-    joint_wanted_ = {};
-    pose_wanted_ = {};
-    twist_wanted_ = {};
+    targets_.clear();
     placed_ = true;
   }
 
@@ -307,7 +303,6 @@ class OpenDynamicsSimulator {
     }
     return name;
   }
-  static double finite(double value) { return eagerx::isfinite(value) ? value : 0.0; }
 
   dBodyID parent_body(std::size_t joint) const {
     return kParent[joint] < kBodies ? body_[kParent[joint]] : nullptr;
@@ -334,23 +329,6 @@ class OpenDynamicsSimulator {
     at.position[0] = joint_position(joint);
     return at;
   }
-  RigidState wanted_state(std::size_t body, RigidState now) const {
-    if (pose_wanted_[body]) {
-      now.position = wanted_body_[body].position;
-      now.rotation = wanted_body_[body].rotation;
-    }
-    if (twist_wanted_[body]) {
-      now.velocity = wanted_body_[body].velocity;
-      now.angular_velocity = wanted_body_[body].angular_velocity;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      now.position[i] = finite(now.position[i]);
-      now.velocity[i] = finite(now.velocity[i]);
-      now.angular_velocity[i] = finite(now.angular_velocity[i]);
-    }
-    return now;
-  }
-
   /// The model's masses and anchors. The library takes anchors in the pose of the moment, which has
   /// to be that of reference.
   void configure() {
@@ -442,10 +420,7 @@ class OpenDynamicsSimulator {
   std::array<TurnCounter, kJoints> turns_{};
   std::array<Vector3, kBodies> velocity_before_{};  // at the engine's last tick
   double per_period_ = 0.0, step_s_ = 0.0;
-  std::array<JointCoordinates, kJoints> wanted_joint_{};
-  std::array<RigidState, kBodies> wanted_body_{};
-  std::array<bool, kJoints> joint_wanted_{};
-  std::array<bool, kBodies> pose_wanted_{}, twist_wanted_{};
+  ResetTargets<kBodies, kJoints> targets_{};
   bool reconfigured_ = false;
   bool placed_ = false;
 };

@@ -24,9 +24,12 @@ struct JointCoordinates {
 };
 
 /// The value, or 0 if it is not finite.
+constexpr double finite_or_zero(double value) {
+  return eagerx::isfinite(value) ? value : 0.0;
+}
 constexpr JointCoordinates finite_coordinates(JointCoordinates at) {
-  for (double& value : at.position) value = eagerx::isfinite(value) ? value : 0.0;
-  for (double& value : at.velocity) value = eagerx::isfinite(value) ? value : 0.0;
+  for (double& value : at.position) value = finite_or_zero(value);
+  for (double& value : at.velocity) value = finite_or_zero(value);
   return at;
 }
 
