@@ -1,5 +1,5 @@
-// Between packs of observations, a policy's numbers, and actions: as eagerx/agent.hpp, lane by lane
-// the same.
+// Between SIMD vectors of observations, a policy's numbers, and actions: as eagerx/agent.hpp, lane
+// by lane the same.
 #pragma once
 
 #include <cstddef>
@@ -7,19 +7,19 @@
 #include <eagerx/agent.hpp>
 #include <eagerx/lanes.hpp>
 #include <eagerx/message.hpp>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <eagerx/space.hpp>
 
 namespace eagerx {
 namespace detail {
 
-/// The numbers of a pack as those of another, as static_cast does lane by lane.
+/// The numbers of a SIMD vector as those of another, as static_cast does lane by lane.
 template <class To, class T, std::size_t N>
-To lanes_as(const Pack<T, N>& x) {
-  if constexpr (std::is_same_v<To, Pack<T, N>>) {
+To lanes_as(const Simd<T, N>& x) {
+  if constexpr (std::is_same_v<To, Simd<T, N>>) {
     return x;
   } else if constexpr (std::is_same_v<LaneOf<To>, bool>) {
-    return To(x != Pack<T, N>(T{0}));
+    return To(x != Simd<T, N>(T{0}));
   } else {
     return To(x);
   }
@@ -32,17 +32,17 @@ To lanes_as(const Mask<Bytes, N>& truth) {
 }  // namespace detail
 
 template <class Input, std::size_t Lanes, std::size_t N>
-void flatten_padded(const Input& window, Pack<float, Lanes> (&input)[N], std::size_t& position) {
+void flatten_padded(const Input& window, Simd<float, Lanes> (&input)[N], std::size_t& position) {
   using Message = typename Input::value_type;
   for (std::uint32_t w = 0; w < Input::kMaxSize; ++w) {
     const Message message = detail::padded(window, w, {});
     for (std::size_t i = 0; i < size_of<Message>; ++i)
-      input[position++] = detail::lanes_as<Pack<float, Lanes>>(element(message, i));
+      input[position++] = detail::lanes_as<Simd<float, Lanes>>(element(message, i));
   }
 }
 
 template <class Message, std::size_t Lanes, std::size_t N>
-Message unflatten(const Pack<float, Lanes> (&output)[N], std::size_t& position) {
+Message unflatten(const Simd<float, Lanes> (&output)[N], std::size_t& position) {
   Message action{};
   for (std::size_t i = 0; i < size_of<Message>; ++i)
     element(action, i) = detail::lanes_as<ScalarOf<Message>>(output[position++]);
@@ -65,8 +65,8 @@ Message clipped(Message action, const Space<Message>& space) {
 
 /// The largest of `count` numbers, the first of equal ones.
 template <std::size_t Lanes>
-LaneCounts<Lanes> argmax(const Pack<float, Lanes>* y, std::size_t count) {
-  Pack<float, Lanes> largest = y[0];
+LaneCounts<Lanes> argmax(const Simd<float, Lanes>* y, std::size_t count) {
+  Simd<float, Lanes> largest = y[0];
   LaneCounts<Lanes> best(0U);
   for (std::size_t k = 1; k < count; ++k) {
     const auto is_larger = largest < y[k];
@@ -76,7 +76,7 @@ LaneCounts<Lanes> argmax(const Pack<float, Lanes>* y, std::size_t count) {
   return best;
 }
 template <std::size_t Lanes, std::size_t N>
-LaneCounts<Lanes> argmax(const Pack<float, Lanes> (&y)[N]) {
+LaneCounts<Lanes> argmax(const Simd<float, Lanes> (&y)[N]) {
   return argmax(&y[0], N);
 }
 
@@ -88,7 +88,7 @@ Message choice(const Space<Message>& space, const LaneCounts<Lanes>& index) {
 }
 
 template <class Message, std::size_t Lanes, std::size_t N>
-Message choices(const Space<Message>& space, const Pack<float, Lanes> (&output)[N],
+Message choices(const Space<Message>& space, const Simd<float, Lanes> (&output)[N],
                 std::size_t& position) {
   using Scalar = ScalarOf<Message>;
   Message action{};
@@ -103,11 +103,11 @@ Message choices(const Space<Message>& space, const Pack<float, Lanes> (&output)[
 }
 
 template <class Message, std::size_t Lanes, std::size_t N>
-Message bits(const Pack<float, Lanes> (&output)[N], std::size_t& position) {
+Message bits(const Simd<float, Lanes> (&output)[N], std::size_t& position) {
   Message action{};
   for (std::size_t i = 0; i < size_of<Message>; ++i)
     element(action, i) =
-        detail::lanes_as<ScalarOf<Message>>(output[position++] > Pack<float, Lanes>(0.0F));
+        detail::lanes_as<ScalarOf<Message>>(output[position++] > Simd<float, Lanes>(0.0F));
   return action;
 }
 

@@ -1,4 +1,4 @@
-// What a pack does one lane after the other: nodes and processors that are written for plain
+// What a SIMD group does one lane after the other: nodes and processors that are written for plain
 // numbers. They see and give the same messages as in their environment's own program.
 #pragma once
 

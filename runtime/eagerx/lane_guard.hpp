@@ -1,4 +1,4 @@
-// The guard of actions on their way to the actuators of a pack of environments.
+// The guard of actions on their way to the actuators of a SIMD group.
 #pragma once
 
 #include <array>

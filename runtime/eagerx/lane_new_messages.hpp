@@ -1,5 +1,5 @@
-// Connections with `window: 0` over packs: what is new since the last tick is another number of
-// messages in each lane.
+// Connections with `window: 0` over SIMD vectors: what is new since the last tick is another number
+// of messages in each lane.
 #pragma once
 
 #include <bit>
@@ -8,8 +8,8 @@
 #include <eagerx/cursor.hpp>
 #include <eagerx/lanes.hpp>
 #include <eagerx/message.hpp>
-#include <eagerx/pack.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/simd.hpp>
 #include <eagerx/window.hpp>
 
 namespace eagerx {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/math.hpp>
-#include <eagerx/pack.hpp>
 #include <eagerx/random.hpp>
+#include <eagerx/simd.hpp>
 #include <eagerx/space.hpp>
 #include <type_traits>
 
@@ -15,9 +15,9 @@ namespace eagerx {
 /// As philox4x32(), lane by lane. Words are the lower halves of numbers of 64 bits; what is in the
 /// upper halves means nothing, because multiplications do not look at them.
 template <std::size_t N>
-[[gnu::always_inline]] inline std::array<Pack<std::uint64_t, N>, 4> philox4x32(
-    std::array<Pack<std::uint64_t, N>, 4> counter, std::array<Pack<std::uint64_t, N>, 2> key) {
-  using Words = Pack<std::uint64_t, N>;
+[[gnu::always_inline]] inline std::array<Simd<std::uint64_t, N>, 4> philox4x32(
+    std::array<Simd<std::uint64_t, N>, 4> counter, std::array<Simd<std::uint64_t, N>, 2> key) {
+  using Words = Simd<std::uint64_t, N>;
   constexpr int kRounds = 10;
   const Words multiplier0(0xD2511F53U), multiplier1(0xCD9E8D57U);
   const Words weyl0(0x9E3779B9U), weyl1(0xBB67AE85U);
@@ -37,7 +37,7 @@ template <std::size_t N>
 template <std::size_t N>
 class LaneRandom {
  public:
-  using Words = Pack<std::uint32_t, N>;
+  using Words = Simd<std::uint32_t, N>;
 
   /// `count` keys, at most N; the other lanes mean nothing.
   LaneRandom(const EpisodeKey* keys, std::size_t count, std::uint32_t entity) : entity_(entity) {
@@ -63,15 +63,15 @@ class LaneRandom {
   }
 
   /// As Random::uniform().
-  Pack<float, N> uniform(float low, float high) {
-    using Real = Pack<float, N>;
+  Simd<float, N> uniform(float low, float high) {
+    using Real = Simd<float, N>;
     // 24 bits: whole numbers below 2^31, for which there are instructions.
-    const Real u = Real(Pack<std::int32_t, N>(bits32() >> 8)) * Real(0x1p-24F);
+    const Real u = Real(Simd<std::int32_t, N>(bits32() >> 8)) * Real(0x1p-24F);
     return clamp((Real(1) - u) * Real(low) + u * Real(high), Real(low), Real(high));
   }
 
  private:
-  using Wide = Pack<std::uint64_t, N>;
+  using Wide = Simd<std::uint64_t, N>;
   static constexpr std::size_t kWords = 4;
 
   std::array<Wide, 2> seed_{};

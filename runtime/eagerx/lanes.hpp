@@ -1,5 +1,5 @@
-// What a program over packs needs besides pack.hpp: clocks and windows of environments that began
-// at different times, and copying one environment into and out of its lane.
+// What a program over SIMD vectors needs besides simd.hpp: clocks and windows of environments that
+// began at different times, and copying one environment into and out of its lane.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 #include <cstring>
 #include <eagerx/cursor.hpp>
 #include <eagerx/message.hpp>
-#include <eagerx/pack.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/simd.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/window.hpp>
 #include <limits>
@@ -17,26 +17,27 @@
 
 namespace eagerx {
 
-/// Registers of a pack: the others are at work while the first waits. More than four are spilled,
-/// and clang 14 spills with four. Measured with tests/bench/environments; bits do not depend on it.
-#if defined(EAGERX_PACK_REGISTERS)
-inline constexpr std::size_t kPackRegisters = EAGERX_PACK_REGISTERS;
+/// Registers of a SIMD vector: the others are at work while the first waits. More than four are
+/// spilled, and clang 14 spills with four. Measured with tests/bench/environments; bits do not
+/// depend on it.
+#if defined(EAGERX_SIMD_REGISTERS)
+inline constexpr std::size_t kSimdRegisters = EAGERX_SIMD_REGISTERS;
 #elif defined(__clang__)
-inline constexpr std::size_t kPackRegisters = 2;
+inline constexpr std::size_t kSimdRegisters = 2;
 #else
-inline constexpr std::size_t kPackRegisters = 4;
+inline constexpr std::size_t kSimdRegisters = 4;
 #endif
 
-/// Environments in a pack of numbers of type Real.
-template <class Real, std::size_t Registers = kPackRegisters>
-inline constexpr std::size_t kPackLanes = Registers* kRegisterBytes / sizeof(Real);
+/// Lanes of a SIMD vector of numbers of type Real: the environments of a SIMD group.
+template <class Real, std::size_t Registers = kSimdRegisters>
+inline constexpr std::size_t kSimdLanes = Registers* kRegisterBytes / sizeof(Real);
 
 /// Counts of messages or ticks, one a lane.
 template <std::size_t N>
-using LaneCounts = Pack<std::uint32_t, N>;
+using LaneCounts = Simd<std::uint32_t, N>;
 
 /// How many messages of a channel each lane has, and where these are in the rings, which go by the
-/// clock of the pack: count + offset. Counts stay below 2^31.
+/// clock of the SIMD group: count + offset. Counts stay below 2^31.
 template <std::size_t N>
 struct LaneSeq {
   LaneCounts<N> count;
@@ -46,7 +47,7 @@ struct LaneSeq {
 /// Ticks of a rate so far. At first no lane holds an environment.
 template <std::size_t N>
 struct LaneClock {
-  Seq shared = 1;  // of the pack: where messages are; tick 0 is of a reset, which is no step
+  Seq shared = 1;  // of the SIMD group: where messages are; tick 0 is of a reset, which is no step
   LaneCounts<N> offset{};  // shared - the environment's own, modulo 2^32
 
   LaneClock& operator++() { return ++shared, *this; }
@@ -77,11 +78,11 @@ struct LaneClock {
 
 /// A tick as a message: each lane's own.
 template <std::size_t N>
-Pack<std::int64_t, N> lane_ticks(const LaneClock<N>& clock) {
-  return Pack<std::int64_t, N>(clock.counts());
+Simd<std::int64_t, N> lane_ticks(const LaneClock<N>& clock) {
+  return Simd<std::int64_t, N>(clock.counts());
 }
 
-/// A tick of a pack. `n` is that of the pack, which means nothing to an environment.
+/// A tick of a SIMD group. `n` is that of the group, which means nothing to an environment.
 template <std::size_t N>
 struct LaneTick : Tick {
   LaneCounts<N> counts;
@@ -278,7 +279,7 @@ class PaddedLanes : Window {
 template <std::int64_t A, std::int64_t B, std::size_t N>
 class FloorLanes {
  public:
-  using Numbers = Pack<std::int32_t, N>;
+  using Numbers = Simd<std::int32_t, N>;
   static_assert(A < (std::int64_t{1} << 30) && B < (std::int64_t{1} << 30));
 
   void advance() {
@@ -309,7 +310,7 @@ template <std::int64_t A, std::int64_t B, std::size_t N>
 class DelayLanes {
  public:
   LaneCounts<N> take() {
-    using Numbers = Pack<std::int32_t, N>;
+    using Numbers = Simd<std::int32_t, N>;
     const Numbers total = sent_.value() + Numbers(1);
     sent_.advance();
     return LaneCounts<N>(select(total < Numbers(1), Numbers(1), total));
@@ -326,7 +327,7 @@ template <std::int64_t A, std::int64_t B, std::int64_t Off, std::size_t N>
 class SkipLanes {
  public:
   LaneCounts<N> take() {
-    using Numbers = Pack<std::int32_t, N>;
+    using Numbers = Simd<std::int32_t, N>;
     const LaneCounts<N> now = total_;
     const Numbers before = ahead_.value();
     sent_.advance();
@@ -355,7 +356,7 @@ class SkipLanes {
 };
 
 /// Copies one environment's part of a program into its lane, and back. All members of a part are as
-/// wide as `Word`, so a lane is every Nth word of the part over packs.
+/// wide as `Word`, so a lane is every Nth word of the part over SIMD vectors.
 template <class Word, std::size_t N, class LanesPart, class Part>
 [[gnu::always_inline]] inline void check_lane() {
   static_assert(std::is_trivially_copyable_v<Part> && std::is_trivially_destructible_v<LanesPart>);
@@ -397,7 +398,7 @@ void store_message(const LanesMessage& from, std::size_t lane, Message& to) {
     element(to, i) = eagerx::lane(element(from, i), static_cast<int>(lane));
 }
 
-/// A ring, whose places go by the environment's clock alone, and by the pack's among packs.
+/// A ring, whose places go by the environment's clock alone, and by the group's in a SIMD group.
 template <std::size_t N, class LanesMessage, class Message, std::size_t Capacity>
 void load_ring(LanesMessage (&ring)[Capacity], const LaneClock<N>& clock, std::size_t lane,
                const Message (&from)[Capacity]) {
@@ -431,7 +432,7 @@ struct HashLanes {
   void store(std::size_t lane, HashTrace& one) const { one = hashes[lane]; }
 };
 
-/// No trace over packs.
+/// No trace of vectorized programs.
 struct NoLaneTrace : NoTrace {
   template <class Trace>
   void load(std::size_t /*lane*/, const Trace& /*one*/) {}

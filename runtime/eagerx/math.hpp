@@ -1,8 +1,8 @@
 // Elementary functions with the same bits on every target: additions, multiplications, divisions
 // and square roots in a fixed order, and nothing from the machine's own mathematics library.
 //
-// All functions are templates over float, double and packs of them (eagerx/pack.hpp), and have
-// overloads for dual numbers (eagerx/math/dual.hpp), which give derivatives. They are written
+// All functions are templates over float, double and SIMD vectors of them (eagerx/simd.hpp), and
+// have overloads for dual numbers (eagerx/math/dual.hpp), which give derivatives. They are written
 // without branches over the vocabulary of math/vocabulary.hpp. They are constexpr: models compute
 // their constants with them. Largest errors are in the docstrings, in units in the last place (ulp)
 // of the exact result, as measured by tests/accuracy/measure.cpp; tests/unit/runtime/math_test.cpp

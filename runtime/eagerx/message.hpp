@@ -59,7 +59,7 @@ struct Array {
   }
 };
 
-/// The element types of messages: plain numbers, and packs of them (eagerx/pack.hpp).
+/// The element types of messages: plain numbers, and SIMD vectors of them (eagerx/simd.hpp).
 template <class T>
 inline constexpr bool is_number = std::is_arithmetic_v<T>;
 

@@ -26,8 +26,9 @@ struct Rate {
   }
 };
 
-/// The tick a callback runs at: `n` = 0, 1, 2, … since the last reset. Over packs it is a LaneTick,
-/// whose lanes have ticks of their own: what looks at it there takes any kind (`AnyTick = Tick`).
+/// The tick a callback runs at: `n` = 0, 1, 2, … since the last reset. In a SIMD group it is a
+/// LaneTick, whose lanes have ticks of their own: what looks at it there takes any kind (`AnyTick =
+/// Tick`).
 struct Tick {
   Seq n;
 

@@ -1,4 +1,4 @@
-// Registers of numbers: what eagerx/pack.hpp is built of.
+// Registers of numbers: what eagerx/simd.hpp is built of.
 //
 // Built on the vector types of GCC and Clang (GCC manual, "Using Vector Instructions through
 // Built-in Functions").

@@ -14,7 +14,7 @@
 #include <targets/common/run.hpp>
 #include <targets/environments/base/problem.hpp>
 #include <targets/environments/layout.hpp>
-#include <targets/environments/pack_agent.hpp>
+#include <targets/environments/simd_agent.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -101,41 +101,41 @@ struct Rows {
   float* actions;
 };
 
-/// The agents of a batch, for the threads of its pool: over packs where the policy is there.
+/// The agents of a batch, for the threads of its pool: over SIMD vectors where the policy is there.
 template <class Graph>
 class Agents {
  public:
-  explicit Agents(const PackKernel<Graph>& kernel) : pack_(kernel) {}
+  explicit Agents(const SimdKernel<Graph>& kernel) : simd_(kernel) {}
   void make_room(unsigned members) {
     seen_.resize(members);
-    pack_.make_room(members);
+    simd_.make_room(members);
   }
 
-  /// Writes the actions of those that run, act_alone(k, observation) where there are no packs. What
-  /// write_action() returned.
+  /// Writes the actions of those that run, act_alone(k, observation) where nothing is
+  /// vectorized. What write_action() returned.
   template <class IsRunning, class ActAlone>
   const char* act(unsigned member, Rows rows, IsRunning&& is_running, ActAlone&& act_alone) {
     const char* refused = nullptr;
     const auto write = [&](std::uint32_t k, const typename Graph::Action& action) {
       if (const char* name = write_action<Graph>(action, rows.actions + k * acted_)) refused = name;
     };
-    const std::uint32_t step = agent_of_graph<Graph>() == target::Agent::policy ? pack_.lanes() : 1;
+    const std::uint32_t step = agent_of_graph<Graph>() == target::Agent::policy ? simd_.lanes() : 1;
     for (std::uint32_t first = rows.first; first < rows.end; first += step) {
       const std::uint32_t end = std::min(rows.end, first + step);
       std::uint32_t running = 0;
       for (std::uint32_t k = first; k < end; ++k) running += is_running(k) ? 1 : 0;
-      const bool packed = step > 1 && pack_.is_worth(running);
+      const bool vectorized = step > 1 && simd_.is_worth(running);
       for (std::uint32_t k = first; k < end; ++k) {
         if (!is_running(k)) continue;
         const float* const row = rows.observations + k * observed_;
-        if (packed) {
-          pack_.see(member, k - first, row);
+        if (vectorized) {
+          simd_.see(member, k - first, row);
         } else {
           write(k, act_alone(k, seen_[member].of(row)));
         }
       }
-      if (!packed) continue;
-      const auto* const answers = pack_.act(member);
+      if (!vectorized) continue;
+      const auto* const answers = simd_.act(member);
       for (std::uint32_t k = first; k < end; ++k) {
         if (is_running(k)) write(k, answers[k - first]);
       }
@@ -147,7 +147,7 @@ class Agents {
   std::size_t observed_ = Layout<Graph>::get().observations.numbers();
   std::size_t acted_ = Layout<Graph>::get().actions.numbers();
   std::vector<SeenRows<Graph>> seen_;  // [members]
-  PackAgent<Graph> pack_;
+  SimdAgent<Graph> simd_;
 };
 
 }  // namespace eagerx::environments

@@ -1,5 +1,5 @@
 // Many environments of one graph: their episodes, on all cores. Environment k has the same bits
-// alone, in a pack, in any batch and on any number of threads.
+// alone, in a SIMD group, in any batch and on any number of threads.
 #pragma once
 
 #include <targets/environments/eagerx_environments.h>
@@ -35,15 +35,15 @@ class Batch {
  public:
   using Program = typename Graph::template Program<NoTrace>;
 
-  /// `options` are in range; `kernel` has lanes where environments can run in packs.
-  Batch(const eagerx_options& options, const PackKernel<Graph>& kernel)
+  /// `options` are in range; `kernel` has lanes where environments can run vectorized.
+  Batch(const eagerx_options& options, const SimdKernel<Graph>& kernel)
       : longest_(options.longest),
         autoreset_(options.autoreset),
         held_(options, kernel),
         resets_(kernel, held_.size),
         agents_(kernel),
         pool_(std::min(options.threads != 0 ? options.threads : host::usable_cores(), blocks())) {
-    held_.packs.make_room(pool_.size());
+    held_.simd.make_room(pool_.size());
     agents_.make_room(pool_.size());
     if (target::is_real(held_.programs[0])) {
       refuse("engine `" + std::string(Graph::kEngine) +
@@ -181,7 +181,7 @@ class Batch {
   bool has_threads() const { return pool_.is_complete(); }
 
  private:
-  std::uint32_t block() const { return block_of(held_.size, held_.packs.lanes()); }
+  std::uint32_t block() const { return block_of(held_.size, held_.simd.lanes()); }
   unsigned blocks() const { return (held_.size + block() - 1) / block(); }
 
   /// f(first, end, thread of the pool) for all environments, by as many threads as the work is
@@ -194,71 +194,71 @@ class Batch {
 
   void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
                   Step& rows) {
-    const std::uint32_t lanes = held_.packs.lanes();
+    const std::uint32_t lanes = held_.simd.lanes();
     if (lanes == 0) {
       for (std::uint32_t k = first; k < end; ++k) step_alone(k, actions, rows);
     } else {
       for (; first < end; first += lanes)
-        step_pack(first, std::min(end, first + lanes), member, actions, rows);
+        step_group(first, std::min(end, first + lanes), member, actions, rows);
     }
   }
 
-  void step_pack(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
-                 Step& rows) {
+  void step_group(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
+                  Step& rows) {
     const std::uint64_t all = ~std::uint64_t{0} >> (64 - (end - first));
-    const std::uint64_t packed = held_.packs.packed(first);
-    if (packed != 0) take_actions(first, end, member, actions);
-    const std::uint64_t alone = all & ~packed;  // a bit for each lane
+    const std::uint64_t vectorized = held_.simd.vectorized(first);
+    if (vectorized != 0) take_actions(first, end, member, actions);
+    const std::uint64_t alone = all & ~vectorized;  // a bit for each lane
     // Where an episode has ended its row stays as it is, if nothing begins there.
-    if (packed != 0 && held_.packs.writes_rows(end - first) &&
+    if (vectorized != 0 && held_.simd.writes_rows(end - first) &&
         (alone == 0 || autoreset_ != EAGERX_DISABLED)) {
-      step_whole_pack(first, alone, member, actions, rows);
+      step_whole_group(first, alone, member, actions, rows);
       return;
     }
-    if (packed != 0) held_.packs.step(member, first, nullptr);
+    if (vectorized != 0) held_.simd.step(member, first, nullptr);
     for (std::uint32_t k = first; k < end; ++k) {
-      if (!held_.episodes[k].packed) {
+      if (!held_.episodes[k].vectorized) {
         step_alone(k, actions, rows);
         continue;
       }
-      const PackColumn column = held_.packs.column(member, k, k - first);
-      held_.packs.show_guard(column, held_.programs[k]);
+      const SimdColumn column = held_.simd.column(member, k, k - first);
+      held_.simd.show_guard(column, held_.programs[k]);
       write_outcome<Graph>(column, k, rows);
       weigh(k, column, rows);
       held_.critic.step(k, column);
-      end_pack_step(k, column, ends_of<Graph>(column), rows,
-                    [&](float* row) { held_.packs.write(column, layout_, row); });
+      end_group_step(k, column, ends_of<Graph>(column), rows,
+                     [&](float* row) { held_.simd.write(column, layout_, row); });
     }
   }
 
   /// The actions after the guards.
   void take_actions(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions) {
     std::uint64_t guarded =
-        held_.packs.take(member, first, end - first, actions) & held_.packs.packed(first);
+        held_.simd.take(member, first, end - first, actions) & held_.simd.vectorized(first);
     for (; guarded != 0; guarded &= guarded - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(guarded));
       const std::uint32_t k = first + lane;
       const float* const row = actions + k * layout_.actions.numbers();
-      held_.packs.put(member, lane, applied_action(held_.programs[k], layout_.action(row)));
+      held_.simd.put(member, lane, applied_action(held_.programs[k], layout_.action(row)));
     }
   }
 
   /// The rows of all lanes at once; then what is not the same for all.
-  void step_whole_pack(std::uint32_t first, std::uint64_t alone, unsigned member,
-                       const float* actions, Step& rows) {
-    const PackRows pack_rows = held_.packs.rows_from(first, rows, held_.steps.get(), longest_);
-    std::uint64_t notable = held_.packs.step(member, first, &pack_rows) | alone;
-    if constexpr (PackMemory<Graph>::shows_guard()) {
-      for (std::uint32_t lane = 0; lane < held_.packs.lanes(); ++lane) {
+  void step_whole_group(std::uint32_t first, std::uint64_t alone, unsigned member,
+                        const float* actions, Step& rows) {
+    const SimdRows simd_rows = held_.simd.rows_from(first, rows, held_.steps.get(), longest_);
+    std::uint64_t notable = held_.simd.step(member, first, &simd_rows) | alone;
+    if constexpr (SimdMemory<Graph>::shows_guard()) {
+      for (std::uint32_t lane = 0; lane < held_.simd.lanes(); ++lane) {
         if ((alone >> lane & 1U) == 0)
-          held_.packs.show_guard(held_.packs.column(member, first, lane),
-                                 held_.programs[first + lane]);
+          held_.simd.show_guard(held_.simd.column(member, first, lane),
+                                held_.programs[first + lane]);
       }
     }
     constexpr bool kLooks = seen_of<Graph> + Staging<Graph>::kStages > 0;
-    for (std::uint32_t lane = 0; kLooks && lane < held_.packs.lanes(); ++lane) {
+    for (std::uint32_t lane = 0; kLooks && lane < held_.simd.lanes(); ++lane) {
       if ((alone >> lane & 1U) != 0) continue;
-      const PackColumn column = held_.packs.column(member, first, lane);
+      const SimdColumn column = held_.simd.column(member, first, lane);
       held_.critic.step(first + lane, column);
       weigh(first + lane, column, rows);
     }
@@ -269,11 +269,11 @@ class Batch {
       if ((alone >> lane & 1U) != 0) {
         step_alone(k, actions, rows);
       } else {
-        const PackColumn column = held_.packs.column(member, first, lane);
+        const SimdColumn column = held_.simd.column(member, first, lane);
         const Ends ends =
-            pack_rows.have_ends() ? ends_in_rows<Graph>(column, k, rows) : ends_of<Graph>(column);
-        end_pack_step(k, column, ends, rows, [&](float* row) {
-          if (rows.observation == nullptr) return held_.packs.write(column, layout_, row);
+            simd_rows.have_ends() ? ends_in_rows<Graph>(column, k, rows) : ends_of<Graph>(column);
+        end_group_step(k, column, ends, rows, [&](float* row) {
+          if (rows.observation == nullptr) return held_.simd.write(column, layout_, row);
           const std::size_t observed = layout_.observations.numbers();
           const float* const written = rows.observation + k * observed;
           if (row != written) std::copy_n(written, observed, row);
@@ -284,17 +284,17 @@ class Batch {
 
   /// write(row) writes the observation of the step.
   template <class Write>
-  void end_pack_step(std::uint32_t k, const PackColumn& column, Ends ends, Step& rows,
-                     Write&& write) {
+  void end_group_step(std::uint32_t k, const SimdColumn& column, Ends ends, Step& rows,
+                      Write&& write) {
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
         not_finite_.note(held_.episodes[k].place(k, held_.steps[k]), outcome_of<Graph>(column));
     }
     end_step(k, ends, rows, std::forward<Write>(write));
-    if (held_.steps[k] >= held_.packs.most_steps()) held_.take_out(k);
+    if (held_.steps[k] >= held_.simd.most_steps()) held_.take_out(k);
   }
 
-  void weigh(std::uint32_t k, const PackColumn& column, const eagerx_rows& rows) const {
+  void weigh(std::uint32_t k, const SimdColumn& column, const eagerx_rows& rows) const {
     resets_.staging.weigh(k, rows, [&](std::size_t i) { return column.end(kTerms + i); });
   }
 

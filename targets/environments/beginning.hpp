@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <eagerx/random.hpp>
-#include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/simd_kernel.hpp>
 
 namespace eagerx::environments {
 
@@ -21,13 +21,13 @@ struct Step : eagerx_rows {
   std::array<std::uint32_t, kMost> environments{};
 };
 
-/// draw() of the graph for several episodes at once, where environments run in packs.
+/// draw() of the graph for several episodes at once, where environments run vectorized.
 template <class Graph>
 class Draws {
  public:
   using States = typename Graph::States;
 
-  explicit Draws(const PackKernel<Graph>& kernel) : draw_(kernel.draw) {
+  explicit Draws(const SimdKernel<Graph>& kernel) : draw_(kernel.draw) {
     if (draw_ != nullptr && kernel.most_draws < most_) most_ = kernel.most_draws;
   }
 

@@ -7,7 +7,7 @@
 #include <eagerx/message.hpp>
 #include <string_view>
 #include <targets/environments/layout.hpp>
-#include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/simd_kernel.hpp>
 #include <targets/environments/task.hpp>
 #include <type_traits>
 #include <vector>
@@ -56,7 +56,7 @@ class CriticLayout {
         to[i] = static_cast<float>(element(message, i));
     });
   }
-  void write_seen(const PackColumn& column, float* row) const {
+  void write_seen(const SimdColumn& column, float* row) const {
     for (std::size_t i = 0; i < seen_.size(); ++i)
       row[seen_[i]] = column.end(kTerms + terms_of<Graph> + i);
   }
@@ -128,7 +128,7 @@ class CriticRows {
     if constexpr (seen_of < Graph >> 0)
       CriticLayout<Graph>::get().write_seen(program.outcome(), row(k));
   }
-  void step([[maybe_unused]] std::uint32_t k, [[maybe_unused]] const PackColumn& column) {
+  void step([[maybe_unused]] std::uint32_t k, [[maybe_unused]] const SimdColumn& column) {
     if constexpr (seen_of < Graph >> 0) CriticLayout<Graph>::get().write_seen(column, row(k));
   }
   /// The episode is over, and the next one begins at once.

@@ -9,7 +9,7 @@
 #include <targets/environments/base/fields.hpp>
 #include <targets/environments/critic.hpp>
 #include <targets/environments/layout.hpp>
-#include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/simd_kernel.hpp>
 #include <targets/environments/stages.hpp>
 #include <targets/environments/task.hpp>
 #include <type_traits>
@@ -121,18 +121,18 @@ std::string describe_render() {
   }
 }
 
-/// `generator`: the version that wrote the graph's code. `kernel`: of the widest packs that this
-/// processor runs, or `why_not`.
+/// `generator`: the version that wrote the graph's code. `kernel`: of the widest SIMD groups that
+/// this processor runs, or `why_not`.
 template <class Graph>
-std::string describe(const char* generator, const PackKernel<Graph>& kernel, const char* why_not) {
-  const bool in_packs = kernel.lanes != 0;
+std::string describe(const char* generator, const SimdKernel<Graph>& kernel, const char* why_not) {
+  const bool is_vectorized = kernel.lanes != 0;
   return describe({generator, Graph::kName, Graph::kEngine, Graph::kDefaultAgent,
                    static_cast<double>(Graph::Rate::num) / Graph::Rate::den,
-                   in_packs ? kernel.isa : instruction_set(), in_packs ? kernel.lanes : 1,
-                   in_packs ? nullptr : why_not, Graph::kGraphHash, describe_observations<Graph>(),
-                   describe_actions<Graph>(), describe_states<Graph>(),
-                   Layout<Graph>::get().states.describe_tunable(), describe_task<Graph>(),
-                   describe_render<Graph>()});
+                   is_vectorized ? kernel.isa : instruction_set(), is_vectorized ? kernel.lanes : 1,
+                   is_vectorized ? nullptr : why_not, Graph::kGraphHash,
+                   describe_observations<Graph>(), describe_actions<Graph>(),
+                   describe_states<Graph>(), Layout<Graph>::get().states.describe_tunable(),
+                   describe_task<Graph>(), describe_render<Graph>()});
 }
 
 }  // namespace eagerx::environments

@@ -14,7 +14,7 @@ struct Episode {
   bool begun = false;
   bool ended = false;
   bool traced = false;
-  bool packed = false;  // in its lane of a pack, and not in its program
+  bool vectorized = false;  // in its lane of a SIMD group, and not in its program
 
   EpisodeKey key() const { return {seed, number, index}; }
   PlaceOfReward place(std::uint32_t environment, std::uint32_t steps) const {

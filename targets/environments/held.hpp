@@ -13,14 +13,14 @@
 #include <targets/environments/critic.hpp>
 #include <targets/environments/episode.hpp>
 #include <targets/environments/layout.hpp>
-#include <targets/environments/pack_memory.hpp>
 #include <targets/environments/pictures.hpp>
+#include <targets/environments/simd_memory.hpp>
 #include <targets/environments/traced.hpp>
 #include <utility>
 
 namespace eagerx::environments {
 
-/// An environment that is packed lives in its lane, one that is traced in the program of its trace,
+/// A vectorized environment lives in its lane, one that is traced in the program of its trace,
 /// and any other in a program of its own.
 template <class Graph>
 struct Held {
@@ -31,17 +31,17 @@ struct Held {
   std::unique_ptr<std::uint32_t[]> steps;  // [size], of the episodes
   DrawnPrograms<Graph> drawn;
   std::unique_ptr<Program[]> programs;  // [size], or one if `drawn` has them
-  PackMemory<Graph> packs;
+  SimdMemory<Graph> simd;
   CriticRows<Graph> critic;
   std::map<std::uint32_t, Traces<Graph>> traces;
 
-  Held(const eagerx_options& options, const PackKernel<Graph>& kernel)
+  Held(const eagerx_options& options, const SimdKernel<Graph>& kernel)
       : size(options.environments),
         episodes(std::make_unique<Episode[]>(size)),
         steps(std::make_unique<std::uint32_t[]>(size)),
         drawn(options.pictures != 0 ? size : 0),
         programs(std::make_unique<Program[]>(plain_programs())),
-        packs(drawn.any() ? PackKernel<Graph>{} : kernel, size),
+        simd(drawn.any() ? SimdKernel<Graph>{} : kernel, size),
         critic(size) {
     for (std::uint32_t k = 0; k < size; ++k) {
       episodes[k].seed = options.seed;
@@ -61,7 +61,7 @@ struct Held {
     }
   }
 
-  /// f(program) of environment `k`, which is not packed.
+  /// f(program) of environment `k`, which is not vectorized.
   template <class F>
   decltype(auto) with(std::uint32_t k, F&& f) {
     return episodes[k].traced ? f(traces.find(k)->second.now->program)
@@ -76,15 +76,15 @@ struct Held {
   }
 
   void put_in(std::uint32_t k) {
-    packs.load(k, programs[k]);
-    episodes[k].packed = true;
+    simd.load(k, programs[k]);
+    episodes[k].vectorized = true;
   }
   /// Back into its own program.
   void take_out(std::uint32_t k) {
-    if (!episodes[k].packed) return;
-    packs.store(k, programs[k]);
-    packs.leave(k);
-    episodes[k].packed = false;
+    if (!episodes[k].vectorized) return;
+    simd.store(k, programs[k]);
+    simd.leave(k);
+    episodes[k].vectorized = false;
   }
 
   /// Starts an episode in the program of `k`, or in that of its trace.
@@ -106,14 +106,14 @@ struct Held {
   void tune(std::uint32_t k, const float* row) {
     typename Graph::States set{};
     Layout<Graph>::get().read(row, set);
-    const bool was_packed = episodes[k].packed;
+    const bool was_vectorized = episodes[k].vectorized;
     take_out(k);
     if (episodes[k].traced) {
       traces.find(k)->second.now->tune(steps[k], set);
     } else {
       untraced(k, [&](auto& program) { target::tune(program, set); });
     }
-    if (was_packed) put_in(k);
+    if (was_vectorized) put_in(k);
   }
 
   /// Null: ends the file. Empty: only the hash. What cannot be written leaves the old trace.
@@ -145,7 +145,7 @@ struct Held {
   template <class F>
   void for_each_fault(F&& add) const {
     for (std::uint32_t k = 0; k < size; ++k) {
-      if (episodes[k].packed) packs.store(k, programs[k]);
+      if (episodes[k].vectorized) simd.store(k, programs[k]);
       untraced(k, [&](auto& program) { target::for_each_fault(program, add); });
     }
     for (const auto& [k, kept] : traces) {

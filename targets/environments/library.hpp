@@ -14,28 +14,28 @@
 #include <targets/environments/base/problem.hpp>
 #include <targets/environments/batch.hpp>
 #include <targets/environments/describe.hpp>
-#include <targets/environments/packs_of_processor.hpp>
 #include <targets/environments/pictures.hpp>
+#include <targets/environments/simd_of_processor.hpp>
 
 namespace eagerx::environments {
 
-/// `packs` returns the functions of packs for that number of environments.
-template <class Graph, PackKernel<Graph> (*packs)(std::uint32_t)>
+/// `simd_kernel` returns the functions of SIMD groups for that number of environments.
+template <class Graph, SimdKernel<Graph> (*simd_kernel)(std::uint32_t)>
 class Library {
  public:
   struct Environments {
     explicit Environments(const eagerx_options& options)
-        : batch(options, packs(options.environments)) {}
+        : batch(options, simd_kernel(options.environments)) {}
     Batch<Graph> batch;
     std::atomic_flag busy;
     std::string counts, stepping;
   };
 
-  static const char* describe(const char* generator, const char* why_no_packs) {
+  static const char* describe(const char* generator, const char* why_not_vectorized) {
     const char* result = "";
     attempt([&] {
-      static const std::string text =
-          environments::describe<Graph>(generator, packs(EAGERX_ENVIRONMENTS_MOST), why_no_packs);
+      static const std::string text = environments::describe<Graph>(
+          generator, simd_kernel(EAGERX_ENVIRONMENTS_MOST), why_not_vectorized);
       result = text.c_str();
     });
     return result;
@@ -146,7 +146,7 @@ class Library {
   static const char* stepping(Environments* environments, const char* graph_has_none) {
     const char* result = nullptr;
     call(environments, [&](Batch<Graph>& batch) {
-      const auto used = packs(batch.size()), widest = packs(EAGERX_ENVIRONMENTS_MOST);
+      const auto used = simd_kernel(batch.size()), widest = simd_kernel(EAGERX_ENVIRONMENTS_MOST);
       environments->stepping = stepping_text({used.lanes, used.isa}, {widest.lanes, widest.isa},
                                              batch.size(), batch.draws(), graph_has_none);
       result = environments->stepping.c_str();

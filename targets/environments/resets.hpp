@@ -8,7 +8,7 @@
 #include <targets/environments/episode.hpp>
 #include <targets/environments/held.hpp>
 #include <targets/environments/layout.hpp>
-#include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/simd_kernel.hpp>
 #include <targets/environments/stages.hpp>
 
 namespace eagerx::environments {
@@ -22,7 +22,7 @@ class Resets {
   SetRows set_states{Layout<Graph>::get().states};
   Staging<Graph> staging;
 
-  Resets(const PackKernel<Graph>& kernel, std::uint32_t environments)
+  Resets(const SimdKernel<Graph>& kernel, std::uint32_t environments)
       : staging(environments), draws_(kernel) {}
 
   /// Environment `k` begins an episode before the step is over: now, if as many wait as can draw
@@ -57,9 +57,9 @@ class Resets {
     set_states.begin(k);
     staging.begin(k);
     put_own(k, episode.key(), states);
-    const bool continues = episode.packed && held.packs.restarts() && !held.traces.contains(k);
+    const bool continues = episode.vectorized && held.simd.restarts() && !held.traces.contains(k);
     if (!continues) held.take_out(k);
-    const auto observation = continues ? held.packs.restart(k, held.programs[k], states)
+    const auto observation = continues ? held.simd.restart(k, held.programs[k], states)
                                        : held.reset_program(k, episode.key(), states);
     held.with(k, [&](const auto& program) { held.critic.begin(k, program, states); });
     if (observations != nullptr)
@@ -67,7 +67,7 @@ class Resets {
     held.steps[k] = 0;
     episode.begun = true;
     episode.ended = false;
-    if (held.packs.lanes() != 0 && !episode.traced && !continues) held.put_in(k);
+    if (held.simd.lanes() != 0 && !episode.traced && !continues) held.put_in(k);
   }
 
   /// The states that the stage draws differently from the graph, and those that were set.

@@ -6,7 +6,7 @@ function(eagerx_configure_target library)
   include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/libraries.cmake)
   eagerx_environments_libraries()
   target_link_libraries(${library} PRIVATE eagerx_environments)
-  _eagerx_add_packs(${library})
+  _eagerx_add_simd(${library})
   # No other library may replace one of these functions.
   target_compile_options(${library} PRIVATE -fvisibility-inlines-hidden $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   # Without a build type CMake would not optimise at all.
@@ -21,9 +21,9 @@ function(eagerx_configure_target library)
   set_target_properties(${library} PROPERTIES OUTPUT_NAME ${library}_environments LINK_DEPENDS ${visible})
 endfunction()
 
-# The instruction sets above plain x86-64 that a library has packs for: EAGERX_INSTRUCTION_SETS, a list of them, or
+# The instruction sets above plain x86-64 that a library is vectorized for: EAGERX_INSTRUCTION_SETS, a list of them, or
 # `native`: those of the processor that builds. Both without it, so that a library can go to other machines.
-function(_eagerx_x86_packs result)
+function(_eagerx_x86_simd result)
   set(known avx2 avx512)
   set(chosen ${known})
   if(EAGERX_INSTRUCTION_SETS STREQUAL native)
@@ -47,23 +47,23 @@ function(_eagerx_x86_packs result)
   set(${result} ${chosen} PARENT_SCOPE)
 endfunction()
 
-# Packs of environments: main.cpp once more for each instruction set, of which the library chooses one when it runs.
+# Vectorized environments: main.cpp once more for each instruction set, of which the library chooses one when it runs.
 # Inline functions that several of these objects have would become one, and the linker could take the one that has
 # instructions which the processor lacks. So nothing can be seen of such an object but the one function that gives the
 # others: `ld -r` ends its groups of functions that are the same elsewhere, objcopy hides them.
-function(_eagerx_add_packs library)
+function(_eagerx_add_simd library)
   get_target_property(sources ${library} SOURCES)
   set(kinds plain)
-  target_compile_definitions(${library} PRIVATE EAGERX_WITH_PACKS)
+  target_compile_definitions(${library} PRIVATE EAGERX_WITH_SIMD)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_OBJCOPY AND CMAKE_LINKER AND CMAKE_SIZEOF_VOID_P EQUAL 8)
-    _eagerx_x86_packs(wider)
+    _eagerx_x86_simd(wider)
     foreach(kind IN LISTS wider)
       list(APPEND kinds ${kind})
       string(TOUPPER ${kind} name)
-      target_compile_definitions(${library} PRIVATE EAGERX_WITH_${name}_PACKS)
+      target_compile_definitions(${library} PRIVATE EAGERX_WITH_${name}_SIMD)
     endforeach()
   endif()
-  # GCC leaves functions on packs out of line that it would inline for plain numbers.
+  # GCC leaves functions on SIMD vectors out of line that it would inline for plain numbers.
   set(inline_flags -fno-gnu-unique)
   foreach(limit max-inline-insns-single=3000 max-inline-insns-auto=3000 large-function-growth=3000 inline-unit-growth=1000
                 large-stack-frame=100000 large-stack-frame-growth=10000)
@@ -77,7 +77,7 @@ function(_eagerx_add_packs library)
   add_custom_target(${library}.sources DEPENDS ${stamps})
   add_dependencies(${library} ${library}.sources)
   foreach(kind IN LISTS kinds)
-    set(object ${library}.packs_${kind})
+    set(object ${library}.simd_${kind})
     add_library(${object} OBJECT EXCLUDE_FROM_ALL ${sources})
     add_dependencies(${object} ${library}.sources)
     set_target_properties(${object} PROPERTIES POSITION_INDEPENDENT_CODE ON)

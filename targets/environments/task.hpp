@@ -8,7 +8,7 @@
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <iterator>
-#include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/simd_kernel.hpp>
 
 namespace eagerx::environments {
 
@@ -48,7 +48,8 @@ constexpr std::size_t count_seen() {
 /// Numbers of the messages that the critic of a training sees.
 template <class Graph>
 inline constexpr std::size_t seen_of = count_seen<Graph>();
-/// The column of a pack, behind the observations, that says whether the first of them is finite.
+/// The column of a SIMD group, behind the observations, that says whether the first of them is
+/// finite.
 template <class Graph>
 inline constexpr std::size_t reported_at = kTerms + terms_of<Graph> + seen_of<Graph>;
 
@@ -80,7 +81,7 @@ Ends write_outcome([[maybe_unused]] const Program& program, std::uint32_t k,
 }
 
 template <class Graph>
-Ends ends_of(const PackColumn& column) {
+Ends ends_of(const SimdColumn& column) {
   if constexpr (has_task<Graph>) {
     return {column.end(kTerminated) != 0.0F, column.end(kTruncated) != 0.0F,
             eagerx::isfinite(column.end(kReward))};
@@ -91,7 +92,7 @@ Ends ends_of(const PackColumn& column) {
 
 /// ends_of(), where the rows of environment `k` have been written.
 template <class Graph>
-Ends ends_in_rows(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
+Ends ends_in_rows(const SimdColumn& column, std::uint32_t k, const eagerx_rows& rows) {
   if constexpr (has_task<Graph>) {
     return {rows.terminated[k] != 0, rows.truncated[k] != 0, eagerx::isfinite(column.end(kReward))};
   } else {
@@ -99,11 +100,11 @@ Ends ends_in_rows(const PackColumn& column, std::uint32_t k, const eagerx_rows& 
   }
 }
 
-/// write_outcome() of a step in a pack.
+/// write_outcome() of a step in a SIMD group.
 template <class Graph>
-void write_outcome(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
+void write_outcome(const SimdColumn& column, std::uint32_t k, const eagerx_rows& rows) {
   if (rows.reward != nullptr) rows.reward[k] = has_task<Graph> ? column.end(kReward) : 0.0F;
-  const auto is_true = [&](PackColumns end) { return has_task<Graph> && column.end(end) != 0.0F; };
+  const auto is_true = [&](SimdColumns end) { return has_task<Graph> && column.end(end) != 0.0F; };
   if (rows.success != nullptr) rows.success[k] = is_true(kSuccess) ? 1 : 0;
   if (rows.terms != nullptr) {
     for (std::size_t i = 0; i < terms_of<Graph>; ++i)
@@ -111,9 +112,9 @@ void write_outcome(const PackColumn& column, std::uint32_t k, const eagerx_rows&
   }
 }
 
-/// Reward and terms of a step in a pack, of a graph with a task.
+/// Reward and terms of a step in a SIMD group, of a graph with a task.
 template <class Graph>
-typename Graph::Outcome outcome_of(const PackColumn& column) {
+typename Graph::Outcome outcome_of(const SimdColumn& column) {
   typename Graph::Outcome outcome{};
   outcome.reward = column.end(kReward);
   for (std::size_t i = 0; i < terms_of<Graph>; ++i) outcome.terms[i] = column.end(kTerms + i);

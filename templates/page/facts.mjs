@@ -142,8 +142,8 @@ export function makeFactsView(panel) {
     parametersTable(),
   ];
   add(panel, parts);
-  if (data.info.why_no_packs)
+  if (data.info.why_not_vectorized)
     panel.append(card(
-        "Many environments at once", el("p", {}, `They run one by one, not vectorized: ${data.info.why_no_packs}.`)));
+        "Many environments at once", el("p", {}, `They run one by one, not vectorized: ${data.info.why_not_vectorized}.`)));
   return {shown() {}, resized() {}};
 }

@@ -50,7 +50,7 @@ def failed():
 def environment():
     """Programs and libraries are looked at for their bits alone: they are those of every build type."""
     return dict(os.environ, EAGERX_HOME=str(ROOT), CMAKE_BUILD_TYPE="Fastest",
-                CMAKE_TOOLCHAIN_FILE=str(ROOT / "tests/support/quick_packs.cmake"))
+                CMAKE_TOOLCHAIN_FILE=str(ROOT / "tests/support/quick_simd.cmake"))
 
 
 def hash_of(generator, graph, output):

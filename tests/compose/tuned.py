@@ -1,6 +1,6 @@
 """Tunable parameters and variants in Python: tests/compose/tuned.py PROGRAM FOLDER
 
-PROGRAM is that of FOLDER/tuned.yaml. What Env, VectorEnv in packs and RealTimeEnv set between two steps has the hash that
+PROGRAM is that of FOLDER/tuned.yaml. What Env, vectorized VectorEnv and RealTimeEnv set between two steps has the hash that
 the program has with `--set NAME=VALUE@STEP`, and `variant=` that of the graph which says the same without variants.
 """
 import pathlib
@@ -80,7 +80,7 @@ def main():
         if step == 70:
             envs.set({"target.amplitude": 0.25}, mask=chosen)
         seen = envs.step({"load": np.zeros((101, 1), np.float32)})[0]["theta"]
-        expect(all(np.array_equal(row, alone[step + 1]) for row in seen[chosen]), f"VectorEnv in packs, step {step}")
+        expect(all(np.array_equal(row, alone[step + 1]) for row in seen[chosen]), f"vectorized VectorEnv, step {step}")
     expect(not np.array_equal(seen[1], alone[-1]), "others are as they were")
 
     real = eagerx_gen.make(FOLDER / "tuned.yaml", real_time_factor=0, progress=False)

@@ -29,11 +29,11 @@ foreach(graph swing multi_rate rigid pushed_box)
   endif()
   list(APPEND environments_programs ${graph} $<TARGET_FILE:environments_${graph}> ${environments_alone})
 endforeach()
-# Graphs that run in packs: more in long.cmake, and `tests/environments/packs_of` compares those of every example.
+# Graphs that run vectorized: more in long.cmake, and `tests/environments/vectorized_of` compares those of every example.
 eagerx_add_graph(TARGET environments_blocks GRAPH ${CMAKE_CURRENT_LIST_DIR}/blocks.yaml BOARD environments)
 # Ctrl-C at each place where Python looks for it.
 add_test(NAME environments.interrupts COMMAND ${CMAKE_CURRENT_LIST_DIR}/interrupts $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_swing_alone>)
-add_test(NAME environments.packs COMMAND ${CMAKE_CURRENT_LIST_DIR}/packs $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_blocks>)
+add_test(NAME environments.vectorized COMMAND ${CMAKE_CURRENT_LIST_DIR}/vectorized $<TARGET_FILE:environments_swing> $<TARGET_FILE:environments_blocks>)
 add_test(NAME environments.stages COMMAND ${CMAKE_CURRENT_LIST_DIR}/stages $<TARGET_FILE:environments_swing>)
 add_test(NAME environments COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen> ${environments_programs})
 # A graph without an engine, whose outputs have a guard.

@@ -3,13 +3,13 @@ eagerx_unit_test(train)
 add_test(NAME unit.train COMMAND test_train $<$<STREQUAL:${EAGERX_SANITIZE},thread>:--gtest_filter=*AnyNumberOfThreads*>
          COMMAND_EXPAND_LISTS WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 set_tests_properties(unit.train PROPERTIES COST 300)
-# Packs in the widest registers of this machine.
-add_executable(test_pack_native ${CMAKE_CURRENT_LIST_DIR}/runtime/pack_test.cpp ${CMAKE_CURRENT_LIST_DIR}/runtime/policy_packs_test.cpp
+# SIMD vectors in the widest registers of this machine.
+add_executable(test_simd_native ${CMAKE_CURRENT_LIST_DIR}/runtime/simd_test.cpp ${CMAKE_CURRENT_LIST_DIR}/runtime/policy_simd_test.cpp
                                 ${CMAKE_CURRENT_LIST_DIR}/runtime/lane_random_test.cpp)
-set_target_properties(test_pack_native PROPERTIES UNITY_BUILD ${EAGERX_UNITY} UNITY_BUILD_BATCH_SIZE 0)
-target_link_libraries(test_pack_native PRIVATE eagerx_warnings eagerx::runtime GTest::gtest_main)
-target_compile_options(test_pack_native PRIVATE -march=native -Wno-psabi)
-add_test(NAME unit.pack_native COMMAND test_pack_native WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+set_target_properties(test_simd_native PROPERTIES UNITY_BUILD ${EAGERX_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+target_link_libraries(test_simd_native PRIVATE eagerx_warnings eagerx::runtime GTest::gtest_main)
+target_compile_options(test_simd_native PRIVATE -march=native -Wno-psabi)
+add_test(NAME unit.simd_native COMMAND test_simd_native WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 # Models are for boards too: every header alone, by every compiler there is; and what a model must not take.
 set(models_folder ${CMAKE_CURRENT_LIST_DIR}/models)
 foreach(compiler g++ clang++ arm-none-eabi-g++)

@@ -61,8 +61,8 @@ double bytes_on_line(const PartLink& link);
 double baud_of(const Plan& plan, const PartLink& link);
 /// The key `parts` of `budget:`, for each link. Exceeded: E0420.
 void check_parts_budget(const Plan& plan, const YamlValue& entry, Diagnostics& diagnostics);
-/// Whether target environments steps environments of the graph in packs.
-std::string packs_text(const Plan& plan);
+/// Whether target environments steps environments of the graph vectorized.
+std::string vectorized_text(const Plan& plan);
 /// The graph's task, its inputs and results; empty without one.
 std::string task_text(const Graph& graph);
 Json task_json(const Graph& graph);

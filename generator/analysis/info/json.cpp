@@ -1,7 +1,7 @@
 #include "generator/support/json/json.hpp"
 
 #include "generator/analysis/info/info.hpp"
-#include "generator/graph/plan/packs.hpp"
+#include "generator/graph/plan/vectorized.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -64,7 +64,7 @@ Json info_json(const PlanInfo& report) {
                          {"output", plan.graph->nodes[ring.node].outputs[ring.output].name},
                          {"messages", ring.capacity},
                          {"bytes", ring.capacity * bytes_of(ring.space)}});
-  const std::string reason = why_no_packs(plan);
+  const std::string reason = why_not_vectorized(plan);
   json["why_not_vectorized"] = reason.empty() ? Json(nullptr) : Json(reason);
   json["delays"] = Json::list();
   for (const auto& node : plan.graph->nodes) {

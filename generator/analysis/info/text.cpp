@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "generator/analysis/info/info.hpp"
-#include "generator/graph/plan/packs.hpp"
+#include "generator/graph/plan/vectorized.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
@@ -87,8 +87,8 @@ std::string plan_text(const PlanInfo& report) {
          delays_text(*plan.graph);
 }
 
-std::string packs_text(const Plan& plan) {
-  const std::string reason = why_no_packs(plan);
+std::string vectorized_text(const Plan& plan) {
+  const std::string reason = why_not_vectorized(plan);
   if (!reason.empty())
     return fmt::format("\nmany environments at once run one by one, not vectorized: {}\n", reason);
   std::vector<std::string> by_lane;

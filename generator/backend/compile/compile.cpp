@@ -51,7 +51,7 @@ class CompileCheck {
     if (!write_files() || !has_compiler() || !has_flags()) return;
     if (!compile_program()) return;
     look_for_calls();
-    compile_packs();
+    compile_vectorized();
   }
 
  private:
@@ -232,7 +232,7 @@ class CompileCheck {
   }
 
   /// The program over SIMD vectors, if the target has one.
-  void compile_packs() {
+  void compile_vectorized() {
     const std::string header = plan_.graph->name + "/vectorized/program.hpp";
     if (!ranges::contains(files_, header, &GeneratedFile::path)) return;
     if (!write("vectorized.cpp",

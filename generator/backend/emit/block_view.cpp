@@ -66,7 +66,7 @@ class BlockView {
 
  private:
   std::string tick() const {
-    return names_.has_packs() ? "eagerx::LaneTick<kLanes>(n)" : "eagerx::Tick{n}";
+    return names_.is_vectorized() ? "eagerx::LaneTick<kLanes>(n)" : "eagerx::Tick{n}";
   }
   std::string channel(std::size_t output) const {
     const std::string& name = names_.nodes[n_].outputs[output].channel;
@@ -170,7 +170,7 @@ class BlockView {
     }
     view_.set("has_simulated", simulated.is_non_empty_list());
     view_["simulated"] = std::move(simulated);
-    view_.set("tick_message", names_.has_packs()
+    view_.set("tick_message", names_.is_vectorized()
                                   ? fmt::format("eagerx::lane_ticks({})", seq_)
                                   : fmt::format("static_cast<std::int64_t>({})", seq_));
     view_["slots"] = slots_view({place(0)});

@@ -11,7 +11,7 @@
 #include "generator/backend/emit/policy_answers.hpp"
 #include "generator/backend/emit/policy_view.hpp"
 #include "generator/backend/emit/wrap.hpp"
-#include "generator/graph/plan/packs.hpp"
+#include "generator/graph/plan/vectorized.hpp"
 #include "generator/graph/resolve/needs.hpp"
 #include "generator/support/diagnostics/search.hpp"
 #include "generator/support/quote/quote.hpp"
@@ -32,9 +32,9 @@ class Emitter {
         options_(options),
         diagnostics_(diagnostics),
         names_(plan, options.part, Numbers::plain, true) {
-    why_no_packs_ = why_no_packs(plan);
-    has_packs_ = why_no_packs_.empty() && options.part == Part::whole &&
-                 ranges::any_of(options.targets, &Target::packs);
+    why_not_vectorized_ = why_not_vectorized(plan);
+    is_vectorized_ = why_not_vectorized_.empty() && options.part == Part::whole &&
+                     ranges::any_of(options.targets, &Target::vectorized);
     // Where the agent is, and in the hub, which has everything of the graph's own sources.
     const bool decides = !options.part.is_placed() || names_.runs(Graph::kEnvironment);
     if (decides) network_ = network;
@@ -53,11 +53,11 @@ class Emitter {
     if (task && names_.runs(task->node))
       add(folder + "task.hpp", "cpp/task.hpp.mustache", task_view(plan_));
     add(folder + "limits.hpp", "cpp/limits.hpp.mustache", limits_view(plan_, names_));
-    if (has_packs_) add_packs(folder, here);
+    if (is_vectorized_) add_vectorized(folder, here);
     const std::size_t at = files_.size();
     add_program(folder, names_, false);
-    if (has_packs_ && !failed_) {
-      // What packs read is no array.
+    if (is_vectorized_ && !failed_) {
+      // What the vectorized program reads is no array.
       program_alone_ = std::move(files_[at].text);
       files_.resize(at);
       add_program(folder, ProgramNames(plan_, options_.part), true);
@@ -116,10 +116,10 @@ class Emitter {
   }
 
   /// The program once more, over SIMD vectors.
-  void add_packs(const std::string& folder, const fs::path& here) {
+  void add_vectorized(const std::string& folder, const fs::path& here) {
     Plan plan = plan_;
-    plan.schedule = schedule_of_packs(plan_);
-    const ProgramNames names(plan, Part::whole, Numbers::packs);
+    plan.schedule = vectorized_schedule(plan_);
+    const ProgramNames names(plan, Part::whole, Numbers::simd);
     const auto add_one = [&](const std::string& file, const std::string& template_file, View view) {
       view.set("namespace", "graphs::" + plan_.graph->name + "::vectorized");
       view.set("headers", plan_.graph->name + "/vectorized/");
@@ -128,7 +128,7 @@ class Emitter {
     View messages = messages_view(plan, names);
     const bool has_engine = plan.graph->has_engine();
     messages.set("registers",
-                 text_or_false(has_engine ? plan.graph->engine().entity->pack_registers : ""));
+                 text_or_false(has_engine ? plan.graph->engine().entity->simd_registers : ""));
     add_one("messages.hpp", "cpp/vectorized_messages.hpp.mustache", std::move(messages));
     add_one("io.hpp", "cpp/io.hpp.mustache",
             io_view(plan, names, {options_.builtin_root, (here / "vectorized").string()}));
@@ -137,23 +137,23 @@ class Emitter {
     add_one("program.hpp", "cpp/vectorized_program.hpp.mustache", std::move(program));
     if (!failed_) files_.back().text = take_marks(files_.back().text).text;
     add_one("draws.hpp", "cpp/vectorized_draws.hpp.mustache", draws_view(plan_, names_));
-    if (acts_in_packs()) {
-      View view = pack_policy_view(*network_, "policy");
-      view["agent"] = pack_agent_view(plan_, *network_);
+    if (acts_vectorized()) {
+      View view = vectorized_policy_view(*network_, "policy");
+      view["agent"] = vectorized_agent_view(plan_, *network_);
       add_one("policy.hpp", "cpp/vectorized_policy.hpp.mustache", std::move(view));
     }
     for (const NodePolicy& policy : node_policies_) {
       const std::string name = policy_namespace(plan_.graph->nodes[policy.node].name);
-      View view = pack_policy_view(*policy.network, name);
-      view["node"] = policy_node_view(plan_, policy, Numbers::packs);
+      View view = vectorized_policy_view(*policy.network, name);
+      view["node"] = policy_node_view(plan_, policy, Numbers::simd);
       add_one(name + ".hpp", "cpp/vectorized_policy.hpp.mustache", std::move(view));
     }
   }
 
   /// What the agent remembers is in each environment's own program.
-  bool acts_in_packs() const { return has_packs_ && network_ && !network_->has_memory(); }
+  bool acts_vectorized() const { return is_vectorized_ && network_ && !network_->has_memory(); }
 
-  static View pack_policy_view(const Network& network, const std::string& name) {
+  static View vectorized_policy_view(const Network& network, const std::string& name) {
     View view = policy_view(network, "F32");
     view.set("policy", name);
     view.set("by_lane", needs_lane_by_lane(network));
@@ -163,11 +163,11 @@ class Emitter {
   }
 
   /// program.hpp, and what of it belongs to which node.
-  void add_program(const std::string& folder, const ProgramNames& names, bool with_packs) {
+  void add_program(const std::string& folder, const ProgramNames& names, bool with_vectorized) {
     View view = program_view(plan_, names);
     view.set("has_memory", network_ && network_->has_memory());
     view.set("indented", indented());
-    view.set("with_vectorized", with_packs);
+    view.set("with_vectorized", with_vectorized);
     add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(view));
     if (failed_) return;
     MarkedText program = take_marks(files_.back().text);
@@ -184,7 +184,7 @@ class Emitter {
     for (std::size_t i = 0; i < files_.size(); ++i) {
       GeneratedFile file = files_[i];
       file.path.erase(0, options_.header_folder.size());
-      if (has_packs_ && file.path.ends_with("/program.hpp")) file.text = program_alone_;
+      if (is_vectorized_ && file.path.ends_with("/program.hpp")) file.text = program_alone_;
       if (i >= first_policy) policies.push_back(file);
       if (file.path.find("/vectorized/") == std::string::npos) headers.push_back(std::move(file));
     }
@@ -276,9 +276,9 @@ class Emitter {
       View view(View::type::object);
       view.set("target", target.id.value);
       view.set("is_split", options_.part != Part::whole);
-      view.set("vectorized", has_packs_);
-      view.set("acts_in_packs", acts_in_packs());
-      view.set("why_not_vectorized", why_no_packs_);
+      view.set("vectorized", is_vectorized_);
+      view.set("acts_vectorized", acts_vectorized());
+      view.set("why_not_vectorized", why_not_vectorized_);
       view["stages"] = stages_view(plan_, names_);
       add_rendered(target.id.value + "/" + output, file, std::move(view));
     }
@@ -290,9 +290,9 @@ class Emitter {
   const EmitOptions& options_;
   Diagnostics& diagnostics_;
   ProgramNames names_;
-  bool has_packs_ = false;
-  std::string why_no_packs_;
-  std::string program_alone_;  // program.hpp without what packs need of it
+  bool is_vectorized_ = false;
+  std::string why_not_vectorized_;
+  std::string program_alone_;  // program.hpp without what `vectorized/` needs of it
   std::vector<GeneratedFile> files_;
   std::uint64_t hash_ = 0;  // of the graph
   bool failed_ = false;

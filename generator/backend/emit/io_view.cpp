@@ -131,7 +131,7 @@ View simulators_view(const Plan& plan, const ProgramNames& names) {
 
 View engine_states_view(const Plan& plan, const ProgramNames& names) {
   View views = list();
-  const bool resets = !names.has_packs();
+  const bool resets = !names.is_vectorized();
   for (std::size_t i = 0; resets && names.has_engine() && i < plan.graph->objects.size(); ++i) {
     const Object& item = plan.graph->objects[i];
     for (std::size_t s = 0; s < item.states.size(); ++s) {
@@ -160,7 +160,7 @@ View processor_view(const Processor& processor, const std::string& type, const s
   view.set("input", names.message(processor.input));
   view.set("output", names.message(processor.output));
   view.set("config", config_view(processor.config));
-  view.set("by_lane", names.has_packs() && !runs_in_packs(processor));
+  view.set("by_lane", names.is_vectorized() && !runs_vectorized(processor));
   view.set("one", names.in_own_program(type));
   view.set("chain", false);
   return view;
@@ -196,7 +196,7 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
       views.push_back(view);
     }
   };
-  const bool resets = !names.has_packs();
+  const bool resets = !names.is_vectorized();
   for (std::size_t i = 0; resets && names.has_engine() && i < plan.graph->objects.size(); ++i) {
     const Object& item = plan.graph->objects[i];
     for (std::size_t s = 0; s < item.states.size(); ++s)

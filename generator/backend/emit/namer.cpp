@@ -61,30 +61,30 @@ std::string rate_type(const Rational& rate_hz) {
 }
 
 std::string_view element_type(Dtype dtype, Numbers numbers) {
-  const bool packs = numbers == Numbers::packs;
+  const bool simd = numbers == Numbers::simd;
   switch (dtype) {
     case Dtype::float32:
-      return packs ? "F32" : "float";
+      return simd ? "F32" : "float";
     case Dtype::float64:
-      return packs ? "F64" : "double";
+      return simd ? "F64" : "double";
     case Dtype::boolean:
-      return packs ? "Bool" : "bool";
+      return simd ? "Bool" : "bool";
     case Dtype::int8:
-      return packs ? "I8" : "std::int8_t";
+      return simd ? "I8" : "std::int8_t";
     case Dtype::int16:
-      return packs ? "I16" : "std::int16_t";
+      return simd ? "I16" : "std::int16_t";
     case Dtype::int32:
-      return packs ? "I32" : "std::int32_t";
+      return simd ? "I32" : "std::int32_t";
     case Dtype::int64:
-      return packs ? "I64" : "std::int64_t";
+      return simd ? "I64" : "std::int64_t";
     case Dtype::uint8:
-      return packs ? "U8" : "std::uint8_t";
+      return simd ? "U8" : "std::uint8_t";
     case Dtype::uint16:
-      return packs ? "U16" : "std::uint16_t";
+      return simd ? "U16" : "std::uint16_t";
     case Dtype::uint32:
-      return packs ? "U32" : "std::uint32_t";
+      return simd ? "U32" : "std::uint32_t";
     case Dtype::uint64:
-      return packs ? "U64" : "std::uint64_t";
+      return simd ? "U64" : "std::uint64_t";
   }
   return "";
 }

@@ -31,8 +31,8 @@ std::string rate_suffix(const Rational& rate_hz);
 
 /// "eagerx::Rate<30>", "eagerx::Rate<30, 7>"
 std::string rate_type(const Rational& rate_hz);
-/// The names of numbers: by their C++ types, or as packs of them, "F32".
-enum class Numbers : std::uint8_t { plain, packs };
+/// The names of numbers: by their C++ types, or as SIMD vectors of them, "F32".
+enum class Numbers : std::uint8_t { plain, simd };
 
 /// "float", "std::int8_t"
 std::string_view element_type(Dtype dtype, Numbers numbers = Numbers::plain);

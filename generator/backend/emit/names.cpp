@@ -151,7 +151,7 @@ void ProgramNames::name_nodes(Names& members, Names& types) {
 void ProgramNames::name_rings(Names& members) {
   const Graph& graph = *plan_.graph;
   const std::vector<bool> passing =
-      has_packs() ? passing_rings(plan_) : std::vector<bool>(plan_.rings.size());
+      is_vectorized() ? passing_rings(plan_) : std::vector<bool>(plan_.rings.size());
   for (std::size_t r = 0; r < plan_.rings.size(); ++r) {
     const Ring& ring = plan_.rings[r];
     const GraphNode& node = graph.nodes[ring.node];

@@ -12,9 +12,9 @@
 #include "generator/backend/emit/render.hpp"
 #include "generator/backend/emit/repeats.hpp"
 #include "generator/backend/emit/shared_io.hpp"
-#include "generator/graph/plan/packs.hpp"
 #include "generator/graph/plan/plan.hpp"
 #include "generator/graph/plan/split.hpp"
+#include "generator/graph/plan/vectorized.hpp"
 #include "generator/graph/resolve/needs.hpp"
 #include "generator/policy/agent/use.hpp"
 #include "generator/policy/network/network.hpp"
@@ -22,7 +22,7 @@
 namespace eagerx::gen {
 
 struct ProgramNames {
-  /// `loops`: equal chains of nodes are loops over arrays, as packs have none.
+  /// `loops`: equal chains of nodes are loops over arrays; vectorized programs have none.
   ProgramNames(const Plan& plan, Part part, Numbers of = Numbers::plain, bool loops = false);
 
   Numbers numbers;
@@ -55,14 +55,14 @@ struct ProgramNames {
   [[nodiscard]] bool receives(std::size_t node) const {
     return !left_out(node) && receives_here(*plan_.graph, part_, node);
   }
-  [[nodiscard]] bool has_packs() const { return numbers == Numbers::packs; }
-  /// Whether packs run a node one lane after the other; what it is then compiled for, of the
+  [[nodiscard]] bool is_vectorized() const { return numbers == Numbers::simd; }
+  /// Whether the vectorized program runs a node one lane after the other, compiled for the
   /// environment's own program.
   [[nodiscard]] bool by_lane(std::size_t node) const {
-    return has_packs() && runs_lane_by_lane(plan_.graph->nodes[node]);
+    return is_vectorized() && runs_lane_by_lane(plan_.graph->nodes[node]);
   }
   [[nodiscard]] const CppClass& class_of(const Entity& entity) const {
-    return has_packs() && entity.cpp_of_packs ? *entity.cpp_of_packs : entity.cpp;
+    return is_vectorized() && entity.vectorized_cpp ? *entity.vectorized_cpp : entity.cpp;
   }
   [[nodiscard]] std::string one(std::size_t node) const { return in_own_program(nodes[node].io); }
   /// A type as the environment's own program has it.
@@ -122,9 +122,9 @@ struct ProgramNames {
   /// The type of a processor and those of its stages; empty without one.
   std::string processor_type(const std::optional<Processor>& processor, const std::string& wanted,
                              Names& types);
-  /// Packs show no pictures.
+  /// Vectorized programs show no pictures.
   [[nodiscard]] bool left_out(std::size_t node) const {
-    return has_packs() && plan_.graph->nodes[node].drawn;
+    return is_vectorized() && plan_.graph->nodes[node].drawn;
   }
 
   const Plan& plan_;

@@ -101,12 +101,12 @@ View policy_node_view(const Plan& plan, const NodePolicy& policy, Numbers number
   return view;
 }
 
-View pack_agent_view(const Plan& plan, const Network& network) {
+View vectorized_agent_view(const Plan& plan, const Network& network) {
   const PolicyUse use = agent_use(*plan.graph);
   View view = object();
   view.set("observations", fmt::format("{}", join(plan.graph->agent.observations, ", ")));
-  view["spaces"] = spaces_of(use, Numbers::packs);
-  view["answers"] = policy_answers(use, network, "k", Numbers::packs);
+  view["spaces"] = spaces_of(use, Numbers::simd);
+  view["answers"] = policy_answers(use, network, "k", Numbers::simd);
   view.set("in_order", reads_in_order(use, network));
   return view;
 }

@@ -19,10 +19,11 @@ bool reads_in_order(const PolicyUse& use, const Network& network);
 /// The class of a node that runs a policy, for cpp/policy_node.mustache.
 View policy_node_view(const Plan& plan, const NodePolicy& policy, Numbers numbers = Numbers::plain);
 
-/// The class that runs the agent's policy over packs, for cpp/vectorized_policy.hpp.mustache.
-View pack_agent_view(const Plan& plan, const Network& network);
+/// The class that runs the agent's policy over SIMD vectors, for
+/// cpp/vectorized_policy.hpp.mustache.
+View vectorized_agent_view(const Plan& plan, const Network& network);
 
-/// Whether a policy's layers are all computed over packs, none lane by lane.
+/// Whether a policy's layers are all computed over SIMD vectors, none lane by lane.
 bool needs_lane_by_lane(const Network& network);
 
 }  // namespace eagerx::gen

@@ -14,7 +14,7 @@ struct EmitMember {
   enum class Owner {
     program,
     drawing,   // what only pictures need
-    one_step,  // messages of packs that only the step needs that writes them
+    one_step,  // vectorized messages that only the step needs that writes them
   };
   std::string name;  // "servo_"
   Owner owner = Owner::program;

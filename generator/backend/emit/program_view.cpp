@@ -10,7 +10,7 @@
 #include "generator/backend/emit/reset_view.hpp"
 #include "generator/backend/emit/schedule_view.hpp"
 #include "generator/backend/emit/types.hpp"
-#include "generator/graph/plan/packs.hpp"
+#include "generator/graph/plan/vectorized.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -31,11 +31,11 @@ class ProgramView {
     view_.set("engine", graph_.engine_id());
     view_.set("period", (Rational(1) / graph_.environment().rate_hz).to_string());
     view_.set("environment_due", names_.rates[rate].due);
-    view_.set("vectorized", names_.has_packs());
+    view_.set("vectorized", names_.is_vectorized());
     const Rational ticks = plan_.rates.front().rate_hz / graph_.environment().rate_hz;
     view_.set("ticks", fmt::format("{}", ticks.ceil()));
     view_.set("phases", fmt::format("{}", steps_in_hyperperiod(plan_)));
-    view_.set("seq_type", names_.has_packs() ? "eagerx::LaneClock<kLanes>" : "eagerx::Seq");
+    view_.set("seq_type", names_.is_vectorized() ? "eagerx::LaneClock<kLanes>" : "eagerx::Seq");
     view_.set("environment_rate", rate_type(graph_.environment().rate_hz));
     view_.set("environment_counter", names_.rates[rate].counter);
     view_["schedule"] = schedule_view(plan_, names_);
@@ -54,9 +54,9 @@ class ProgramView {
  private:
   void add_rates() {
     View rates = list();
-    const std::vector<bool> needed = rates_of_packs(plan_);
+    const std::vector<bool> needed = vectorized_rates(plan_);
     for (std::size_t r = 0; r < plan_.rates.size(); ++r) {
-      if (names_.has_packs() && !needed[r]) continue;
+      if (names_.is_vectorized() && !needed[r]) continue;
       View rate = object();
       rate.set("due", names_.rates[r].due);
       rate.set("counter", names_.rates[r].counter);
@@ -269,7 +269,7 @@ class ProgramView {
         continue;
       }
       // Resets are of the environment's own program.
-      if (names_.has_packs() && !graph_.nodes[n].reset_targets.empty()) continue;
+      if (names_.is_vectorized() && !graph_.nodes[n].reset_targets.empty()) continue;
       if (names_.by_lane(n)) {
         add(by_lane, fmt::format("{}<{}>", from_global_namespace(entity.cpp.name), names_.one(n)),
             names_.nodes[n].member.expression());

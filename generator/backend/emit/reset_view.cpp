@@ -183,8 +183,8 @@ class ResetView {
   /// How an input counts, if that is an object; what it starts with is a number of messages' quanta
   /// or, by the clock, of nanoseconds.
   std::string cursor_type(const Reception& reception) const {
-    const char* const kind = names_.has_packs() ? "Lanes" : "Cursor";
-    const char* const lanes = names_.has_packs() ? ", kLanes" : "";
+    const char* const kind = names_.is_vectorized() ? "Lanes" : "Cursor";
+    const char* const lanes = names_.is_vectorized() ? ", kLanes" : "";
     switch (reception.count) {
       case Reception::Count::delayed:
         return fmt::format("eagerx::Delay{}<{}, {}{}>", kind, reception.a, reception.b, lanes);
@@ -226,7 +226,8 @@ class ResetView {
         }
         if (names_.nodes[n].inputs[i].fresh.empty()) continue;
         cursor.set("member", names_.nodes[n].inputs[i].fresh);
-        cursor.set("type", names_.has_packs() ? "eagerx::NewLanes<kLanes>" : "eagerx::NewMessages");
+        cursor.set("type",
+                   names_.is_vectorized() ? "eagerx::NewLanes<kLanes>" : "eagerx::NewMessages");
         cursor.set("first", "");
         cursor["delay"] = View(false);
         cursors.push_back(cursor);

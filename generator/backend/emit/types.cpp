@@ -42,7 +42,7 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
     case Reception::Count::delayed:
     case Reception::Count::skipped:
       total = names.nodes[node].inputs[input].cursor + ".take()";
-      if (names.numbers == Numbers::packs)
+      if (names.numbers == Numbers::simd)
         total = fmt::format("{}.at({})", names.rates[rate].counter, total);
       break;
     case Reception::Count::arrived:

@@ -43,9 +43,9 @@ std::string toolchain_of(const Run& run, const GenerateOptions& options, const T
   return (fs::path(run.root) / "toolchains" / target.toolchain).string();
 }
 
-/// Besides plain ones, packs of environments are for these instructions. Its name is part of the
-/// command that configures a tree, so another machine compiles its own. Empty where packs are
-/// plain.
+/// Environments are vectorized for these instructions besides plain ones. The name is part of the
+/// command that configures a tree, so another machine compiles its own. Empty where there are only
+/// plain ones.
 std::string widest_instruction_set() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&

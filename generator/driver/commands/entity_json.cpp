@@ -101,7 +101,7 @@ Json json_of(const CppClass& cpp) {
 
 /// What an object is made of on one engine.
 Json json_of(const ObjectEngine& made) {
-  Json json{{"engine", made.engine.value}, {"vectorized", made.packs}};
+  Json json{{"engine", made.engine.value}, {"vectorized", made.vectorized}};
   add(json, "summary", made.summary);
   add(json, "description", made.description);
   if (!made.model.name.empty()) json["model"] = json_of(made.model);
@@ -123,9 +123,9 @@ std::string place_of(const std::string& file, const std::string& root) {
 }
 
 /// Where the class also calculates with SIMD vectors: true, false, or "some parameters".
-Json packs_of(const Entity& entity) {
-  if (entity.packs.empty()) return false;
-  const auto constant = holds(entity.packs, {});
+Json vectorized_of(const Entity& entity) {
+  if (entity.vectorized.empty()) return false;
+  const auto constant = holds(entity.vectorized, {});
   return constant ? Json(*constant) : Json("some parameters");
 }
 
@@ -169,7 +169,7 @@ Json entity_json(const Entity& entity) {
     json["eagerx"].push_back({{"id", known.id.value}, {"when", std::move(when)}});
   }
   if (!entity.cpp.include.empty()) json["cpp"] = json_of(entity.cpp);
-  json["vectorized"] = packs_of(entity);
+  json["vectorized"] = vectorized_of(entity);
   add(json, "engines", entity.engines);
   add(json, "runs", entity.runs);
   if (entity.asynchronous) json["asynchronous"] = true;
@@ -200,7 +200,7 @@ Json target_json(const Target& target) {
   for (const auto& [name, value] : target.facts) json["facts"][name] = value;
   add(json, "system", target.system);
   add(json, "family", target.family);
-  json["vectorized"] = target.packs;
+  json["vectorized"] = target.vectorized;
   return json;
 }
 

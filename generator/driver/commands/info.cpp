@@ -235,7 +235,7 @@ int graph_info(InfoOptions options) {
   if (options.json_output)
     say("{}\n", dump_json(info_json(report)));
   else
-    say("{}{}{}{}{}{}{}", plan_text(report), packs_text(*run.plan), task_text(*run.graph),
+    say("{}{}{}{}{}{}{}", plan_text(report), vectorized_text(*run.plan), task_text(*run.graph),
         timing_text(report), parts_text(*run.plan, run.spec->budget), telemetry_text(*run.plan),
         profile_text(*run.spec));
   return finish(run, options);

@@ -55,7 +55,7 @@ struct GenerateOptions : GraphOptions {
   bool library = false;               // headers for your own main loop, no program
   bool standalone = false;            // the output has all headers it needs
   bool sanitize = false;              // programs are built with sanitizers, and check indexes
-  bool for_this_machine = false;      // packs of environments for its processor alone
+  bool for_this_machine = false;      // vectorized for its processor alone
 
   /// A part cut out of a graph is always a library.
   [[nodiscard]] bool makes_library() const { return library || !of.empty(); }

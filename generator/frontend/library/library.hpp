@@ -93,7 +93,7 @@ struct ObjectEngine {
   std::vector<ConnectionSpec> connections;
   std::vector<EntitySpec> states;  // name = the object's state, type = an engine state
   std::vector<NodeState> node_states;
-  bool packs = false;        // whether the model also calculates with SIMD vectors
+  bool vectorized = false;   // whether the model also calculates with SIMD vectors
   std::string include_root;  // folder that the model's include is relative to
 };
 
@@ -110,8 +110,8 @@ struct Entity {
   std::string summary, description;
   CppClass cpp;        // of a node in Python alone without a name
   std::string python;  // nodes: the file with its class in Python, which is called as the id
-  std::optional<CppClass> cpp_of_packs;  // where it is another class
-  CppClass simulator;                    // engines
+  std::optional<CppClass> vectorized_cpp;  // where it is another class
+  CppClass simulator;                      // engines
   std::vector<std::string> engines;  // engine nodes and states: where they work; empty: everywhere
   std::vector<std::string> runs;     // engines: others whose implementations of objects they run
   bool asynchronous = false;         // engines: whether they have a clock for inputs
@@ -122,8 +122,8 @@ struct Entity {
   std::vector<ObjectEngine> object_engines;
   std::vector<std::string> counts;  // nodes: what for_each_count() counts
   std::vector<std::string> moves;   // engine states: what they set that changes in an episode
-  std::string pack_registers;       // engines: of a pack of numbers; empty: the runtime's choice
-  Condition packs;  // where its class also calculates with SIMD vectors; empty: nowhere
+  std::string simd_registers;       // engines: of a SIMD vector; empty: the runtime's choice
+  Condition vectorized;  // where its class also calculates with SIMD vectors; empty: nowhere
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs
   std::optional<Spanned<std::string>> family;  // the family of boards it needs
@@ -161,7 +161,7 @@ struct Target {
   std::string language;  // of a part's program that is not of C++; empty: C++
   std::vector<std::pair<std::string, std::string>> yours;  // as `partner`, written once
   std::string cmake, toolchain;
-  bool packs = false;                      // whether it also takes the program over SIMD vectors
+  bool vectorized = false;                 // whether it also takes the program over SIMD vectors
   std::string system;                      // its operating system; empty: none
   std::string family;                      // the family of boards it is of; empty: none
   std::optional<std::uint32_t> baud;       // of its serial port, if that can send telemetry

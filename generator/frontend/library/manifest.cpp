@@ -34,11 +34,11 @@ std::vector<Requirement> read_requirements(const YamlValue& root, const Entity& 
 }
 
 /// Afterwards, too: true, false or a condition.
-Condition read_packs(const YamlValue& root, const Entity& entity, Diagnostics& diagnostics) {
-  const YamlValue* packs = root.find("vectorized");
-  if (packs == nullptr || packs->text == "false") return {};
-  if (packs->text == "true") return always();
-  return read_condition(*packs, entity, diagnostics).value_or(Condition{});
+Condition read_vectorized(const YamlValue& root, const Entity& entity, Diagnostics& diagnostics) {
+  const YamlValue* vectorized = root.find("vectorized");
+  if (vectorized == nullptr || vectorized->text == "false") return {};
+  if (vectorized->text == "true") return always();
+  return read_condition(*vectorized, entity, diagnostics).value_or(Condition{});
 }
 
 std::vector<EagerxId> read_eagerx_ids(const YamlValue& root) {
@@ -196,7 +196,7 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
   ObjectEngine result;
   result.engine = engine;
   result.model = read_cpp(*yaml.find("model"), folder, diagnostics);
-  result.packs = text_at(*yaml.find("model"), "vectorized") == "true";
+  result.vectorized = text_at(*yaml.find("model"), "vectorized") == "true";
   result.summary = text_at(yaml, "summary");
   result.description = text_at(yaml, "description");
   result.nodes = read_entities(yaml, "nodes", diagnostics);
@@ -310,8 +310,8 @@ std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::
     diagnostics.error("E0206", entity.id.span,
                       "a reset node has at least one output and one target");
   entity.requirements = read_requirements(root, entity, diagnostics);
-  entity.packs = read_packs(root, entity, diagnostics);
-  entity.pack_registers = text_at(root, "simd_registers");
+  entity.vectorized = read_vectorized(root, entity, diagnostics);
+  entity.simd_registers = text_at(root, "simd_registers");
   if (diagnostics.error_count() != errors_before) return std::nullopt;
   return entity;
 }
@@ -353,7 +353,7 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   target.language = text_at(root, "language");
   if (target.language.empty() && root.find("cmake") == nullptr)
     diagnostics.error("E0202", target.id.span, "missing key `cmake` in a target");
-  target.packs = text_at(root, "vectorized") == "true";
+  target.vectorized = text_at(root, "vectorized") == "true";
   target.cmake = text_at(root, "cmake");
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");

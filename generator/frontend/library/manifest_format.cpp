@@ -137,7 +137,7 @@ Fields python() {
 }
 
 /// Of what ticks or converts; a reset runs alone.
-Fields packs() {
+Fields vectorized() {
   return {{"vectorized",
            format::one_of("true, false or a condition",
                           {format::boolean(), format::text("a condition")}),
@@ -313,7 +313,7 @@ std::vector<std::string> manifest_kinds() {
 
 const Format* manifest_format(std::string_view kind) {
   static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
-      {"node", format::record("a node", common("node") + cpp(false) + python() + packs() +
+      {"node", format::record("a node", common("node") + cpp(false) + python() + vectorized() +
                                             config() + node_ports(true))},
       {"reset_node",
        format::record("a reset node", common("reset_node") + cpp() + config() + node_ports(true) +
@@ -321,7 +321,7 @@ const Format* manifest_format(std::string_view kind) {
                                                   "states that it can bring about"}})},
       {"engine", format::record(
                      "an engine",
-                     common("engine") + cpp() + packs() + config() + states() +
+                     common("engine") + cpp() + vectorized() + config() + states() +
                          Fields{{"runs", texts(), false,
                                  "other engines whose implementations of objects it can run"},
                                 {"simd_registers", format::integer("a whole number", 1, 8), false,
@@ -337,7 +337,7 @@ const Format* manifest_format(std::string_view kind) {
                                                   "header in the manifest's folder"}}),
                                  true, "what holds an object's state"}})},
       {"engine_node",
-       format::record("an engine node", common("engine_node") + cpp() + packs() + engines() +
+       format::record("an engine node", common("engine_node") + cpp() + vectorized() + engines() +
                                             config() + node_ports(false))},
       {"engine_state",
        format::record("an engine state",
@@ -347,7 +347,7 @@ const Format* manifest_format(std::string_view kind) {
                                   "`positions` (default: nothing, a parameter)"}})},
       {"object", format::record("an object", common("object") + config() + object_ports())},
       {"processor", format::record("a processor",
-                                   common("processor") + cpp() + packs() + config() +
+                                   common("processor") + cpp() + vectorized() + config() +
                                        Fields{{"input", space_format(ReferenceRule::accept, false),
                                                false, "what it takes"},
                                               {"output", space_format(ReferenceRule::accept, true),

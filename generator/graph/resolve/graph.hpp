@@ -358,8 +358,8 @@ struct Graph {
 
 /// Whether the classes of these also calculate with SIMD vectors, as their manifests say for
 /// these parameters.
-bool runs_in_packs(const GraphNode& node);
-bool runs_in_packs(const Processor& processor);
+bool runs_vectorized(const GraphNode& node);
+bool runs_vectorized(const Processor& processor);
 
 /// Where an input's messages come from, as the graph calls it: "pendulum.theta",
 /// "actions.voltage".

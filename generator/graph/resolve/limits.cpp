@@ -37,15 +37,15 @@ Facts facts_of(const Processor& processor) {
   return facts;
 }
 
-bool runs_in_packs(const Entity& entity, const Config& config, Facts facts) {
-  if (entity.packs.empty()) return false;
-  const auto has_packs = [](const ConfigValue& value) {
+bool runs_vectorized(const Entity& entity, const Config& config, Facts facts) {
+  if (entity.vectorized.empty()) return false;
+  const auto is_vectorized = [](const ConfigValue& value) {
     const auto* const model = std::get_if<std::shared_ptr<const ModelUse>>(&value.value);
-    return model == nullptr || *model == nullptr || (*model)->implementation->packs;
+    return model == nullptr || *model == nullptr || (*model)->implementation->vectorized;
   };
-  if (!ranges::all_of(config, has_packs)) return false;
+  if (!ranges::all_of(config, is_vectorized)) return false;
   add_config(facts, config);
-  return holds(entity.packs, facts).value_or(false);
+  return holds(entity.vectorized, facts).value_or(false);
 }
 
 /// The element of `actions.torque[2]`: the stage that compose/ has made of it, whose type and index
@@ -111,12 +111,12 @@ void check(const Object& object, Diagnostics& diagnostics) {
 
 }  // namespace
 
-bool runs_in_packs(const GraphNode& node) {
-  return runs_in_packs(*node.entity, node.config, facts_of(node));
+bool runs_vectorized(const GraphNode& node) {
+  return runs_vectorized(*node.entity, node.config, facts_of(node));
 }
-bool runs_in_packs(const Processor& processor) {
+bool runs_vectorized(const Processor& processor) {
   return ranges::all_of(processor.stages(), [](const Processor* stage) {
-    return runs_in_packs(*stage->entity, stage->config, facts_of(*stage));
+    return runs_vectorized(*stage->entity, stage->config, facts_of(*stage));
   });
 }
 

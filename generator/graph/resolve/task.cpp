@@ -27,7 +27,7 @@ std::shared_ptr<const Entity> entity_of(const GraphSpec& spec) {
   entity.path = spec.path;
   entity.cpp = {fmt::format("graphs::{}::Task", spec.name.value),
                 fmt::format("{}/task.hpp", spec.name.value)};
-  entity.packs = always();
+  entity.vectorized = always();
   for (const auto& input : spec.task->inputs) entity.inputs.push_back(port_of(input.name));
   return std::make_shared<const Entity>(std::move(entity));
 }

@@ -80,9 +80,9 @@ Entity policy_entity(const GraphSpec& spec, const EntitySpec& node, const Networ
   const std::string& graph = spec.name.value;
   entity.cpp = {fmt::format("graphs::{}::{}::Node", graph, name),
                 fmt::format("{}/{}.hpp", graph, name)};
-  entity.cpp_of_packs = CppClass{fmt::format("graphs::{}::vectorized::{}::Node", graph, name),
-                                 fmt::format("{}/vectorized/{}.hpp", graph, name)};
-  entity.packs = always();
+  entity.vectorized_cpp = CppClass{fmt::format("graphs::{}::vectorized::{}::Node", graph, name),
+                                   fmt::format("{}/vectorized/{}.hpp", graph, name)};
+  entity.vectorized = always();
   if (node.inputs) {
     for (const auto& input : *node.inputs) {
       PortManifest port;

@@ -18,7 +18,7 @@ struct GymOutcome {
 };
 
 /// A model of an environment with step(action). It has
-///   using Real = …;                                    // float, double, or a pack of them
+///   using Real = …;                                    // float, double, or a SIMD vector of them
 ///   static constexpr std::size_t kStates, kActions, kObservations, kAttributes;  // at least 1
 ///   static constexpr std::uint32_t kMaxSteps;          // truncated from this step on; 0: never
 ///   static constexpr std::array<const char*, kAttributes> kAttributeNames;  // as Gym calls them

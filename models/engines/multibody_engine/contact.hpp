@@ -5,7 +5,7 @@
 
 #include <cstddef>
 #include <eagerx/math.hpp>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <models/engines/multibody_engine/spatial.hpp>
 
 namespace eagerx::models::multibody {

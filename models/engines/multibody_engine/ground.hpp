@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/math.hpp>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <models/engines/multibody_engine/contact.hpp>
 #include <models/engines/multibody_engine/kinematics.hpp>
 #include <models/engines/multibody_engine/spatial.hpp>

@@ -109,7 +109,7 @@ class MultibodySimulator {
     begin_episode();
   }
 
-  // ---- for engine states, which packs never run
+  // ---- for engine states, which are never vectorized
   void want_joint(std::size_t joint, const JointCoordinates& to) {
     const std::size_t link = kLinkOfJoint[joint];
     if (link == multibody::kNone) return;
@@ -230,7 +230,7 @@ class MultibodySimulator {
     const auto w = multibody::rotated(back, now.spin);
     return {{a.x, a.y, a.z, w.x, w.y, w.z}};
   }
-  /// For drawings, which packs never make.
+  /// For drawings, which are never vectorized.
   RigidState state(std::size_t body) const {
     const auto [p, q, v, w] = multibody::placed<Model>(state_, body);
     const auto wide = [](const Real& x) { return static_cast<double>(x); };

@@ -1,4 +1,4 @@
-// Vectors and matrices in space, of numbers or packs of numbers.
+// Vectors and matrices in space, of numbers or SIMD vectors.
 #pragma once
 
 #include <cstddef>

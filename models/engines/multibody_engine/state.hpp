@@ -1,10 +1,10 @@
-// What a step of MultibodyEngine reads and writes: numbers alone, a lane of a pack for each
+// What a step of MultibodyEngine reads and writes: numbers alone, a lane of a SIMD vector for each
 // environment.
 #pragma once
 
 #include <cstddef>
 #include <eagerx/math.hpp>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <models/engines/multibody_engine/constants.hpp>
 #include <models/engines/multibody_engine/joint_torques.hpp>
 #include <models/engines/multibody_engine/limb.hpp>

@@ -21,7 +21,7 @@ struct AdaptiveSettings {
   std::uint32_t max_tries;  // accepted and refused steps of one call
 };
 
-/// Numbers and packs have the same settings.
+/// Numbers and SIMD vectors have the same settings.
 template <class Real>
 using SettingsFor = AdaptiveSettings<LaneOf<Real>>;
 

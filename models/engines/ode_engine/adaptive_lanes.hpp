@@ -1,4 +1,4 @@
-// Adaptive steps of packs: each lane takes its own, as if it were integrated alone.
+// Adaptive steps over SIMD vectors: each lane takes its own, as if it were integrated alone.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <limits>
 #include <models/engines/ode_engine/adaptive.hpp>
 #include <type_traits>
@@ -60,8 +60,8 @@ template <std::size_t Bytes, std::size_t N>
   return static_cast<std::size_t>(total);
 }
 
-/// integrate() for packs, line by line; lanes that are done wait. Ends when no more than
-/// `few_lanes` continue: a narrower pack is then the faster one. A method has besides
+/// integrate() for SIMD vectors, line by line; lanes that are done wait. Ends when no more than
+/// `few_lanes` continue: a narrower SIMD vector is then the faster one. A method has besides
 ///   void go_on(step, x, taken);         // the step was taken in these lanes: now they are at x
 template <class Method, class Real, std::size_t N>
 [[gnu::always_inline]] inline void take_steps(Method& method, LaneSteps<Real, N>& at,
@@ -103,7 +103,8 @@ template <class Method, class Real, std::size_t N>
   progress.continues = false;
 }
 
-/// Some lanes of a pack as a narrower one, and back. Both consist of packs alone, of as many.
+/// Some lanes of a SIMD vector as a narrower one, and back. Both consist of the same
+/// number of SIMD vectors and nothing else.
 template <std::size_t N, std::size_t Width, class Wide, class Narrow>
 inline void gather(const Wide& wide, const std::size_t (&lanes)[Width], Narrow& narrow) {
   static_assert(sizeof(Wide) * Width == sizeof(Narrow) * N);
@@ -129,7 +130,8 @@ inline void scatter(const Narrow& narrow, const std::size_t (&lanes)[Width], Wid
 }
 
 /// The lanes that continue, one register of them after the other. f(lanes, narrow) takes the steps
-/// of `narrow`, which has those of the pack that are in `lanes`, and gives which of them failed.
+/// of `narrow`, which has those of the SIMD vector that are in `lanes`, and gives which of them
+/// failed.
 template <class Narrow, class Real, std::size_t N, class F>
 inline void finish_few(LaneSteps<Real, N>& at, LaneProgress<Real>& progress, const F& f) {
   constexpr auto kWide = static_cast<std::size_t>(lanes<Real>);

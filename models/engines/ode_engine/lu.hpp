@@ -95,7 +95,7 @@ class Lu {
   }
 
   Matrix lu_;
-  std::array<Row, N> row_{};  // of A and b; over packs with which row each was exchanged
+  std::array<Row, N> row_{};  // of A and b; over SIMD vectors with which row each was exchanged
 };
 
 }  // namespace eagerx::models

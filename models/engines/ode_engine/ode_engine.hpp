@@ -109,13 +109,13 @@ class OdeEngine {
     simulator.add_fault_if(progress.failed);
   }
 
-  /// The whole pack as long as more than half of the lanes continue, then these in packs of half as
-  /// many registers, and so on: some lanes take many times the steps of the others.
+  /// The whole SIMD vector as long as more than half of the lanes continue, then these in one
+  /// of half as many registers, and so on: some lanes take many times the steps of the others.
   template <class Model, class Real = typename Model::Real>
   static void finish(const OdeParameterSet<Model>& parameters, const OdeInputs<Model>& input,
                      LaneSteps<Real, Model::kStates>& at, LaneProgress<Real>& progress) {
     constexpr auto kLanes = static_cast<std::size_t>(lanes<Real>);
-    using Narrow = Pack<LaneOf<Real>, kLanes / 2>;
+    using Narrow = Simd<LaneOf<Real>, kLanes / 2>;
     constexpr bool kNarrows = Real::kCount > 1 && requires {
       typename ModelOver<Model, Narrow>::type;
     };

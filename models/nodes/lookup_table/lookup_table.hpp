@@ -44,7 +44,7 @@ class LookupTable {
     return constants<Real>(slope);
   }();
 
-  /// Every point is looked at, so that all lanes of a pack do the same.
+  /// Every point is looked at, so that all lanes of a SIMD vector do the same.
   static Real value(const Real& signal) {
     const Real inside = Config::outside == Outside::hold
                             ? eagerx::clamp(signal, Real(kX[0]), Real(kX[kPoints - 1]))

@@ -11,7 +11,7 @@ namespace eagerx::models {
 
 /// y(t) = signal(t − delay), on a straight line between two ticks; `initial` before the first
 /// signal. A reset may set the delay, up to `max_delay`. NaN passes.
-/// Looks up lane by lane: lanes of a pack may have other delays.
+/// Looks up lane by lane: lanes of a SIMD vector may have other delays.
 template <class Io>
 class TransportDelay {
  public:

@@ -23,7 +23,7 @@
 
 namespace eagerx {
 
-/// A number (or pack of numbers) `value` and its N derivatives. Comparisons look at the value only,
+/// A number (or SIMD vector) `value` and its N derivatives. Comparisons look at the value only,
 /// so at a kink the derivative is that of the branch which is taken.
 template <class R, std::size_t N>
 struct Dual {
@@ -99,7 +99,7 @@ struct LaneTraits<Dual<R, N>> : LaneTraits<R> {};
 template <class R, std::size_t N>
 inline constexpr bool is_number<Dual<R, N>> = true;
 
-/// Both sides are computed, as for packs.
+/// Both sides are computed, as for SIMD vectors.
 template <class R, std::size_t N>
 constexpr Dual<R, N> select(const TruthOf<R>& mask, const Dual<R, N>& when_true,
                             const std::type_identity_t<Dual<R, N>>& when_false) {

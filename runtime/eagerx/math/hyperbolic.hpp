@@ -53,7 +53,7 @@ template <Floating R>
   return (less + more * t) / (more + less * t);
 }
 
-/// tanh, always inlined: packs of several registers must not pass through memory.
+/// tanh, always inlined: SIMD vectors of several registers must not pass through memory.
 template <Floating R>
 [[gnu::always_inline]] constexpr R tanh_inlined(R x) {
   using T = LaneOf<R>;

@@ -1,4 +1,4 @@
-// The few words the mathematics is written in. A pack of numbers that provides them (with
+// The few words the mathematics is written in. A SIMD vector that provides them (with
 // arithmetic, comparisons and a broadcasting constructor) can use every function of eagerx/math.hpp
 // unchanged.
 #pragma once
@@ -20,7 +20,7 @@ static_assert(FLT_EVAL_METHOD == 0,
 
 namespace eagerx {
 
-/// The element type of a number, or of a pack of numbers. Packs specialize it.
+/// The element type of a number, or of a SIMD vector. SIMD vectors specialize it.
 template <class R>
 struct LaneTraits;
 template <>
@@ -45,11 +45,12 @@ using BitsOf = typename LaneTraits<R>::Bits;
 template <class R>
 inline constexpr int lanes = LaneTraits<R>::kLanes;
 
-/// Counts that entities keep: as wide as R, so that one environment is every Nth word of a pack.
+/// Counts that entities keep: as wide as R, so that one environment is every Nth word of a SIMD
+/// vector.
 template <class R>
 using CountOf = BitsOf<R>;
 
-/// A number, or a pack of numbers, that the functions of eagerx/math.hpp take.
+/// A number, or a SIMD vector, that the functions of eagerx/math.hpp take.
 template <class R>
 concept Floating = std::is_floating_point_v<typename LaneTraits<R>::Lane>;
 
@@ -86,7 +87,8 @@ constexpr double unbits(std::uint64_t x) {
   return std::bit_cast<double>(x);
 }
 
-/// Lane `i` of a number or pack; `set_lane` replaces it. For what cannot be done lanes at a time.
+/// Lane `i` of a number or SIMD vector; `set_lane` replaces it. For what cannot be done lanes at a
+/// time.
 template <class T>
 requires std::is_arithmetic_v<T>
 constexpr T lane(T x, int /*i*/) {

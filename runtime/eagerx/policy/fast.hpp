@@ -25,16 +25,16 @@ namespace eagerx::policy {
   return __builtin_ia32_vfmaddps256(a, b, c);
 }
 template <std::size_t N>
-[[gnu::always_inline]] inline Pack<float, N, 8> fused(const Pack<float, N, 8>& a,
-                                                      const Pack<float, N, 8>& b,
-                                                      const Pack<float, N, 8>& c) {
-  return Pack<float, N, 8>::of([&](auto i) { return fused(a.v[i], b.v[i], c.v[i]); });
+[[gnu::always_inline]] inline Simd<float, N, 8> fused(const Simd<float, N, 8>& a,
+                                                      const Simd<float, N, 8>& b,
+                                                      const Simd<float, N, 8>& c) {
+  return Simd<float, N, 8>::of([&](auto i) { return fused(a.v[i], b.v[i], c.v[i]); });
 }
 
 /// As eagerx::tanh, but fused. Largest error 3 ulp.
 template <std::size_t N>
-[[gnu::always_inline]] inline Pack<float, N, 8> fused_tanh(const Pack<float, N, 8>& x) {
-  using Lanes = Pack<float, N, 8>;
+[[gnu::always_inline]] inline Simd<float, N, 8> fused_tanh(const Simd<float, N, 8>& x) {
+  using Lanes = Simd<float, N, 8>;
   using Exponential = detail::ExponentialConstants<float>;
   const Lanes rounder(detail::kPowerRounder);
   const Lanes a = min(eagerx::abs(x), Lanes(detail::HyperbolicConstants<float>::kTanhIsOne));
@@ -52,7 +52,7 @@ template <std::size_t N>
 
 /// A(x) for activations without a slope.
 template <Activation A, std::size_t N>
-[[gnu::always_inline]] inline Pack<float, N, 8> fast_activated(const Pack<float, N, 8>& x) {
+[[gnu::always_inline]] inline Simd<float, N, 8> fast_activated(const Simd<float, N, 8>& x) {
   if constexpr (A == Activation::tanh) {
     return fused_tanh(x);
   } else {
@@ -70,7 +70,7 @@ constexpr std::size_t chains_of_panel(std::size_t inputs, std::size_t panels) {
 /// Adds the products of input `j`.
 template <std::size_t In, std::size_t N>
 [[gnu::always_inline]] inline void add_input(const float* w, const float* x, std::size_t j,
-                                             Pack<float, N, kPanel>& sum) {
+                                             Simd<float, N, kPanel>& sum) {
   using Vector = FloatVector<kPanel>;
   const Vector input = x[j] - Vector{};
 #pragma GCC unroll 8

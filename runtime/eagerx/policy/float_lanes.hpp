@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstring>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 
 namespace eagerx::policy {
 
@@ -18,7 +18,7 @@ template <std::size_t Lanes>
 using FloatVector = typename detail::VectorOf<float, Lanes>::type;
 /// `Count` registers of `Width` floats each.
 template <std::size_t Width, std::size_t Count>
-using FloatLanes = Pack<float, Width * Count, Width>;
+using FloatLanes = Simd<float, Width * Count, Width>;
 
 template <class Vector>
 [[gnu::always_inline]] inline Vector load(const float* from) {

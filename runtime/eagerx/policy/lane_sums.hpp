@@ -1,14 +1,14 @@
 // The sums of a layer over lanes, one of which is one environment or one sample of a training: the
 // order of eagerx/policy.hpp, written down once for both. Lanes do not mix. Sizes are constants of
-// programs (eagerx/policy/packs.hpp) and numbers of the trainer (targets/environments/train).
+// programs (eagerx/policy/simd.hpp) and numbers of the trainer (targets/environments/train).
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <eagerx/pack.hpp>
 #include <eagerx/policy/float_lanes.hpp>
 #include <eagerx/policy/panel_size.hpp>
+#include <eagerx/simd.hpp>
 
 namespace eagerx::policy {
 

@@ -12,8 +12,8 @@
 namespace eagerx::environments {
 namespace {
 
-std::string name_of(UsedPacks packs) {
-  return std::to_string(packs.lanes) + " lanes (" + packs.isa + ")";
+std::string name_of(UsedSimd simd) {
+  return std::to_string(simd.lanes) + " lanes (" + simd.isa + ")";
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void refuse_stage(const std::string& name, std::span<const char* const> known) {
          (list.empty() ? "none: the task has no `stages:`" : list));
 }
 
-std::string stepping_text(UsedPacks used, UsedPacks widest, std::uint32_t environments, bool draws,
+std::string stepping_text(UsedSimd used, UsedSimd widest, std::uint32_t environments, bool draws,
                           const std::string& graph_has_none) {
   const std::string one_by_one = "one by one: ";
   if (!graph_has_none.empty()) return one_by_one + graph_has_none;
@@ -78,8 +78,8 @@ std::string stepping_text(UsedPacks used, UsedPacks widest, std::uint32_t enviro
                           (environments == 1 ? " environment is" : " environments are") +
                           " too few for ";
   if (used.lanes == 0) return one_by_one + few + "SIMD lanes";
-  const std::string packs = "vectorized: " + name_of(used);
-  return used.lanes == widest.lanes ? packs : packs + "; " + few + name_of(widest);
+  const std::string simd = "vectorized: " + name_of(used);
+  return used.lanes == widest.lanes ? simd : simd + "; " + few + name_of(widest);
 }
 
 void Counts::add_to(const char* name, std::uint64_t count) {

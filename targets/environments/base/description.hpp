@@ -45,15 +45,15 @@ std::string describe_render(double rate_hz);
 /// Throws Problem: there is none of this name.
 [[noreturn]] void refuse_stage(const std::string& name, std::span<const char* const> known);
 
-/// Number of lanes of a pack; 0: no packs.
-struct UsedPacks {
+/// Number of lanes of a SIMD group; 0: not vectorized.
+struct UsedSimd {
   std::uint32_t lanes;
   const char* isa;
 };
 /// How the environments of a batch are stepped, and what made it slower than it could be. `used`:
-/// the packs of `environments` of them, `widest`: those of many. `graph_has_none`: why the graph
-/// has no packs; empty if it has.
-std::string stepping_text(UsedPacks used, UsedPacks widest, std::uint32_t environments, bool draws,
+/// the SIMD groups of `environments` of them, `widest`: those of many. `graph_has_none`: why the
+/// graph is not vectorized; empty if it is.
+std::string stepping_text(UsedSimd used, UsedSimd widest, std::uint32_t environments, bool draws,
                           const std::string& graph_has_none);
 
 /// Sums of what is not 0.

@@ -8,8 +8,8 @@
 
 namespace eagerx::environments {
 
-/// Environments that a thread takes at a time, whole packs of `lanes`: few, so that none waits for
-/// another's block.
+/// Environments that a thread takes at a time, whole SIMD groups of `lanes`: few, so that none
+/// waits for another's block.
 constexpr std::uint32_t block_of(std::uint32_t environments, std::uint32_t lanes) {
   constexpr std::uint32_t kBlocks = 64;
   constexpr std::uint32_t kLargest = 128;

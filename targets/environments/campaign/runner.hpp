@@ -17,7 +17,7 @@ class Runner {
   /// Run k is the first episode of environment k of the plan's seed. May be called by several
   /// threads at once. Throws Problem for what the library refuses.
   Results run(std::uint32_t chunk) const;
-  /// How those of the first chunk are stepped, in words: in packs, or why not.
+  /// How those of the first chunk are stepped, in words: vectorized, or why not.
   std::string stepping() const;
 
  private:

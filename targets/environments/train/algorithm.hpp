@@ -39,7 +39,7 @@ class Algorithm {
   Pace pace;  // where it is
 
   virtual std::size_t environments() const = 0;
-  /// Into which they are cut. A pack does not go beyond its part.
+  /// Into which they are cut. A SIMD vector does not go beyond its part.
   virtual std::size_t parts() const { return 1; }
   /// Of all environments so far.
   std::uint64_t steps() const { return pace.time * environments(); }

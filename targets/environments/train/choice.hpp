@@ -4,7 +4,7 @@
 #include <eagerx/math.hpp>
 #include <vector>
 
-#include "targets/environments/train/packs.hpp"
+#include "targets/environments/train/simd.hpp"
 
 namespace eagerx::train {
 
@@ -12,7 +12,7 @@ namespace eagerx::train {
 class Choice {
  public:
   /// Of `scores` [count] of one sample.
-  Choice(const Pack* scores, std::size_t count, std::size_t lane) : log_p_(count), p_(count) {
+  Choice(const Simd* scores, std::size_t count, std::size_t lane) : log_p_(count), p_(count) {
     float most = scores[0].lane[lane];
     for (std::size_t j = 1; j < count; ++j) most = max(most, scores[j].lane[lane]);
     float sum = 0.0F;

@@ -81,7 +81,7 @@ class Evaluator::Part {
              const Statistics& observations, const std::string& stage) {
     result_ = {.episodes = std::vector(count_, Episode{0.0, std::vector<double>(terms_), 0, false}),
                .far = std::vector<std::uint64_t>(policy.network.inputs())};
-    row_.assign(policy.network.row(), Pack{});  // nothing is remembered
+    row_.assign(policy.network.row(), Simd{});  // nothing is remembered
     std::vector<bool> ended(count_);
     environments_.set_stage(stage);
     environments_.reset(seed, rows_.observation.data());
@@ -102,7 +102,7 @@ class Evaluator::Part {
  private:
   void act(const Kernels& kernels, const Policy& policy) {
     policy.answer(kernels, rows_.observation.data(), row_.data());
-    const Pack* const answers = &row_[policy.network.output()];
+    const Simd* const answers = &row_[policy.network.output()];
     for (std::size_t e = 0; e < count_; ++e) {
       policy.head.act(answers, e, &action_[e * policy.head.numbers]);
     }
@@ -133,7 +133,7 @@ class Evaluator::Part {
   std::size_t terms_, count_;
   Rows rows_;  // [count] of the last step; [kLanes] of observations
   std::vector<float> action_;
-  Packs row_;
+  Simds row_;
 };
 
 Evaluator::Evaluator(const Library& library, const Kernels& kernels, ThreadPool& pool,

@@ -87,7 +87,7 @@ std::string golden_header(const Policy& policy) {
 }
 
 /// What follows the answers in a lane: those, and the action.
-std::string answered(const Policy& policy, const Pack* answers, std::size_t lane) {
+std::string answered(const Policy& policy, const Simd* answers, std::size_t lane) {
   std::string text;
   std::vector<float> action(policy.head.numbers);
   for (std::size_t j = 0; j < policy.network.outputs(); ++j)
@@ -132,7 +132,7 @@ std::string golden_rows(const Policy& policy, const Kernels& kernels,
   std::string text = golden_header(policy);
   std::vector<float> tile(kLanes * inputs);
   for (std::size_t first = 0; first < count; first += kLanes * steps) {
-    Packs row(policy.network.row());
+    Simds row(policy.network.row());
     std::vector<std::string> lines(std::min(kLanes * steps, count - first));
     for (std::size_t t = 0; t < steps; ++t) {
       for (std::size_t i = t; i < lines.size(); i += steps)

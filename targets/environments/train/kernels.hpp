@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "targets/environments/train/packs.hpp"
+#include "targets/environments/train/simd.hpp"
 
 namespace eagerx::train {
 
@@ -27,45 +27,44 @@ struct Kernels {
   const char* name;
 
   /// y [outputs] = W x + b of one tile. W [outputs][inputs]; sums as in eagerx/policy.hpp.
-  void (*dense)(DenseSizes sizes, const float* weights, const float* bias, const Pack* x, Pack* y);
+  void (*dense)(DenseSizes sizes, const float* weights, const float* bias, const Simd* x, Simd* y);
 
   /// dx [inputs] = Wᵀ dy, outputs in order.
-  void (*dense_transposed)(DenseSizes sizes, const float* weights, const Pack* dy, Pack* dx);
+  void (*dense_transposed)(DenseSizes sizes, const float* weights, const Simd* dy, Simd* dx);
 
   /// dW += Σ dy xᵀ over the samples in order; db += Σ dy, first over the tiles, then over the lanes
-  /// (halves onto halves). x and dy of the next tile are `stride` packs further on. `scratch`
-  /// [tiles
-  /// * kLanes].
-  void (*dense_gradient)(DenseSizes sizes, const Pack* x, const Pack* dy, std::size_t tiles,
-                         std::size_t stride, Pack* scratch, float* dw, float* db);
+  /// (halves onto halves). x and dy of the next tile are `stride` SIMD vectors
+  /// further on. `scratch` [tiles * kLanes].
+  void (*dense_gradient)(DenseSizes sizes, const Simd* x, const Simd* dy, std::size_t tiles,
+                         std::size_t stride, Simd* scratch, float* dw, float* db);
 
   /// x = tanh(x).
-  void (*tanh)(Pack* x, std::size_t count);
+  void (*tanh)(Simd* x, std::size_t count);
 
   /// dx *= 1 - y², the derivative of y = tanh(x).
-  void (*tanh_slope)(const Pack* y, Pack* dx, std::size_t count);
+  void (*tanh_slope)(const Simd* y, Simd* dx, std::size_t count);
 
   /// x = max(x, 0).
-  void (*relu)(Pack* x, std::size_t count);
+  void (*relu)(Simd* x, std::size_t count);
 
   /// dx = 0 where y = relu(x) is not above 0.
-  void (*relu_slope)(const Pack* y, Pack* dx, std::size_t count);
+  void (*relu_slope)(const Simd* y, Simd* dx, std::size_t count);
 
   /// One step of a memory of `units` units. `gates` and `products` have what comes of the inputs
   /// and of h, with their biases; `before` and `after` are h, and c of an LSTM. What
   /// slopes need takes the place of `gates` and `products`.
-  void (*gru)(std::size_t units, Pack* gates, Pack* products, const Pack* before, Pack* after);
-  void (*lstm)(std::size_t units, Pack* gates, Pack* products, const Pack* before, Pack* after);
+  void (*gru)(std::size_t units, Simd* gates, Simd* products, const Simd* before, Simd* after);
+  void (*lstm)(std::size_t units, Simd* gates, Simd* products, const Simd* before, Simd* after);
 
   /// `dafter` to the derivatives by gates and products; what of it goes to the state before without
   /// them takes its place.
-  void (*gru_slopes)(std::size_t units, const Pack* gates, const Pack* products, const Pack* before,
-                     Pack* dafter, Pack* dgates, Pack* dproducts);
-  void (*lstm_slopes)(std::size_t units, const Pack* gates, const Pack* products,
-                      const Pack* before, Pack* dafter, Pack* dgates, Pack* dproducts);
+  void (*gru_slopes)(std::size_t units, const Simd* gates, const Simd* products, const Simd* before,
+                     Simd* dafter, Simd* dgates, Simd* dproducts);
+  void (*lstm_slopes)(std::size_t units, const Simd* gates, const Simd* products,
+                      const Simd* before, Simd* dafter, Simd* dgates, Simd* dproducts);
 
   /// to += continues * (x + y).
-  void (*carry)(const Pack& continues, const Pack* x, const Pack* y, Pack* to, std::size_t count);
+  void (*carry)(const Simd& continues, const Simd* x, const Simd* y, Simd* to, std::size_t count);
 
   /// to += x.
   void (*add)(const float* x, float* to, std::size_t count);

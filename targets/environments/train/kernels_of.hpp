@@ -18,25 +18,25 @@ namespace eagerx::train {
 
 template <std::size_t Width>
 struct KernelsOf {
-  static constexpr std::size_t kRegisters = kLanes / Width;  // a pack
+  static constexpr std::size_t kRegisters = kLanes / Width;  // a SIMD vector
   using Vector = policy::FloatLanes<Width, kRegisters>;
   static constexpr std::size_t kRows = 8 / kRegisters;  // sums at a time: eight registers
 
-  [[gnu::always_inline]] static Vector load(const Pack& x) { return Vector::load(x.lane); }
-  [[gnu::always_inline]] static void store(const Vector& x, Pack& to) { x.store(to.lane); }
+  [[gnu::always_inline]] static Vector load(const Simd& x) { return Vector::load(x.lane); }
+  [[gnu::always_inline]] static void store(const Vector& x, Simd& to) { x.store(to.lane); }
 
   /// Outputs j … j + Outputs - 1, none of which is alone in its panel.
   template <std::size_t Outputs>
   static void dense_outputs(DenseSizes sizes, const float* weights, const float* bias,
-                            const Pack* x, Pack* y, std::size_t j) {
+                            const Simd* x, Simd* y, std::size_t j) {
     using One = std::integral_constant<std::size_t, 1>;
     const policy::LaneWeights<std::size_t, One, std::size_t> part{
         weights + j * sizes.inputs, sizes.inputs, {}, sizes.inputs};
     policy::LaneOutputs<Outputs, Vector>::run(part, bias + j, x->lane, y[j].lane);
   }
   /// With the sums of programs (eagerx/policy/lane_sums.hpp): what is trained is what is deployed.
-  static void dense(DenseSizes sizes, const float* weights, const float* bias, const Pack* x,
-                    Pack* y) {
+  static void dense(DenseSizes sizes, const float* weights, const float* bias, const Simd* x,
+                    Simd* y) {
     constexpr std::size_t kOutputs = policy::kOutputsAtATime;
     const bool one_is_alone = policy::alone_in_panel(sizes.outputs - 1, sizes.outputs);
     const std::size_t in_panels = sizes.outputs - (one_is_alone ? 1 : 0);
@@ -52,7 +52,7 @@ struct KernelsOf {
 
   template <std::size_t Rows>
   [[gnu::always_inline]] static void transposed_rows(DenseSizes sizes, const float* weights,
-                                                     const Pack* dy, Pack* dx) {
+                                                     const Simd* dy, Simd* dx) {
     Vector sum[Rows];
     for (std::size_t r = 0; r < Rows; ++r) sum[r] = Vector(0.0F);
     for (std::size_t j = 0; j < sizes.outputs; ++j) {
@@ -63,7 +63,7 @@ struct KernelsOf {
     }
     for (std::size_t r = 0; r < Rows; ++r) store(sum[r], dx[r]);
   }
-  static void dense_transposed(DenseSizes sizes, const float* weights, const Pack* dy, Pack* dx) {
+  static void dense_transposed(DenseSizes sizes, const float* weights, const Simd* dy, Simd* dx) {
     std::size_t i = 0;
     for (; i + kRows <= sizes.inputs; i += kRows) {
       transposed_rows<kRows>(sizes, weights + i, dy, dx + i);
@@ -71,12 +71,12 @@ struct KernelsOf {
     for (; i < sizes.inputs; ++i) transposed_rows<1>(sizes, weights + i, dy, dx + i);
   }
 
-  /// Rows for columns, by shuffles of whole registers where a pack is one.
-  static void transpose(Pack (&x)[kLanes]) {
+  /// Rows for columns, by shuffles of whole registers where a SIMD vector is one.
+  static void transpose(Simd (&x)[kLanes]) {
     if constexpr (Width == kLanes && kHasShuffles) {
-      using Whole [[gnu::vector_size(sizeof(Pack))]] = float;
+      using Whole [[gnu::vector_size(sizeof(Simd))]] = float;
       Whole row[kLanes];
-      for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&row[i], &x[i], sizeof(Pack));
+      for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&row[i], &x[i], sizeof(Simd));
       detail::unrolled<kStages>([&](auto stage) {
         constexpr std::size_t kApart = kLanes >> (stage + 1);
         for (std::size_t i = 0; i < kLanes; ++i) {
@@ -86,7 +86,7 @@ struct KernelsOf {
           row[i + kApart] = __builtin_shuffle(upper, lower, kept<kApart>(true));
         }
       });
-      for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&x[i], &row[i], sizeof(Pack));
+      for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&x[i], &row[i], sizeof(Simd));
     } else {
       for (std::size_t i = 0; i < kLanes; ++i) {
         for (std::size_t l = 0; l < i; ++l) {
@@ -103,7 +103,7 @@ struct KernelsOf {
   static constexpr bool kHasShuffles = true;
 #endif
   static constexpr std::size_t kStages = 4;
-  using Places [[gnu::vector_size(sizeof(Pack))]] = std::int32_t;
+  using Places [[gnu::vector_size(sizeof(Simd))]] = std::int32_t;
   /// Of two rows so far apart, which lanes the first one has afterwards, or the second one.
   template <std::size_t Apart>
   static constexpr Places kept(bool second) {
@@ -116,20 +116,20 @@ struct KernelsOf {
     return places;
   }
 
-  /// Sixteen inputs of sixteen samples, from a pack for each input to one for each sample. Inputs
-  /// that are not there are 0.
-  static void by_samples(const Pack* x, std::size_t inputs, Pack* by_sample) {
-    Pack packs[kLanes];
+  /// Sixteen inputs of sixteen samples, from a SIMD vector for each input to one for each sample.
+  /// Inputs that are not there are 0.
+  static void by_samples(const Simd* x, std::size_t inputs, Simd* by_sample) {
+    Simd simds[kLanes];
     for (std::size_t i = 0; i < kLanes; ++i)
-      store(i < inputs ? load(x[i]) : Vector(0.0F), packs[i]);
-    transpose(packs);
-    for (std::size_t l = 0; l < kLanes; ++l) store(load(packs[l]), by_sample[l]);
+      store(i < inputs ? load(x[i]) : Vector(0.0F), simds[i]);
+    transpose(simds);
+    for (std::size_t l = 0; l < kLanes; ++l) store(load(simds[l]), by_sample[l]);
   }
 
   /// db += Σ dy of up to sixteen outputs: of each the lanes, halves onto halves until one is left.
-  static void bias_gradient(const Pack* dy, std::size_t outputs, std::size_t tiles,
+  static void bias_gradient(const Simd* dy, std::size_t outputs, std::size_t tiles,
                             std::size_t stride, float* db) {
-    Pack sums[kLanes];
+    Simd sums[kLanes];
     for (std::size_t j = 0; j < kLanes; ++j) {
       Vector sum(0.0F);
       for (std::size_t t = 0; t < tiles && j < outputs; ++t) sum = sum + load(dy[t * stride + j]);
@@ -146,7 +146,7 @@ struct KernelsOf {
   /// summed over lanes.
   template <std::size_t Outputs>
   [[gnu::always_inline]] static void gradient_rows(std::size_t inputs, std::size_t width,
-                                                   const Pack* by_sample, const Pack* dy,
+                                                   const Simd* by_sample, const Simd* dy,
                                                    std::size_t tiles, std::size_t stride,
                                                    float* dw) {
     Vector sum[Outputs];
@@ -164,13 +164,13 @@ struct KernelsOf {
         (Vector::load(dw + j * inputs) + sum[j]).store(dw + j * inputs);
         continue;
       }
-      Pack row;
+      Simd row;
       store(sum[j], row);
       for (std::size_t i = 0; i < width; ++i) dw[j * inputs + i] += row.lane[i];
     }
   }
-  static void dense_gradient(DenseSizes sizes, const Pack* x, const Pack* dy, std::size_t tiles,
-                             std::size_t stride, Pack* scratch, float* dw, float* db) {
+  static void dense_gradient(DenseSizes sizes, const Simd* x, const Simd* dy, std::size_t tiles,
+                             std::size_t stride, Simd* scratch, float* dw, float* db) {
     for (std::size_t i = 0; i < sizes.inputs; i += kLanes) {
       const std::size_t width = sizes.inputs - i < kLanes ? sizes.inputs - i : kLanes;
       for (std::size_t t = 0; t < tiles; ++t) {
@@ -193,17 +193,17 @@ struct KernelsOf {
   }
 
   template <Activation A>
-  static void activate(Pack* x, std::size_t count) {
+  static void activate(Simd* x, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) store(policy::activated<A>(load(x[i]), 0.0F), x[i]);
   }
-  static void tanh_slope(const Pack* y, Pack* dx, std::size_t count) {
+  static void tanh_slope(const Simd* y, Simd* dx, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       const Vector yi = load(y[i]);
       store(load(dx[i]) * (Vector(1.0F) - yi * yi), dx[i]);
     }
   }
 
-  static void relu_slope(const Pack* y, Pack* dx, std::size_t count) {
+  static void relu_slope(const Simd* y, Simd* dx, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t l = 0; l < kLanes; ++l) {
         dx[i].lane[l] = y[i].lane[l] > 0.0F ? dx[i].lane[l] : 0.0F;

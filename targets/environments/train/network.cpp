@@ -49,7 +49,7 @@ std::vector<float> Network::drawn(Random random, float gain) const {
   return parameters;
 }
 
-void Network::forward(const Kernels& kernels, const float* parameters, Pack* row) const {
+void Network::forward(const Kernels& kernels, const float* parameters, Simd* row) const {
   if (cell_) cell_->forward(kernels, parameters, row);
   for (const Layer& layer : layers_) {
     kernels.dense(layer.sizes, parameters + layer.weights, parameters + layer.bias,
@@ -60,13 +60,13 @@ void Network::forward(const Kernels& kernels, const float* parameters, Pack* row
   }
 }
 
-void Network::remember(Pack* row) const {
+void Network::remember(Simd* row) const {
   if (cell_) std::copy_n(row + cell_->after(), cell_->shape().state(), row + cell_->before());
 }
 
-void Network::backward(const Kernels& kernels, const float* parameters, const Pack* rows,
-                       Pack* deltas, std::size_t tiles, Pack* scratch, float* gradient,
-                       const Pack* continues) const {
+void Network::backward(const Kernels& kernels, const float* parameters, const Simd* rows,
+                       Simd* deltas, std::size_t tiles, Simd* scratch, float* gradient,
+                       const Simd* continues) const {
   const auto slope = activation_ == Activation::relu ? kernels.relu_slope : kernels.tanh_slope;
   for (std::size_t k = layers_.size(); k-- > 0;) {
     const Layer& layer = layers_[k];
@@ -74,7 +74,7 @@ void Network::backward(const Kernels& kernels, const float* parameters, const Pa
                            gradient + layer.weights, gradient + layer.bias);
     if (k == 0 && !cell_) return;
     for (std::size_t t = 0; t < tiles; ++t) {
-      Pack* delta = deltas + t * row_;
+      Simd* delta = deltas + t * row_;
       kernels.dense_transposed(layer.sizes, parameters + layer.weights, delta + layer.to,
                                delta + layer.from);
       if (k > 0) slope(rows + t * row_ + layer.from, delta + layer.from, layer.sizes.inputs);
@@ -83,8 +83,8 @@ void Network::backward(const Kernels& kernels, const float* parameters, const Pa
   cell_->backward(kernels, parameters, rows, deltas, tiles, row_, continues, scratch, gradient);
 }
 
-void Network::input_slopes(const Kernels& kernels, const float* parameters, const Pack* row,
-                           Pack* deltas) const {
+void Network::input_slopes(const Kernels& kernels, const float* parameters, const Simd* row,
+                           Simd* deltas) const {
   const auto slope = activation_ == Activation::relu ? kernels.relu_slope : kernels.tanh_slope;
   for (std::size_t k = layers_.size(); k-- > 0;) {
     const Layer& layer = layers_[k];

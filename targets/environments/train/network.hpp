@@ -13,13 +13,13 @@
 namespace eagerx::train {
 
 /// The shape of a network; its parameters are floats of the caller. Work on a tile (sixteen
-/// samples) is a row of packs: [inputs | what is the memory's | hidden 1 | … | outputs].
+/// samples) is a row of SIMD vectors: [inputs | what is the memory's | hidden 1 | … | outputs].
 class Network {
  public:
   struct Layer {
     DenseSizes sizes;
     std::size_t weights, bias;  // where they begin in the parameters; weights [outputs][inputs]
-    std::size_t from, to;       // where its inputs and outputs begin in the row of packs
+    std::size_t from, to;       // where its inputs and outputs begin in the row of SIMD vectors
   };
 
   Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs,
@@ -33,7 +33,7 @@ class Network {
   std::size_t inputs() const { return first().sizes.inputs; }
   std::size_t outputs() const { return layers_.back().sizes.outputs; }
   std::size_t parameters() const { return parameters_; }
-  /// Packs in the row of one tile.
+  /// SIMD vectors in the row of one tile.
   std::size_t row() const { return row_; }
   /// Where the outputs begin in a row.
   std::size_t output() const { return layers_.back().to; }
@@ -43,22 +43,22 @@ class Network {
 
   /// Fills the rest of `row`, whose inputs and state before are there. The outputs have no
   /// activation.
-  void forward(const Kernels& kernels, const float* parameters, Pack* row) const;
+  void forward(const Kernels& kernels, const float* parameters, Simd* row) const;
 
   /// The state after the step of `row` is that before the next one.
-  void remember(Pack* row) const;
+  void remember(Simd* row) const;
 
   /// Adds the gradient of `tiles` rows to `gradient` [parameters]. `deltas` [tiles][row()]: the
   /// caller has filled the outputs' places with the derivatives of the loss; the others are
   /// written. With a memory the rows follow one another in time, see Cell::backward().
-  void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
-                std::size_t tiles, Pack* scratch, float* gradient,
-                const Pack* continues = nullptr) const;
+  void backward(const Kernels& kernels, const float* parameters, const Simd* rows, Simd* deltas,
+                std::size_t tiles, Simd* scratch, float* gradient,
+                const Simd* continues = nullptr) const;
 
   /// Without a memory: fills the rest of `deltas` [row()], whose outputs' places have the
   /// derivatives of something: its derivatives by the inputs are in the first places.
-  void input_slopes(const Kernels& kernels, const float* parameters, const Pack* row,
-                    Pack* deltas) const;
+  void input_slopes(const Kernels& kernels, const float* parameters, const Simd* row,
+                    Simd* deltas) const;
 
  private:
   Activation activation_;

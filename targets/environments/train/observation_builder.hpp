@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "targets/environments/train/client.hpp"
-#include "targets/environments/train/packs.hpp"
+#include "targets/environments/train/simd.hpp"
 
 namespace eagerx::train {
 

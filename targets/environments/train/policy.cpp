@@ -23,7 +23,7 @@ float Head::scaled(std::size_t j, float x) const {
   return clamp(value, low[j], high[j]);
 }
 
-void Head::act(const Pack* answers, std::size_t lane, float* action) const {
+void Head::act(const Simd* answers, std::size_t lane, float* action) const {
   if (!chooses) {
     for (std::size_t j = 0; j < outputs; ++j) action[j] = scaled(j, answers[j].lane[lane]);
     return;
@@ -44,7 +44,7 @@ Normaliser::Normaliser(const Statistics& statistics) {
   }
 }
 
-void Normaliser::load(const float* rows, Pack* x) const {
+void Normaliser::load(const float* rows, Simd* x) const {
   constexpr float kMost = 8.0F;
   const std::size_t width = mean_.size();
   for (std::size_t i = 0; i < width; ++i) {
@@ -88,7 +88,7 @@ void keep_answers(const Network& network, std::vector<float>& parameters, const 
   }
 }
 
-void Policy::answer(const Kernels& kernels, const float* rows, Pack* row) const {
+void Policy::answer(const Kernels& kernels, const float* rows, Simd* row) const {
   const std::size_t inputs = network.inputs();
   for (std::size_t i = 0; i < inputs; ++i) {
     for (std::size_t l = 0; l < kLanes; ++l) row[i].lane[l] = rows[l * inputs + i];

@@ -24,15 +24,15 @@ struct Head {
   float scaled(std::size_t j, float x) const;
   /// The actions [numbers] of the answers [outputs] in a lane. Of each choice the largest score,
   /// the first of equal ones, as generated programs do it.
-  void act(const Pack* answers, std::size_t lane, float* action) const;
+  void act(const Simd* answers, std::size_t lane, float* action) const;
 };
 
 /// (x - mean) / deviation, at most eight deviations: what the networks see while they learn.
 class Normaliser {
  public:
   explicit Normaliser(const Statistics& statistics);
-  /// Rows [16][width] to packs [width].
-  void load(const float* rows, Pack* x) const;
+  /// Rows [16][width] to SIMD vectors [width].
+  void load(const float* rows, Simd* x) const;
 
  private:
   std::vector<float> mean_, scale_;
@@ -57,7 +57,7 @@ struct Policy {
   /// Outputs, in -1…1 unless they choose, for sixteen observations: rows [16][inputs]. `row`
   /// [network.row()] is scratch, and has the answers at network.output(). What the network
   /// remembers is in it, too: it is 0 when episodes begin, and left as it is between their steps.
-  void answer(const Kernels& kernels, const float* rows, Pack* row) const;
+  void answer(const Kernels& kernels, const float* rows, Simd* row) const;
 };
 
 }  // namespace eagerx::train

@@ -236,7 +236,7 @@ bool Ppo::move() {
   return true;
 }
 
-/// Of this iteration: each has a pack of each part, or sixteen sequences.
+/// Of this iteration: each has a SIMD vector of each part, or sixteen sequences.
 std::size_t Ppo::minibatches() const {
   const std::size_t steps = model_.actor.memory() == nullptr ? 1 : settings_.bptt_steps;
   const std::size_t samples = settings_.n_envs * pace.horizon();

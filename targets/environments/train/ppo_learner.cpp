@@ -20,7 +20,7 @@ void PpoLearner::learn(const PpoUpdate& update, const Rollout& rollout, std::siz
   gradient.clear();
   const Model& model = update.model;
   const std::size_t steps = model.actor.memory() == nullptr ? 1 : block_;
-  const std::size_t sequences = rollout.packs() / steps;
+  const std::size_t sequences = rollout.simds() / steps;
   std::size_t tiles = 0;
   for (std::size_t s = first; s < sequences; s += update.minibatches) {
     for (std::size_t t = 0; t < steps; ++t) {
@@ -36,9 +36,9 @@ void PpoLearner::recall(const Model& model, const Rollout& rollout, std::size_t 
                         std::size_t t) {
   std::fill_n(continues_[t].lane, kLanes, 1.0F);
   if (t > 0) continues_[t] = rollout.continues[sequence * block_ + t - 1];
-  const auto from = [&](const Network& network, const Packs& starts, Packs& rows) {
-    Pack* row = &rows[t * network.row()];
-    const Pack* state = t > 0 ? row - network.row() + network.memory()->after()
+  const auto from = [&](const Network& network, const Simds& starts, Simds& rows) {
+    Simd* row = &rows[t * network.row()];
+    const Simd* state = t > 0 ? row - network.row() + network.memory()->after()
                               : &starts[sequence * network.memory()->shape().state()];
     train::recall(network, continues_[t], state, row);
   };
@@ -50,14 +50,14 @@ void PpoLearner::evaluate(const PpoUpdate& update, const Rollout& rollout, std::
                           std::size_t place) {
   const Model& model = update.model;
   const std::size_t width = model.critic.inputs();
-  Pack* actor = &actor_rows_[place * model.actor.row()];
-  Pack* critic = &critic_rows_[place * model.critic.row()];
+  Simd* actor = &actor_rows_[place * model.actor.row()];
+  Simd* critic = &critic_rows_[place * model.critic.row()];
   std::copy_n(&rollout.inputs[tile * width], model.actor.inputs(), actor);
   std::copy_n(&rollout.inputs[tile * width], width, critic);
   model.actor.forward(update.kernels, model.actor_parameters.data(), actor);
   model.critic.forward(update.kernels, model.critic_parameters.data(), critic);
-  Pack* answers = actor + model.actor.output();
-  Pack* deltas = &actor_deltas_[place * model.actor.row() + model.actor.output()];
+  Simd* answers = actor + model.actor.output();
+  Simd* deltas = &actor_deltas_[place * model.actor.row() + model.actor.output()];
   if (update.head.chooses) {
     for (std::size_t l = 0; l < kLanes; ++l) choice_loss(update, rollout, tile, l, answers, deltas);
   } else {
@@ -65,18 +65,18 @@ void PpoLearner::evaluate(const PpoUpdate& update, const Rollout& rollout, std::
     for (std::size_t l = 0; l < kLanes; ++l) actor_loss(update, rollout, tile, l, answers, deltas);
     update.kernels.tanh_slope(answers, deltas, model.actor.outputs());
   }
-  const Pack& value = critic[model.critic.output()];
-  Pack& delta = critic_deltas_[place * model.critic.row() + model.critic.output()];
+  const Simd& value = critic[model.critic.output()];
+  Simd& delta = critic_deltas_[place * model.critic.row() + model.critic.output()];
   for (std::size_t l = 0; l < kLanes; ++l) {
     delta.lane[l] = value.lane[l] - rollout.target[tile].lane[l];
   }
 }
 
 void PpoLearner::actor_loss(const PpoUpdate& update, const Rollout& rollout, std::size_t tile,
-                            std::size_t l, const Pack* means, Pack* deltas) {
+                            std::size_t l, const Simd* means, Simd* deltas) {
   const Model& model = update.model;
   const std::size_t outputs = model.log_deviation.size();
-  const Pack* actions = &rollout.actions[tile * outputs];
+  const Simd* actions = &rollout.actions[tile * outputs];
   const auto distance = [&](std::size_t j) {  // from the mean, in deviations
     return (actions[j].lane[l] - means[j].lane[l]) * update.precision[j];
   };
@@ -94,9 +94,9 @@ void PpoLearner::actor_loss(const PpoUpdate& update, const Rollout& rollout, std
 }
 
 void PpoLearner::choice_loss(const PpoUpdate& update, const Rollout& rollout, std::size_t tile,
-                             std::size_t l, const Pack* scores, Pack* deltas) {
+                             std::size_t l, const Simd* scores, Simd* deltas) {
   const Head& head = update.head;
-  const Pack* actions = &rollout.actions[tile * head.numbers];
+  const Simd* actions = &rollout.actions[tile * head.numbers];
   const auto chosen = [&](std::size_t j) { return static_cast<std::size_t>(actions[j].lane[l]); };
   choices_.clear();
   float log_p = 0.0F;

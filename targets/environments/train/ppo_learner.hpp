@@ -39,20 +39,20 @@ class PpoLearner {
   /// Derivatives of the clipped loss of one sample by the means and the logarithms of the
   /// deviations.
   void actor_loss(const PpoUpdate& update, const Rollout& rollout, std::size_t tile, std::size_t l,
-                  const Pack* means, Pack* deltas);
+                  const Simd* means, Simd* deltas);
   /// The same for choices, by their scores. A choice that is nearly certain is not tried again: the
   /// entropy keeps it from becoming so too soon.
   void choice_loss(const PpoUpdate& update, const Rollout& rollout, std::size_t tile, std::size_t l,
-                   const Pack* scores, Pack* deltas);
+                   const Simd* scores, Simd* deltas);
   /// The derivative of the clipped loss of one sample by the logarithm of its probability.
   float clipped_slope(const PpoUpdate& update, const Rollout& rollout, std::size_t tile,
                       std::size_t l, float log_p);
   void backward(const Kernels& kernels, const Model& model, std::size_t tiles);
 
   const std::size_t block_;                                        // tiles that are learnt at once
-  Packs actor_rows_, actor_deltas_, critic_rows_, critic_deltas_;  // [block_][row]
-  Packs scratch_;
-  Packs continues_;              // [block_] of a sequence
+  Simds actor_rows_, actor_deltas_, critic_rows_, critic_deltas_;  // [block_][row]
+  Simds scratch_;
+  Simds continues_;              // [block_] of a sequence
   std::vector<Choice> choices_;  // of one sample
 };
 

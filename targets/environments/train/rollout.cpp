@@ -40,12 +40,12 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
   rows_.final_observation = rows_.observation;
   rewards_.resize(horizon_ * count_);
   value_.resize(rewards_.size() + count_);
-  const std::size_t packs = rewards_.size() / kLanes;
-  inputs.resize(packs * width_);
-  actions.resize(packs * numbers_);
-  for (Packs* each : {&log_probability, &advantage, &target, &continues}) each->resize(packs);
-  const std::size_t states = packs / sequence_ * actor_states_.width();
-  for (Packs* each : {&actor_starts, &critic_starts}) each->resize(states);
+  const std::size_t simds = rewards_.size() / kLanes;
+  inputs.resize(simds * width_);
+  actions.resize(simds * numbers_);
+  for (Simds* each : {&log_probability, &advantage, &target, &continues}) each->resize(simds);
+  const std::size_t states = simds / sequence_ * actor_states_.width();
+  for (Simds* each : {&actor_starts, &critic_starts}) each->resize(states);
 }
 
 void Rollout::reset(std::uint64_t seed) {
@@ -148,7 +148,7 @@ void Rollout::act(const Frozen& frozen, std::size_t step) {
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
     actor_states_.keep(model.actor, k, actor_row_.data());
     critic_states_.keep(model.critic, k, critic_row_.data());
-    Pack* answers = &actor_row_[model.actor.output()];
+    Simd* answers = &actor_row_[model.actor.output()];
     if (head_.chooses) {
       draw_choices(frozen, step, k, answers);
     } else {
@@ -164,15 +164,15 @@ Rollout::Place Rollout::place(std::size_t step, std::size_t environment) const {
   return {sequence / kLanes * sequence_ + step % sequence_, sequence % kLanes};
 }
 
-/// What the critic sees, from its row. Environments of a tile are adjacent in a pack, too.
+/// What the critic sees, from its row. Environments of a tile are adjacent in a SIMD vector, too.
 void Rollout::note_inputs(std::size_t step, std::size_t tile) {
   const Place to = place(step, tile * kLanes);
-  Pack* x = &inputs[to.pack * width_];
+  Simd* x = &inputs[to.simd * width_];
   for (std::size_t i = 0; i < width_; ++i)
     std::copy_n(critic_row_[i].lane, lanes(), &x[i].lane[to.lane]);
 }
 
-void Rollout::note_values(std::size_t step, std::size_t tile, const Pack& value) {
+void Rollout::note_values(std::size_t step, std::size_t tile, const Simd& value) {
   std::copy_n(value.lane, lanes(), &value_[step * count_ + tile * kLanes]);
 }
 
@@ -184,26 +184,26 @@ Random Rollout::noise(const Frozen& frozen, std::size_t step, std::size_t enviro
 }
 
 void Rollout::draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile,
-                           const Pack* scores) {
+                           const Simd* scores) {
   for (std::size_t l = 0; l < lanes(); ++l) {
     const std::size_t e = tile * kLanes + l;
     const Place to = place(step, e);
     Random random = noise(frozen, step, e);
-    const Pack* own = scores;
+    const Simd* own = scores;
     float log_p = 0.0F;
     for (std::size_t j = 0; j < numbers_; own += head_.counts[j++]) {
       const Choice choice(own, head_.counts[j], l);
       const std::size_t drawn = choice.at(random.uniform(0.0F, 1.0F));
-      actions[to.pack * numbers_ + j].lane[to.lane] = static_cast<float>(drawn);
+      actions[to.simd * numbers_ + j].lane[to.lane] = static_cast<float>(drawn);
       action_[e * numbers_ + j] = head_.low[j] + static_cast<float>(drawn);
       log_p += choice.log_probability(drawn);
     }
-    log_probability[to.pack].lane[to.lane] = log_p;
+    log_probability[to.simd].lane[to.lane] = log_p;
   }
 }
 
 void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile,
-                           const Pack* means) {
+                           const Simd* means) {
   for (std::size_t l = 0; l < lanes(); ++l) {
     const std::size_t e = tile * kLanes + l;
     const Place to = place(step, e);
@@ -212,11 +212,11 @@ void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t t
     for (std::size_t j = 0; j < numbers_; ++j) {
       const float noise = random.normal(0.0F, 1.0F);
       const float x = means[j].lane[l] + frozen.deviation[j] * noise;
-      actions[to.pack * numbers_ + j].lane[to.lane] = x;
+      actions[to.simd * numbers_ + j].lane[to.lane] = x;
       action_[e * numbers_ + j] = head_.scaled(j, x);
       log_p += -0.5F * noise * noise - frozen.model.log_deviation[j] - kHalfLogTwoPi;
     }
-    log_probability[to.pack].lane[to.lane] = log_p;
+    log_probability[to.simd].lane[to.lane] = log_p;
   }
 }
 
@@ -241,7 +241,7 @@ void Rollout::note_states(std::size_t step) {
   if (actor_states_.width() == 0 || step % sequence_ != 0) return;
   for (std::size_t e = 0; e < count_; ++e) {
     const Place to = place(step, e);
-    const std::size_t first = to.pack / sequence_ * actor_states_.width();
+    const std::size_t first = to.simd / sequence_ * actor_states_.width();
     actor_states_.copy(e, &actor_starts[first], to.lane);
     critic_states_.copy(e, &critic_starts[first], to.lane);
   }
@@ -281,7 +281,7 @@ void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environ
   return_sums.add(0, discounted_[e]);
   rewards_[step * count_ + e] = rows_.reward[e] * frozen.reward_scale;
   const Place to = place(step, e);
-  continues[to.pack].lane[to.lane] = ended ? 0.0F : 1.0F;
+  continues[to.simd].lane[to.lane] = ended ? 0.0F : 1.0F;
   if (!ended) return;
   if (is_cut_[e] == 0)
     episodes.push_back(
@@ -301,7 +301,7 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
     frozen.normaliser.load(sight_.at_end() + k * kLanes * width_, critic_row_.data());
     critic_states_.load(model.critic, k, critic_row_.data());
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
-    const Pack& value = critic_row_[model.critic.output()];
+    const Simd& value = critic_row_[model.critic.output()];
     for (std::size_t l = 0; l < lanes(); ++l) {
       const std::size_t e = k * kLanes + l;
       if (rows_.truncated[e] == 0 || rows_.terminated[e] != 0) continue;
@@ -335,12 +335,12 @@ void Rollout::estimate_advantages(const Settings& settings) {
     for (std::size_t t = horizon_; t-- > 0;) {
       const std::size_t sample = t * count_ + e;
       const Place at = place(t, e);
-      const float goes = continues[at.pack].lane[at.lane];
+      const float goes = continues[at.simd].lane[at.lane];
       const float value = value_[sample], next = value_[sample + count_];
       const float surprise = rewards_[sample] + gamma * goes * next - value;
       sum = surprise + gamma * settings.gae_lambda * goes * sum;
-      advantage[at.pack].lane[at.lane] = sum;
-      target[at.pack].lane[at.lane] = sum + value;
+      advantage[at.simd].lane[at.lane] = sum;
+      target[at.simd].lane[at.lane] = sum + value;
       advantage_sums.add(0, sum);
     }
   }

@@ -34,7 +34,7 @@ struct Frozen {
 /// One of kParts parts of the environments: some tiles of sixteen, or one of fewer. What is learnt
 /// from is in sequences, of bptt_steps or without a memory of one step, sixteen side by
 /// side, in order of time: those of a tile, or of a smaller one several in a row of time. So
-/// [packs] is [sequences / 16][steps of a sequence].
+/// [simds] is [sequences / 16][steps of a sequence].
 class Rollout final : public RolloutStatistics {
  public:
   Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
@@ -56,30 +56,30 @@ class Rollout final : public RolloutStatistics {
   std::string stepping() const { return environments_.stepping(); }
   std::size_t tiles() const { return (count_ + kLanes - 1) / kLanes; }
   /// The training data, after collect().
-  std::size_t packs() const { return horizon_ * count_ / kLanes; }
+  std::size_t simds() const { return horizon_ * count_ / kLanes; }
 
-  Packs inputs;             // [packs][inputs of the critic] normalised observations
-  Packs actions;            // [packs][numbers] as drawn, in -1…1 or beyond; or the choice
-  Packs log_probability;    // [packs] of the actions
-  Packs advantage, target;  // [packs] target of the critic
-  Packs continues;          // [packs] 1 where the episode went on behind the step, 0 where it ended
+  Simds inputs;             // [simds][inputs of the critic] normalised observations
+  Simds actions;            // [simds][numbers] as drawn, in -1…1 or beyond; or the choice
+  Simds log_probability;    // [simds] of the actions
+  Simds advantage, target;  // [simds] target of the critic
+  Simds continues;          // [simds] 1 where the episode went on behind the step, 0 where it ended
   /// [sequences / 16][state] what was remembered at the beginning of each sequence.
-  Packs actor_starts, critic_starts;
+  Simds actor_starts, critic_starts;
   bool remembers = false;  // in `taken`
   Spent spent;             // by all that this part has done
 
  private:
   struct Place {
-    std::size_t pack, lane;
+    std::size_t simd, lane;
   };
   Place place(std::size_t step, std::size_t environment) const;
   void act(const Frozen& frozen, std::size_t step);
   void note_inputs(std::size_t step, std::size_t tile);
-  void note_values(std::size_t step, std::size_t tile, const Pack& value);
+  void note_values(std::size_t step, std::size_t tile, const Simd& value);
   void note_states(std::size_t step);
   void forget();
-  void draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* means);
-  void draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* scores);
+  void draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Simd* means);
+  void draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Simd* scores);
   Random noise(const Frozen& frozen, std::size_t step, std::size_t environment) const;
   void note_step(const Frozen& frozen, std::size_t step);
   void step_environments();
@@ -112,7 +112,7 @@ class Rollout final : public RolloutStatistics {
   std::vector<float> discounted_;  // [count] of the episode so far
   std::vector<float> value_;       // [horizon + 1][count]
   std::vector<float> rewards_;     // [horizon][count] scaled
-  Packs actor_row_, critic_row_;   // scratch
+  Simds actor_row_, critic_row_;   // scratch
   States actor_states_, critic_states_;
 };
 

@@ -13,7 +13,7 @@
 #include "targets/environments/client/command_line.hpp"
 #include "targets/environments/client/words.hpp"
 #include "targets/environments/options/train_settings.hpp"
-#include "targets/environments/train/packs.hpp"
+#include "targets/environments/train/simd.hpp"
 
 namespace eagerx::train {
 namespace {

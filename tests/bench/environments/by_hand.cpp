@@ -1,7 +1,8 @@
 // The graphs `plain` and `friction` as loops over SIMD registers that were written by hand: the
 // equations, limits, observations and resets of this folder's files and nothing else. Prints graph,
-// environments, instruction set, registers a pack, steps/s of the loop on one core, steps/s of the
-// library over those; exit code 1 if their observations differ in a bit. In turn, in one process.
+// environments, instruction set, registers a SIMD vector, steps/s of the loop on one core, steps/s
+// of the library over those; exit code 1 if their observations differ in a bit. In turn, in one
+// process.
 #include <targets/environments/eagerx_environments.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <eagerx/math.hpp>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <models/engines/ode_engine/rk4.hpp>
 #include <models/nodes/butterworth_filter/butterworth_design.hpp>
 #include <models/objects/pendulum/pendulum_ode.hpp>
@@ -31,7 +32,7 @@ constexpr std::size_t kObserved = 3;
 
 template <std::size_t Registers>
 struct Io {
-  using Real = eagerx::Pack<float, Registers * kRegister>;
+  using Real = eagerx::Simd<float, Registers * kRegister>;
 };
 
 /// tests/bench/environments/plain.yaml
@@ -86,7 +87,7 @@ class ByHand {
   void step(const float* action, const eagerx_rows& rows) {
     const bool ends = ++age_ == kLongest;
     for (std::size_t at = 0; at < theta_.size(); at += kWidth)
-      step_pack(at, action + at, ends, rows.observation + at * kObserved);
+      step_group(at, action + at, ends, rows.observation + at * kObserved);
     std::memset(rows.reward, 0, theta_.size() * sizeof(float));
     std::memset(rows.terminated, 0, theta_.size());
     std::memset(rows.truncated, ends ? 1 : 0, theta_.size());
@@ -101,7 +102,7 @@ class ByHand {
   using State = typename Ode::State;
   static constexpr std::size_t kWidth = sizeof(Real) / sizeof(float);
 
-  void step_pack(std::size_t at, const float* action, bool ends, float* row) {
+  void step_group(std::size_t at, const float* action, bool ends, float* row) {
     constexpr auto kStep = static_cast<float>(1.0 / 30.0 / Graph::kSubsteps);
     const Real bounded =
         eagerx::clamp(Real::load(action), Real(-Graph::kBound), Real(Graph::kBound));
@@ -189,7 +190,7 @@ int compare(std::uint32_t n, std::size_t state_numbers, std::uint32_t steps, Tim
   return 0;
 }
 
-/// Loops over packs of one, two and four registers.
+/// Loops over SIMD vectors of one, two and four registers.
 template <template <std::size_t> class Graph>
 int compare_widths(std::size_t state_numbers, std::uint32_t steps) {
   for (const std::uint32_t n : {64U, 4096U}) {

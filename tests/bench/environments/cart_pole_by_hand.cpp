@@ -1,17 +1,17 @@
 // The least that a step of CartPole costs: its model over SIMD registers, actions that are there as
 // numbers, rows of what a step gives, and nothing else. Where an episode ends another begins from a
 // state that is not drawn, at no cost but that of a choice. Prints environments, instruction set,
-// registers a pack, steps/s on one core of this, steps/s of the library over those. In turn, in one
-// process. The library also draws states, counts steps, looks at actions, tells truncation, and has
-// each environment's parameters, as this has.
+// registers a SIMD vector, steps/s on one core of this, steps/s of the library over those. In turn,
+// in one process. The library also draws states, counts steps, looks at actions, tells truncation,
+// and has each environment's parameters, as this has.
 #include <targets/environments/eagerx_environments.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <models/objects/gym_cart_pole/gym_cart_pole.hpp>
-#include <targets/environments/pack_rows.hpp>
+#include <targets/environments/simd_rows.hpp>
 #include <vector>
 
 #include "comparison.hpp"
@@ -22,7 +22,7 @@ constexpr std::size_t kObserved = 4;
 
 template <std::size_t Registers>
 struct Io {
-  using Real = eagerx::Pack<float, Registers * eagerx::kRegisterBytes / sizeof(float)>;
+  using Real = eagerx::Simd<float, Registers * eagerx::kRegisterBytes / sizeof(float)>;
 };
 
 template <std::size_t Registers>
@@ -36,10 +36,10 @@ class Loop {
       : states_(environments / kWidth), parameters_(states_.size(), Model::default_attributes()) {}
 
   void step(const float* action, const eagerx_rows& rows) {
-    for (std::size_t pack = 0; pack < states_.size(); ++pack) {
-      const std::size_t at = pack * kWidth;
-      auto& state = states_[pack];
-      const auto outcome = Model::step(state, {{Real::load(action + at)}}, parameters_[pack]);
+    for (std::size_t simd = 0; simd < states_.size(); ++simd) {
+      const std::size_t at = simd * kWidth;
+      auto& state = states_[simd];
+      const auto outcome = Model::step(state, {{Real::load(action + at)}}, parameters_[simd]);
       outcome.reward.store(rows.reward + at);
       const std::uint64_t ends = lane_bits(outcome.terminated);
       for (std::size_t i = 0; i < kWidth; ++i)

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <vector>
 
 #include "tests/unit/multibody/robots.hpp"
@@ -55,20 +55,20 @@ constexpr std::size_t kRobots = 64;
 #if LANES == 1
 using Real = float;
 #else
-using Real = eagerx::Pack<float, LANES>;
+using Real = eagerx::Simd<float, LANES>;
 #endif
 using One = MultibodySimulator<WalkerOf<float>>;
-using Pack = MultibodySimulator<WalkerOf<Real>>;
+using Simd = MultibodySimulator<WalkerOf<Real>>;
 
 /// In a function of its own, so that instructions are those of a step.
-[[gnu::noinline]] void step_pack(Pack& pack) {
+[[gnu::noinline]] void step_group(Simd& simd) {
   constexpr multibody::ContactSettings<float> kSettings{2e4F, 400.0F, 0.005F, 0.2F,
                                                         static_cast<float>(kStep)};
-  pack.step(kSettings, 4);
+  simd.step(kSettings, 4);
 }
 
 struct Robots {
-  std::vector<Pack> packs = std::vector<Pack>(kRobots / LANES);
+  std::vector<Simd> simds = std::vector<Simd>(kRobots / LANES);
 
   Robots() {
     for (std::size_t e = 0; e < kRobots; ++e) {
@@ -82,21 +82,21 @@ struct Robots {
         one.set_joint_servo(j, {static_cast<float>(kHome[j % 3]) + off, 40.0F, 1.0F, 33.5F});
       }
       one.begin_episode();
-      static_assert(sizeof(Pack) == LANES * sizeof(One));
-      auto* const to = reinterpret_cast<char*>(&packs[e / LANES]);
+      static_assert(sizeof(Simd) == LANES * sizeof(One));
+      auto* const to = reinterpret_cast<char*>(&simds[e / LANES]);
       for (std::size_t word = 0; word < sizeof(One) / 4; ++word)
         std::memcpy(to + 4 * (word * LANES + e % LANES), reinterpret_cast<char*>(&one) + 4 * word,
                     4);
     }
   }
   void step() {
-    for (Pack& pack : packs) step_pack(pack);
+    for (Simd& simd : simds) step_group(simd);
   }
   double height() {
     double sum = 0.0;
     for (std::size_t e = 0; e < kRobots; ++e)
       sum += static_cast<double>(
-          eagerx::lane(packs[e / LANES].numbers().position.z, static_cast<int>(e % LANES)));
+          eagerx::lane(simds[e / LANES].numbers().position.z, static_cast<int>(e % LANES)));
     return sum / kRobots;
   }
 };

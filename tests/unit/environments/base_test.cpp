@@ -161,7 +161,7 @@ TEST(Description, HasFieldsInTheOrderOfTheirColumns) {
 }
 
 TEST(Stepping, SaysWhatMadeItSlower) {
-  const UsedPacks none{0, ""}, eight{8, "avx2"}, sixteen{16, "avx512"};
+  const UsedSimd none{0, ""}, eight{8, "avx2"}, sixteen{16, "avx512"};
   EXPECT_EQ(stepping_text(sixteen, sixteen, 64, false, ""), "vectorized: 16 lanes (avx512)");
   EXPECT_EQ(stepping_text(eight, sixteen, 4, false, ""),
             "vectorized: 8 lanes (avx2); 4 environments are too few for 16 lanes (avx512)");

@@ -298,7 +298,7 @@ template class InverseKinematics<robots::InverseIo<double, ArmConfig<double>, 4,
 template class OperationalSpace<robots::OperationalIo<float, HandConfig<float>, 4, 7>>;
 template class OperationalSpace<robots::OperationalIo<double, HandConfig<double>, 4, 7>>;
 
-// A callback that takes the tick of any pack is no part of what the lines above make.
+// A callback that takes the tick of any SIMD group is no part of what the lines above make.
 template <class Node>
 constexpr auto kCallback = &Node::template callback<Tick>;
 template <class... Nodes>

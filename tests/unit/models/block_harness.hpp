@@ -1,12 +1,12 @@
-// What tests of blocks share: one tick at a time, lanes of packs, references.
+// What tests of blocks share: one tick at a time, lanes of SIMD vectors, references.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
-#include <eagerx/pack.hpp>
 #include <eagerx/random.hpp>
+#include <eagerx/simd.hpp>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -58,12 +58,12 @@ struct Ticking {
   }
 };
 
-/// Runs a node of packs and one of plain numbers for each lane, on the same random messages (with
-/// NaN among them) of N... elements: the bits are equal.
+/// Runs a node of SIMD vectors and one of plain numbers for each lane, on the same random messages
+/// (with NaN among them) of N... elements: the bits are equal.
 template <template <class> class Node, template <class> class Io, std::size_t... N>
 void expect_lanes(int ticks = 40) {
-  using P = Pack<float, 4>;
-  Ticking<Node, Io<P>> packed;
+  using P = Simd<float, 4>;
+  Ticking<Node, Io<P>> vectorized;
   std::array<Ticking<Node, Io<float>>, 4> plain;
   Random random({7, 0, 0}, 1);
   for (int t = 0; t < ticks; ++t) {
@@ -76,7 +76,7 @@ void expect_lanes(int ticks = 40) {
       }
     };
     std::apply([&](auto&... message) { (fill(message), ...); }, messages);
-    const auto y = std::apply([&](auto&... message) { return packed(message...); }, messages);
+    const auto y = std::apply([&](auto&... message) { return vectorized(message...); }, messages);
     for (int k = 0; k < 4; ++k) {
       const auto in_lane = [k](const auto& message) {
         V<float, std::remove_cvref_t<decltype(message)>::size()> one{};

@@ -48,7 +48,7 @@ TEST(Shapes, KeepTheElements) {
   EXPECT_EQ((ToScalar<ConversionIo<float, V<float>, float>>::convert({{2.5F}})), 2.5F);
 }
 TEST(Processors, ConvertLanes) {
-  using P = Pack<float, 4>;
+  using P = Simd<float, 4>;
   V<P, 2> message{{P(3.0F), P(-3.0F)}};
   set_lane(message[0], 1, kNan<float>);
   const auto scaled = convert<Scale, P>(message);

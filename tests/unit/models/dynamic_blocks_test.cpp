@@ -219,10 +219,10 @@ TEST(PidController, TakesSetpointAndFeedForwardAsSignals) {
   run(1.0F);
 }
 TEST(PidController, LanesAreThoseOfPlainNumbers) {
-  using P = Pack<float, 4>;
-  PidController<TightPidIo<P>> packed;
+  using P = Simd<float, 4>;
+  PidController<TightPidIo<P>> vectorized;
   std::array<PidController<TightPidIo<float>>, 4> plain;
-  packed.reset({});
+  vectorized.reset({});
   for (auto& each : plain) each.reset({});
   Random random({3, 0, 0}, 5);
   for (int t = 0; t < 200; ++t) {
@@ -233,7 +233,7 @@ TEST(PidController, LanesAreThoseOfPlainNumbers) {
     }
     V<P> u{};
     TightPidIo<P>::Outputs out{u};
-    packed.callback({0}, {window(in[0]), window(in[1]), window(in[2])}, out);
+    vectorized.callback({0}, {window(in[0]), window(in[1]), window(in[2])}, out);
     for (int k = 0; k < 4; ++k) {
       std::array<V<float>, 3> one;
       for (std::size_t i = 0; i < 3; ++i) one[i][0] = lane(in[i][0], k);

@@ -39,7 +39,7 @@ TEST(StateFeedback, IsGainTimesState) {
   EXPECT_EQ(feedback(nothing<D2>(), window(r)), D2{});
 }
 TEST(StateFeedback, ChoosesInEachLane) {
-  using P = Pack<float, 4>;
+  using P = Simd<float, 4>;
   V<P, 2> x{{P(0.5F), P(0.25F)}};
   set_lane(x[0], 2, kNan<float>);
   const V<P> r{{P(1.0F)}};
@@ -93,8 +93,8 @@ void expect_predicts_without_measurement() {
 }
 template <template <class> class Node>
 void expect_lanes_of_estimator() {
-  using P = Pack<float, 4>;
-  Estimator<Node, SystemIo<P>> packed;
+  using P = Simd<float, 4>;
+  Estimator<Node, SystemIo<P>> vectorized;
   std::array<Estimator<Node, SystemIo<float>>, 4> plain;
   Random random({3, 0, 0}, 5);
   for (int t = 0; t < 60; ++t) {
@@ -105,7 +105,7 @@ void expect_lanes_of_estimator() {
           set_lane(element, k, random.below(9) == 0 ? kNan<float> : random.uniform(-2.0F, 2.0F));
       }
     }
-    const auto x = packed.tick(window(in[0]), window(in[1]));
+    const auto x = vectorized.tick(window(in[0]), window(in[1]));
     for (int k = 0; k < 4; ++k) {
       const V<float, 2> measured{{lane(in[0][0], k), lane(in[0][1], k)}};
       const V<float, 2> u{{lane(in[1][0], k), lane(in[1][1], k)}};

@@ -152,7 +152,7 @@ TEST(Filters, BeginAtTheirFirstMeasurement) {
 }
 
 TEST(Filters, BeginInEachLane) {
-  using P = Pack<float, 4>;
+  using P = Simd<float, 4>;
   using Io = FilteredIo<P, FastFilterConfig>;
   ButterworthFilter<Io> node;
   node.reset({});

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <models/engine_states/ground_roughness/ground_roughness.hpp>
 
 #include "tests/unit/multibody/multibody_io.hpp"
@@ -289,7 +289,7 @@ TEST(MultibodyGround, ATrunkLiesOnASlope) {
 TEST(MultibodyGround, LanesHaveTheBitsOfPlainNumbers) {
   constexpr std::size_t kLanes = 4;
   using One = MultibodySimulator<On<WalkerOf<float>, Gravel>>;
-  using All = MultibodySimulator<On<WalkerOf<Pack<float, kLanes>>, Gravel>>;
+  using All = MultibodySimulator<On<WalkerOf<Simd<float, kLanes>>, Gravel>>;
   std::array<One, kLanes> ones{};
   All all{};
   const auto word = [](auto& many, std::size_t i, std::size_t lane) {
@@ -316,10 +316,10 @@ TEST(MultibodyGround, LanesHaveTheBitsOfPlainNumbers) {
     for (One& one : ones) one.step(kSettings, 4);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    One from_pack{};
+    One from_simd{};
     for (std::size_t i = 0; i < sizeof(One) / 4; ++i)
-      std::memcpy(reinterpret_cast<char*>(&from_pack) + 4 * i, word(all, i, lane), 4);
-    EXPECT_EQ(std::memcmp(&from_pack, &ones[lane], sizeof(One)), 0) << "lane " << lane;
+      std::memcpy(reinterpret_cast<char*>(&from_simd) + 4 * i, word(all, i, lane), 4);
+    EXPECT_EQ(std::memcmp(&from_simd, &ones[lane], sizeof(One)), 0) << "lane " << lane;
     EXPECT_GT(ones[lane].pose(0)[2], 0.1F);
   }
 }

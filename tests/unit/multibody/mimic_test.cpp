@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 
 #include "tests/unit/multibody/robots.hpp"
 
@@ -147,11 +147,11 @@ TEST(MultibodyMimic, MomentumOfAFreeGripperStays) {
   EXPECT_EQ(scene.simulator.joint_velocity(0), scene.simulator.joint_velocity(1));
 }
 
-/// Lanes of a pack: the bits of each alone.
+/// Lanes of a SIMD vector: the bits of each alone.
 TEST(MultibodyMimic, LanesHaveTheBitsOfPlainNumbers) {
   constexpr std::size_t kLanes = 4;
   using One = MultibodySimulator<Finger<float>>;
-  using All = MultibodySimulator<Finger<eagerx::Pack<float, kLanes>>>;
+  using All = MultibodySimulator<Finger<eagerx::Simd<float, kLanes>>>;
   std::array<One, kLanes> ones{};
   All all{};
   constexpr std::size_t kWords = sizeof(One) / 4;

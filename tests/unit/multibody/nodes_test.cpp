@@ -1,9 +1,9 @@
-// What engine nodes and engine states ask of the simulator; lanes of packs.
+// What engine nodes and engine states ask of the simulator; lanes of SIMD vectors.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <models/engine_states/body_center_of_mass/body_center_of_mass.hpp>
 #include <models/engine_states/joint_gains/joint_gains.hpp>
 #include <models/engine_states/joint_strength/joint_strength.hpp>
@@ -142,12 +142,12 @@ TEST(MultibodyNodes, BodiesAreWhereTheJointsPutThem) {
   EXPECT_NEAR(at.velocity[2], motion[2], 1e-12);
 }
 
-/// Four environments in the lanes of a pack: the bits of each alone.
-TEST(MultibodyPacks, LanesHaveTheBitsOfPlainNumbers) {
+/// Four environments in the lanes of a SIMD vector: the bits of each alone.
+TEST(MultibodySimd, LanesHaveTheBitsOfPlainNumbers) {
   constexpr std::size_t kLanes = 4;
-  using Pack = eagerx::Pack<float, kLanes>;
+  using Simd = eagerx::Simd<float, kLanes>;
   using One = MultibodySimulator<WalkerOf<float>>;
-  using All = MultibodySimulator<WalkerOf<Pack>>;
+  using All = MultibodySimulator<WalkerOf<Simd>>;
   static_assert(sizeof(All) == kLanes * sizeof(One));
   std::array<One, kLanes> ones{};
   All all{};
@@ -179,9 +179,9 @@ TEST(MultibodyPacks, LanesHaveTheBitsOfPlainNumbers) {
     for (One& one : ones) one.step(kSettings, 4);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    One from_pack{};
-    lane_of(all, lane, from_pack);
-    EXPECT_EQ(std::memcmp(&from_pack, &ones[lane], sizeof(One)), 0) << "lane " << lane;
+    One from_simd{};
+    lane_of(all, lane, from_simd);
+    EXPECT_EQ(std::memcmp(&from_simd, &ones[lane], sizeof(One)), 0) << "lane " << lane;
     EXPECT_GT(ones[lane].pose(0)[2], 0.1F);
   }
 }

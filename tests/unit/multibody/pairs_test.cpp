@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 
 #include "tests/unit/multibody/draw.hpp"
 #include "tests/unit/multibody/multibody_io.hpp"
@@ -169,7 +169,7 @@ TEST(MultibodyPairs, WithoutPairsLegsPassThroughEachOther) {
 TEST(MultibodyPairs, LanesHaveTheBitsOfPlainNumbers) {
   constexpr std::size_t kLanes = 4;
   using One = MultibodySimulator<Crossing<float>>;
-  using All = MultibodySimulator<Crossing<Pack<float, kLanes>>>;
+  using All = MultibodySimulator<Crossing<Simd<float, kLanes>>>;
   std::array<One, kLanes> ones{};
   All all{};
   const auto word = [](auto& many, std::size_t i, std::size_t lane) {
@@ -189,10 +189,10 @@ TEST(MultibodyPairs, LanesHaveTheBitsOfPlainNumbers) {
     for (One& one : ones) one.step(kSettings, 4);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    One from_pack{};
+    One from_simd{};
     for (std::size_t i = 0; i < sizeof(One) / 4; ++i)
-      std::memcpy(reinterpret_cast<char*>(&from_pack) + 4 * i, word(all, i, lane), 4);
-    EXPECT_EQ(std::memcmp(&from_pack, &ones[lane], sizeof(One)), 0) << "lane " << lane;
+      std::memcpy(reinterpret_cast<char*>(&from_simd) + 4 * i, word(all, i, lane), 4);
+    EXPECT_EQ(std::memcmp(&from_simd, &ones[lane], sizeof(One)), 0) << "lane " << lane;
     EXPECT_TRUE(std::isfinite(ones[lane].pose(0)[2]));
   }
 }

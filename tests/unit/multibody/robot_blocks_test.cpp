@@ -350,13 +350,13 @@ TEST(RobotBlocks, TorquesStayWithinLimits) {
             (Two{{0.0F, -0.5F}}));
 }
 
-/// A node of packs and one of plain numbers for each lane give the same bits.
+/// A node of SIMD vectors and one of plain numbers for each lane give the same bits.
 template <template <class> class Node, template <class> class IoOf, std::size_t M, std::size_t... N>
 void expect_lanes_of() {
-  using P = Pack<float, 4>;
-  Node<IoOf<P>> packed;
+  using P = Simd<float, 4>;
+  Node<IoOf<P>> vectorized;
   std::array<Node<IoOf<float>>, 4> plain;
-  packed.reset({});
+  vectorized.reset({});
   for (auto& node : plain) node.reset({});
   Random random({7, 0, 0}, 1);
   for (int n = 0; n < 20; ++n) {
@@ -381,7 +381,7 @@ void expect_lanes_of() {
           std::conditional_t<std::is_same_v<decltype(node), Node<IoOf<P>>&>, IoOf<P>, IoOf<float>>;
       return tick<Node, Io, Array<typename Io::Real, M>>(node, message...);
     };
-    const auto y = std::apply([&](auto&... m) { return call(packed, m...); }, messages);
+    const auto y = std::apply([&](auto&... m) { return call(vectorized, m...); }, messages);
     for (int l = 0; l < 4; ++l) {
       auto& node = plain[static_cast<std::size_t>(l)];
       const auto one = std::apply([&](auto&... m) { return call(node, m...); }, of_lane[l]);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <eagerx/math.hpp>
-#include <eagerx/pack.hpp>
+#include <eagerx/simd.hpp>
 #include <numbers>
 
 namespace eagerx {
@@ -76,8 +76,8 @@ TEST(Dual, ConstantsStayConstantWhereASlopeIsInfinite) {
   EXPECT_TRUE(eagerx::isfinite(D(1.0)));
 }
 
-TEST(Dual, OfPacksHasTheBitsOfEachLane) {
-  using P = Pack<float, 4>;
+TEST(Dual, OfSimdHasTheBitsOfEachLane) {
+  using P = Simd<float, 4>;
   const auto f = [](auto x) { return eagerx::tanh(x * x) + eagerx::sin(x) / eagerx::sqrt(x); };
   P x(0.0F);
   for (int i = 0; i < 4; ++i) set_lane(x, i, 0.3F + static_cast<float>(i));

@@ -21,9 +21,9 @@ std::vector<float> parameters() {
   return result;
 }
 
-Packs inputs(std::size_t tiles) {
+Simds inputs(std::size_t tiles) {
   Random random({9, 0, 0}, 1);
-  Packs rows(tiles * odd().row());
+  Simds rows(tiles * odd().row());
   for (std::size_t t = 0; t < tiles; ++t) {
     for (std::size_t i = 0; i < odd().inputs(); ++i) {
       for (float& x : rows[t * odd().row() + i].lane) x = random.normal(0.0F, 1.0F);
@@ -48,7 +48,7 @@ std::vector<double> in_double(const std::vector<double>& parameters, std::vector
   return x;
 }
 
-std::vector<double> sample(const Packs& rows, std::size_t tile, std::size_t lane) {
+std::vector<double> sample(const Simds& rows, std::size_t tile, std::size_t lane) {
   std::vector<double> x;
   for (std::size_t i = 0; i < odd().inputs(); ++i) {
     x.push_back(rows[tile * odd().row() + i].lane[lane]);
@@ -62,7 +62,7 @@ std::vector<double> to_double(const std::vector<float>& values) {
 
 TEST(TrainNetwork, ForwardIsTheNetworkInDouble) {
   const std::vector<float> weights = parameters();
-  Packs rows = inputs(1);
+  Simds rows = inputs(1);
   odd().forward(*kernels_here().back(), weights.data(), rows.data());
   for (std::size_t l = 0; l < kLanes; ++l) {
     const auto exact = in_double(to_double(weights), sample(rows, 0, l));
@@ -73,7 +73,7 @@ TEST(TrainNetwork, ForwardIsTheNetworkInDouble) {
 }
 
 /// Loss: half the squared outputs of all samples, so that an output is its own derivative.
-double loss(const std::vector<double>& weights, const Packs& rows, std::size_t tiles) {
+double loss(const std::vector<double>& weights, const Simds& rows, std::size_t tiles) {
   double sum = 0.0;
   for (std::size_t t = 0; t < tiles; ++t) {
     for (std::size_t l = 0; l < kLanes; ++l) {
@@ -85,11 +85,11 @@ double loss(const std::vector<double>& weights, const Packs& rows, std::size_t t
 
 std::vector<float> gradient(const Kernels& kernels, std::size_t tiles) {
   const std::vector<float> weights = parameters();
-  Packs rows = inputs(tiles);
-  Packs deltas(rows.size());
-  Packs scratch(tiles * kLanes);
+  Simds rows = inputs(tiles);
+  Simds deltas(rows.size());
+  Simds scratch(tiles * kLanes);
   for (std::size_t t = 0; t < tiles; ++t) {
-    Pack* row = &rows[t * odd().row()];
+    Simd* row = &rows[t * odd().row()];
     odd().forward(kernels, weights.data(), row);
     for (std::size_t j = 0; j < odd().outputs(); ++j) {
       deltas[t * odd().row() + odd().output() + j] = row[odd().output() + j];
@@ -105,7 +105,7 @@ TEST(TrainNetwork, GradientIsTheDifferenceOfLosses) {
   constexpr std::size_t kTiles = 3;
   constexpr double kStep = 1e-5;
   const std::vector<float> ours = gradient(*kernels_here().back(), kTiles);
-  const Packs rows = inputs(kTiles);
+  const Simds rows = inputs(kTiles);
   std::vector<double> weights = to_double(parameters());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double before = weights[i];

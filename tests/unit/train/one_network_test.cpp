@@ -60,7 +60,7 @@ void expect_the_same(const Policy& policy, const gen::Network& deployed, const K
                      Random random) {
   constexpr std::size_t kSteps = 3;
   const std::size_t inputs = policy.network.inputs();
-  Packs row(policy.network.row());
+  Simds row(policy.network.row());
   std::vector<gen::Memory<float>> memories(kLanes);
   for (std::size_t step = 0; step < kSteps; ++step) {
     const std::vector<float> rows = drawn_rows_of(inputs, random);

@@ -86,7 +86,7 @@ TEST(TrainStatistics, AreThoseOfAllRows) {
 TEST(TrainPolicy, NormalisationIsFoldedIntoTheFirstLayer) {
   const Kernels& kernels = *kernels_here().back();
   const std::vector<float> trained = actor().drawn(Random({5, 0, 0}, 1), 1.0F);
-  Packs normalised(actor().row()), raw(actor().row());
+  Simds normalised(actor().row()), raw(actor().row());
   Normaliser(seen()).load(rows().data(), normalised.data());
   actor().forward(kernels, trained.data(), normalised.data());
   kernels.tanh(&normalised[actor().output()], 2);
@@ -116,7 +116,7 @@ TEST(TrainPolicy, AnswersDoNotMoveWithTheStatistics) {
   const std::vector<float> now = folded(actor(), after, wider);
   const Policy policies[] = {{actor(), old, Head(description())},
                              {actor(), now, Head(description())}};
-  Packs rows_of[2] = {Packs(actor().row()), Packs(actor().row())};
+  Simds rows_of[2] = {Simds(actor().row()), Simds(actor().row())};
   for (int i = 0; i < 2; ++i) policies[i].answer(kernels, rows().data(), rows_of[i].data());
   for (std::size_t j = 0; j < 2; ++j) {
     for (std::size_t l = 0; l < kLanes; ++l)
@@ -138,13 +138,13 @@ TEST(TrainPolicy, AnswersStayWithInputsBehindTheObservations) {
   std::vector<float> after = before;
   keep_answers(critic, after, seen(), wider);
   const auto answers = [&](const std::vector<float>& parameters, const Statistics& statistics) {
-    Packs row(critic.row());
+    Simds row(critic.row());
     Normaliser(statistics).load(rows().data(), row.data());
     for (std::size_t l = 0; l < kLanes; ++l) row[3].lane[l] = 0.1F * static_cast<float>(l);
     critic.forward(kernels, parameters.data(), row.data());
     return row[critic.output()];
   };
-  const Pack old = answers(before, seen()), now = answers(after, wider);
+  const Simd old = answers(before, seen()), now = answers(after, wider);
   for (std::size_t l = 0; l < kLanes; ++l) EXPECT_NEAR(old.lane[l], now.lane[l], 1e-4);
   EXPECT_NE(before, after);
 }
@@ -174,7 +174,7 @@ TEST(TrainExport, TheReaderOfPoliciesGivesTheSameAnswers) {
   EXPECT_EQ(theirs->contract.observations[0].size, 2U);
   EXPECT_EQ(theirs->contract.action_low, (std::vector<double>{-2, 0}));
   EXPECT_EQ(theirs->contract.action_high, (std::vector<double>{2, 10}));
-  Packs row(actor().row());
+  Simds row(actor().row());
   ours.answer(*kernels_here().back(), rows().data(), row.data());
   for (std::size_t l = 0; l < kLanes; ++l) {
     const std::vector<float> all = rows();
@@ -204,7 +204,7 @@ Policy choosing_policy() {
 }
 
 TEST(TrainChoice, ProbabilitiesAreThoseOfTheScores) {
-  Pack scores[3] = {};
+  Simd scores[3] = {};
   scores[0].lane[7] = 100.0F;  // only differences count, however large the scores are
   scores[1].lane[7] = 100.0F + std::log(2.0F);
   scores[2].lane[7] = 100.0F + std::log(5.0F);
@@ -228,7 +228,7 @@ TEST(TrainChoice, TheLargestAnswerIsTakenAndTheFirstOfEqualOnes) {
   const Head head(choosing());
   EXPECT_TRUE(head.chooses);
   EXPECT_EQ(head.outputs, 3U);
-  Pack answers[3] = {};
+  Simd answers[3] = {};
   float action = 0.0F;
   head.act(answers, 2, &action);
   EXPECT_EQ(action, 3.0F);
@@ -245,7 +245,7 @@ TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoice) {
   ASSERT_TRUE(theirs) << (diagnostics.all().empty() ? "" : diagnostics.all().front().message);
   EXPECT_EQ(theirs->action_kind(), gen::ActionKind::argmax);
   EXPECT_EQ(theirs->contract.first_choice(), 3);
-  Packs row(ours.network.row());
+  Simds row(ours.network.row());
   ours.answer(*kernels_here().back(), rows().data(), row.data());
   std::set<float> chosen;
   for (std::size_t l = 0; l < kLanes; ++l) {
@@ -276,7 +276,7 @@ TEST(TrainChoice, OfSeveralNumbersEachHasItsOwnScores) {
   EXPECT_TRUE(head.chooses);
   EXPECT_EQ(head.counts, (std::vector<std::size_t>{3, 2, 4}));
   EXPECT_EQ(head.outputs, 9U);
-  Pack answers[9] = {};
+  Simd answers[9] = {};
   answers[1].lane[2] = answers[4].lane[2] = answers[8].lane[2] = 0.5F;
   float action[3] = {};
   head.act(answers, 2, action);
@@ -295,7 +295,7 @@ TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoices) {
   ASSERT_TRUE(theirs) << (diagnostics.all().empty() ? "" : diagnostics.all().front().message);
   EXPECT_EQ(theirs->contract.groups, (std::vector<std::uint32_t>{3, 2, 4}));
   EXPECT_EQ(theirs->contract.first_choices, (std::vector<std::int64_t>{3, -1, 0}));
-  Packs row(ours.network.row());
+  Simds row(ours.network.row());
   ours.answer(*kernels_here().back(), rows().data(), row.data());
   std::set<std::vector<double>> chosen;
   for (std::size_t l = 0; l < kLanes; ++l) {

@@ -33,11 +33,11 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
   }
 
   /// Rows of a sequence with inputs, and the state that the first one begins with.
-  Packs sequence() const {
+  Simds sequence() const {
     Random random({9, 0, 0}, 1);
-    Packs rows(kSteps * network_.row());
-    const auto draw = [&](Pack& pack) {
-      for (float& x : pack.lane) x = random.normal(0.0F, 1.0F);
+    Simds rows(kSteps * network_.row());
+    const auto draw = [&](Simd& simd) {
+      for (float& x : simd.lane) x = random.normal(0.0F, 1.0F);
     };
     for (std::size_t t = 0; t < kSteps; ++t) {
       for (std::size_t i = 0; i < kInputs; ++i) draw(rows[t * network_.row() + i]);
@@ -47,8 +47,8 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
   }
 
   /// Episodes end here and there, each lane's elsewhere.
-  static Packs continues() {
-    Packs result(kSteps);
+  static Simds continues() {
+    Simds result(kSteps);
     for (std::size_t t = 0; t < kSteps; ++t) {
       for (std::size_t l = 0; l < kLanes; ++l)
         result[t].lane[l] = (t + l) % 4 == 0 && l % 5 != 0 ? 0.0F : 1.0F;
@@ -56,11 +56,11 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
     return result;
   }
 
-  void forward(const Kernels& kernels, Packs& rows) const {
+  void forward(const Kernels& kernels, Simds& rows) const {
     const std::vector<float> weights = parameters();
-    const Packs links = continues();
+    const Simds links = continues();
     for (std::size_t t = 0; t < kSteps; ++t) {
-      Pack* row = &rows[t * network_.row()];
+      Simd* row = &rows[t * network_.row()];
       if (t > 0) recall(network_, links[t], row - network_.row() + cell_.after(), row);
       network_.forward(kernels, weights.data(), row);
     }
@@ -68,17 +68,17 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
 
   /// Loss: half the squared outputs of all steps, so that an output is its own derivative.
   std::vector<float> gradient(const Kernels& kernels) const {
-    Packs rows = sequence();
+    Simds rows = sequence();
     forward(kernels, rows);
-    Packs deltas(rows.size());
+    Simds deltas(rows.size());
     for (std::size_t t = 0; t < kSteps; ++t) {
       for (std::size_t j = 0; j < kOutputs; ++j) {
         const std::size_t at = t * network_.row() + network_.output() + j;
         deltas[at] = rows[at];
       }
     }
-    Packs scratch(kSteps * kLanes);
-    const Packs links = continues();
+    Simds scratch(kSteps * kLanes);
+    const Simds links = continues();
     std::vector<float> result(network_.parameters());
     network_.backward(kernels, parameters().data(), rows.data(), deltas.data(), kSteps,
                       scratch.data(), result.data(), links.data());
@@ -122,8 +122,8 @@ void step(const Cell& cell, const Values& weights, const Values& x, Values& h, V
 }
 
 /// Half the squared outputs of a lane, one step after the other.
-double loss_of_lane(const Network& network, const Values& weights, const Packs& rows,
-                    const Packs& continues, std::size_t lane) {
+double loss_of_lane(const Network& network, const Values& weights, const Simds& rows,
+                    const Simds& continues, std::size_t lane) {
   const Cell& cell = *network.memory();
   Values h(kUnits), c(kUnits);
   for (std::size_t k = 0; k < kUnits; ++k) {
@@ -147,8 +147,8 @@ double loss_of_lane(const Network& network, const Values& weights, const Packs& 
   return sum;
 }
 
-double loss(const Network& network, const Values& weights, const Packs& rows,
-            const Packs& continues) {
+double loss(const Network& network, const Values& weights, const Simds& rows,
+            const Simds& continues) {
   double sum = 0.0;
   for (std::size_t l = 0; l < kLanes; ++l)
     sum += loss_of_lane(network, weights, rows, continues, l);
@@ -185,7 +185,7 @@ TEST_P(TrainRecurrent, EveryInstructionSetHasTheSameBits) {
 
 /// What is deployed: eagerx::gru or lstm of these weights.
 template <class Weights, class Remembered, class Apply>
-void expect_as_deployed(const Cell& cell, const std::vector<float>& parameters, const Packs& rows,
+void expect_as_deployed(const Cell& cell, const std::vector<float>& parameters, const Simds& rows,
                         std::size_t stride, Apply apply) {
   Weights weights{};
   const auto fill = [&](auto& layer, const Cell::Product& product) {
@@ -211,7 +211,7 @@ void expect_as_deployed(const Cell& cell, const std::vector<float>& parameters, 
 
 // Lane 5 continues through all steps; here it begins with nothing.
 TEST_P(TrainRecurrent, IsWhatTheRuntimeComputes) {
-  Packs rows = sequence();
+  Simds rows = sequence();
   for (std::size_t i = 0; i < cell_.shape().state(); ++i) rows[cell_.before() + i].lane[5] = 0.0F;
   forward(*kernels_here().back(), rows);
   if (GetParam() == Memory::gru) {
@@ -258,7 +258,7 @@ Statistics seen() {
 TEST_P(TrainRecurrent, NormalisationIsFoldedIntoTheMemory) {
   const Kernels& kernels = *kernels_here().back();
   const Policy policy{network_, folded(network_, parameters(), seen()), Head(description())};
-  Packs normalised(network_.row()), raw(network_.row());
+  Simds normalised(network_.row()), raw(network_.row());
   const std::vector<float> weights = parameters();
   for (std::size_t t = 0; t < 3; ++t) {
     const std::vector<float> rows = observations(kLanes * (t + 1));

@@ -172,8 +172,8 @@ TEST_F(TrainSac, TheTemperatureGrowsWhereEntropyIsMissing) {
 }
 
 /// What a critic says of sixteen states, in rewards as they come.
-Pack value(const sac::Model& model, std::size_t critic) {
-  Packs row(model.critic.row());
+Simd value(const sac::Model& model, std::size_t critic) {
+  Simds row(model.critic.row());
   std::vector<float> rows;
   Random random({7, 0, 0}, 1);
   for (std::size_t i = 0; i < kLanes * model.actor.inputs(); ++i)
@@ -181,7 +181,7 @@ Pack value(const sac::Model& model, std::size_t critic) {
   Normaliser(model.observations).load(rows.data(), row.data());
   row[model.actor.inputs()] = {{0.5F}};
   model.critic.forward(*kernels_here().back(), model.critics[critic].parameters.data(), row.data());
-  Pack answer = row[model.critic.output()];
+  Simd answer = row[model.critic.output()];
   for (float& x : answer.lane) x /= static_cast<float>(model.returns.scale(0));
   return answer;
 }
@@ -206,7 +206,7 @@ void expect_that_answers_stay(double scale_steps) {
   ASSERT_GT(std::fabs(after.returns.scale(0) / before.returns.scale(0) - 1.0), 0.01);
   ASSERT_GT(std::fabs(after.observations.mean[2] - before.observations.mean[2]), 1e-4);
   for (std::size_t c = 0; c < 2; ++c) {
-    const Pack old = value(before, c), now = value(after, c);
+    const Simd old = value(before, c), now = value(after, c);
     for (std::size_t l = 0; l < kLanes; ++l)
       EXPECT_NEAR(now.lane[l], old.lane[l], 1e-4 + 1e-3 * std::fabs(old.lane[l]));
   }
@@ -253,7 +253,7 @@ float mean_value(float reward_scale) {
   sac::Sac sac(settings, pendulum(), *kernels_here().back(), pool, 0);
   sac.begin_era();
   for (int i = 0; i < 3; ++i) sac.iterate();
-  const Pack said = value(sac.model(), 0);
+  const Simd said = value(sac.model(), 0);
   float sum = 0.0F;
   for (const float x : said.lane) sum += std::fabs(x) / static_cast<float>(kLanes);
   return sum;

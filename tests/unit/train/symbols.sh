@@ -6,7 +6,7 @@ found=0
 for object in "$@"; do
   case $object in *kernels_avx*) ;; *) continue ;; esac
   found=1
-  shared=$(nm -C "$object" | grep ' W ' | grep -v '\(KernelsOf<\|Registers<[a-z ]*, \|Pack<float, 16ul, \)\(8\|16\)ul')
+  shared=$(nm -C "$object" | grep ' W ' | grep -v '\(KernelsOf<\|Registers<[a-z ]*, \|Simd<float, 16ul, \)\(8\|16\)ul')
   if [ -n "$shared" ]; then
     echo "$object:"
     echo "$shared"

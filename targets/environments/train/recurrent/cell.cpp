@@ -25,7 +25,7 @@ void Cell::draw(Random& random, float* parameters) const {
     std::fill_n(parameters + from_input_.bias + shape_.units, shape_.units, 1.0F);
 }
 
-void Cell::forward(const Kernels& kernels, const float* parameters, Pack* row) const {
+void Cell::forward(const Kernels& kernels, const float* parameters, Simd* row) const {
   kernels.dense(from_input_.sizes, parameters + from_input_.weights, parameters + from_input_.bias,
                 row, row + gates());
   kernels.dense(from_state_.sizes, parameters + from_state_.weights, parameters + from_state_.bias,
@@ -36,8 +36,8 @@ void Cell::forward(const Kernels& kernels, const float* parameters, Pack* row) c
 
 /// The derivatives by the gates, and by the state before: by what does not pass through a product
 /// in the places of the state after.
-void Cell::step_back(const Kernels& kernels, const float* parameters, const Pack* row,
-                     Pack* delta) const {
+void Cell::step_back(const Kernels& kernels, const float* parameters, const Simd* row,
+                     Simd* delta) const {
   const auto slopes = shape_.memory == Memory::lstm ? kernels.lstm_slopes : kernels.gru_slopes;
   slopes(shape_.units, row + gates(), row + products(), row + before(), delta + after(),
          delta + gates(), delta + products());
@@ -45,17 +45,17 @@ void Cell::step_back(const Kernels& kernels, const float* parameters, const Pack
                            delta + before());
 }
 
-void Cell::backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
-                    std::size_t steps, std::size_t stride, const Pack* continues, Pack* scratch,
+void Cell::backward(const Kernels& kernels, const float* parameters, const Simd* rows, Simd* deltas,
+                    std::size_t steps, std::size_t stride, const Simd* continues, Simd* scratch,
                     float* gradient) const {
   const std::size_t units = shape_.units, state = shape_.state();
   for (std::size_t t = 0; t < steps; ++t)
-    std::fill_n(deltas + t * stride + after() + units, state - units, Pack{});
+    std::fill_n(deltas + t * stride + after() + units, state - units, Simd{});
   for (std::size_t t = steps; t-- > 0;) {
-    Pack* delta = deltas + t * stride;
+    Simd* delta = deltas + t * stride;
     step_back(kernels, parameters, rows + t * stride, delta);
     if (t == 0) break;
-    std::fill_n(delta + before() + units, state - units, Pack{});  // c passes through none
+    std::fill_n(delta + before() + units, state - units, Simd{});  // c passes through none
     kernels.carry(continues[t], delta + before(), delta + after(), delta - stride + after(), state);
   }
   kernels.dense_gradient(from_input_.sizes, rows, deltas + gates(), steps, stride, scratch,

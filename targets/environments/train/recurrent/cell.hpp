@@ -22,7 +22,7 @@ struct CellShape {
 
 /// The shape of a cell, with the formulas of runtime/eagerx/policy/recurrent.hpp. Its parameters
 /// come first among the network's, in torch's order: weight_ih [gates * units][inputs], weight_hh
-/// [gates * units][units], bias_ih, bias_hh. So does its part of the row of packs:
+/// [gates * units][units], bias_ih, bias_hh. So does its part of the row of SIMD vectors:
 /// [inputs | state before | gates | products | state after], a state being h, then c.
 class Cell {
  public:
@@ -39,7 +39,7 @@ class Cell {
   const Product& from_input() const { return from_input_; }
   const Product& from_state() const { return from_state_; }
   std::size_t parameters() const { return from_state_.bias + gates_; }
-  /// Where the states begin in a row, and the packs of a row that belong to the cell.
+  /// Where the states begin in a row, and the SIMD vectors of a row that belong to the cell.
   std::size_t before() const { return from_input_.sizes.inputs; }
   std::size_t after() const { return products() + gates_; }
   std::size_t end() const { return after() + shape_.state(); }
@@ -49,20 +49,20 @@ class Cell {
   void draw(Random& random, float* parameters) const;
 
   /// Fills the rest of the cell's part of `row`, whose inputs and state before are there.
-  void forward(const Kernels& kernels, const float* parameters, Pack* row) const;
+  void forward(const Kernels& kernels, const float* parameters, Simd* row) const;
 
   /// Adds the gradient of `steps` rows that follow one another to `gradient`. `deltas`: the caller
   /// has filled those of h after; others are written. `continues` [steps]: 1 where the state before
   /// is that after the row before, 0 where an episode begins.
-  void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
-                std::size_t steps, std::size_t stride, const Pack* continues, Pack* scratch,
+  void backward(const Kernels& kernels, const float* parameters, const Simd* rows, Simd* deltas,
+                std::size_t steps, std::size_t stride, const Simd* continues, Simd* scratch,
                 float* gradient) const;
 
  private:
   std::size_t gates() const { return before() + shape_.state(); }
   std::size_t products() const { return gates() + gates_; }
-  void step_back(const Kernels& kernels, const float* parameters, const Pack* row,
-                 Pack* delta) const;
+  void step_back(const Kernels& kernels, const float* parameters, const Simd* row,
+                 Simd* delta) const;
 
   CellShape shape_;
   std::size_t gates_;  // numbers of all of them

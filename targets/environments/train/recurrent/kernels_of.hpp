@@ -5,7 +5,7 @@
 #include <eagerx/math/hyperbolic.hpp>
 #include <eagerx/policy/float_lanes.hpp>
 
-#include "targets/environments/train/packs.hpp"
+#include "targets/environments/train/simd.hpp"
 
 namespace eagerx::train {
 
@@ -13,8 +13,8 @@ template <std::size_t Width>
 struct MemoryKernelsOf {
   using Vector = policy::FloatLanes<Width, kLanes / Width>;
 
-  [[gnu::always_inline]] static Vector load(const Pack& x) { return Vector::load(x.lane); }
-  [[gnu::always_inline]] static void store(const Vector& x, Pack& to) { x.store(to.lane); }
+  [[gnu::always_inline]] static Vector load(const Simd& x) { return Vector::load(x.lane); }
+  [[gnu::always_inline]] static void store(const Vector& x, Simd& to) { x.store(to.lane); }
   /// dx of y = sigmoid(x).
   [[gnu::always_inline]] static Vector sigmoid_slope(const Vector& y, const Vector& dy) {
     return dy * (y * (Vector(1.0F) - y));
@@ -23,8 +23,8 @@ struct MemoryKernelsOf {
     return dy * (Vector(1.0F) - y * y);
   }
 
-  [[gnu::flatten]] static void gru(std::size_t units, Pack* gates, Pack* products,
-                                   const Pack* before, Pack* after) {
+  [[gnu::flatten]] static void gru(std::size_t units, Simd* gates, Simd* products,
+                                   const Simd* before, Simd* after) {
     for (std::size_t k = 0; k < units; ++k) {
       const std::size_t u = units + k, c = 2 * units + k;
       const Vector reset = sigmoid(load(gates[k]) + load(products[k]));
@@ -37,9 +37,9 @@ struct MemoryKernelsOf {
     }
   }
 
-  [[gnu::flatten]] static void gru_slopes(std::size_t units, const Pack* gates,
-                                          const Pack* products, const Pack* before, Pack* dafter,
-                                          Pack* dgates, Pack* dproducts) {
+  [[gnu::flatten]] static void gru_slopes(std::size_t units, const Simd* gates,
+                                          const Simd* products, const Simd* before, Simd* dafter,
+                                          Simd* dgates, Simd* dproducts) {
     for (std::size_t k = 0; k < units; ++k) {
       const std::size_t u = units + k, c = 2 * units + k;
       const Vector reset = load(gates[k]), update = load(gates[u]), candidate = load(gates[c]);
@@ -58,8 +58,8 @@ struct MemoryKernelsOf {
   }
 
   /// tanh(c) is kept in the first products.
-  [[gnu::flatten]] static void lstm(std::size_t units, Pack* gates, Pack* products,
-                                    const Pack* before, Pack* after) {
+  [[gnu::flatten]] static void lstm(std::size_t units, Simd* gates, Simd* products,
+                                    const Simd* before, Simd* after) {
     for (std::size_t k = 0; k < units; ++k) {
       const std::size_t f = units + k, g = 2 * units + k, o = 3 * units + k;
       const Vector input = sigmoid(load(gates[k]) + load(products[k]));
@@ -78,9 +78,9 @@ struct MemoryKernelsOf {
     }
   }
 
-  [[gnu::flatten]] static void lstm_slopes(std::size_t units, const Pack* gates,
-                                           const Pack* products, const Pack* before, Pack* dafter,
-                                           Pack* dgates, Pack* dproducts) {
+  [[gnu::flatten]] static void lstm_slopes(std::size_t units, const Simd* gates,
+                                           const Simd* products, const Simd* before, Simd* dafter,
+                                           Simd* dgates, Simd* dproducts) {
     for (std::size_t k = 0; k < units; ++k) {
       const std::size_t f = units + k, g = 2 * units + k, o = 3 * units + k;
       const Vector input = load(gates[k]), forget = load(gates[f]);
@@ -99,7 +99,7 @@ struct MemoryKernelsOf {
     }
   }
 
-  static void carry(const Pack& continues, const Pack* x, const Pack* y, Pack* to,
+  static void carry(const Simd& continues, const Simd* x, const Simd* y, Simd* to,
                     std::size_t count) {
     const Vector share = load(continues);
     for (std::size_t k = 0; k < count; ++k)

@@ -51,7 +51,7 @@ void Collector::act(const Model& model, const Normaliser& normaliser, const Kern
   normaliser.load(sight_.now(), seen_.data());
   std::copy_n(seen_.begin(), sight_.actor_width(), row_.begin());
   model.actor.forward(kernels, model.actor_parameters.data(), row_.data());
-  Pack* means = &row_[model.actor.output()];
+  Simd* means = &row_[model.actor.output()];
   kernels.tanh(means + numbers_, numbers_);
   for (std::size_t e = 0; e < count_; ++e) {
     Random random = noise(time, e);

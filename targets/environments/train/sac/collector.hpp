@@ -56,7 +56,7 @@ class Collector {
   std::vector<float> squashed_, action_;  // [count][numbers] in -1…1; in their bounds
   std::vector<double> return_;            // [count] of the episode so far
   std::vector<float> discounted_;         // [count] of the episode so far
-  Packs row_, seen_;                      // scratch
+  Simds row_, seen_;                      // scratch
 };
 
 }  // namespace eagerx::train::sac

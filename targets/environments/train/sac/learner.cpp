@@ -88,8 +88,8 @@ void Learner::load(const Frozen& frozen, const std::vector<std::size_t>& places,
 }
 
 /// Actions of the actor, whose answers are in `row`, with the logarithms of their probabilities.
-void Learner::draw(const Frozen& frozen, const Pack* row, Random& random) {
-  const Pack* means = row + frozen.model.actor.output();
+void Learner::draw(const Frozen& frozen, const Simd* row, Random& random) {
+  const Simd* means = row + frozen.model.actor.output();
   std::copy_n(means + numbers_, numbers_, spread_.data());
   frozen.kernels.tanh(spread_.data(), numbers_);
   log_probability_ = {};
@@ -133,11 +133,11 @@ void Learner::judge(const Frozen& frozen, std::size_t tile) {
   const Model& model = frozen.model;
   const std::size_t output = model.critic.output();
   for (std::size_t c = 0; c < 2; ++c) {
-    Pack* row = critic_row(c, tile);
+    Simd* row = critic_row(c, tile);
     std::copy_n(observation_.begin(), width_, row);
     std::copy_n(action_.begin(), numbers_, row + width_);
     model.critic.forward(frozen.kernels, model.critics[c].parameters.data(), row);
-    Pack& delta = critic_deltas_[c][tile * critic_width_ + output];
+    Simd& delta = critic_deltas_[c][tile * critic_width_ + output];
     for (std::size_t l = 0; l < kLanes; ++l) {
       const float error = row[output].lane[l] - target_[0].lane[l];
       delta.lane[l] = error;
@@ -149,7 +149,7 @@ void Learner::judge(const Frozen& frozen, std::size_t tile) {
 /// The actor's derivatives of temperature * log probability - what the more doubtful critic says.
 void Learner::improve(const Frozen& frozen, std::size_t tile, Random& random) {
   const Model& model = frozen.model;
-  Pack* row = &actor_rows_[tile * actor_width_];
+  Simd* row = &actor_rows_[tile * actor_width_];
   std::copy_n(observation_.begin(), seen_by_actor_, row);
   model.actor.forward(frozen.kernels, model.actor_parameters.data(), row);
   draw(frozen, row, random);
@@ -172,7 +172,7 @@ void Learner::improve(const Frozen& frozen, std::size_t tile, Random& random) {
   slopes(frozen, &actor_deltas_[tile * actor_width_ + model.actor.output()]);
 }
 
-void Learner::slopes(const Frozen& frozen, Pack* actor_deltas) {
+void Learner::slopes(const Frozen& frozen, Simd* actor_deltas) {
   for (std::size_t j = 0; j < numbers_; ++j) {
     for (std::size_t l = 0; l < kLanes; ++l) {
       const float action = drawn_[j].lane[l];

@@ -49,13 +49,13 @@ class Learner {
 
  private:
   void load(const Frozen& frozen, const std::vector<std::size_t>& places, std::size_t tile);
-  void draw(const Frozen& frozen, const Pack* row, Random& random);
+  void draw(const Frozen& frozen, const Simd* row, Random& random);
   void estimate_target(const Frozen& frozen, Random& random);
   void judge(const Frozen& frozen, std::size_t tile);
   void improve(const Frozen& frozen, std::size_t tile, Random& random);
-  void slopes(const Frozen& frozen, Pack* actor_deltas);
+  void slopes(const Frozen& frozen, Simd* actor_deltas);
   void backward(const Frozen& frozen);
-  Pack* critic_row(std::size_t critic, std::size_t tile) {
+  Simd* critic_row(std::size_t critic, std::size_t tile) {
     return &critic_rows_[critic][tile * critic_width_];
   }
 
@@ -63,17 +63,17 @@ class Learner {
   std::size_t width_, seen_by_actor_;  // of what the critics see, and of that the first ones
   std::size_t actor_width_, critic_width_;
   // Of a tile: samples, and the actions that the actor draws.
-  Packs observation_, next_;  // [width] normalised
-  Packs action_;              // [numbers] of the memory
-  Packs reward_, continues_, target_;
-  Packs drawn_, noise_, deviation_, spread_;  // [numbers]; of each drawn action
-  Pack log_probability_{};
+  Simds observation_, next_;  // [width] normalised
+  Simds action_;              // [numbers] of the memory
+  Simds reward_, continues_, target_;
+  Simds drawn_, noise_, deviation_, spread_;  // [numbers]; of each drawn action
+  Simd log_probability_{};
   std::vector<float> rows_;                           // [kLanes][width] scratch
-  Packs actor_rows_, actor_deltas_;                   // [tiles][actor row]
-  std::array<Packs, 2> critic_rows_, critic_deltas_;  // [tiles][critic row]
-  std::array<Packs, 2> row_, deltas_;                 // [critic row] scratch
-  Packs next_row_;                                    // [actor row] scratch
-  Packs scratch_;
+  Simds actor_rows_, actor_deltas_;                   // [tiles][actor row]
+  std::array<Simds, 2> critic_rows_, critic_deltas_;  // [tiles][critic row]
+  std::array<Simds, 2> row_, deltas_;                 // [critic row] scratch
+  Simds next_row_;                                    // [actor row] scratch
+  Simds scratch_;
 };
 
 }  // namespace eagerx::train::sac

@@ -1,11 +1,11 @@
-// Numbers of a pack, as rows of its environments: in whatever order the columns are.
+// Numbers of a SIMD vector, as rows of its environments: in whatever order the columns are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <targets/environments/pack_rows.hpp>
+#include <targets/environments/simd_rows.hpp>
 #include <vector>
 
 namespace eagerx::environments {
@@ -54,7 +54,7 @@ void expect_every_order_and_width() {
 
 // Observations [a, c, b, d] were once written as a, b, c, d, because the first and the last of four
 // numbers are where they are in a row.
-TEST(PackRows, NumbersGoToTheirPlacesInEveryOrder) {
+TEST(SimdRows, NumbersGoToTheirPlacesInEveryOrder) {
   expect_every_order_and_width<4>();
   expect_every_order_and_width<8>();
   expect_every_order_and_width<16>();

@@ -1,10 +1,11 @@
-// Packs: N numbers that are computed together, in the words that eagerx/math.hpp and entities are
-// written in. One lane is one environment (or one sample): its bits are those of a plain number.
+// SIMD vectors: N numbers that are computed together, like C++26's std::simd, in the words that
+// eagerx/math.hpp and entities are written in. One lane is one environment (or one sample): its
+// bits are those of a plain number.
 //
 // Built on the vector types of GCC and Clang (GCC manual, "Using Vector Instructions through
 // Built-in Functions"). A vector wider than a register is taken apart badly (8 to 10 times slower
-// with g++ 12), so a pack is a few native registers, and operations go through them one by one:
-// while the result of one is on its way the others are at work.
+// with g++ 12), so a SIMD vector is a few native registers, and operations go through them one by
+// one: while the result of one is on its way the others are at work.
 #pragma once
 
 #include <bit>
@@ -22,7 +23,7 @@ namespace eagerx {
 
 // Register by register: as a whole, GCC 12 copies it through memory and a word at a time.
 // NOLINTBEGIN(bugprone-macro-parentheses): the name of a class
-#define EAGERX_PACK_COPIES(Class)                                                                \
+#define EAGERX_SIMD_COPIES(Class)                                                                \
   [[gnu::always_inline]] constexpr Class(const Class& other) {                                   \
     detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) { v[i] = other.v[i]; }); \
   }                                                                                              \
@@ -34,13 +35,14 @@ namespace eagerx {
 
 namespace detail {
 
-/// Defined in eagerx/pack_conversion.hpp.
+/// Defined in eagerx/simd_conversion.hpp.
 template <class To, class From>
-struct PackConversion;
+struct SimdConversion;
 
 }  // namespace detail
 
-/// N truth values for packs of numbers of `Bytes` bytes: all bits of a lane are set where true.
+/// N truth values for SIMD vectors of numbers of `Bytes` bytes: all bits of a lane are set where
+/// true.
 template <std::size_t Bytes, std::size_t N, std::size_t Width = detail::kWidthFor<Bytes, N>>
 struct Mask {
   using Lane = typename detail::SignedOf<Bytes>::type;
@@ -50,13 +52,13 @@ struct Mask {
   Vector v[kCount];
 
   Mask() = default;
-  EAGERX_PACK_COPIES(Mask)
+  EAGERX_SIMD_COPIES(Mask)
   [[gnu::always_inline]] Mask(bool all) {  // NOLINT(google-explicit-constructor): as bool is
     detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) {
       v[i] = Vector{} - static_cast<Lane>(all);
     });
   }
-  /// The truth values for packs of numbers of another width.
+  /// The truth values for SIMD vectors of numbers of another width.
   template <std::size_t Other>
   requires(Other != Bytes) [[gnu::always_inline]] explicit Mask(const Mask<Other, N>& other) {
     if constexpr (constexpr std::size_t kBetween = detail::size_between(Other, Bytes);
@@ -96,7 +98,7 @@ struct Mask {
 
 /// N numbers of type T, in registers of `Width` of them each.
 template <class T, std::size_t N, std::size_t Width = detail::kWidthFor<sizeof(T), N>>
-struct Pack {
+struct Simd {
   static_assert(std::is_arithmetic_v<T> && std::has_single_bit(Width) && N % Width == 0);
   static constexpr std::size_t kCount = N / Width;
   static constexpr std::size_t kWidth = Width;
@@ -105,27 +107,27 @@ struct Pack {
   using Lane = T;
   Vector v[kCount];
 
-  Pack() = default;
-  EAGERX_PACK_COPIES(Pack)
+  Simd() = default;
+  EAGERX_SIMD_COPIES(Simd)
   /// `x` in every lane. x - 0 is x for every x; x + 0 would lose the sign of -0.
   // NOLINTNEXTLINE(google-explicit-constructor): numbers broadcast
-  [[gnu::always_inline]] constexpr Pack(T x) {
+  [[gnu::always_inline]] constexpr Simd(T x) {
     detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) { v[i] = x - Vector{}; });
   }
-  /// The numbers of another pack as T, lane by lane as `static_cast` does.
+  /// The numbers of another SIMD vector as T, lane by lane as `static_cast` does.
   template <class S, std::size_t Other>
   requires(!std::is_same_v<S, T>)
-      [[gnu::always_inline]] explicit Pack(const Pack<S, N, Other>& other)
-      : Pack(detail::PackConversion<Pack, Pack<S, N, Other>>::of(other)) {}
+      [[gnu::always_inline]] explicit Simd(const Simd<S, N, Other>& other)
+      : Simd(detail::SimdConversion<Simd, Simd<S, N, Other>>::of(other)) {}
   /// Register i is f(i).
   template <class F>
-  [[gnu::always_inline]] static Pack of(F&& f) {
-    Pack result;
+  [[gnu::always_inline]] static Simd of(F&& f) {
+    Simd result;
     detail::unrolled<kCount>([&](auto i) __attribute__((always_inline)) { result.v[i] = f(i); });
     return result;
   }
   /// N numbers from memory, and to memory.
-  [[gnu::always_inline]] static Pack load(const T* from) {
+  [[gnu::always_inline]] static Simd load(const T* from) {
     return of([&](auto i) __attribute__((always_inline)) {
       Vector one;
       std::memcpy(&one, from + i * kWidth, sizeof one);
@@ -139,56 +141,56 @@ struct Pack {
   }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): an operator stands in no parentheses
-#define EAGERX_PACK_OPERATOR(op)                                                             \
-  [[gnu::always_inline]] friend Pack operator op(const Pack& a, const Pack& b) {             \
+#define EAGERX_SIMD_OPERATOR(op)                                                             \
+  [[gnu::always_inline]] friend Simd operator op(const Simd& a, const Simd& b) {             \
     return of([&](auto i) __attribute__((always_inline)) { return a.v[i] op b.v[i]; });      \
   }                                                                                          \
-  [[gnu::always_inline]] Pack& operator op##=(const Pack& b) {                               \
+  [[gnu::always_inline]] Simd& operator op##=(const Simd& b) {                               \
     detail::unrolled<kCount>([&](auto i)                                                     \
                                  __attribute__((always_inline)) { v[i] = v[i] op b.v[i]; }); \
     return *this;                                                                            \
   }
-  EAGERX_PACK_OPERATOR(+)
-  EAGERX_PACK_OPERATOR(-)
-  EAGERX_PACK_OPERATOR(*)
-  EAGERX_PACK_OPERATOR(/)
-#undef EAGERX_PACK_OPERATOR
+  EAGERX_SIMD_OPERATOR(+)
+  EAGERX_SIMD_OPERATOR(-)
+  EAGERX_SIMD_OPERATOR(*)
+  EAGERX_SIMD_OPERATOR(/)
+#undef EAGERX_SIMD_OPERATOR
 
-#define EAGERX_PACK_BITS(op)                                                                     \
-  [[gnu::always_inline]] friend Pack operator op(const Pack& a,                                  \
-                                                 const Pack& b) requires std::is_integral_v<T> { \
+#define EAGERX_SIMD_BITS(op)                                                                     \
+  [[gnu::always_inline]] friend Simd operator op(const Simd& a,                                  \
+                                                 const Simd& b) requires std::is_integral_v<T> { \
     return of([&](auto i) __attribute__((always_inline)) { return a.v[i] op b.v[i]; });          \
   }
-  EAGERX_PACK_BITS(&)
-  EAGERX_PACK_BITS(|)
-  EAGERX_PACK_BITS(^)
-#undef EAGERX_PACK_BITS
+  EAGERX_SIMD_BITS(&)
+  EAGERX_SIMD_BITS(|)
+  EAGERX_SIMD_BITS(^)
+#undef EAGERX_SIMD_BITS
 
-#define EAGERX_PACK_COMPARISON(op)                                                             \
-  [[gnu::always_inline]] friend Truth operator op(const Pack& a, const Pack& b) {              \
+#define EAGERX_SIMD_COMPARISON(op)                                                             \
+  [[gnu::always_inline]] friend Truth operator op(const Simd& a, const Simd& b) {              \
     return Truth::of([&](auto i) __attribute__((always_inline)) { return a.v[i] op b.v[i]; }); \
   }
-  EAGERX_PACK_COMPARISON(<)
-  EAGERX_PACK_COMPARISON(<=)
-  EAGERX_PACK_COMPARISON(>)
-  EAGERX_PACK_COMPARISON(>=)
-  EAGERX_PACK_COMPARISON(==)
-  EAGERX_PACK_COMPARISON(!=)
-#undef EAGERX_PACK_COMPARISON
+  EAGERX_SIMD_COMPARISON(<)
+  EAGERX_SIMD_COMPARISON(<=)
+  EAGERX_SIMD_COMPARISON(>)
+  EAGERX_SIMD_COMPARISON(>=)
+  EAGERX_SIMD_COMPARISON(==)
+  EAGERX_SIMD_COMPARISON(!=)
+#undef EAGERX_SIMD_COMPARISON
   // NOLINTEND(bugprone-macro-parentheses)
 
-  [[gnu::always_inline]] friend Pack operator-(const Pack& a) {
+  [[gnu::always_inline]] friend Simd operator-(const Simd& a) {
     return of([&](auto i) __attribute__((always_inline)) { return -a.v[i]; });
   }
-  [[gnu::always_inline]] friend Pack operator~(const Pack& a) requires std::is_integral_v<T> {
+  [[gnu::always_inline]] friend Simd operator~(const Simd& a) requires std::is_integral_v<T> {
     return of([&](auto i) __attribute__((always_inline)) { return ~a.v[i]; });
   }
-  [[gnu::always_inline]] friend Pack operator<<(const Pack& a,
+  [[gnu::always_inline]] friend Simd operator<<(const Simd& a,
                                                 int shift) requires std::is_integral_v<T> {
     return of([&](auto i)
                   __attribute__((always_inline)) { return a.v[i] << static_cast<T>(shift); });
   }
-  [[gnu::always_inline]] friend Pack operator>>(const Pack& a,
+  [[gnu::always_inline]] friend Simd operator>>(const Simd& a,
                                                 int shift) requires std::is_integral_v<T> {
     return of([&](auto i)
                   __attribute__((always_inline)) { return a.v[i] >> static_cast<T>(shift); });
@@ -196,9 +198,9 @@ struct Pack {
 };
 
 template <class T, std::size_t N, std::size_t W>
-struct LaneTraits<Pack<T, N, W>> {
+struct LaneTraits<Simd<T, N, W>> {
   using Lane = T;
-  using Bits = Pack<std::make_unsigned_t<typename detail::SignedOf<sizeof(T)>::type>, N, W>;
+  using Bits = Simd<std::make_unsigned_t<typename detail::SignedOf<sizeof(T)>::type>, N, W>;
   static constexpr int kLanes = static_cast<int>(N);
 };
 
@@ -208,26 +210,26 @@ struct LaneTraits<Mask<Bytes, N, W>> {
   static constexpr int kLanes = static_cast<int>(N);
 };
 
-/// Messages consist of packs and masks as well as of numbers.
+/// Messages consist of SIMD vectors and masks as well as of numbers.
 template <class T, std::size_t N, std::size_t W>
-inline constexpr bool is_number<Pack<T, N, W>> = true;
+inline constexpr bool is_number<Simd<T, N, W>> = true;
 template <std::size_t Bytes, std::size_t N, std::size_t W>
 inline constexpr bool is_number<Mask<Bytes, N, W>> = true;
 
 /// `when_true` in the lanes where `mask` holds, `when_false` elsewhere; both are computed.
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline Pack<T, N, W> select(
-    const Mask<sizeof(T), N, W>& mask, const Pack<T, N, W>& when_true,
-    const std::type_identity_t<Pack<T, N, W>>& when_false) {
-  return Pack<T, N, W>::of([&](auto i) __attribute__((always_inline)) {
+[[gnu::always_inline]] inline Simd<T, N, W> select(
+    const Mask<sizeof(T), N, W>& mask, const Simd<T, N, W>& when_true,
+    const std::type_identity_t<Simd<T, N, W>>& when_false) {
+  return Simd<T, N, W>::of([&](auto i) __attribute__((always_inline)) {
     return mask.v[i] ? when_true.v[i] : when_false.v[i];
   });
 }
 /// With the truth values of numbers of another width.
 template <std::size_t Bytes, class T, std::size_t N, std::size_t W, std::size_t Other>
-requires(Bytes != sizeof(T)) [[gnu::always_inline]] inline Pack<T, N, W> select(
-    const Mask<Bytes, N, Other>& mask, const Pack<T, N, W>& when_true,
-    const std::type_identity_t<Pack<T, N, W>>& when_false) {
+requires(Bytes != sizeof(T)) [[gnu::always_inline]] inline Simd<T, N, W> select(
+    const Mask<Bytes, N, Other>& mask, const Simd<T, N, W>& when_true,
+    const std::type_identity_t<Simd<T, N, W>>& when_false) {
   return select(Mask<sizeof(T), N, W>(mask), when_true, when_false);
 }
 /// Of two masks.
@@ -259,22 +261,22 @@ requires(N <= 64) [[gnu::always_inline]] inline std::uint64_t lane_bits(const Ma
 
 /// The IEEE 754 bits of each number, and back.
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline BitsOf<Pack<T, N, W>> bits(const Pack<T, N, W>& x) {
-  using Bits = BitsOf<Pack<T, N, W>>;
+[[gnu::always_inline]] inline BitsOf<Simd<T, N, W>> bits(const Simd<T, N, W>& x) {
+  using Bits = BitsOf<Simd<T, N, W>>;
   return Bits::of([&](auto i) __attribute__((always_inline)) {
     return std::bit_cast<typename Bits::Vector>(x.v[i]);
   });
 }
 template <std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline Pack<float, N, W> unbits(const Pack<std::uint32_t, N, W>& x) {
-  using Real = Pack<float, N, W>;
+[[gnu::always_inline]] inline Simd<float, N, W> unbits(const Simd<std::uint32_t, N, W>& x) {
+  using Real = Simd<float, N, W>;
   return Real::of([&](auto i) __attribute__((always_inline)) {
     return std::bit_cast<typename Real::Vector>(x.v[i]);
   });
 }
 template <std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline Pack<double, N, W> unbits(const Pack<std::uint64_t, N, W>& x) {
-  using Real = Pack<double, N, W>;
+[[gnu::always_inline]] inline Simd<double, N, W> unbits(const Simd<std::uint64_t, N, W>& x) {
+  using Real = Simd<double, N, W>;
   return Real::of([&](auto i) __attribute__((always_inline)) {
     return std::bit_cast<typename Real::Vector>(x.v[i]);
   });
@@ -282,38 +284,38 @@ template <std::size_t N, std::size_t W>
 
 /// Lane by lane the product of what is in the lower 32 bits of each.
 template <std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline Pack<std::uint64_t, N, W> product_of_lower_halves(
-    const Pack<std::uint64_t, N, W>& a, const Pack<std::uint64_t, N, W>& b) {
-  return Pack<std::uint64_t, N, W>::of([&](auto i) __attribute__((always_inline)) {
+[[gnu::always_inline]] inline Simd<std::uint64_t, N, W> product_of_lower_halves(
+    const Simd<std::uint64_t, N, W>& a, const Simd<std::uint64_t, N, W>& b) {
+  return Simd<std::uint64_t, N, W>::of([&](auto i) __attribute__((always_inline)) {
     return detail::product_of_lower_halves(a.v[i], b.v[i]);
   });
 }
 
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline Pack<T, N, W> sqrt(const Pack<T, N, W>& x) {
-  return Pack<T, N, W>::of([&](auto i)
+[[gnu::always_inline]] inline Simd<T, N, W> sqrt(const Simd<T, N, W>& x) {
+  return Simd<T, N, W>::of([&](auto i)
                                __attribute__((always_inline)) { return detail::roots(x.v[i]); });
 }
 
 /// As of plain numbers.
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline Pack<T, N, W> min(const Pack<T, N, W>& a,
-                                                const std::type_identity_t<Pack<T, N, W>>& b) {
-  return Pack<T, N, W>::of([&](auto i) __attribute__((always_inline)) {
+[[gnu::always_inline]] inline Simd<T, N, W> min(const Simd<T, N, W>& a,
+                                                const std::type_identity_t<Simd<T, N, W>>& b) {
+  return Simd<T, N, W>::of([&](auto i) __attribute__((always_inline)) {
     return detail::smaller(a.v[i], b.v[i]);
   });
 }
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline Pack<T, N, W> max(const Pack<T, N, W>& a,
-                                                const std::type_identity_t<Pack<T, N, W>>& b) {
-  return Pack<T, N, W>::of([&](auto i) __attribute__((always_inline)) {
+[[gnu::always_inline]] inline Simd<T, N, W> max(const Simd<T, N, W>& a,
+                                                const std::type_identity_t<Simd<T, N, W>>& b) {
+  return Simd<T, N, W>::of([&](auto i) __attribute__((always_inline)) {
     return detail::larger(a.v[i], b.v[i]);
   });
 }
 
 /// Lane `i`: 0 <= i < N.
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline T lane(const Pack<T, N, W>& x, int i) {
+[[gnu::always_inline]] inline T lane(const Simd<T, N, W>& x, int i) {
   T value;
   std::memcpy(&value, reinterpret_cast<const char*>(&x) + static_cast<std::size_t>(i) * sizeof(T),
               sizeof value);
@@ -327,7 +329,7 @@ template <std::size_t Bytes, std::size_t N, std::size_t W>
   return value != 0;
 }
 template <class T, std::size_t N, std::size_t W>
-[[gnu::always_inline]] inline void set_lane(Pack<T, N, W>& x, int i,
+[[gnu::always_inline]] inline void set_lane(Simd<T, N, W>& x, int i,
                                             std::type_identity_t<T> value) {
   std::memcpy(reinterpret_cast<char*>(&x) + static_cast<std::size_t>(i) * sizeof(T), &value,
               sizeof value);
@@ -342,4 +344,4 @@ template <std::size_t Bytes, std::size_t N, std::size_t W>
 
 }  // namespace eagerx
 
-#include <eagerx/pack_conversion.hpp>
+#include <eagerx/simd_conversion.hpp>

@@ -1,4 +1,4 @@
-// What a batch does with packs of environments, compiled once for each instruction set.
+// What a batch does with SIMD groups, compiled once for each instruction set.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace eagerx::environments {
 
-/// Rows of a whole pack, from its first environment on; null where they are not wanted.
-struct PackRows {
+/// Rows of a whole SIMD group, from its first environment on; null where they are not wanted.
+struct SimdRows {
   float* observation = nullptr;
   std::size_t observed = 0;             // numbers of a row
   const std::size_t* places = nullptr;  // in it, of the numbers in the graph's order
@@ -25,67 +25,67 @@ struct PackRows {
   bool have_ends() const { return terminated != nullptr && truncated != nullptr; }
 };
 
-/// Rows of actions of a whole pack.
+/// Rows of actions of a whole SIMD group.
 struct ActionRows {
   const float* first = nullptr;
   std::size_t acted = 0;                // numbers of a row
   const std::size_t* places = nullptr;  // in it, of the first number of each action of the graph
 };
 
-/// The functions of packs for one instruction set. Nothing but plain numbers and objects of the
-/// program for one environment passes through them, so that the rest of the library knows no
+/// The functions of SIMD groups for one instruction set. Nothing but plain numbers and objects of
+/// the program for one environment passes through them, so that the rest of the library knows no
 /// vectors. Without lanes there are none.
 template <class Graph>
-struct PackKernel {
+struct SimdKernel {
   using Program = typename Graph::template Program<NoTrace>;
   using Action = typename Graph::Action;
   using States = typename Graph::States;
 
   const char* isa = "";  // as EAGERX_SIMD names it
   std::uint32_t lanes = 0;
-  std::size_t bytes = 0, alignment = 0;  // of a pack
-  std::size_t action_bytes = 0;          // of the actions of a pack, aligned as it
+  std::size_t bytes = 0, alignment = 0;  // of a SIMD group
+  std::size_t action_bytes = 0;          // of the actions of a SIMD group, aligned as it
   std::size_t columns = 0;               // that step() writes, [columns][lanes]
   std::uint32_t most_steps = 0;          // of an episode; what a lane counts with has an end
   bool answers = false;                  // whether guards look at observations
   std::size_t reported = 0;  // observations of which columns say whether they are finite
-  std::uint32_t phases = 1;  // of a pack: steps after which every rate is due again
+  std::uint32_t phases = 1;  // of a SIMD group: steps after which every rate is due again
   /// The inputs of the agent's policy, in this order: observations by their places in the graph.
   /// Null if there is no policy, or one that remembers.
   const std::size_t* observations = nullptr;
   std::size_t inputs = 0;  // of the policy: the numbers of these
 
   /// No environment is in any lane.
-  void (*make)(void* pack) = nullptr;
+  void (*make)(void* group) = nullptr;
   /// Whether `one` may be loaded next to the lanes that hold environments: it is in their phase.
-  bool (*fits_next_to)(const void* pack, const Program& one) = nullptr;
-  /// A pack without environments goes to the phase of `one`.
-  void (*go_to)(void* pack, const Program& one) = nullptr;
-  void (*load)(void* pack, std::uint32_t lane, const Program& one) = nullptr;
-  void (*store)(const void* pack, std::uint32_t lane, Program& one) = nullptr;
+  bool (*fits_next_to)(const void* group, const Program& one) = nullptr;
+  /// A SIMD group without environments goes to the phase of `one`.
+  void (*go_to)(void* group, const Program& one) = nullptr;
+  void (*load)(void* group, std::uint32_t lane, const Program& one) = nullptr;
+  void (*store)(const void* group, std::uint32_t lane, Program& one) = nullptr;
   /// As store(), reset() of `one` and load(), but nothing that the reset does not need. Null if one
   /// of these may depend on more: reset nodes, several phases.
-  typename Graph::Observation (*restart)(void* pack, std::uint32_t lane, Program& one,
+  typename Graph::Observation (*restart)(void* group, std::uint32_t lane, Program& one,
                                          const States& states) = nullptr;
   /// As the graph's draw() for each of `count` keys, at most `most_draws`.
   void (*draw)(const EpisodeKey* keys, std::size_t count, States* states) = nullptr;
   std::uint32_t most_draws = 0;
-  /// Fills `actions` of a pack. The lanes, a bit each, whose action must go through the guard,
-  /// which has not been done: put() takes what comes out. Null if all must.
+  /// Fills `actions` of a SIMD group. The lanes, a bit each, whose action must go through the
+  /// guard, which has not been done: put() takes what comes out. Null if all must.
   std::uint64_t (*take)(const ActionRows& rows, void* actions) = nullptr;
   void (*put)(void* actions, std::uint32_t lane, const Action& action) = nullptr;
   /// `actions` have gone through the guards. Columns: observations in the graph's order, unless
-  /// their rows are wanted and no guard looks at them, then those of PackColumns, unless rows have
+  /// their rows are wanted and no guard looks at them, then those of SimdColumns, unless rows have
   /// the ends. `rows`: null, or also written. The lanes, a bit each, whose episode the task
   /// ends, whose reward is no number or which have made the most steps.
-  std::uint64_t (*step)(void* pack, const void* actions, float* columns,
-                        const PackRows* rows) = nullptr;
+  std::uint64_t (*step)(void* group, const void* actions, float* columns,
+                        const SimdRows* rows) = nullptr;
   /// The actions [lanes] of the agent's policy. `columns`: its inputs [inputs][lanes].
   void (*act)(const float* columns, Action* actions) = nullptr;
 };
 
 /// Columns behind the observations: truth values are 0 or 1.
-enum PackColumns : std::size_t {
+enum SimdColumns : std::size_t {
   kFinite,  // whether the observation is
   kReward,
   kTerminated,
@@ -95,8 +95,8 @@ enum PackColumns : std::size_t {
           // whether each observation is finite
 };
 
-/// The results of a step of a pack for one environment.
-struct PackColumn {
+/// The results of a step of a SIMD group for one environment.
+struct SimdColumn {
   const float* first = nullptr;
   std::size_t lanes = 0;     // from one number to the next
   std::size_t observed = 0;  // numbers of an observation

@@ -1,4 +1,4 @@
-// The packs of a batch, where environments run in packs.
+// The SIMD groups of a batch, where environments run vectorized.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <new>
 #include <targets/environments/layout.hpp>
-#include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/simd_kernel.hpp>
 #include <targets/environments/task.hpp>
 #include <vector>
 
@@ -24,16 +24,16 @@ Action applied_action(Program& program, const Action& action) {
   }
 }
 
-/// Environment k is lane k % lanes() of one of the packs of group k / lanes(): there are as many in
-/// a group as a pack has phases, and no two of them with environments are in the same one. All
+/// Environment k is lane k % lanes() of one of the SIMD groups of range k / lanes(): a range has as
+/// many groups as a group has phases, and no two of them with environments are in the same one. All
 /// empty where there are no lanes.
 template <class Graph>
-class PackMemory {
+class SimdMemory {
  public:
   using Program = typename Graph::template Program<NoTrace>;
   using Action = typename Graph::Action;
 
-  PackMemory(const PackKernel<Graph>& kernel, std::uint32_t environments)
+  SimdMemory(const SimdKernel<Graph>& kernel, std::uint32_t environments)
       : kernel_(kernel),
         environments_(environments),
         memory_(nullptr, Free{std::align_val_t{1}}),
@@ -41,7 +41,7 @@ class PackMemory {
     if (lanes() == 0) return;
     for (std::size_t field = 0; field < Graph::kActionNames.size(); ++field)
       action_places_.push_back(Layout<Graph>::get().actions.first(field));
-    packed_.resize((environments + lanes() - 1) / lanes());
+    vectorized_.resize((environments + lanes() - 1) / lanes());
     Layout<Graph>::for_each_observed(
         [&, field = std::size_t{0}](const char*, auto observed, const auto&) mutable {
           using Observed = typename decltype(observed)::type;
@@ -50,13 +50,13 @@ class PackMemory {
                i < messages_of<Observed>() * size_of<typename Observed::value_type>; ++i)
             places_.push_back(first + i);
         });
-    const std::size_t packs = (environments + lanes() - 1) / lanes() * kernel.phases;
+    const std::size_t groups = (environments + lanes() - 1) / lanes() * kernel.phases;
     if (kernel.phases > 1) {
       phase_.resize(environments);
-      held_.resize(packs);
+      held_.resize(groups);
     }
-    memory_ = allocated(packs * kernel.bytes);
-    for (std::size_t i = 0; i < packs; ++i) kernel.make(memory_.get() + i * kernel.bytes);
+    memory_ = allocated(groups * kernel.bytes);
+    for (std::size_t i = 0; i < groups; ++i) kernel.make(memory_.get() + i * kernel.bytes);
   }
 
   std::uint32_t lanes() const { return kernel_.lanes; }
@@ -77,8 +77,8 @@ class PackMemory {
   /// An environment that no lane holds. Lanes that hold none get it, too: they are computed with
   /// the others, and numbers without a meaning (huge angles) may take longer than all of these.
   void load(std::uint32_t k, const Program& one) {
-    const std::uint32_t first = group_of(k) * kernel_.phases;
-    packed_[group_of(k)] |= bit(k);
+    const std::uint32_t first = range_of(k) * kernel_.phases;
+    vectorized_[range_of(k)] |= bit(k);
     if (kernel_.phases > 1) join(k, first, one);
     for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
       kernel_.load(at(first + i), lane_of(k), one);
@@ -89,22 +89,22 @@ class PackMemory {
   }
   /// Its lane holds it no longer.
   void leave(std::uint32_t k) {
-    packed_[group_of(k)] &= ~bit(k);
-    if (kernel_.phases > 1) --held_[group_of(k) * kernel_.phases + phase_[k]];
+    vectorized_[range_of(k)] &= ~bit(k);
+    if (kernel_.phases > 1) --held_[range_of(k) * kernel_.phases + phase_[k]];
   }
-  void store(std::uint32_t k, Program& one) const { kernel_.store(pack(k), lane_of(k), one); }
+  void store(std::uint32_t k, Program& one) const { kernel_.store(group(k), lane_of(k), one); }
 
   /// Whether environments can begin another episode in their lanes.
   bool restarts() const { return kernel_.restart != nullptr; }
   typename Graph::Observation restart(std::uint32_t k, Program& one,
                                       const typename Graph::States& states) {
-    return kernel_.restart(pack(k), lane_of(k), one, states);
+    return kernel_.restart(group(k), lane_of(k), one, states);
   }
 
-  /// The lanes of `k`'s group that hold an environment, a bit each.
-  std::uint64_t packed(std::uint32_t k) const { return packed_[group_of(k)]; }
+  /// The lanes of `k`'s range that hold an environment, a bit each.
+  std::uint64_t vectorized(std::uint32_t k) const { return vectorized_[range_of(k)]; }
 
-  /// Takes the actions of `member`'s next step, of the group of environments from `first` on. The
+  /// Takes the actions of `member`'s next step, of the range of environments from `first` on. The
   /// lanes whose action must still go through the guard: put() takes what comes out.
   std::uint64_t take(unsigned member, std::uint32_t first, std::uint32_t environments,
                      const float* rows) {
@@ -115,11 +115,11 @@ class PackMemory {
   void put(unsigned member, std::uint32_t lane, const Action& action) {
     kernel_.put(actions(member), lane, action);
   }
-  /// Whether a step of `k`'s group can write the rows of all of its lanes.
+  /// Whether a step of a range can write the rows of all of its lanes.
   bool writes_rows(std::uint32_t environments) const {
     return kernel_.phases == 1 && environments == lanes();
   }
-  PackRows rows_from(std::uint32_t first, const eagerx_rows& rows, std::uint32_t* steps,
+  SimdRows rows_from(std::uint32_t first, const eagerx_rows& rows, std::uint32_t* steps,
                      std::uint32_t longest) const {
     const std::size_t observed = places_.size();
     const auto from = [&](auto* row, std::size_t width) {
@@ -136,10 +136,10 @@ class PackMemory {
             steps + first,
             longest != 0 ? std::min(longest, most_steps()) : most_steps()};
   }
-  /// Steps the packs of `k`'s group with the actions of `member`, into their columns. As the
+  /// Steps the SIMD groups of `k`'s range with the actions of `member`, into their columns. As the
   /// kernel's, which means nothing with several phases.
-  std::uint64_t step(unsigned member, std::uint32_t k, const PackRows* rows) {
-    const std::uint32_t first = group_of(k) * kernel_.phases;
+  std::uint64_t step(unsigned member, std::uint32_t k, const SimdRows* rows) {
+    const std::uint32_t first = range_of(k) * kernel_.phases;
     std::uint64_t notable = 0;
     for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
       if (kernel_.phases > 1 && held_[first + i] == 0) continue;
@@ -149,7 +149,7 @@ class PackMemory {
   }
   /// The results of the last step of an environment, also after load() and leave() of other
   /// environments.
-  PackColumn column(unsigned member, std::uint32_t k, std::uint32_t lane) {
+  SimdColumn column(unsigned member, std::uint32_t k, std::uint32_t lane) {
     return {columns(member, phase_of(k)) + lane, lanes(),
             kernel_.columns - reported_at<Graph> - kernel_.reported};
   }
@@ -166,8 +166,9 @@ class PackMemory {
     }
   }
   /// The guard looks at the observation of the step.
-  void show_guard(const PackColumn& column, Program& program) const {
-    // The guard of a graph without engine looks at no observation, and such a graph has no packs.
+  void show_guard(const SimdColumn& column, Program& program) const {
+    // The guard of a graph without engine looks at no observation, and such a graph is not
+    // vectorized.
     if constexpr (shows_guard()) {
       if (!kernel_.answers) return;
       if (column.end(kFinite) != 0.0F) {
@@ -178,7 +179,7 @@ class PackMemory {
     }
   }
 
-  void write(const PackColumn& column, const Layout<Graph>& layout, float* row) const {
+  void write(const SimdColumn& column, const Layout<Graph>& layout, float* row) const {
     std::size_t from = 0, field = 0;
     Layout<Graph>::for_each_observed([&](const char*, auto observed, const auto&) {
       using Observed = typename decltype(observed)::type;
@@ -196,7 +197,7 @@ class PackMemory {
   };
 
   /// Which of the observations are not finite.
-  void show_channels(const PackColumn& column, Program& program) const {
+  void show_channels(const SimdColumn& column, Program& program) const {
     for (std::size_t i = 0; i < kernel_.reported; ++i)
       program.guard.saw(i, column.end(reported_at<Graph> + i) != 0.0F);
     if (kernel_.reported != 0) return;
@@ -212,7 +213,7 @@ class PackMemory {
     });
   }
 
-  /// The pack that is in its phase, or one without environments.
+  /// The SIMD group that is in its phase, or one without environments.
   void join(std::uint32_t k, std::uint32_t first, const Program& one) {
     std::uint32_t chosen = kernel_.phases;
     for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
@@ -233,7 +234,7 @@ class PackMemory {
     return {static_cast<std::byte*>(::operator new(bytes, alignment)), Free{alignment}};
   }
   // Lanes are a power of two, and a division takes as long as many steps of a lane.
-  std::uint32_t group_of(std::uint32_t k) const { return k >> std::countr_zero(lanes()); }
+  std::uint32_t range_of(std::uint32_t k) const { return k >> std::countr_zero(lanes()); }
   std::uint32_t lane_of(std::uint32_t k) const { return k & (lanes() - 1); }
   std::uint64_t bit(std::uint32_t k) const { return std::uint64_t{1} << lane_of(k); }
   std::byte* actions(unsigned member) const {
@@ -242,22 +243,22 @@ class PackMemory {
 
   std::uint32_t phase_of(std::uint32_t k) const { return kernel_.phases > 1 ? phase_[k] : 0; }
   std::byte* at(std::size_t i) const { return memory_.get() + i * kernel_.bytes; }
-  std::byte* pack(std::uint32_t k) const {
-    return at(std::size_t{group_of(k)} * kernel_.phases + phase_of(k));
+  std::byte* group(std::uint32_t k) const {
+    return at(std::size_t{range_of(k)} * kernel_.phases + phase_of(k));
   }
   float* columns(unsigned member, std::uint32_t phase) {
     return columns_.data() +
            (std::size_t{member} * kernel_.phases + phase) * kernel_.columns * lanes();
   }
 
-  PackKernel<Graph> kernel_;
+  SimdKernel<Graph> kernel_;
   std::uint32_t environments_;
-  std::unique_ptr<std::byte[], Free> memory_;   // [packs][bytes]
-  std::vector<std::size_t> places_;             // of the numbers of an observation in a row
-  std::vector<float> columns_;                  // [members][phases][columns][lanes]
-  std::vector<std::uint8_t> phase_;             // [environments], in which pack; none for one phase
-  std::vector<std::uint32_t> held_;             // [packs], environments in it; the same
-  std::vector<std::uint64_t> packed_;           // [groups], a bit for each lane
+  std::unique_ptr<std::byte[], Free> memory_;  // [groups][bytes]
+  std::vector<std::size_t> places_;            // of the numbers of an observation in a row
+  std::vector<float> columns_;                 // [members][phases][columns][lanes]
+  std::vector<std::uint8_t> phase_;            // [environments], in which group; none for one phase
+  std::vector<std::uint32_t> held_;            // [groups], environments in it; the same
+  std::vector<std::uint64_t> vectorized_;      // [ranges], a bit for each lane
   std::unique_ptr<std::byte[], Free> actions_;  // [members][action_bytes]
   std::vector<std::size_t> action_places_;      // of the first number of each in a row
 };

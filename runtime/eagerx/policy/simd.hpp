@@ -1,11 +1,11 @@
-// Layers of trained networks over packs: one lane is one environment, with the bits of
+// Layers of trained networks over SIMD vectors: one lane is one environment, with the bits of
 // eagerx/policy.hpp. A lane's sums go in that order; lanes do not mix.
 #pragma once
 
 #include <cstddef>
-#include <eagerx/pack.hpp>
 #include <eagerx/policy.hpp>
 #include <eagerx/policy/lane_sums.hpp>
+#include <eagerx/simd.hpp>
 #include <type_traits>
 
 namespace eagerx {
@@ -16,7 +16,7 @@ using PanelWeights =
     LaneWeights<std::integral_constant<std::size_t, In>, std::integral_constant<std::size_t, Width>,
                 std::integral_constant<std::size_t, 1>>;
 
-/// Numbers of all lanes of a pack, in memory.
+/// Numbers of all lanes of a SIMD vector, in memory.
 template <class Real>
 const float* numbers_of(const Real* x) {
   return reinterpret_cast<const float*>(x);  // NOLINT: for memcpy only
@@ -51,16 +51,16 @@ void lane_panel(const float* w, const float* b, const Real* x, Real* y) {
 
 /// y = A(y).
 template <Activation A, class T, std::size_t Lanes, std::size_t N>
-inline void activate(Pack<T, Lanes> (&y)[N], float slope = 0.0F) {
+inline void activate(Simd<T, Lanes> (&y)[N], float slope = 0.0F) {
   if constexpr (A != Activation::identity) {
-    for (Pack<T, Lanes>& x : y) x = policy::activated<A>(x, slope);
+    for (Simd<T, Lanes>& x : y) x = policy::activated<A>(x, slope);
   }
 }
 
 /// y = A(W x + b); `x` and `y` must not overlap.
 template <Activation A, std::size_t In, std::size_t Out, std::size_t Lanes>
-inline void dense(const DenseWeights<In, Out>& layer, const Pack<float, Lanes> (&x)[In],
-                  Pack<float, Lanes> (&y)[Out], float slope = 0.0F) {
+inline void dense(const DenseWeights<In, Out>& layer, const Simd<float, Lanes> (&x)[In],
+                  Simd<float, Lanes> (&y)[Out], float slope = 0.0F) {
   using Weights = DenseWeights<In, Out>;
   constexpr std::size_t kFull = Weights::kFullPanels * Weights::kPanel;
   for (std::size_t k = 0; k < kFull; k += Weights::kPanel)
@@ -74,11 +74,11 @@ inline void dense(const DenseWeights<In, Out>& layer, const Pack<float, Lanes> (
 
 /// As normalize() of plain numbers, in double precision.
 template <std::size_t N, std::size_t Lanes>
-inline void normalize(const ObservationStatistics<N>& statistics, Pack<float, Lanes> (&x)[N]) {
-  using Wide = Pack<double, Lanes>;
+inline void normalize(const ObservationStatistics<N>& statistics, Simd<float, Lanes> (&x)[N]) {
+  using Wide = Simd<double, Lanes>;
   for (std::size_t i = 0; i < N; ++i) {
     const Wide value = (Wide(x[i]) - Wide(statistics.mean[i])) / Wide(statistics.deviation[i]);
-    x[i] = Pack<float, Lanes>(clamp(value, Wide(-statistics.clip), Wide(statistics.clip)));
+    x[i] = Simd<float, Lanes>(clamp(value, Wide(-statistics.clip), Wide(statistics.clip)));
   }
 }
 
@@ -86,7 +86,7 @@ namespace policy {
 
 /// y = A(x): an activation that follows no layer.
 template <Activation A, std::size_t Lanes, std::size_t N>
-inline void apply(const Pack<float, Lanes> (&x)[N], Pack<float, Lanes> (&y)[N],
+inline void apply(const Simd<float, Lanes> (&x)[N], Simd<float, Lanes> (&y)[N],
                   float slope = 0.0F) {
   for (std::size_t i = 0; i < N; ++i) y[i] = x[i];
   activate<A>(y, slope);
@@ -94,7 +94,7 @@ inline void apply(const Pack<float, Lanes> (&x)[N], Pack<float, Lanes> (&y)[N],
 
 /// evaluate(x, y) of plain numbers, one lane after the other: layers that have no other way.
 template <std::size_t Lanes, std::size_t In, std::size_t Out, class Evaluate>
-inline void lane_by_lane(const Pack<float, Lanes> (&x)[In], Pack<float, Lanes> (&y)[Out],
+inline void lane_by_lane(const Simd<float, Lanes> (&x)[In], Simd<float, Lanes> (&y)[Out],
                          Evaluate&& evaluate) {
   for (int k = 0; k < static_cast<int>(Lanes); ++k) {
     float one[In];

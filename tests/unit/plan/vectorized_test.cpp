@@ -1,5 +1,5 @@
-// What packs of environments need not keep of messages.
-#include "generator/graph/plan/packs.hpp"
+// Messages that SIMD groups need not keep.
+#include "generator/graph/plan/vectorized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 std::string passing(const std::string& text) {
   const auto graph = graph_of_text(text);
   Plan plan = *graph->plan;
-  plan.schedule = schedule_of_packs(plan);
+  plan.schedule = vectorized_schedule(plan);
   const std::vector<bool> passes = passing_rings(plan);
   EXPECT_EQ(passes.size(), plan.rings.size());
   std::string names;

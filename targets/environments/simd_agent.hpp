@@ -1,21 +1,21 @@
-// The graph's policy over packs of rows, where it looks at nothing but the last observation.
+// The graph's policy, vectorized over rows, where it looks at nothing but the last observation.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/message.hpp>
 #include <targets/environments/layout.hpp>
-#include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/simd_kernel.hpp>
 #include <vector>
 
 namespace eagerx::environments {
 
 template <class Graph>
-class PackAgent {
+class SimdAgent {
  public:
   using Action = typename Graph::Action;
 
-  explicit PackAgent(const PackKernel<Graph>& kernel) : kernel_(kernel) {
+  explicit SimdAgent(const SimdKernel<Graph>& kernel) : kernel_(kernel) {
     if (kernel.act == nullptr) return;
     std::vector<std::vector<Input>> fields;
     const Columns& columns = Layout<Graph>::get().observations;
@@ -39,7 +39,7 @@ class PackAgent {
     return environments * kOfLanes >= kernel_.lanes;
   }
 
-  /// For packs of each thread of a pool at the same time.
+  /// For SIMD groups of each thread of a pool at the same time.
   void make_room(unsigned members) {
     columns_.resize(members * inputs_.size() * kernel_.lanes);
     actions_.resize(std::size_t{members} * kernel_.lanes, Graph::zero());
@@ -72,7 +72,7 @@ class PackAgent {
     return columns_.data() + std::size_t{member} * inputs_.size() * kernel_.lanes;
   }
 
-  PackKernel<Graph> kernel_;
+  SimdKernel<Graph> kernel_;
   std::vector<Input> inputs_;    // of the policy
   std::vector<float> columns_;   // [members][inputs][lanes]
   std::vector<Action> actions_;  // [members][lanes]

@@ -1,4 +1,4 @@
-// Numbers of a pack, which lie side by side for all lanes, as the rows of its environments.
+// Numbers of a SIMD group, which lie side by side for all lanes, as the rows of its environments.
 #pragma once
 
 #include <cstddef>
@@ -67,7 +67,7 @@ class RowWriter {
     }
   }
   /// Rows of three numbers: the fourth that is written is the first of the next row, which comes
-  /// later. Behind the last row of the pack is memory of other objects.
+  /// later. Behind the last row of the SIMD group is memory of other objects.
   static void spread_three(const float* const* columns, float* to) {
     for (std::size_t k = 0; k < Lanes; k += kWidth) {
       Vector rows[4];

@@ -1,4 +1,4 @@
-#include "generator/graph/plan/packs.hpp"
+#include "generator/graph/plan/vectorized.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::size_t kMostNodes = 100;                       // one function holds all of them
-constexpr std::size_t kMostPhases = 5;                        // packs for the same environments
+constexpr std::size_t kMostPhases = 5;                        // groups for the same environments
 constexpr std::int64_t kMostOfRatio = std::int64_t{1} << 30;  // what lanes count with
 
 /// The environment's ticks in the hyperperiod.
@@ -21,20 +21,20 @@ std::size_t steps_in_phases(const Plan& plan, const Schedule& schedule) {
       schedule.masks, [&](std::uint64_t mask) { return (mask & environment) != 0; }));
 }
 
-/// Of an entity that does not run in packs.
-const char* without_packs(const Entity& entity) {
-  return entity.packs.empty() ? "has no `vectorized: true` in its manifest"
-                              : "is vectorized under a condition, which does not hold";
+/// Of an entity that is not vectorized.
+const char* why_not_vectorized(const Entity& entity) {
+  return entity.vectorized.empty() ? "has no `vectorized: true` in its manifest"
+                                   : "is vectorized under a condition, which does not hold";
 }
 
 std::string why_not(const GraphNode& node, bool by_lane_too) {
-  const bool only_resets = !node.reset_targets.empty();  // packs pass its feedthroughs on
+  const bool only_resets = !node.reset_targets.empty();  // groups pass its feedthroughs on
   const bool by_lane = by_lane_too && runs_lane_by_lane(node);
-  if (node.entity != nullptr && !only_resets && !by_lane && !runs_in_packs(node))
+  if (node.entity != nullptr && !only_resets && !by_lane && !runs_vectorized(node))
     return fmt::format("`{}` ({}) {}", node.name, node.entity->id.value,
-                       without_packs(*node.entity));
+                       why_not_vectorized(*node.entity));
   const auto converts = [&](const std::optional<Processor>& processor) {
-    return !processor || by_lane_too || runs_in_packs(*processor);
+    return !processor || by_lane_too || runs_vectorized(*processor);
   };
   const auto of = [](const std::optional<Processor>& processor, const std::string& where) {
     return fmt::format(
@@ -55,8 +55,8 @@ std::string why_not(const GraphNode& node, bool by_lane_too) {
   return {};
 }
 
-/// Of a step that is no hyperperiod. Each pack is then in one phase of it, and there are as many
-/// packs for the same environments as there are phases.
+/// Of a step that is no hyperperiod. Each SIMD group is then in one phase of it, and there are as
+/// many groups for the same environments as there are phases.
 std::string why_no_phases(const Plan& plan, const Schedule& schedule) {
   const Graph& graph = *plan.graph;
   const Rational& rate_hz = graph.environment().rate_hz;
@@ -82,7 +82,7 @@ std::string why_not_in_time(const Plan& plan) {
   if (!graph.safety.outputs.empty())
     return "a graph without an engine stands still while its outputs are safe (`safety: {outputs: "
            "none}` if nothing acts on them)";
-  const Schedule schedule = schedule_of_packs(plan);
+  const Schedule schedule = vectorized_schedule(plan);
   if (schedule.form != ScheduleForm::constants) {
     if (std::string reason = why_no_phases(plan, schedule); !reason.empty()) return reason;
   }
@@ -133,7 +133,7 @@ std::vector<Place> places_in_step(const Plan& plan) {
 bool writes_first(const Plan& plan, const std::vector<Place>& places, std::size_t writer,
                   std::size_t reader) {
   if (reader == Graph::kEnvironment) return false;  // it sees the messages when the step is over
-  // Actions are the first of a step; what the engine sends are its ticks, which packs know.
+  // Actions are the first of a step; what the engine sends are its ticks, which the group knows.
   const bool is_engine = plan.graph->has_engine() && writer == Graph::kEngine;
   if (writer == Graph::kEnvironment || is_engine) return true;
   const Place &from = places[writer], &to = places[reader];
@@ -149,10 +149,10 @@ bool runs_lane_by_lane(const GraphNode& node) {
   const bool counts_messages =
       ranges::any_of(node.inputs, [](const Input& input) { return input.window == 0; });
   return node.role == NodeRole::node && node.entity != nullptr && node.reset_targets.empty() &&
-         (counts_messages || !runs_in_packs(node));
+         (counts_messages || !runs_vectorized(node));
 }
 
-std::vector<bool> rates_of_packs(const Plan& plan) {
+std::vector<bool> vectorized_rates(const Plan& plan) {
   std::vector<bool> needed(plan.rates.size());
   for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
     if (!plan.graph->nodes[n].drawn) needed[plan.nodes[n].rate] = true;
@@ -160,8 +160,8 @@ std::vector<bool> rates_of_packs(const Plan& plan) {
   return needed;
 }
 
-Schedule schedule_of_packs(const Plan& plan) {
-  const std::vector<bool> needed = rates_of_packs(plan);
+Schedule vectorized_schedule(const Plan& plan) {
+  const std::vector<bool> needed = vectorized_rates(plan);
   if (plan.schedule.form == ScheduleForm::constants && !ranges::contains(needed, false))
     return plan.schedule;
   std::vector<RateClass> rates;
@@ -194,7 +194,7 @@ std::vector<bool> passing_rings(const Plan& plan) {
   std::vector<bool> passing;
   for (const Ring& ring : plan.rings) passing.push_back(ring.capacity == 1);
   for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
-    if (nodes[n].drawn) continue;  // packs show no pictures
+    if (nodes[n].drawn) continue;  // SIMD groups show no pictures
     for (const Reception& reception : plan.nodes[n].receptions) {
       const bool is_plain = reception.count == Reception::Count::ticks ||
                             reception.count == Reception::Count::ticks_but_one;
@@ -210,17 +210,17 @@ std::size_t steps_in_hyperperiod(const Plan& plan) {
   return std::max<std::size_t>(1, steps_in_phases(plan, plan.schedule));
 }
 
-std::string why_no_packs(const Plan& plan) {
+std::string why_not_vectorized(const Plan& plan) {
   const Graph& graph = *plan.graph;
   if (graph.asynchronous) return "`sync: false` reads inputs by the clock";
   if (graph.double_precision) return "`real: double`";
   if (graph.nodes.size() > kMostNodes) return "the graph has too many nodes";
   for (const auto& node : graph.nodes) {
-    if (node.drawn) continue;  // packs show no pictures
+    if (node.drawn) continue;  // SIMD groups show no pictures
     if (std::string reason = why_not(node, graph.has_engine()); !reason.empty()) return reason;
   }
   for (const auto& item : graph.objects) {
-    if (!item.implementation->packs)
+    if (!item.implementation->vectorized)
       return fmt::format("the `model:` of `{}` ({}) has no `vectorized: true` in its manifest",
                          item.name, item.entity->id.value);
   }

@@ -1,22 +1,22 @@
-// The numbers of packs as those of another type. Part of eagerx/pack.hpp.
+// The numbers of SIMD vectors as those of another type. Part of eagerx/simd.hpp.
 #pragma once
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <eagerx/pack.hpp>
 #include <eagerx/registers.hpp>
+#include <eagerx/simd.hpp>
 #include <type_traits>
 
 namespace eagerx::detail {
 
 /// Lane by lane what `static_cast` does.
 template <class T, class S, std::size_t N, std::size_t W, std::size_t V>
-struct PackConversion<Pack<T, N, W>, Pack<S, N, V>> {
-  using To = Pack<T, N, W>;
-  using From = Pack<S, N, V>;
+struct SimdConversion<Simd<T, N, W>, Simd<S, N, V>> {
+  using To = Simd<T, N, W>;
+  using From = Simd<S, N, V>;
   using Vector = typename To::Vector;
-  using Words = Pack<std::int32_t, N>;  // there are instructions for these
+  using Words = Simd<std::int32_t, N>;  // there are instructions for these
   static constexpr bool kIntegers = std::is_integral_v<T> && std::is_integral_v<S>;
   static constexpr bool kOneInteger = std::is_integral_v<T> != std::is_integral_v<S>;
   static constexpr std::size_t kBetween = size_between(sizeof(S), sizeof(T));
@@ -50,7 +50,7 @@ struct PackConversion<Pack<T, N, W>, Pack<S, N, V>> {
     } else {
       using Signed = typename SignedOf<kBetween>::type;
       using Between = std::conditional_t<std::is_signed_v<S>, Signed, std::make_unsigned_t<Signed>>;
-      return To(Pack<Between, N>(from));
+      return To(Simd<Between, N>(from));
     }
   }
 

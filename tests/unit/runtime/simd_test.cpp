@@ -1,5 +1,6 @@
-// Packs against plain numbers: every operation and every function of eagerx/math.hpp gives the same
-// bits in each lane. extra.cmake compiles this for the instruction set of this machine, too.
+// SIMD vectors against plain numbers: every operation and every function of eagerx/math.hpp gives
+// the same bits in each lane. extra.cmake compiles this for the instruction set of this machine,
+// too.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,14 +8,14 @@
 #include <cmath>
 #include <cstdint>
 #include <eagerx/math.hpp>
-#include <eagerx/pack.hpp>
 #include <eagerx/random.hpp>
+#include <eagerx/simd.hpp>
 #include <limits>
 #include <vector>
 
 namespace {
 
-using eagerx::Pack;
+using eagerx::Simd;
 
 template <class T>
 using Word = eagerx::BitsOf<T>;
@@ -56,12 +57,12 @@ bool same(T a, T b) {
 }
 
 template <class T, std::size_t N>
-int differs(const Pack<T, N>& packed, std::size_t i, T alone) {
-  return !same<T>(eagerx::lane(packed, static_cast<int>(i)), alone);
+int differs(const Simd<T, N>& vectorized, std::size_t i, T alone) {
+  return !same<T>(eagerx::lane(vectorized, static_cast<int>(i)), alone);
 }
 template <std::size_t Bytes, std::size_t N>
-int differs(const eagerx::Mask<Bytes, N>& packed, std::size_t i, bool alone) {
-  return eagerx::lane(packed, static_cast<int>(i)) != alone;
+int differs(const eagerx::Mask<Bytes, N>& vectorized, std::size_t i, bool alone) {
+  return eagerx::lane(vectorized, static_cast<int>(i)) != alone;
 }
 
 /// All pairs of neighbours and of distant arguments.
@@ -88,14 +89,14 @@ void expect_none(int different, std::size_t lanes, const char* what) {
   EXPECT_EQ(different, 0) << what << ", " << lanes << " lanes";
 }
 
-/// f over a pack and over its lanes.
+/// f over a SIMD vector and over its lanes.
 template <class T, std::size_t N, class F>
 void expect_equal_in(const char* what, const F& f) {
   static const Pairs<T, N> pairs;
   int different = 0;
   for (const auto& [a, b] : pairs.all) {
-    const auto packed = f(Pack<T, N>::load(a.data()), Pack<T, N>::load(b.data()));
-    for (std::size_t i = 0; i < N; ++i) different += differs(packed, i, f(a[i], b[i]));
+    const auto vectorized = f(Simd<T, N>::load(a.data()), Simd<T, N>::load(b.data()));
+    for (std::size_t i = 0; i < N; ++i) different += differs(vectorized, i, f(a[i], b[i]));
   }
   expect_none(different, N, what);
 }
@@ -154,22 +155,22 @@ void expect_functions() {
   expect_equal<T>("sigmoid", [](auto a, auto) { return eagerx::sigmoid(a); });
 }
 
-TEST(Pack, ArithmeticHasTheBitsOfPlainNumbers) {
+TEST(Simd, ArithmeticHasTheBitsOfPlainNumbers) {
   expect_arithmetic<float>();
   expect_arithmetic<double>();
 }
-TEST(Pack, FunctionsHaveTheBitsOfPlainNumbers) {
+TEST(Simd, FunctionsHaveTheBitsOfPlainNumbers) {
   expect_functions<float>();
   expect_functions<double>();
 }
 
-TEST(Pack, BroadcastsKeepTheSignOfZero) {
-  EXPECT_TRUE(std::signbit(eagerx::lane(Pack<float, 8>(-0.0F), 5)));
-  EXPECT_FALSE(std::signbit(eagerx::lane(Pack<float, 8>(0.0F), 5)));
+TEST(Simd, BroadcastsKeepTheSignOfZero) {
+  EXPECT_TRUE(std::signbit(eagerx::lane(Simd<float, 8>(-0.0F), 5)));
+  EXPECT_FALSE(std::signbit(eagerx::lane(Simd<float, 8>(0.0F), 5)));
 }
 
-TEST(Pack, LanesAreSetOneByOne) {
-  Pack<float, 8> x(1.0F);
+TEST(Simd, LanesAreSetOneByOne) {
+  Simd<float, 8> x(1.0F);
   set_lane(x, 3, 4.0F);
   for (int i = 0; i < 8; ++i) EXPECT_EQ(eagerx::lane(x, i), i == 3 ? 4.0F : 1.0F);
   eagerx::Mask<4, 8> mask(false);
@@ -180,13 +181,13 @@ TEST(Pack, LanesAreSetOneByOne) {
   EXPECT_FALSE(eagerx::lane(mask, 6));
 }
 
-TEST(Pack, IntegersConvertLaneByLane) {
-  Pack<std::uint32_t, 8> x(4'000'000'000U);
+TEST(Simd, IntegersConvertLaneByLane) {
+  Simd<std::uint32_t, 8> x(4'000'000'000U);
   set_lane(x, 2, 7U);
-  const Pack<std::int64_t, 8> wide(x);
+  const Simd<std::int64_t, 8> wide(x);
   EXPECT_EQ(eagerx::lane(wide, 0), 4'000'000'000);
   EXPECT_EQ(eagerx::lane(wide, 2), 7);
-  const Pack<float, 8> numbers(x);
+  const Simd<float, 8> numbers(x);
   EXPECT_EQ(eagerx::lane(numbers, 2), 7.0F);
 }
 
@@ -196,16 +197,16 @@ void expect_converted(std::vector<From> numbers) {
   for (std::size_t first = 0; first < numbers.size(); ++first) {
     std::array<From, N> from;
     for (std::size_t i = 0; i < N; ++i) from[i] = numbers[(first + i) % numbers.size()];
-    const Pack<To, N> to(Pack<From, N>::load(from.data()));
+    const Simd<To, N> to(Simd<From, N>::load(from.data()));
     for (std::size_t i = 0; i < N; ++i)
       EXPECT_EQ(eagerx::lane(to, static_cast<int>(i)), static_cast<To>(from[i])) << from[i];
     // All alike: the way of numbers of 32 bits, where there is one.
-    const Pack<To, N> alike{Pack<From, N>(numbers[first])};
+    const Simd<To, N> alike{Simd<From, N>(numbers[first])};
     EXPECT_EQ(eagerx::lane(alike, 3), static_cast<To>(numbers[first])) << numbers[first];
   }
 }
 
-TEST(Pack, EachTypeConvertsToEachLaneByLane) {
+TEST(Simd, EachTypeConvertsToEachLaneByLane) {
   using Long = std::numeric_limits<std::int64_t>;
   using Int = std::numeric_limits<std::int32_t>;
   const std::vector<std::int64_t> all = {0,
@@ -238,18 +239,18 @@ TEST(Pack, EachTypeConvertsToEachLaneByLane) {
   expect_converted<std::int64_t>(std::vector<std::int16_t>{0, 1, -300, 32767});
 }
 
-TEST(Pack, NaturalsThatAreNoWordsAreNotTakenForNegativeOnes) {
-  EXPECT_EQ(eagerx::lane(Pack<float, 16>(Pack<std::uint64_t, 16>(~0ULL)), 9), 0x1p64F);
+TEST(Simd, NaturalsThatAreNoWordsAreNotTakenForNegativeOnes) {
+  EXPECT_EQ(eagerx::lane(Simd<float, 16>(Simd<std::uint64_t, 16>(~0ULL)), 9), 0x1p64F);
 }
 
-TEST(Pack, TruthValuesOfAllWidthsAreTheSame) {
-  Pack<float, 64> x(0.0F);
+TEST(Simd, TruthValuesOfAllWidthsAreTheSame) {
+  Simd<float, 64> x(0.0F);
   std::uint64_t wanted = 0;
   for (int i = 0; i < 64; i += 5) {
     set_lane(x, i, 1.0F);
     wanted |= std::uint64_t{1} << static_cast<unsigned>(i);
   }
-  const auto mask = x > Pack<float, 64>(0.5F);
+  const auto mask = x > Simd<float, 64>(0.5F);
   EXPECT_EQ(eagerx::lane_bits(mask), wanted);
   EXPECT_EQ(eagerx::lane_bits(!mask), ~wanted);
   const eagerx::Mask<8, 64> wide(mask);
@@ -261,7 +262,7 @@ TEST(Pack, TruthValuesOfAllWidthsAreTheSame) {
   EXPECT_EQ(eagerx::lane_bits(eagerx::Mask<4, 64>(narrow)), wanted);
 }
 
-TEST(Pack, AnyLaneCounts) {
+TEST(Simd, AnyLaneCounts) {
   for (int i = 0; i < 64; ++i) {
     eagerx::Mask<4, 64> mask(false);
     EXPECT_FALSE(any(mask));
@@ -270,8 +271,8 @@ TEST(Pack, AnyLaneCounts) {
   }
 }
 
-TEST(Pack, RegistersMayBeNarrowerThanTheMachines) {
-  using Narrow = Pack<float, 24, 8>;  // no power of two
+TEST(Simd, RegistersMayBeNarrowerThanTheMachines) {
+  using Narrow = Simd<float, 24, 8>;  // no power of two
   static_assert(Narrow::kCount == 3);
   Narrow x(2.0F);
   set_lane(x, 17, 9.0F);
@@ -279,8 +280,8 @@ TEST(Pack, RegistersMayBeNarrowerThanTheMachines) {
   for (int i = 0; i < 24; ++i) EXPECT_EQ(eagerx::lane(roots, i), i == 17 ? 10.0F : 3.0F);
 }
 
-TEST(Pack, MessagesConsistOfPacks) {
-  using Message = eagerx::Array<Pack<float, 8>, 2>;
+TEST(Simd, MessagesConsistOfSimd) {
+  using Message = eagerx::Array<Simd<float, 8>, 2>;
   static_assert(eagerx::size_of<Message> == 2);
   Message message{};
   set_lane(eagerx::element(message, 1), 4, 2.5F);

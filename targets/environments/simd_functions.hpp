@@ -1,4 +1,4 @@
-// The functions of PackKernel, for the instruction set that this is compiled for.
+// The functions of SimdKernel, for the instruction set that this is compiled for.
 #pragma once
 
 #include <bit>
@@ -10,8 +10,8 @@
 #include <eagerx/message.hpp>
 #include <limits>
 #include <new>
-#include <targets/environments/pack_kernel.hpp>
-#include <targets/environments/pack_rows.hpp>
+#include <targets/environments/simd_kernel.hpp>
+#include <targets/environments/simd_rows.hpp>
 #include <targets/environments/task.hpp>
 #include <type_traits>
 
@@ -20,13 +20,13 @@ namespace eagerx::environments {
 /// Of a graph without a policy that looks at one observation alone.
 struct NoAgent {};
 
-/// `Program` is the graph's over packs of `Lanes`, `Action` and `Observation` are its messages,
-/// `Draws` draws for several environments, `Agent` is the graph's policy.
+/// `Program` is the graph's over SIMD vectors of `Lanes`, `Action` and `Observation` are its
+/// messages, `Draws` draws for several environments, `Agent` is the graph's policy.
 template <class Graph, class Program, class Action, class Observation, std::size_t Lanes,
           class Draws, class Agent = NoAgent>
-class Packs {
+class SimdFunctions {
  public:
-  using Kernel = PackKernel<Graph>;
+  using Kernel = SimdKernel<Graph>;
 
   static void fill(Kernel& kernel) {
     static_assert(std::has_single_bit(Lanes) && Lanes <= 64, "a bit for each lane");
@@ -38,18 +38,18 @@ class Packs {
     kernel.most_steps = kMostTicks / Program::kTicks;
     kernel.answers = Program::kAnswers;
     kernel.phases = Program::kPhases;
-    kernel.fits_next_to = [](const void* pack, const typename Kernel::Program& one) {
-      return static_cast<const Program*>(pack)->fits_next_to(one);
+    kernel.fits_next_to = [](const void* group, const typename Kernel::Program& one) {
+      return static_cast<const Program*>(group)->fits_next_to(one);
     };
-    kernel.go_to = [](void* pack, const typename Kernel::Program& one) {
-      static_cast<Program*>(pack)->go_to(one);
+    kernel.go_to = [](void* group, const typename Kernel::Program& one) {
+      static_cast<Program*>(group)->go_to(one);
     };
-    kernel.make = [](void* pack) { ::new (pack) Program{}; };
-    kernel.load = [](void* pack, std::uint32_t lane, const typename Kernel::Program& one) {
-      static_cast<Program*>(pack)->load(lane, one);
+    kernel.make = [](void* group) { ::new (group) Program{}; };
+    kernel.load = [](void* group, std::uint32_t lane, const typename Kernel::Program& one) {
+      static_cast<Program*>(group)->load(lane, one);
     };
-    kernel.store = [](const void* pack, std::uint32_t lane, typename Kernel::Program& one) {
-      static_cast<const Program*>(pack)->store(lane, one);
+    kernel.store = [](const void* group, std::uint32_t lane, typename Kernel::Program& one) {
+      static_cast<const Program*>(group)->store(lane, one);
     };
     if constexpr (Program::kPhases == 1 && !kHasResetNodes) kernel.restart = restart;
     kernel.draw = Draws::draw;
@@ -70,7 +70,7 @@ class Packs {
   }
 
  private:
-  using Real = Pack<float, Lanes>;
+  using Real = Simd<float, Lanes>;
   using Truth = typename Real::Truth;
   static constexpr bool kTells = Program::kAnswers && Observation::kMayMiss;
   /// Whether a guard wants to know which observations are finite.
@@ -80,10 +80,10 @@ class Packs {
     one.reset_timeouts();
   };
 
-  static typename Graph::Observation restart(void* pack, std::uint32_t lane,
+  static typename Graph::Observation restart(void* group, std::uint32_t lane,
                                              typename Kernel::Program& one,
                                              const typename Graph::States& states) {
-    return static_cast<Program*>(pack)->restart(lane, one, states);
+    return static_cast<Program*>(group)->restart(lane, one, states);
   }
 
   static std::uint64_t take(const ActionRows& rows, void* actions) {
@@ -103,7 +103,7 @@ class Packs {
     });
     return lane_bits(!applicable);
   }
-  /// f(what action `field` must be in), the action of plain numbers as that of the pack.
+  /// f(what action `field` must be in), the action of plain numbers as that of the SIMD group.
   template <class Message, class F>
   static void with_space(std::size_t field, const Message& /*message*/, F&& f) {
     typename Kernel::Action one{};
@@ -140,7 +140,7 @@ class Packs {
     } else if constexpr (std::is_same_v<Scalar, Truth>) {
       return x != Real(0);
     } else {
-      return Scalar(Pack<std::int32_t, Lanes>(x));
+      return Scalar(Simd<std::int32_t, Lanes>(x));
     }
   }
   static Real column_of(const float* row, std::size_t width) {
@@ -150,8 +150,9 @@ class Packs {
     return Real::load(column);
   }
 
-  static std::uint64_t step(void* pack, const void* actions, float* columns, const PackRows* rows) {
-    Program& program = *static_cast<Program*>(pack);
+  static std::uint64_t step(void* group, const void* actions, float* columns,
+                            const SimdRows* rows) {
+    Program& program = *static_cast<Program*>(group);
     typename Program::Messages now;
     const auto observation = program.step(*static_cast<const Action*>(actions), now);
     const bool writes_rows = rows != nullptr && rows->observation != nullptr;
@@ -196,7 +197,7 @@ class Packs {
     }
   }
   /// The lanes that have made the most.
-  static std::uint64_t count_steps(const PackRows& rows) {
+  static std::uint64_t count_steps(const SimdRows& rows) {
     using Counts = LaneCounts<Lanes>;
     const Counts steps = Counts::load(rows.steps) + Counts(1U);
     steps.store(rows.steps);
@@ -204,7 +205,7 @@ class Packs {
   }
 
   static void put_rows(const Real& reward, const Truth& success, const Truth& terminated,
-                       const Truth& truncated, const PackRows& rows) {
+                       const Truth& truncated, const SimdRows& rows) {
     if (rows.reward != nullptr) reward.store(rows.reward);
     const auto put_bytes = [](const Truth& truth, std::uint8_t* to) {
       if (to != nullptr) bytes_of(truth, to);
@@ -285,7 +286,7 @@ class Packs {
     select(truth, Real(1), Real(0)).store(column);
   }
   template <class Whole>
-  static void put(const Pack<Whole, Lanes>& x, float* column) {
+  static void put(const Simd<Whole, Lanes>& x, float* column) {
     Real(x).store(column);
   }
 };

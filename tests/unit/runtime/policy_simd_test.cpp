@@ -1,4 +1,4 @@
-// Layers over packs against the same layers over plain numbers, every bit of every lane.
+// Layers over SIMD vectors against the same layers over plain numbers, every bit of every lane.
 // extra.cmake compiles this for the instruction set of this machine, too.
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <eagerx/lanes.hpp>
 #include <eagerx/policy/branches.hpp>
 #include <eagerx/policy/elementwise.hpp>
-#include <eagerx/policy/packs.hpp>
 #include <eagerx/policy/recurrent.hpp>
+#include <eagerx/policy/simd.hpp>
 #include <limits>
 #include <memory>
 #include <span>
@@ -22,50 +22,50 @@ using eagerx::DenseWeights;
 using eagerx::test::bits_of;
 using eagerx::test::Numbers;
 
-constexpr std::size_t kLanes = eagerx::kPackLanes<float>;
-using Real = eagerx::Pack<float, kLanes>;
+constexpr std::size_t kLanes = eagerx::kSimdLanes<float>;
+using Real = eagerx::Simd<float, kLanes>;
 
 /// The inputs of a lane; some lanes have one number that is no ordinary one.
-void fill_lane(std::size_t k, Numbers& numbers, std::span<float> one, Real* packs) {
+void fill_lane(std::size_t k, Numbers& numbers, std::span<float> one, Real* simds) {
   constexpr float kOdd[] = {std::numeric_limits<float>::quiet_NaN(),
                             std::numeric_limits<float>::infinity(), -0.0F, 1e-42F};
   for (std::size_t i = 0; i < one.size(); ++i) {
     const bool odd = k % 3 == 1 && i == k % one.size();
     one[i] = odd ? kOdd[k / 3 % 4] : numbers.next();
-    set_lane(packs[i], static_cast<int>(k), one[i]);
+    set_lane(simds[i], static_cast<int>(k), one[i]);
   }
 }
 
 template <std::size_t In>
 struct Inputs {
   float one[kLanes][In];
-  Real packs[In];
+  Real simds[In];
 
   explicit Inputs(Numbers& numbers) {
-    for (std::size_t k = 0; k < kLanes; ++k) fill_lane(k, numbers, one[k], packs);
+    for (std::size_t k = 0; k < kLanes; ++k) fill_lane(k, numbers, one[k], simds);
   }
 };
 
 /// One lane of the outputs against plain ones.
 void expect_same(const char* what, std::size_t inputs, std::size_t lane_at,
-                 std::span<const Real> packs, std::span<const float> one) {
+                 std::span<const Real> simds, std::span<const float> one) {
   for (std::size_t i = 0; i < one.size(); ++i) {
-    const float packed = lane(packs[i], static_cast<int>(lane_at));
-    ASSERT_EQ(bits_of(packed), bits_of(one[i]))
+    const float vectorized = lane(simds[i], static_cast<int>(lane_at));
+    ASSERT_EQ(bits_of(vectorized), bits_of(one[i]))
         << what << ", " << inputs << " inputs, output " << i << " of " << one.size() << ", lane "
-        << lane_at << ": " << packed << " instead of " << one[i];
+        << lane_at << ": " << vectorized << " instead of " << one[i];
   }
 }
 
-/// f(x, y) over plain numbers and over packs.
+/// f(x, y) over plain numbers and over SIMD vectors.
 template <std::size_t In, std::size_t Out, class F>
 void compare(const char* what, const Inputs<In>& x, F&& f) {
-  Real packs[Out];
-  f(x.packs, packs);
+  Real simds[Out];
+  f(x.simds, simds);
   for (std::size_t k = 0; k < kLanes && !::testing::Test::HasFatalFailure(); ++k) {
     float one[Out];
     f(x.one[k], one);
-    expect_same(what, In, k, packs, one);
+    expect_same(what, In, k, simds, one);
   }
 }
 
@@ -94,7 +94,7 @@ void compare_outputs() {
   compare_dense<Activation::sigmoid, In, 16>();
 }
 
-TEST(PolicyPacks, DenseLayersOfAllForms) {
+TEST(PolicySimd, DenseLayersOfAllForms) {
   compare_outputs<1>();
   compare_outputs<3>();
   compare_outputs<8>();
@@ -104,7 +104,7 @@ TEST(PolicyPacks, DenseLayersOfAllForms) {
   compare_outputs<64>();
 }
 
-TEST(PolicyPacks, NormsAndStatistics) {
+TEST(PolicySimd, NormsAndStatistics) {
   Numbers numbers(7);
   eagerx::NormWeights<19> norm{};
   for (float& x : norm.gamma) x = numbers.next();
@@ -130,7 +130,7 @@ constexpr float kEach[] = {0.1F, -2.0F, 3.0F, -0.0F, 5.0F, 1e-3F,
                            7.0F, -8.0F, 9.0F, 1.0F,  2.0F, 0.3F};
 constexpr std::uint16_t kFrom[] = {11, 0, 3, 3, 7};
 
-TEST(PolicyPacks, ConstantsFunctionsAndBranches) {
+TEST(PolicySimd, ConstantsFunctionsAndBranches) {
   namespace policy = eagerx::policy;
   Numbers numbers(11);
   const Inputs<12> given(numbers);
