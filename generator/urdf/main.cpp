@@ -40,7 +40,7 @@ bool is_id(const std::string& text) {
 
 constexpr double kUsualStep = 1e-3;  // [s]
 
-/// What the description does not say by itself.
+/// Notes on what the description leaves open.
 void say_more(const Options& options, const eagerx::urdf::Robot& robot) {
   // A robot that was meant to stand on something falls.
   if (options.robot.base == Base::by_mass && !robot.bodies.empty()) {

@@ -281,7 +281,7 @@ class Maker {
     robot_.joints.push_back(std::move(result));
   }
 
-  /// What a joint follows may follow another one.
+  /// The joint that a joint follows may follow another one.
   void follow_another(const Joint& joint, BodyJoint& result) {
     const Joint* at = &joint;
     double ratio = 1.0, offset = 0.0;

@@ -12,7 +12,8 @@
 namespace eagerx::urdf {
 namespace {
 
-/// What is read where there is an error: no comparison holds, so that it is reported once.
+/// The number that is read where there is an error: no comparison holds, so that it is reported
+/// once.
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::string_view kBlanks = " \t\n\r";

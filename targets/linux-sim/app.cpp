@@ -75,7 +75,7 @@ int self_test(const GraphProgram& program) {
              : kBadFile;
 }
 
-/// What another process must not decide, or nothing.
+/// The problem with an agent in another process, or nothing.
 std::string problem_of_agent(const Options& options, const GraphProgram& program) {
   if (options.agent != kDdsAgent) return {};
   if (program.is_real() || program.facts().is_split())
@@ -91,7 +91,7 @@ std::string problem_of_agent(const Options& options, const GraphProgram& program
   return {};
 }
 
-/// What is wrong with options that the graph decides about, or nothing.
+/// The problem of options that depend on the graph, or nothing.
 std::string problem_of(const Options& options, const Fields& fields, const GraphProgram& program,
                        StateSettings& settings, AgentFaults& faults, Measures& measures) {
   const GraphFacts& facts = program.facts();

@@ -15,7 +15,7 @@ struct Named {
   std::string path;
 };
 
-/// What lies behind a name or a descriptor.
+/// The file behind a name or a descriptor.
 struct Place {
   std::string name;
   struct stat status;

@@ -56,7 +56,7 @@ class Repetition {
     if (step >= table_.size()) return program_.zero(action_.data());
     std::memcpy(action_.data(), table_[step], program_.action_bytes());
   }
-  /// What the log gives in its place.
+  /// Takes the log's action instead.
   void take_recorded(std::uint32_t episode) {
     auto* const action = reinterpret_cast<std::byte*>(action_.data());
     for (const Field& field : fields_.actions) {

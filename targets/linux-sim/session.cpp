@@ -50,7 +50,7 @@ constexpr const char* kNothingToShow =
     "error: this program has nothing to show\nhelp: write it into the graph, such as "
     "`render: {source: OBJECT.scene}`, and generate the program again";
 
-/// What `--render` wants; empty, or what is wrong.
+/// Opens the pictures of `--render`; empty, or the problem.
 std::string open_pictures(const Options& options, GraphProgram& program) {
   const GraphFacts& facts = program.facts();
   if (Pictures* const pictures = program.pictures())
@@ -59,7 +59,7 @@ std::string open_pictures(const Options& options, GraphProgram& program) {
         std::to_string(facts.render_num) + "/" + std::to_string(facts.render_den));
   return options.rendering.to.empty() ? "" : kNothingToShow;
 }
-/// What is wrong with `--trace-scenes`, or empty.
+/// The problem with `--trace-scenes`, or empty.
 std::string problem_of_scenes(const Options& options, const GraphFacts& facts) {
   if (!options.trace_scenes || facts.is_scene) return {};
   if (facts.is_shown)

@@ -181,7 +181,7 @@ void describe_link(Summary& summary, SplitLink& link, const link::Report& report
         std::to_string(report.stack_bytes) + " bytes");
 }
 
-/// What a part counts besides messages.
+/// Counters of a part, besides messages.
 struct PartFaults final : CountListener {
   PartFaults(Summary& of_run, std::string where) : summary(of_run), behind(std::move(where)) {}
   void count(const char* name, std::uint64_t count) override {

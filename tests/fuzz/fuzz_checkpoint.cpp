@@ -22,7 +22,7 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// What a little training of `SomeModel` begins with.
+/// The initial model of a small training.
 template <class SomeModel>
 SomeModel first() {
   Description description;

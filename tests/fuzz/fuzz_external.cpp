@@ -26,7 +26,7 @@ void send_all(int socket, const std::uint8_t* data, std::size_t size) {
   shutdown(socket, SHUT_WR);
 }
 
-/// What a program does with an agent, as long as there is one.
+/// A program's calls of an agent, as long as there is one.
 void run(ExternalAgent& agent) {
   constexpr std::uint64_t kSteps = 3;
   if (!agent.open().empty()) std::abort();

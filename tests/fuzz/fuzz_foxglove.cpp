@@ -33,7 +33,7 @@ void check(const ClientMessage& message) {
           !message.problem.empty());
 }
 
-/// What a server says, as `eagerx-gen monitor` reads it.
+/// Messages of a server, as `eagerx-gen monitor` reads it.
 void check_server(std::string_view bytes) {
   using MessageKind = eagerx::foxglove::ServerMessage::Kind;
   static_cast<void>(eagerx::foxglove::read_server_text(bytes));

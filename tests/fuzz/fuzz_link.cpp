@@ -30,7 +30,7 @@ constexpr std::size_t kToBoard = 32;
 constexpr std::size_t kToHost = 24;
 constexpr link::Identity kIdentity{0x0123456789abcdefU, 1};
 
-/// What is encoded reads back, and what is noise becomes no longer.
+/// Encoded bytes read back, and noise becomes no longer.
 void check_cobs(const std::uint8_t* data, std::size_t size) {
   std::vector<std::uint8_t> line;
   link::cobs_encode(data, size, [&](std::uint8_t byte) { line.push_back(byte); });

@@ -84,7 +84,7 @@ int eagerx_line_knows_peer(void) {
 
 namespace {
 
-/// What a part says is frames, which the hub in C++ reads.
+/// A part answers in frames, which the hub in C++ reads.
 void check_answers() {
   std::size_t begin = 0;
   while (begin < answered.size()) {

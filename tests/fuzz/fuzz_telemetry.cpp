@@ -15,7 +15,7 @@ namespace {
 
 using namespace eagerx;
 
-/// What is shown is of a known channel, and all of its values are there.
+/// A shown record is of a known channel and has all of its values.
 struct Listener : telemetry::Listener {
   explicit Listener(const telemetry::Layout& of) : layout(of) {}
   void message(const telemetry::Message& message) override {

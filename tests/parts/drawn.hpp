@@ -70,7 +70,7 @@ struct PartPort {
   }
 };
 
-/// What an agent sees and what is applied, step by step.
+/// Observations of an agent and applied actions, step by step.
 using Seen = std::vector<std::uint64_t>;
 
 /// Keeps all of it, or looks at nothing.

@@ -27,7 +27,7 @@ struct GraphOfText {
   }
 };
 
-/// What it says of the text is in the result.
+/// The result holds the diagnostics of the text.
 inline std::unique_ptr<GraphOfText> read_graph_text(const std::string& text) {
   static SourceMap library_sources;
   static Diagnostics library_diagnostics;

@@ -70,7 +70,7 @@ class Analysis {
 
 /// A callee's state at its entry, from the caller's before the call.
 State entry_state(Address entry, const State* caller);
-/// What is different in it from any other's.
+/// The difference between this state and any other.
 std::string key_of(const State& entry);
 
 }  // namespace eagerx::gen::bound

@@ -50,7 +50,7 @@ struct Flow {
   [[nodiscard]] LoopIndex child(LoopIndex outer, BlockIndex block) const;
 };
 
-/// What an instruction does to the flow.
+/// The effect of an instruction on the flow.
 enum class Turn : std::uint8_t { none, branch, call, call_pointer, back, table, halt, unknown };
 Turn turn_of(const Instruction& instruction);
 

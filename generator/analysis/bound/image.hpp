@@ -20,7 +20,7 @@ struct Instruction {
   Address target = 0;                 // of a branch or call, or of a load from the code
 };
 
-/// What a loop's source says of it, in a section of notes (runtime/eagerx/bounded.hpp).
+/// The bound that a loop's source states, in a section of notes (runtime/eagerx/bounded.hpp).
 struct LoopNote {
   std::uint32_t most = 0;  // how often it is passed, for each time that its loop is entered
   bool waits = false;      // the loop waits for a time or a device

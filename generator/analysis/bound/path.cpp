@@ -6,7 +6,7 @@ namespace eagerx::gen::bound {
 
 namespace {
 
-/// What never returns is on no path to a return.
+/// A block that never returns is on no path to a return.
 bool can_return(const Analysed& function) {
   for (BlockIndex b = 0; b < function.reached.size(); ++b) {
     const Block& block = function.flow->blocks[b];

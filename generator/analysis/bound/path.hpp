@@ -10,7 +10,7 @@
 
 namespace eagerx::gen::bound {
 
-/// What is counted of the function that a path is asked for, and of those that it calls.
+/// The weight of a function whose path is sought, and of those that it calls.
 struct Weight {
   /// How much of a call's callee is.
   enum class Callee : std::uint8_t { nothing, by_weight, whole };

@@ -12,7 +12,7 @@ namespace eagerx::gen::bound {
 
 namespace {
 
-/// What an instruction does to the values; one object for each.
+/// The effect of an instruction on the values; one object for each.
 class Step {
  public:
   Step(const Image& image, const Instruction& instruction, State& state)
@@ -321,7 +321,7 @@ class Step {
     return true;
   }
 
-  /// What the flags compare: subs its two operands, others the result with 0.
+  /// The operands that the flags compare: subs its two operands, others the result with 0.
   [[nodiscard]] std::optional<Comparison> comparison_of(std::string_view name,
                                                         const std::optional<Value>& value) const {
     if (name == "sub") {

@@ -26,7 +26,8 @@ struct Turns {
   bool is_exact = false;
 };
 
-/// What a value of the loop's body is at the first turn, and how it changes; nullopt: not known.
+/// The value at the first turn of the loop's body, and its change from turn to turn; nullopt: not
+/// known.
 using ProgressOf = std::function<std::optional<Progress>(const Value&)>;
 /// `state`: where the loop is entered.
 std::optional<Turns> turns_of(const Test& test, const ProgressOf& progress_of, const State& state);

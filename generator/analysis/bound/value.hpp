@@ -39,8 +39,8 @@ struct Location {
   auto operator<=>(const Location&) const = default;
 };
 
-/// What the last comparison compared; empty: not known. With `zero_only`, a difference whose
-/// overflow and carry are not known.
+/// Operands of the last comparison; empty: not known. With `zero_only`, a difference whose overflow
+/// and carry are not known.
 struct Comparison {
   Value left, right;
   bool zero_only = false;
@@ -60,7 +60,7 @@ struct State {
   [[nodiscard]] Value resolve(const Value& value) const;
   /// The same until both have one base; false if they have none.
   bool relate(Value& a, Value& b) const;
-  /// What follows from a condition that holds.
+  /// Adds the consequences of a condition that holds.
   void learn(std::string_view condition, const Comparison& compared);
 };
 
@@ -80,7 +80,7 @@ Value resolved(const Value& value);
 /// Whether the numbers of two states are the same.
 bool is_same(const State& a, const State& b);
 
-/// What is true on both ways to `at`.
+/// The facts that hold on both ways to `at`.
 State join(const State& a, const State& b, Address at);
 
 /// Applies an instruction that is no jump. A call leaves what a callee must preserve (AAPCS 6.1).

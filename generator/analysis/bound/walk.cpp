@@ -130,7 +130,7 @@ void Walk::deliver(LoopIndex loop_index, Edge edge, const State& state, bool rec
   }
 }
 
-/// What was known of numbers that the loop makes anew.
+/// Forgets the limits of numbers that the loop makes anew.
 void Walk::forget_limits(LoopIndex l, State& state) {
   std::erase_if(state.limits, [&](const auto& limit) { return is_made_in(l, limit.first); });
 }
@@ -247,8 +247,8 @@ std::optional<Turns> Walk::turns(LoopIndex l, const State& in, const Pass& pass,
   return std::nullopt;
 }
 
-/// What its source says of a place that every turn passes. Copies of it are those of another loop
-/// that was unrolled, perhaps, and say nothing.
+/// The bound that the source states at a place that every turn passes. Copies of it are those of
+/// another loop that was unrolled, perhaps, and say nothing.
 std::optional<std::uint64_t> Walk::noted(LoopIndex l) const {
   const Loop& loop = flow_.loops[l];
   std::optional<std::uint64_t> most;
@@ -265,7 +265,7 @@ std::optional<std::uint64_t> Walk::noted(LoopIndex l) const {
   return *most + 1;
 }
 
-/// What is known of the loops of libraries.
+/// Known bounds of the loops of libraries.
 std::optional<std::uint64_t> Walk::of_library(LoopIndex l) const {
   constexpr std::size_t kBytes = 2;  // r2: memset, memcpy and memmove take a number of bytes
   const auto found = analysis_.library_.find(address(flow_.loops[l].header));

@@ -24,13 +24,13 @@ class Walk {
   void function(const State& entry);
 
  private:
-  /// What one pass over a loop, or the function, gave.
+  /// Results of one pass over a loop, or the function.
   struct Pass {
     std::optional<State> latch;   // at its end, before it goes back to the header
     std::map<Edge, State> exits;  // that leave it
     std::map<BlockIndex, Comparison> tests;
   };
-  /// What is known of the places that a loop changes.
+  /// Changes of the places that a loop writes.
   struct Changes {
     std::set<Location> fixed;
     std::map<Location, Value> steps;

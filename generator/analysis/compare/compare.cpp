@@ -67,7 +67,7 @@ class FactCollector {
   }
 
  private:
-  /// What the generator adds has its own facts.
+  /// Nodes that the generator adds have their own facts.
   [[nodiscard]] bool is_added(const GraphNode& node) const {
     return (graph_.task && &graph_.nodes[graph_.task->node] == &node) ||
            (graph_.render && &graph_.nodes[graph_.render->node] == &node);

@@ -58,7 +58,7 @@ std::string row(const char* what, const std::string& value) {
   return fmt::format("    {:<11} {}\n", what, value);
 }
 
-/// What the messages of a step need in real time, as one program does not.
+/// The time that the messages of a step need, which one program does not.
 std::string time_rows(const Plan& plan, const PartLink& link, const YamlValue* limit) {
   const double baud = baud_of(plan, link);
   const double ms = 1e3 * static_cast<double>(kBitsOfByte) * bytes_on_line(link) / kUsualBaud;

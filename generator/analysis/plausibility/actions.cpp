@@ -17,7 +17,7 @@ double bound(const Space& space, const std::vector<double>& bounds, std::size_t 
   return space.dtype == Dtype::float32 ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
-/// What an element may be, in words: "-2 to 2".
+/// The range of an element, in words: "-2 to 2".
 std::string range(const Space& space, std::size_t element) {
   const auto text = [&](const std::vector<double>& bounds) {
     const double value = bounds[bounds.size() == 1 ? 0 : element];

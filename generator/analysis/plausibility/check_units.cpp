@@ -28,7 +28,7 @@ bool is_converted(const GraphSpec& spec, const std::string& sensor) {
   return said != nullptr && said->settings.processor.has_value();
 }
 
-/// What is sent; nullptr if the graph converts it, so that nothing is known of its unit.
+/// The port that sends; nullptr if the graph converts it, so that nothing is known of its unit.
 const PortManifest* sender(const Judged& judged, const Input& input) {
   const GraphNode& node = judged.graph.nodes[input.source_node];
   const Output& output = node.outputs[input.source_output];

@@ -12,8 +12,8 @@
 namespace eagerx::gen {
 namespace {
 
-/// What an engine state sets that changes during an episode: "positions shoulder". Texts among its
-/// parameters are names of joints or bodies.
+/// Values that an engine state sets and that change during an episode: "positions shoulder". Texts
+/// among its parameters are names of joints or bodies.
 std::set<std::string> moved_by(const Entity& engine_state, const Config& config) {
   std::set<std::string> names;
   for (const ConfigValue& each : config) {

@@ -47,7 +47,7 @@ std::uint64_t bytes_of_registers(const std::string& list, bool vector) {
   return count;
 }
 
-/// What an instruction takes from the stack. Adding up all of a function's is a bound for it.
+/// Bytes that an instruction takes from the stack. Adding up all of a function's is a bound for it.
 std::uint64_t stack_taken(const std::string& text) {
   static const Pattern kPush(R"(^(v?)(push|stmdb\.?w?\s+sp!,|stmfd\s+sp!,)\S*\s*\{(.*)\})");
   static const Pattern kSub(R"(^subw?\S*\s+sp,.*#([0-9]+))");

@@ -96,7 +96,7 @@ class CompileCheck {
     return true;
   }
 
-  /// What everything is compiled with, and what boards add.
+  /// The compiler's command, with the options that boards add.
   std::vector<std::string> command() const {
     // addr2line asks for lines only, also of what was inlined: more than -g1 takes longer.
     std::vector<std::string> words = {options_.compiler, "-std=c++20", "-O2", "-g1",

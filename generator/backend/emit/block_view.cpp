@@ -14,7 +14,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What one node does.
+/// The actions of one node in a slot.
 class BlockView {
  public:
   BlockView(const Plan& plan, const ProgramNames& names, std::size_t n)
@@ -112,7 +112,7 @@ class BlockView {
     view_["awaited"] = std::move(awaited);
     add_handing_on();
   }
-  /// What another part reads.
+  /// Messages that another part reads.
   void add_handing_on() {
     View hands_on = list();
     for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
@@ -138,10 +138,10 @@ class BlockView {
     return view;
   }
 
-  /// What its callback writes of an output that has a processor.
+  /// The variable into which the callback writes an output that has a processor.
   std::string raw_name(std::size_t output) const { return "raw_" + node_.outputs[output].name; }
 
-  /// What comes over a link of a node that runs elsewhere.
+  /// Messages that come over a link from a node that runs elsewhere.
   void add_remote() {
     View received = list();
     std::vector<MessagePlace> places;
@@ -209,7 +209,7 @@ class BlockView {
     if (names_.by_lane(n_)) add_lanes();
   }
 
-  /// What a node for plain numbers sees and gives in one lane.
+  /// Inputs and outputs in one lane of a node for plain numbers.
   void add_lanes() {
     View reads = list(), writes = list();
     std::vector<FieldValue> read, written;
@@ -234,7 +234,7 @@ class BlockView {
     view_.set("written", designated(written));
   }
 
-  /// What its callback sees, and what a reset node passes on while there is no reset.
+  /// Inputs of its callback, and those that a reset node passes on while there is no reset.
   void add_inputs() {
     std::vector<FieldValue> inputs, feedthroughs;
     View passed = list();

@@ -150,7 +150,7 @@ class Emitter {
     }
   }
 
-  /// What the agent remembers is in each environment's own program.
+  /// The agent's memory is in each environment's own program.
   bool acts_vectorized() const { return is_vectorized_ && network_ && !network_->has_memory(); }
 
   static View vectorized_policy_view(const Network& network, const std::string& name) {

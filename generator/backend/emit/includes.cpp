@@ -57,8 +57,8 @@ void for_each_class(const Plan& plan, const Names& names, F&& f) {
   }
 }
 
-/// What of ProgramNames is asked of a program that is all of the graph, without its names, which
-/// take as long as the rest of a check.
+/// The part of ProgramNames that a program of the whole graph needs, without its names, which take
+/// as long as the rest of a check.
 struct WholeProgram {
   const Graph& graph;
   [[nodiscard]] bool runs(std::size_t node) const { return runs_here(graph, Part::whole, node); }

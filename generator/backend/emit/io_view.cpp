@@ -43,7 +43,7 @@ View model_views(const Config& config) {
   return models;
 }
 
-/// What a struct is compiled for; false where that is nothing.
+/// The parameters that a struct is compiled for; false if there are none.
 View config_view(const Config& config) {
   if (config.empty()) return View(false);
   View view = object();

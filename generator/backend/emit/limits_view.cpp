@@ -76,7 +76,7 @@ class LimitsView {
     view_.set(what + "_names", braced(texts));
   }
 
-  /// What leaves of a graph without engine.
+  /// Outputs of a graph without engine.
   void add_outputs() {
     const bool guards = guards_outputs(plan_, names_);
     view_.set("guards_outputs", guards);

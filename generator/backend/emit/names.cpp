@@ -11,7 +11,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What names have in common, in words: "servo" of "left_servo" and "right_servo". The first name
+/// The words that names have in common: "servo" of "left_servo" and "right_servo". The first name
 /// if that is nothing.
 std::string in_common(const std::vector<std::string>& names) {
   const auto words_of = [](const std::string& name) {
@@ -61,7 +61,7 @@ std::string port_name(const std::string& owner, const Input& input) {
   return owner + "_" + input.name + (input.feedthrough ? "_feedthrough" : "");
 }
 
-/// What each of these types is compiled for is in a struct of its own, which ends in Io.
+/// The parameters of each of these types are in a struct whose name ends in Io.
 std::string type_name(Names& types, const std::string& wanted) {
   return types.unique_with(wanted, "Io");
 }

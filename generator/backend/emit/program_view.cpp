@@ -95,7 +95,7 @@ class ProgramView {
     add_applied(!decides && names_.is_hub() && acts);
   }
 
-  /// What the other program has decided.
+  /// Actions that the other program has decided.
   void add_applied(bool is_elsewhere) {
     constexpr std::size_t kEnvironment = Graph::kEnvironment;
     view_["asks_for_action"] = is_elsewhere ? ask_view(plan_, names_, kEnvironment) : View(false);
@@ -128,7 +128,7 @@ class ProgramView {
     view_["parts"] = std::move(parts);
   }
 
-  /// What a hub does that asks for messages before it needs them.
+  /// Members of a hub that asks for messages before it needs them.
   void add_ahead() {
     const bool posts = names_.posts();
     view_.set("link_header", posts ? "ahead" : "star");
@@ -182,7 +182,7 @@ class ProgramView {
                                           schedule.masks.size() > 1)));
   }
 
-  /// What a phase does, in one function or in several; false if there is nothing to do.
+  /// The work of a phase, in one function or in several; false if there is none.
   View phase_view(const std::string& phase, const std::vector<std::size_t>& nodes) const {
     if (graph_.nodes.size() <= kMostNodesInOneFunction) {
       View groups = groups_view(plan_, names_, nodes);
@@ -303,7 +303,7 @@ class ProgramView {
     view_["drawing"] = std::move(drawing);
   }
 
-  /// What differs between the chains of a loop besides members.
+  /// Differences between the chains of a loop, besides members.
   void add_loops() {
     View tables = list();
     const auto add = [&](const char* type, const std::string& table,

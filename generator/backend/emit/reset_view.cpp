@@ -54,7 +54,7 @@ class ResetView {
     }
   }
 
-  /// What starts the engine, and what resets it: first the states of its objects.
+  /// Code that starts and resets the engine: first the states of its objects.
   View engine() {
     View states = list();
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {

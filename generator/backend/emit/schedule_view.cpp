@@ -57,8 +57,8 @@ class ScheduleView {
     return fmt::format("eagerx::Constant<{}>{{}}", join(bits, " | "));
   }
 
-  /// What is due in the first slot or, where the compiler does not know it, in that of the last
-  /// observation.
+  /// Rates that are due in the first slot or, where the compiler does not know it, in that of the
+  /// last observation.
   std::string first() const {
     if (schedule_.form == ScheduleForm::countdown) return "due_";
     return schedule_.form == ScheduleForm::table ? "due_now()" : constant(schedule_.masks.front());

@@ -23,7 +23,7 @@ View lines_view(const std::vector<std::string>& lines) {
   return view;
 }
 
-/// What a task's expressions read.
+/// Inputs that a task's expressions read.
 struct Used {
   std::vector<bool> variable, before, by_critic;  // by input
   bool time = false;
@@ -213,7 +213,7 @@ View names_view(const std::vector<TaskExpression>& expressions) {
   return view;
 }
 
-/// What the critic of a training sees: messages of the outcome, and names of states.
+/// Inputs of a training's critic: messages of the outcome, and names of states.
 struct Seen {
   std::uint64_t numbers = 0;  // of the messages
   View messages = list();

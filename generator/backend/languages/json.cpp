@@ -79,7 +79,7 @@ class LayoutWriter {
     return list;
   }
 
-  /// What other parts send and the hub hands on later.
+  /// Messages of other parts that the hub hands on later.
   void add_late(const PartLink& link, Json& json) const {
     if (ranges::all_of(link.lags, [](std::uint64_t lag) { return lag == 0; })) return;
     Json late = Json::object();

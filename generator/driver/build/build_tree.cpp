@@ -87,9 +87,9 @@ Tree tree_of(const Run& run, const GenerateOptions& options, const Target& targe
 
 namespace {
 
-/// What the command that configured a build folder was; there only if it succeeded.
+/// The command that configured a build folder; there only if it succeeded.
 constexpr const char* kConfigured = "eagerx-gen.configured";
-/// What CMake and the compiler said the last time.
+/// Output of CMake and the compiler, of the last build.
 constexpr const char* kLog = "eagerx-gen.log";
 /// A folder, as only generator/driver/build/write may open files for writing.
 constexpr const char* kLock = "eagerx-gen.lock";
@@ -259,7 +259,7 @@ class Builder {
   }
 
  private:
-  /// What was compiled: Ninja lists it, and for Make each object has a file next to it.
+  /// Keeps what was compiled: Ninja lists it, and for Make each object has a file next to it.
   void keep(const Digests& digests) {
     const bool is_ninja = !text_of(fs::path(tree_.build) / "build.ninja").empty();
     const auto listed = is_ninja ? run_process({"ninja", "-C", tree_.build, "-t", "deps"})

@@ -80,7 +80,7 @@ class Carrier {
   }
 
  private:
-  /// What stands for the installed package.
+  /// Files that stand for the installed package.
   void add_package_files(const std::vector<const Target*>& targets) {
     add_folder("targets/common");
     for (const Target* target : targets) add_target(*target);

@@ -13,7 +13,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What an image takes is checked by `size`; what the plan says, before there is one.
+/// Checks the figures of the plan. `size` checks those of an image.
 void check_budget(Run& run) {
   if (!run.spec->budget) return;
   const YamlValue& budget = *run.spec->budget;

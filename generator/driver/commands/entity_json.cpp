@@ -99,7 +99,7 @@ Json json_of(const CppClass& cpp) {
   return {{"class", cpp.name}, {"header", cpp.include}};
 }
 
-/// What an object is made of on one engine.
+/// The implementation of an object on one engine.
 Json json_of(const ObjectEngine& made) {
   Json json{{"engine", made.engine.value}, {"vectorized", made.vectorized}};
   add(json, "summary", made.summary);

@@ -10,8 +10,8 @@
 
 namespace eagerx::gen {
 
-/// What targets/common/bare-metal/graph_note.hpp leaves in the file of an image: the hash of its
-/// graph. Nothing if it leaves none, as a program with a main function of the user's own.
+/// The hash of the graph that targets/common/bare-metal/graph_note.hpp leaves in the file of an
+/// image. Nothing if it leaves none, as a program with a main function of the user's own.
 std::optional<std::uint64_t> graph_in_image(std::string_view file);
 
 /// Before boards are started, as programs for Linux look themselves: E0519.

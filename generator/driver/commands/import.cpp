@@ -36,7 +36,7 @@ std::vector<Spanned<std::string>> library_of(const ImportCommandOptions& options
   return result;
 }
 
-/// What `check` reports about the written graph: somebody may continue by hand.
+/// Reports of `check` about the written graph, which the user may complete by hand.
 int check_written(const ImportCommandOptions& options, const std::string& text) {
   GraphOptions of_check;
   of_check.graph = options.output.empty() ? "<standard output>" : options.output;

@@ -98,7 +98,7 @@ void print_requirements(const std::vector<Requirement>& requirements) {
     say("  {}\n  {:<20}   {}\n", requirement.text, "", requirement.because);
 }
 
-/// What the ports of a composite are bound to, and what is inside.
+/// Bindings of a composite's ports, and the entities inside.
 void print_inside(const Entity& entity, const SourceMap& sources) {
   for (const char* section : {"sensors", "actuators", "inputs", "outputs"}) {
     const YamlValue* ports = entity.composite->find(section);
@@ -220,7 +220,7 @@ struct InfoOptions : GraphOptions {
   bool flat = false, json_output = false;
 };
 
-/// What the plan of a graph says of time, memory and traffic.
+/// Time, memory and traffic in the plan of a graph.
 int graph_info(InfoOptions options) {
   options.graph = options.entity;
   Run run;

@@ -31,7 +31,7 @@ void name_other_file(Diagnostic& problem, IsHere&& is_here, const SourceMap& sou
       fmt::format("also defined in `{}:{}`", sources.name(other.file), other.line), {}, ""};
 }
 
-/// What was found in the manifest's own file, with places in `into`.
+/// Takes the problems in the manifest's own file, with places in `into`.
 void take(const Diagnostics& found, const SourceMap& sources, const fs::path& path, FileId file,
           Diagnostics& into) {
   // What depends on values and rates that a graph gives is none of the manifest's problems.

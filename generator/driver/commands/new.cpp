@@ -50,7 +50,7 @@ bool check_name(const Kind& kind, const std::string& name, Run& run) {
   return false;
 }
 
-/// What it would define must not be there: no graph could tell the two apart.
+/// The id must be new: no graph could tell two entities with one id apart.
 bool check_id(const Kind& kind, const std::string& name, Run& run) {
   const std::string type = class_name_of(name);
   if (kind.defines == "target" && run.library.targets.contains(name)) {

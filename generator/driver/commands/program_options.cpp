@@ -24,7 +24,7 @@ FormatPtr named(const char* what, const FormatPtr& item) {
   return std::make_shared<const Format>(std::move(format));
 }
 
-/// What a file of options may say.
+/// Keys of a file of options.
 const Format& options_format() {
   static const FormatPtr kFormat = [] {
     const FormatPtr reason = format::text("a reason");

@@ -12,7 +12,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What mpirun tells its processes; 0 of 1 for one that it has not started.
+/// The rank that mpirun assigns; 0 of 1 in a process that it has not started.
 struct Rank {
   long number = 0, size = 1;
 };

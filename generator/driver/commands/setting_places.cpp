@@ -10,7 +10,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What stands behind `begin` up to `end`, both of which are taken off `text`; empty if it does not
+/// The text between `begin` and `end`, both of which are taken off `text`; empty if it does not
 /// begin so.
 std::string_view take(std::string_view& text, std::string_view begin, std::string_view end) {
   if (!text.starts_with(begin)) return {};

@@ -126,7 +126,7 @@ std::optional<BuiltProgram> build_least(Run& run, const SizeOptions& options, in
   return build_library_project(run, options, target, "size", folder);
 }
 
-/// What a main loop of the user's takes besides is not the library's.
+/// Leaves out what a user's main loop adds to the library's memory.
 void leave_out_board(SizeReport& report) {
   const Usage board = report.others["board"];
   report.flash -= board.flash;

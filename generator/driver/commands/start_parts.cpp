@@ -21,7 +21,7 @@ constexpr std::string_view kLink = "--link";
 
 constexpr std::string_view kKey = "--key";
 
-/// What the options say of links: `PART=LINE`, or of one part LINE alone; and so of keys.
+/// Values of options for links, `PART=LINE` or for one part LINE alone, and for keys.
 std::vector<std::string> values_in(const std::vector<std::string>& words, std::string_view option) {
   std::vector<std::string> values;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -72,7 +72,7 @@ std::string key_of(const PlacedPart& part, const std::vector<std::string>& words
   return found.empty() ? part.key : found;
 }
 
-/// What is copied to another machine, and what to type there: a program, or the folder of an
+/// The program to copy to another machine, and the command there: a program, or the folder of an
 /// interpreted one.
 std::pair<std::string, std::string> to_copy(const Run& run, const BuiltProgram& program) {
   const fs::path image = program.image;
@@ -83,7 +83,7 @@ std::pair<std::string, std::string> to_copy(const Run& run, const BuiltProgram& 
   return {folder.string(), command.front() + " " + shell_word(folder.filename().string())};
 }
 
-/// What is typed on the other machine, and what here.
+/// The commands for the other machine and for this one.
 std::string how_elsewhere(const Run& run, const BuiltProgram& program, const std::string& key) {
   const PlacedPart& part = *program.part;
   const std::uint32_t port = port_of(run, part);

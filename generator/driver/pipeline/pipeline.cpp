@@ -160,8 +160,7 @@ void prepare_for_campaign(Run& run) {
             "5.0}, success: {upright: abs(th) < 0.15, over_last: 2.0}}`";
 }
 
-/// What `safety:` says of outputs and measurements is said of the library's, which the whole graph
-/// has not.
+/// `safety:` is about outputs and measurements of the library, which the whole graph does not have.
 void prepare_for_cut(Run& run) {
   run.spec->placement.clear();
   if (!run.spec->safety) return;

@@ -237,7 +237,7 @@ class Composer {
     }
   }
 
-  /// What is said of connections, without the rest.
+  /// Settings of connections, without the rest.
   YamlValue settings_of(const YamlValue& port, const Scope& scope) {
     YamlValue result;
     result.kind = YamlKind::map;

@@ -54,7 +54,7 @@ void drop_other_ways(YamlValue& base, const YamlValue& over) {
   });
 }
 
-/// What the entries of a mapping are.
+/// The kind of a mapping's entries.
 enum class Level : std::uint8_t { top, states, other };
 
 void lay_over(YamlValue& base, YamlValue over, Level level) {

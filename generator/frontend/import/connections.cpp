@@ -72,7 +72,7 @@ class ConnectionTranslator {
     return fail(end, "a target is an input, an actuator, a feedthrough or a reset target");
   }
 
-  /// What the connection has if nothing is said: the sender's delay over what the receiver says.
+  /// Defaults of the connection: the sender's delay over what the receiver says.
   ConnectionSettings defaults_of(const SavedLink& link) {
     const Entity* entity = t_.entity(link.from.entity);
     const PortManifest* sensor = entity != nullptr && link.from.section == "sensors"
@@ -117,7 +117,7 @@ class ConnectionTranslator {
     return {};
   }
 
-  /// What is saved of the connection and differs from its defaults.
+  /// Takes saved settings of the connection that differ from its defaults.
   void take_settings(const SavedLink& link, ConnectionSettings& settings) {
     const SavedEnd& end = link.to;
     const SavedEntity& entity = *t_.saved.find(end.entity);
@@ -160,7 +160,7 @@ class ConnectionTranslator {
         "it was set after the node was added, and a sensor is connected; here the processor acts";
   }
 
-  /// What EAGERx does to an action before it is sent, each connection of ours does on its own.
+  /// EAGERx processes an action before it sends it; here each connection has its own processor.
   void take_processor_of_action(const SavedEnd& from, ConnectionSettings& settings) {
     if (from.entity != "environment") return;
     const SavedPort* action = t_.saved.find(from.entity)->port(from.section, from.port);

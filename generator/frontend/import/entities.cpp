@@ -258,8 +258,8 @@ class EntityTranslator {
     return false;
   }
 
-  /// What is said of an output's space besides the manifest. One that is like an input has a space
-  /// of its own if the input's was saved with another shape or type.
+  /// The space of an output where it differs from the manifest's. One that is like an input has a
+  /// space of its own if the input's was saved with another shape or type.
   static std::optional<SpaceSpec> own_space(const SavedEntity& saved, const SpaceSpec& space,
                                             const SpaceSpec& manifest) {
     if (!manifest.like) return missing_of(space, manifest);

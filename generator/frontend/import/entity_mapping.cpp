@@ -15,7 +15,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What EAGERx writes for every entity, and what only says how Python runs it.
+/// Keys that EAGERx writes for every entity, and those for its Python processes.
 constexpr std::array kAlways = {"name",
                                 "rate",
                                 "process",

@@ -185,7 +185,7 @@ class ManifestWriter {
     }
   }
 
-  /// What EAGERx gave no space is most often what was applied of the action.
+  /// An input without a space in EAGERx is most often the applied action.
   [[nodiscard]] std::string space_like(const std::string& section) const {
     if (section != "outputs" || made_.kind != "engine_node") return "";
     std::vector<std::string> inputs;

@@ -123,7 +123,8 @@ class Rebuilder {
     rebuilt_.push_back(std::move(rebuilt));
   }
 
-  /// What EngineSpec.add_object adds; a graph of ours has only objects with sensors or actuators.
+  /// Leaves out what EngineSpec.add_object adds: a graph here has only objects with sensors or
+  /// actuators.
   void leave_out(const SavedObject& object) {
     const std::string& name = object.name.value;
     if (object.states.empty()) {

@@ -31,9 +31,9 @@ std::optional<Rational> simplest_fraction(double value) {
   }
 }
 
-/// What EAGERx meant: it wrote a double, and so 0.06666666666666667 for 2/30. A number that is no
-/// simple fraction is exact where its decimals fit, else rounded to the twelve digits that EAGERx
-/// itself keeps of a time.
+/// The number that EAGERx meant: it wrote a double, and so 0.06666666666666667 for 2/30. A number
+/// that is no simple fraction is exact where its decimals fit, else rounded to the twelve digits
+/// that EAGERx itself keeps of a time.
 std::optional<Rational> meant(const YamlValue& yaml) {
   if (!yaml.is_scalar() || yaml.quoted) return std::nullopt;
   const auto number = parse_number(yaml.text);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kWidth = 110;
 
-/// What EAGERx can say of a connection: it has no `max_delay` and draws no delays.
+/// Settings that EAGERx has for a connection: it has no `max_delay` and draws no delays.
 void add_settings(const ConnectionSettings& settings, std::vector<std::string>& items) {
   if (settings.window) items.push_back("window: " + text_of(*settings.window));
   if (settings.delay) {

@@ -15,7 +15,7 @@ namespace {
 using Op = ConditionStep::Op;
 using Tree = Expression::Op;
 
-/// What an operand is.
+/// The type of an operand.
 struct Type {
   enum class Kind : std::uint8_t { number, boolean, list, text, word };
   Kind kind = Kind::number;

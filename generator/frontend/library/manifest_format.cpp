@@ -292,7 +292,7 @@ Fields sending() {
            "the port inside that sends its messages"}};
 }
 
-/// What is inside is checked where it is used: only there its parameters have values.
+/// The graph inside is checked where it is used: only there its parameters have values.
 Field inner_graph() {
   const FormatPtr entities = format::map("entities", format::any("an entity"));
   return {"graph",

@@ -7,7 +7,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What ends the lines of a text.
+/// The line ending of a text.
 std::string_view newline_of(std::string_view text) {
   const std::size_t newline = text.find('\n');
   return newline != std::string_view::npos && newline > 0 && text[newline - 1] == '\r' ? "\r\n"

@@ -64,7 +64,7 @@ std::optional<double> any_number_of(const YamlValue& yaml) {
   return fraction ? std::optional(fraction->to_double()) : std::nullopt;
 }
 
-/// What is no number is no value of a parameter either.
+/// Texts that are no numbers are no values of parameters either.
 std::optional<double> number_of(const YamlValue& yaml) {
   const auto number = any_number_of(yaml);
   return number && std::isnan(*number) ? std::nullopt : number;
@@ -102,7 +102,7 @@ class Reader {
   }
 
  private:
-  /// What to write for `thirty` or `yes`.
+  /// The correct form of `thirty` or `yes`.
   [[nodiscard]] Help help_with_word(const YamlValue& yaml) const {
     using Type = Parameter::Type;
     if (!yaml.is_scalar() || yaml.is_null() || yaml.quoted) return {};
@@ -118,7 +118,7 @@ class Reader {
     return {};
   }
 
-  /// What to write for a number in the way of another language, or with a unit.
+  /// The correct form of a number in another language's notation, or with a unit.
   [[nodiscard]] Help help_with_number(const YamlValue& yaml) const {
     if (const auto foreign = yaml.is_scalar() ? foreign_number(yaml.text) : std::nullopt)
       return foreign->help;

@@ -15,7 +15,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What to say instead of a message that needs no more than other words.
+/// A better wording of one of yaml-cpp's messages.
 struct Wording {
   std::string_view original;  // begins with
   const char* message;

@@ -216,7 +216,7 @@ void read_task(const YamlValue::Entry& entry, GraphSpec& spec, Diagnostics& diag
   }
 }
 
-/// What is shown; its source becomes a connection, as an input of the task does.
+/// The picture's input; its source becomes a connection, as an input of the task does.
 void read_render(const YamlValue::Entry& entry, GraphSpec& spec) {
   RenderSpec render;
   render.span = entry.key_span;

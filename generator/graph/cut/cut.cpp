@@ -113,7 +113,8 @@ class Cutter {
     }
   }
 
-  /// What takes an action at the rate of its sender, so that those behind it count its messages.
+  /// A port that takes an action at the rate of its sender, so that those behind it count its
+  /// messages.
   void add_port(const Crossing& crossing, std::size_t action) {
     if (!graph_.cut->port) {
       Entity entity;
@@ -204,7 +205,7 @@ class Cutter {
     read_safe_outputs(environment, &spec, safety, diagnostics_);
   }
 
-  /// What `safety: {actuators: …}` says of what an output drives.
+  /// Takes `safety: {actuators: …}` for the actuators that an output drives.
   void take_actuators(SafetySpec& spec) const {
     for (const CutPort& port : graph_.cut->observations) {
       if (!port.actuator || find_named(spec.outputs, port.name) != nullptr) continue;

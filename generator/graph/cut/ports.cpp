@@ -28,7 +28,7 @@ std::string plain(const std::string& port) {
   return name.owner + "." + name.name;
 }
 
-/// What the ports inside are called at the cut, where they are those of a composite.
+/// Names at the cut of ports that belong to a composite.
 class ComposedNames {
  public:
   explicit ComposedNames(const CutRequest& request) {
@@ -86,7 +86,7 @@ class CrossingsFinder {
       goes_out(input);
   }
 
-  /// What is for the eye, and what judges, drives nothing.
+  /// Nodes that only draw or judge drive nothing.
   [[nodiscard]] bool only_looks(std::size_t n) const {
     return whole_.nodes[n].drawn || (whole_.task && whole_.task->node == n) ||
            (whole_.render && whole_.render->node == n);

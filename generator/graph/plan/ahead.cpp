@@ -99,7 +99,7 @@ class ReadAhead {
     return {};
   }
 
-  /// What a part sends to another one is handed on late where that reads it late, so that the hub
+  /// The hub hands on a part's messages late where another part reads them late, so that the hub
   /// need not wait for it.
   void find_lags() {
     for (std::size_t part = 0; part < split_.links.size(); ++part) {

@@ -50,7 +50,7 @@ std::optional<Counts> counts_of(const Input& input, const Rational& source_rate,
   return Counts{ratio.num(), ratio.den(), now.ceil(), input.skip};
 }
 
-/// What a program needs to turn a delay into x.
+/// Values with which a program turns a delay into x.
 std::optional<Reception::Changing> changing_of(const Input& input, const Counts& counts,
                                                const Rational& source_rate,
                                                Diagnostics& diagnostics) {
@@ -73,7 +73,7 @@ std::optional<Reception::Changing> changing_of(const Input& input, const Counts&
   return std::nullopt;
 }
 
-/// What to do about a skipped input without a message at tick 1.
+/// Advice for a skipped input without a message at tick 1.
 std::string advice(Counts counts, const Rational& source_rate) {
   constexpr std::int64_t kMostTried = 100'000;
   // At tick 1 at most floor((a - x) / b) + 1 messages can be there: none for x > a.

@@ -298,7 +298,7 @@ class Connector {
     return object == nullptr ? std::string() : object->sensors.at(port.name).written;
   }
 
-  /// What the sensor at the beginning of the connection offers, if it is one.
+  /// The delay that the sensor at the beginning of the connection offers, if it is one.
   ConnectionSettings delay_of_sensor(const ConnectionSpec& connection) {
     const PortName port = parse_port(connection.from.value);
     const UnresolvedObject* object = draft_.find_object(port.owner);

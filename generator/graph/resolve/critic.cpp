@@ -7,7 +7,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What is said of the states of objects and nodes: "pendulum.mass".
+/// Names of the states of objects and nodes: "pendulum.mass".
 std::vector<CriticInput> states_of(const UnresolvedGraph& draft) {
   std::vector<CriticInput> all;
   const auto add = [&](const std::string& owner, const State& state) {

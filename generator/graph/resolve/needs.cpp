@@ -53,7 +53,7 @@ std::string system_of(const Target& target) {
   return target.system.empty() ? "has no operating system" : "runs " + target.system;
 }
 
-/// What an entity needs and the target is not, in words; empty if there is nothing.
+/// Properties that an entity needs and the target lacks, in words; empty if there are none.
 std::string missing(const Entity& entity, const Target& target) {
   if (entity.system && entity.system->value != target.system)
     return fmt::format("`{}` needs {}, but target `{}` {}", entity.id.value, entity.system->value,

@@ -12,7 +12,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What a reset node sends while there is no reset.
+/// The output of a reset node while there is no reset.
 UnresolvedInput feedthrough_of(const UnresolvedOutput& output, const std::string& node) {
   UnresolvedInput input;
   input.name = output.name;

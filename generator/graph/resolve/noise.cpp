@@ -62,7 +62,7 @@ class NoiseAdder {
                            "the graph has no observations");
   }
 
-  /// What is real has noise of its own.
+  /// Real hardware has its own noise.
   [[nodiscard]] bool is_simulated() const {
     const Entity* const engine = draft_.engine();
     return engine != nullptr && !engine->asynchronous;
@@ -94,8 +94,8 @@ class NoiseAdder {
     return *draft_.nodes[Graph::kEnvironment].input(noise.observation.value);
   }
 
-  /// What the observation gets goes to `signal`; window, delay and skip stay where they are, so
-  /// that each message gets its noise once, and the delay stays the same.
+  /// The observation's source becomes that of `signal`; window, delay and skip stay where they are,
+  /// so that each message gets its noise once, and the delay stays the same.
   void insert(UnresolvedInput& signal, UnresolvedInput& observation) {
     signal.edge = observation.edge;
     signal.sensor = std::exchange(observation.sensor, {});

@@ -270,7 +270,7 @@ class ObjectBuilder {
     add_delay(*sensor);
   }
 
-  /// What its readers get is what the output publishes, if that has no other sensor.
+  /// Its readers get the messages that the output publishes, if that has no other sensor.
   UnresolvedSensor make_sensor(const ConnectionSpec& connection, const PortManifest& manifest,
                                const PortIndex& index) {
     UnresolvedSensor sensor{

@@ -56,8 +56,8 @@ std::optional<Processor> make_processor(const Library& library, const ProcessorS
   return last;
 }
 
-/// What has to be written of a processor that takes all elements of a message and is to give as
-/// many: indices are all of them. Nothing if another parameter must be given.
+/// Settings of a processor that takes all elements of a message and is to give as many: indices are
+/// all of them. Nothing if another parameter must be given.
 std::optional<std::vector<Setting>> settings_for(const Entity& entity, std::uint64_t elements) {
   std::vector<Setting> settings;
   for (const Parameter& parameter : entity.config) {

@@ -147,7 +147,7 @@ class SpaceResolver {
     return news;
   }
 
-  /// What the readers of a sensor get, once it is known what its output publishes.
+  /// Resolves the messages of a sensor's readers, once those of its output are known.
   bool resolve_sensor(const UnresolvedSensor& draft) {
     Slot<SensorView>& slot = sensors_[draft.written];
     const auto& source = outputs_[draft.output.node][draft.output.port].port;
@@ -197,8 +197,8 @@ class SpaceResolver {
     return true;
   }
 
-  /// What comes out of the processor of an output or a sensor must be what is said of it. A
-  /// connection's is wrong itself; elsewhere it stands next to the space.
+  /// The processor of an output or a sensor must give messages of the stated space. A connection's
+  /// is wrong itself; elsewhere it stands next to the space.
   bool publishes(const std::string& written, const PartialSpace& said, const Processor& processor,
                  bool of_connection) {
     if (fits(said, processor.output)) return true;

@@ -261,7 +261,7 @@ bool move_to_node(UnresolvedGraph& draft, const Object& object, State& state) {
   return true;
 }
 
-/// What an engine state says of its space, against what it is given.
+/// Compares the space that an engine state states with its value.
 void check_space_of_state(const State& state, const References& references, Span span,
                           Diagnostics& diagnostics) {
   const PortManifest& port = state.engine_state->states.front();
@@ -298,7 +298,8 @@ void bind_engine_state(UnresolvedGraph& draft, const Object& object, const Entit
                        draft.diagnostics);
 }
 
-/// What the graph leaves alone. Nothing of it is in the program, so no problem of it is reported.
+/// Finds states that the graph leaves alone. Nothing of it is in the program, so no problem of it
+/// is reported.
 void find_kept_states(UnresolvedGraph& draft, const EntitySpec& spec, Object& object) {
   Diagnostics unsaid;
   const References references = references_of(*object.entity, spec.config);

@@ -104,7 +104,7 @@ class TaskResolver {
     if (value) to.push_back({name.value, text.text, std::move(*value), weight, name.span});
   }
 
-  /// What to write for a port in an expression, which knows the names under `inputs:` only. Empty
+  /// The correct form of a port in an expression, which knows the names under `inputs:` only. Empty
   /// if `unknown` is none.
   [[nodiscard]] std::string help_with(const std::string& unknown) const {
     const auto is_meant = [&](const std::string& port) {

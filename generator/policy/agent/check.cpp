@@ -45,8 +45,8 @@ bool has_processor(const Input* input) {
   return input->processor && input->processor->stages().size() > input->of_sensor;
 }
 
-/// What is wrong is surely the observation that the training knows with another size, or the only
-/// one with a processor: its connection is marked.
+/// The wrong one is the observation that the training knows with another size, or the only one with
+/// a processor: its connection is marked.
 void mark_connection(const PolicyUse& use, const Network& network, const Sum& observed,
                      Diagnostic& problem) {
   const auto numbers = [](const Input* input) { return input->window * input->space.size(); };

@@ -37,8 +37,8 @@ Bounds bounds_of(const Network& network, const std::string& kind) {
   return bounds;
 }
 
-/// What is known of an output: a single one has the size of the network's answer and the bounds of
-/// its training. What the graph says of it comes on top.
+/// The port of an output, as far as it is known: a single one has the size of the network's answer
+/// and the bounds of its training. What the graph says of it comes on top.
 PortManifest output_port(const ComponentSpec* written, const std::string& name, bool is_single,
                          const AgentSpec& policy, const Network* network) {
   PortManifest port;

@@ -39,7 +39,7 @@ void round_weights(Network& network, const AgentSpec& policy, const GoldenRows* 
       fmt::format("weights of eight bits, error against float32: {}", to_string(error)));
 }
 
-/// What of `network` and the graph contradicts actions from -1 to 1. E0704, E0705.
+/// Contradictions of `network` and the graph to actions from -1 to 1. E0704, E0705.
 bool check_normalized_actions(const Network& network, const AgentSpec& policy,
                               Diagnostics& diagnostics) {
   const Span span = policy.normalize_actions->span;

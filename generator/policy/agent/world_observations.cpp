@@ -75,7 +75,7 @@ class ObservationCheck {
     wrong_order(both).help = help_for_renamed(theirs, ours);
   }
 
-  /// What to write so that the order is that of the training, as far as the names say it.
+  /// Help that gives the order of the training, as far as the names tell it.
   std::string help_for_renamed(const std::vector<NamedPart>& theirs,
                                const std::vector<NamedPart>& ours) const {
     const auto order = order_of_training(theirs, ours);

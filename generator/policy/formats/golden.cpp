@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMaxRows = 1'000'000;
 
-/// What a column or an array holds; nullptr: nothing that is read.
+/// The field into which a column or an array is read; nullptr: none.
 using Column = std::vector<std::vector<double>> GoldenRows::*;
 
 Column column_of(std::string_view name) {

@@ -232,7 +232,7 @@ std::string forgotten_value(const Command& top, const std::vector<std::string>& 
   return {};
 }
 
-/// What follows `help`: nothing, a command with the one inside it, or a topic.
+/// The words after `help`: nothing, a command with the one inside it, or a topic.
 int print_help(const CommandLine& line, const CLI::App& app,
                const std::vector<std::string>& words) {
   const CLI::App* found = &app;

@@ -11,7 +11,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What may follow, by the form of the value that the table shows.
+/// The kind of word that may follow, by the form of the value that the table shows.
 bool is_folder(const Argument& argument) {
   return argument.type == "DIR";
 }

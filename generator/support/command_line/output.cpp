@@ -23,7 +23,7 @@ void note_problem() {
   broken = true;
 }
 
-/// What is between `ends`, which are meant.
+/// Makes the text between `ends` printable.
 std::string drawable(std::string_view text, std::string_view ends = "\n") {
   std::string result;
   for (std::size_t begin = 0; begin < text.size();) {

@@ -86,7 +86,7 @@ void take_lines(std::string& text, bool ended, const ProcessOptions& options) {
   text.erase(0, text.size() - rest.size());
 }
 
-/// What comes through `end`, until its last writer closes it; nothing if it goes to `line`.
+/// The bytes from `end`, until its last writer closes it; none if it goes to `line`.
 std::string read_all(int end, const ProcessOptions& options) {
   constexpr int kWaitMs = 200;
   std::string output;

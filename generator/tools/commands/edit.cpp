@@ -43,7 +43,8 @@ std::optional<std::string> text_of_file(Run& run, const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-/// What `check` finds in this text of the file: a graph, a manifest or settings of a training.
+/// The problems that `check` finds in this text of the file: a graph, a manifest or settings of a
+/// training.
 std::unique_ptr<Run> check_of(const EditOptions& options, const std::string& text) {
   auto run = std::make_unique<Run>();
   if (is_manifest(options.graph)) {

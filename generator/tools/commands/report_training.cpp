@@ -68,7 +68,7 @@ Json episode_json(const char* what, const TrainingEpisode& episode) {
               {"command", fmt::format("{}", join(options_of(episode), " "))}};
 }
 
-/// What a trace is called on the page, which has the same bytes wherever it was written.
+/// The title of a trace on the page, whose bytes do not depend on the machine.
 std::string title_of(const char* what, const TrainingEpisode& episode) {
   return fmt::format("{} episode, return {:.5g}", what, episode.sum);
 }

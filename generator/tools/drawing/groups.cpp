@@ -57,7 +57,7 @@ void shorten(Box& box, const std::vector<BoxGroup>& groups, std::optional<std::s
   if (box.name.starts_with(prefix)) box.name.erase(0, prefix.size());
 }
 
-/// What is in each group, and how wires get in and out.
+/// Puts boxes into groups, and wires into and out of them.
 class Nester {
  public:
   explicit Nester(const Drawing& flat) : flat_(flat), groups_(flat.groups) {

@@ -205,7 +205,8 @@ void append(std::string& text, const std::string& more) {
   if (!more.empty()) text += (text.empty() ? "" : "\n\n") + more;
 }
 
-/// What the last good text says of a word: a port, by which a connection ends, an object or a node.
+/// The last good text's description of a word: a port, by which a connection ends, an object or a
+/// node.
 std::string resolved_about(const Resolved& resolved, const Cursor& cursor,
                            const std::string& word) {
   const std::string name = without_indices(word);
@@ -227,7 +228,7 @@ std::string resolved_about(const Resolved& resolved, const Cursor& cursor,
   return text;
 }
 
-/// What the library says.
+/// The library's description of a word.
 std::string library_about(const LibraryFacts& library, const OutlineNode& top, const Cursor& cursor,
                           const std::string& word) {
   if (cursor.is_key) {

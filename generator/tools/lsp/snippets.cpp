@@ -51,8 +51,8 @@ OutlineNode with_type(OutlineNode node, const OutlinePath& path, std::size_t fro
   return node;
 }
 
-/// What of a graph the schema of one of its maps depends on: the map and what is around it, and
-/// words such as the graph's rate.
+/// The part of a graph on which the schema of one of its maps depends: the map and what is around
+/// it, and words such as the graph's rate.
 OutlineNode reduced(const OutlineNode& node, const OutlinePath& path, std::size_t from) {
   if (from == path.size()) return node;
   OutlineNode result;

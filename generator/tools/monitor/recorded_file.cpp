@@ -37,7 +37,7 @@ class GrowingFile : public publish::PublishSink {
   [[nodiscard]] const char* unit() const override { return "messages"; }
 
  protected:
-  /// What is kept together is complete.
+  /// The part is complete.
   virtual void end_part() {}
   void write(const std::string& bytes) {
     if (bytes.empty() || !file_.is_open()) return;
@@ -82,7 +82,7 @@ class RecordedMcap final : public GrowingFile {
   trace_log::McapFile mcap_;
 };
 
-/// What TraceText writes into.
+/// The sink of TraceText.
 struct TraceWriter {
   std::string text_so_far;
   void text(std::string_view text) { text_so_far += text; }

@@ -113,7 +113,7 @@ class Recording::Destinations {
     }
     return problem;
   }
-  /// What the user should know, printed once.
+  /// Notes for the user, printed once.
   std::string take_notes() { return std::exchange(notes_, {}); }
   foxglove::Server* serve(foxglove::Site site, std::vector<foxglove::Topic> topics,
                           std::string& problem) {

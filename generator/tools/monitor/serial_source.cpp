@@ -20,7 +20,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What a board sends, from its serial line: a device, a pipe, or a file of what one has given.
+/// Telemetry of a board, from its serial line: a device, a pipe, or a file of what one has given.
 class SerialSource final : public Source, private telemetry::Listener {
  public:
   SerialSource(std::string path, int file, bool grows, telemetry::Layout layout)
@@ -119,7 +119,7 @@ class SerialSource final : public Source, private telemetry::Listener {
     tell(StreamFault::dropped, now.dropped, reported_.dropped);
     tell(StreamFault::late_slots, now.late, reported_.late);
   }
-  /// What the board counts begins at 0 when it does.
+  /// The board's counters begin at 0 when the board starts.
   template <class T>
   void tell(StreamFault fault, T count, T& reported) {
     if (count < reported) reported = 0;
@@ -147,7 +147,7 @@ class SerialSource final : public Source, private telemetry::Listener {
   std::string problem_;
 };
 
-/// What termios calls it.
+/// The constant of termios.
 std::optional<speed_t> speed_of(std::uint32_t baud) {
   static const std::map<std::uint32_t, speed_t> speeds = {
       {9'600, B9600},        {19'200, B19200},      {38'400, B38400},      {57'600, B57600},

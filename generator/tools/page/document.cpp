@@ -25,7 +25,7 @@ std::vector<std::string> entries_of(const PageContents& contents) {
   return entries;
 }
 
-/// What is between the first `<name>` and its end.
+/// The text between the first `<name>` and its end.
 std::string_view element(std::string_view text, std::string_view name) {
   const std::string begin = fmt::format("<{}>", name), end = fmt::format("</{}>", name);
   const std::size_t at = text.find(begin) + begin.size();

@@ -272,7 +272,7 @@ Json log_json(const Log& log, const Amount& amount) {
   return json;
 }
 
-/// What `log` says of a channel and the graph does not; empty if they agree.
+/// The difference between a channel in `log` and in the graph; empty if they agree.
 std::string difference(const RecordedChannel& recorded, const Plan& plan) {
   const auto channel = ranges::find(plan.channels, recorded.name, &Channel::name);
   if (channel == plan.channels.end())

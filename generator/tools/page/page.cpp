@@ -56,7 +56,7 @@ Json diagnostics_json(const PageContents& contents) {
   return list;
 }
 
-/// What `render:` shows: "scene", "image" or "".
+/// The kind of picture of `render:`: "scene", "image" or "".
 const char* shown_by(const Graph& graph) {
   if (!graph.render) return "";
   const Input& source = graph.nodes[graph.render->node].inputs.front();

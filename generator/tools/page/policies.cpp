@@ -52,7 +52,7 @@ Json contract_json(const Network& network) {
   return json;
 }
 
-/// What the graph feeds a policy, and what becomes of its answer.
+/// A policy's inputs from the graph, and the use of its answer.
 Json use_json(const PolicyUse& use, const Network& network, const PageContents& contents) {
   Json json{{"rate", use.rate_hz.to_string()},
             {"line", contents.sources->place_in(contents.spec->file, use.span).line},

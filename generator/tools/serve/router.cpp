@@ -32,7 +32,7 @@ bool is_same(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-/// What follows the first part of a path: "/TOKEN/state" is "state".
+/// The path after its first part: "/TOKEN/state" is "state".
 std::string_view rest_of(std::string_view path, std::string_view token) {
   const std::size_t size = std::min(path.size(), token.size() + 2);
   return path.substr(size);

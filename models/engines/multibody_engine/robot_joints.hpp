@@ -95,7 +95,7 @@ inline LinkNumbers<Model, Real> of_links(const std::array<Real, Joints::kCount>&
   }
   return result;
 }
-/// What torques of links are together for each joint.
+/// The sum of the links' torques for each joint.
 template <class Model, class Joints, class Real>
 inline std::array<Real, Joints::kCount> of_joints(const LinkNumbers<Model, Real>& torque) {
   std::array<Real, Joints::kCount> sum;

@@ -13,7 +13,7 @@ class ClientBytes {
   enum class Answer : std::uint8_t { page, web_socket };
 
   void add(std::string_view bytes);
-  /// What the request was answered with; what follows it waits until then.
+  /// Sets the answer to the request; the bytes after it wait until then.
   void answered(Answer with);
   /// Whether nothing more may be added before answered().
   bool is_waiting() const { return state_ == State::waits && !held_.empty(); }

@@ -38,7 +38,7 @@ target::Fault fault(const std::string& text) {
   return *result;
 }
 
-/// What each option does with its value.
+/// A setter for each option's value.
 std::vector<client::Setter> setters(Options& o) {
   using Text = const std::string&;
   constexpr std::uint32_t kMostRuns = 100'000'000, kMostSteps = 1'000'000'000;

@@ -69,7 +69,7 @@ class Runner::Chunk {
       *number++ = static_cast<double>(*fault.fault.begins);
   }
 
-  /// What the agents see: observations with their faults.
+  /// The agents' inputs: observations with their faults.
   const float* seen() {
     if (faults_.empty()) return rows_.observation.data();
     seen_ = rows_.observation;

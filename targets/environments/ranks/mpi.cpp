@@ -23,7 +23,7 @@ constexpr std::size_t kMostAtOnce = std::size_t{1} << 30U;
 /// kills a second after its SIGTERM, and a checkpoint is written in between.
 constexpr std::chrono::milliseconds kPatience(300);
 
-/// What a collective operation wants of pieces: counts, and where they begin.
+/// Pieces of a collective operation: counts, and where they begin.
 struct Pieces {
   explicit Pieces(std::span<const std::size_t> sizes) {
     std::size_t at = 0;

@@ -206,7 +206,7 @@ void read_own(const std::string& bytes, const std::string& name, const std::stri
   read_values(parts.values, name, model, progressed);
 }
 
-/// What another training with these networks has learnt.
+/// Takes what another training with these networks has learnt.
 template <class SomeModel>
 SomeModel learnt_by(const std::string& bytes, const std::string& name, const std::string& interface,
                     SomeModel learnt) {

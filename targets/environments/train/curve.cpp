@@ -72,7 +72,7 @@ std::string steps_text(double steps) {
   return fmt::format("{:g}", steps);
 }
 
-/// What the colours mean, in a row below the title.
+/// An entry of the legend, in a row below the title.
 struct Meaning {
   const char* colour;
   const char* text;
@@ -117,7 +117,7 @@ std::string row_of(const CurvePoint& point) {
                      cell(point.stage_return));
 }
 
-/// What all returns lie in.
+/// The plane in which all returns lie.
 Plane plane_of(const std::vector<std::vector<CurvePoint>>& trainings) {
   Plane plane{1.0, 0.0, 0.0};
   bool any = false;

@@ -56,7 +56,7 @@ void visit_result(Visitor& visitor, Result& result) {
 
 }  // namespace
 
-/// What came of a part.
+/// The result of a part.
 struct Evaluator::Result {
   std::vector<Episode> episodes;
   std::uint64_t saturated = 0, numbers = 0;  // of the actions

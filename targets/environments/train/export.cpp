@@ -86,7 +86,7 @@ std::string golden_header(const Policy& policy) {
   return text;
 }
 
-/// What follows the answers in a lane: those, and the action.
+/// The answers of a lane, and the action.
 std::string answered(const Policy& policy, const Simd* answers, std::size_t lane) {
   std::string text;
   std::vector<float> action(policy.head.numbers);

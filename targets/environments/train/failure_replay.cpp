@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kState = "state:";
 constexpr const char* kOwnTable = "give the table that `eagerx-gen campaign --csv` has written";
 
-/// What is wrong with the first line; empty: nothing.
+/// The problem of the first line; empty: none.
 std::string wrong_head(const std::vector<std::string_view>& head, const Description& description) {
   constexpr std::string_view kFirst[] = {"run",     "return",     "steps",
                                          "success", "terminated", "truncated"};

@@ -44,8 +44,7 @@ int run_first(int argc, char** argv, Ranks& ranks) {
   return train_together(ranks, options, interrupts());
 }
 
-/// What rank 0 says, it says for all, and then it ends all. If it does not, this one's problem is
-/// not its own.
+/// Rank 0 reports for all, and then it ends all. If it does not, this one's problem is not its own.
 int run_other(Ranks& ranks) {
   constexpr std::chrono::seconds kPatience(30);
   const Options options = take_job(ranks);

@@ -43,7 +43,7 @@ std::string setting_name(const std::string& word) {
   return word.substr(0, word.find('='));
 }
 
-/// What each option does with its value.
+/// A setter for each option's value.
 std::vector<client::Setter> setters(Options& o) {
   using Text = const std::string&;
   constexpr std::uint64_t kMostSteps = 1'000'000'000'000;

@@ -12,7 +12,7 @@
 namespace eagerx::train {
 namespace {
 
-/// What makes the gradient of a mean of sums at most `longest` long.
+/// The factor that makes the gradient of a mean of sums at most `longest` long.
 float clipped_scale(const std::vector<float>& gradient, double count, double longest) {
   double squares = 0.0;
   for (const float g : gradient) squares += double{g} * g;

@@ -164,7 +164,7 @@ Rollout::Place Rollout::place(std::size_t step, std::size_t environment) const {
   return {sequence / kLanes * sequence_ + step % sequence_, sequence % kLanes};
 }
 
-/// What the critic sees, from its row. Environments of a tile are adjacent in a SIMD vector, too.
+/// Inputs of the critic, from its row. Environments of a tile are adjacent in a SIMD vector, too.
 void Rollout::note_inputs(std::size_t step, std::size_t tile) {
   const Place to = place(step, tile * kLanes);
   Simd* x = &inputs[to.simd * width_];
@@ -176,7 +176,7 @@ void Rollout::note_values(std::size_t step, std::size_t tile, const Simd& value)
   std::copy_n(value.lane, lanes(), &value_[step * count_ + tile * kLanes]);
 }
 
-/// What an environment's draws of one step come from.
+/// The random numbers of an environment in one step.
 Random Rollout::noise(const Frozen& frozen, std::size_t step, std::size_t environment) const {
   const auto time = static_cast<std::uint32_t>(frozen.pace.time + step);
   return {{frozen.settings.seed, static_cast<std::uint32_t>(first_ + environment), time},

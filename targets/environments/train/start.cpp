@@ -40,7 +40,7 @@ void check_choices(const Description& description) {
       "give their spaces `low` and `high` nearer to each other, or a float dtype");
 }
 
-/// What is neither all whole nor all real numbers.
+/// Refuses actions that are neither all whole nor all real numbers.
 void check_real(const Description& description, const Space& action) {
   if (action.dtype.starts_with("float")) return;
   const auto real = std::ranges::find_if(

@@ -31,7 +31,7 @@ std::vector<std::string> without_empty(std::vector<std::string> texts) {
   return texts;
 }
 
-/// What is left of the threads' time is waiting, for each other or for a free core.
+/// The rest of the threads' time is waiting, for each other or for a free core.
 std::string where_time_went(const Ended& ended) {
   const Spent& spent = ended.spent;
   const double all_s = std::max(ended.seconds * ended.threads, spent.total_s());
@@ -91,7 +91,7 @@ std::string unfinished(const Ended& ended) {
       stages[stage].name, stage + 1, stages.size());
 }
 
-/// What may help.
+/// Hints that may help.
 std::string notes(const Ended& ended, const Evaluation& evaluation) {
   if (!ended.has_aim)
     return unfinished(ended) +

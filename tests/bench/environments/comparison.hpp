@@ -10,7 +10,7 @@
 
 namespace bench {
 
-/// What a step writes: `numbers` observed of each environment.
+/// Rows that a step writes: `numbers` observed of each environment.
 struct Rows {
   Rows(std::size_t environments, std::size_t numbers)
       : observation(environments * numbers), reward(environments), ends(2 * environments) {

@@ -5,7 +5,7 @@
 
 namespace eagerx::bench {
 
-/// What the agent sees at the end of a run.
+/// The agent's observation at the end of a run.
 struct Seen {
   float cosine, sine, theta_dot;
 };

@@ -5,7 +5,7 @@
 
 namespace eagerx::bench {
 
-/// What the agent sees at the end of a run: angle [rad] or place [m].
+/// The agent's observation at the end of a run: angle [rad] or place [m].
 using Seen = float;
 
 /// Where the pendulum starts, and what the actions are.

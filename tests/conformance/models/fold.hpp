@@ -29,7 +29,7 @@ constexpr std::int64_t fold(const Inputs& inputs, std::int64_t h) {
   return h;
 }
 
-/// What output `index` of a node sends: `count` callbacks have run before this one.
+/// The message of output `index` of a node: `count` callbacks have run before this one.
 constexpr Message message(std::int64_t nid, std::int64_t count, std::int64_t h,
                           std::int64_t index) {
   constexpr std::int64_t kIds = 100000;

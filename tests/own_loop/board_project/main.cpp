@@ -34,7 +34,7 @@ static bool try_faults(Program& program, std::uint32_t frozen_after) {
   return report.violations == 0;
 }
 
-/// What a loop that asks before it begins gets to know.
+/// The answer to a loop that asks before it begins.
 template <class Graph>
 static bool try_floats() {
   const bool as_it_is = Graph::self_test();

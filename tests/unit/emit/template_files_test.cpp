@@ -24,7 +24,7 @@ class Templates {
   void file(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / (name + ".mustache")) << text;
   }
-  /// What becomes of a template, or its one problem.
+  /// The text of a template, or its one problem.
   std::string rendered(const std::string& name, const View& view) const {
     Diagnostics diagnostics;
     const auto text =

@@ -22,7 +22,7 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// What eagerx_error() would say of a call of f.
+/// The message of eagerx_error() after a call of f.
 template <class F>
 std::string error_of(F&& f) {
   try {

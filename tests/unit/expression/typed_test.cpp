@@ -22,7 +22,7 @@ const std::vector<ExpressionVariable>& variables() {
   return kVariables;
 }
 
-/// What a caller says of a name with a point.
+/// A caller's help for a name with a point.
 std::string help_with(const std::string& unknown) {
   if (unknown.find('.') == std::string::npos) return {};
   return "give it a name under `inputs:`: `x: " + unknown + "`";

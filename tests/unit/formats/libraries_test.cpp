@@ -199,7 +199,7 @@ TEST(Choices, SeveralAtOnceHaveTheirOwnOutputs) {
       << "what chooses once never chooses several";
 }
 
-/// What golden rows say of a policy whose first action is made another one.
+/// Whether golden rows accept a policy whose first action was changed.
 bool passes_with_another_action(const std::string& name) {
   const Network network = read_library(name + ".zip");
   Diagnostics diagnostics;

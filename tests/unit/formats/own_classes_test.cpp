@@ -69,8 +69,8 @@ std::vector<double> answer_to(const Network& network, const std::vector<double>&
   return evaluate_in_double(network, {observation.begin(), observation.end()});
 }
 
-/// What reaches the robot with bounds of -2 and 2: Stable-Baselines3's predict() clips to the space
-/// of the training, and the environment scales what it is given.
+/// The action that reaches the robot with bounds of -2 and 2: Stable-Baselines3's predict() clips
+/// to the space of the training, and the environment scales what it is given.
 TEST(NormalizedActions, AreClippedThenScaledToTheBounds) {
   const auto plain = read_normalized(false, true);
   ASSERT_TRUE(plain.has_value());

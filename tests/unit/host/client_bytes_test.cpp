@@ -27,7 +27,7 @@ std::string frame(std::size_t size, bool is_masked = true) {
   return text + (is_masked ? "mask" : "") + std::string(size, '\7');
 }
 
-/// What passes of a request and what follows it, if it comes in pieces of `at_once` bytes.
+/// Bytes of a request and after it that pass if it comes in pieces of `at_once` bytes.
 ClientBytes given(const std::string& frames, std::size_t at_once) {
   ClientBytes bytes;
   const std::string all = std::string(kRequest) + frames;

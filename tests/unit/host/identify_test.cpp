@@ -24,7 +24,7 @@ constexpr std::array<Channel, 4> kChannels{{
     {"engine/tick", "int64", 1, kEngineHz, 1, Publisher::engine},
 }};
 
-/// What a generated program does in a slot: engine, accelerometer, actuator, other sensors.
+/// The order of a generated program in a slot: engine, accelerometer, actuator, other sensors.
 class Cart {
  public:
   double mass = 0.0, friction = 0.0;

@@ -166,7 +166,7 @@ void give(Records& to, const std::vector<std::uint8_t>& bytes) {
   std::copy(bytes.begin(), bytes.end(), to.room().begin());
   to.take(bytes.size());
 }
-/// What is opened next: "nothing", "end", "forged", or ":" and the text.
+/// The next record: "nothing", "end", "forged", or ":" and the text.
 std::string opened(Records& by) {
   std::array<std::uint8_t, Records::kMostBytes> bytes{};
   std::size_t size = 0;

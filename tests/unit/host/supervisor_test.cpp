@@ -40,7 +40,7 @@ class Kept : public ::testing::Test {
     static_cast<void>(!write(ends[1], "e", 1));
     _exit(0);
   }
-  /// What comes within `ms`, which is long enough for what must come.
+  /// Text that comes within `ms`, which is long enough for any that must come.
   std::string heard(int ms) {
     std::string text;
     std::array<char, 1024> bytes{};

@@ -43,7 +43,7 @@ struct Reached {
     return kMiddle[channel] + (channel < 3 ? 0.01F * Around<0>::at(n, channel) : 0.0F);
   }
 };
-/// What SwingIo measures of a pendulum that hangs and shakes: angles pi and its half. Where it
+/// Measurements of SwingIo of a pendulum that hangs and shakes: angles pi and its half. Where it
 /// could go over the top, two filters could take different sides.
 struct Hanging {
   static float at(Seq n, std::uint32_t channel) {

@@ -57,7 +57,7 @@
 
 namespace eagerx::models::testing::long_runs {
 
-/// What a block answers to signals in which one message is wrong.
+/// The answer of a block to signals in which one message is wrong.
 struct Answer {
   bool shows;     // an output was not finite within the ticks that a NaN may stay
   bool recovers;  // afterwards every output was finite

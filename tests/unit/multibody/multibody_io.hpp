@@ -36,7 +36,7 @@ class MultibodyScene {
   using Simulator = MultibodySimulator<Model>;
 
   MultibodyScene() { eagerx::start(engine, simulator); }
-  /// What a reset does after its engine states.
+  /// The last part of a reset, after its engine states.
   void reset() { eagerx::reset_engine(engine, NoStates{}, simulator); }
   void tick() { engine.callback({1}, simulator); }
   void run(double seconds) {

@@ -103,7 +103,7 @@ using Four = Array<double, kN>;
 using Mixed = MixedArm<double>;
 constexpr std::array<std::size_t, kN> kMixedJoints = {1, 2, 3, 4};
 
-/// What the engine says the joints do.
+/// The accelerations of the joints, from the engine.
 Four engine_accelerations(const Four& q, const Four& v, const Four& u) {
   MultibodyScene<Mixed> scene;
   for (std::size_t i = 0; i < kN; ++i) {

@@ -7,8 +7,8 @@
 namespace eagerx::gen {
 namespace {
 
-/// What really happens: both nodes tick in the order of their times, messages are numbered, and
-/// every tick looks at its window. How far back it looked is what the ring must hold.
+/// The real sequence: both nodes tick in the order of their times, messages are numbered, and every
+/// tick looks at its window. How far back it looked is what the ring must hold.
 struct Happened {
   std::uint64_t keep =
       1;  // most messages between the oldest that is looked at and the newest that is sent

@@ -11,7 +11,7 @@ namespace {
 using ArmScene = Scene<ArmModel, RigidConfig<20>>;
 using BoxScene = Scene<BoxModel, RigidConfig<20>>;
 
-/// What a sensor publishes now.
+/// The message that a sensor publishes now.
 template <class Node, std::size_t N, class Simulator>
 Array<float, N> sense(Simulator& simulator) {
   Array<float, N> observation{};

@@ -43,7 +43,7 @@ class Scene {
   using Simulator = OpenDynamicsSimulator<Model>;
 
   Scene() { eagerx::start(engine, simulator); }
-  /// What a reset does after its engine states.
+  /// The last part of a reset, after its engine states.
   void reset() { eagerx::reset_engine(engine, NoStates{}, simulator); }
   void tick() { engine.callback({1}, simulator); }
 

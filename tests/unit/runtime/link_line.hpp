@@ -69,8 +69,8 @@ class Wire {
 
   void add(const Bytes& bytes) { line_.insert(line_.end(), bytes.begin(), bytes.end()); }
 
-  /// What somebody may send who does not know the session: noise, frames of every kind and size
-  /// with a check of their own, frames that were sent before, greetings that are none.
+  /// Bytes from a sender that does not know the session: noise, frames of every kind and size with
+  /// a check of their own, frames that were sent before, greetings that are none.
   void add_hostile() {
     ++hostile_frames;
     Bytes noise(random() % 300);

@@ -45,7 +45,7 @@ class Line : public ::testing::Test {
     to_host_.random.seed(seed + 1000);
   }
 
-  /// What a board does: commands, then messages.
+  /// The loop of a board: commands, then messages.
   void run_board() {
     while (board_->wait_for_host()) {
       ++sessions_;

@@ -146,7 +146,7 @@ TEST(Size, RefusesWhatIsNoImage) {
   for (const auto& problem : diagnostics.all()) EXPECT_EQ(problem.code, "E0911");
 }
 
-/// What `eagerx-gen size` says of the image and a graph with this budget.
+/// Output of `eagerx-gen size` for the image and a graph with this budget.
 std::string said_of_budget(const Tools& tools, const std::string& budget) {
   const std::string graph =
       tools.file("graph.yaml",

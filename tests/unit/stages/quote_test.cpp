@@ -91,8 +91,8 @@ TEST(Quote, PlainWordsNeedNoQuotesAnywhere) {
     EXPECT_FALSE(is_plain_path(text)) << text;
 }
 
-/// What a template of a language becomes with a value between its halves; nothing if it may not
-/// stand there.
+/// A template of a language with a value between its halves; nothing if the value may not stand
+/// there.
 std::optional<std::string> put(const char* path, std::string_view before, std::string_view value,
                                std::string_view after) {
   Quoter quoter(language_of(path));

@@ -234,7 +234,7 @@ class FakeChip {
   std::vector<std::uint8_t> i2c_fifo_;
 };
 
-/// What the drivers take for the chip's memory.
+/// The memory that the drivers take for the chip's.
 struct FakeMemory {
   static inline FakeChip* chip = nullptr;
   static std::uint32_t read(std::uintptr_t address) { return chip->read(address); }

@@ -14,7 +14,7 @@ namespace eagerx::train {
 
 inline const Interrupt never = false;
 
-/// What is said when `work` fails.
+/// The message when `work` fails.
 template <class Work>
 std::string said_by(Work work) {
   try {

@@ -57,7 +57,7 @@ TEST(TrainJudge, EvaluationsTakeNoMoreStepsThanLearningOrAreAtMostATwentiethLate
   EXPECT_EQ(all[all.size() - 1] - all[all.size() - 2], std::ceil(kEvaluation / kFive) * kFive);
 }
 
-/// What a training leaves that ends at this share of successes.
+/// Files of a training that ends at this share of successes.
 Progressed trained(double share, std::uint64_t iterations) {
   const TestFolder folder;
   Options options;
@@ -85,7 +85,7 @@ TEST(TrainJudge, WhereMostEpisodesFailTheBestIsOfThoseThatAllHave) {
   EXPECT_FALSE(early.best.is_judged());
 }
 
-/// What a policy that nothing has learnt is seen in.
+/// The evaluation of a policy that has learnt nothing.
 Evaluation seen_at_first(const Settings& settings) {
   ThreadPool pool(1);
   Judge judge(settings, pendulum(), *kernels_here().back(), pool, environments::alone());

@@ -183,7 +183,7 @@ TEST_P(TrainRecurrent, EveryInstructionSetHasTheSameBits) {
   }
 }
 
-/// What is deployed: eagerx::gru or lstm of these weights.
+/// The deployed cell: eagerx::gru or lstm of these weights.
 template <class Weights, class Remembered, class Apply>
 void expect_as_deployed(const Cell& cell, const std::vector<float>& parameters, const Simds& rows,
                         std::size_t stride, Apply apply) {

@@ -93,7 +93,7 @@ TEST_F(TrainMemory, WhatGoesOnFromACheckpointIsOneTraining) {
   }
 }
 
-/// What is learnt from is what was done: as long as nothing has been learnt, going through the
+/// A policy learns from what was done: as long as nothing has been learnt, going through the
 /// sequences again gives the same probabilities, behind the ends of episodes, too. Eight
 /// environments are one in each part, whose sequences are side by side.
 TEST_F(TrainMemory, SequencesAreThoseOfTheRollout) {

@@ -150,8 +150,8 @@ TEST_F(TrainSac, FineTuningBeginsWithWhatWasLearnt) {
             std::string::npos);
 }
 
-/// What the temperature has become while the policy should have so much entropy, in rewards as they
-/// come: what is learnt first is not scaled, then the temperature goes with the scale.
+/// The temperature after some updates with this target entropy, in rewards as they come: what is
+/// learnt first is not scaled, then the temperature goes with the scale.
 float temperature_for(float entropy, const Library& library) {
   train::Settings settings;
   settings.net_arch = {8};
@@ -171,7 +171,7 @@ TEST_F(TrainSac, TheTemperatureGrowsWhereEntropyIsMissing) {
   EXPECT_LT(temperature_for(-9.0F, pendulum()), first / 1.2F);
 }
 
-/// What a critic says of sixteen states, in rewards as they come.
+/// A critic's values of sixteen states, in unscaled rewards.
 Simd value(const sac::Model& model, std::size_t critic) {
   Simds row(model.critic.row());
   std::vector<float> rows;

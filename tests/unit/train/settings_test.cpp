@@ -21,7 +21,7 @@ using options::kTrainSettings;
 using options::Setting;
 using options::SettingKind;
 
-/// What is said when `text` is given to it; "" if nothing is.
+/// The message when `text` is its value; "" if there is none.
 std::string said(const std::string& name, const std::string& text) {
   Settings settings;
   try {

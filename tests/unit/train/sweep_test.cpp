@@ -52,7 +52,7 @@ class TrainSweep : public testing::Test {
     }
     return "nothing";
   }
-  /// What is said of a file of results.
+  /// The message about a file of results.
   std::string said_of(const std::string& text) const {
     write_file(path("results.csv"), text);
     try {

@@ -69,7 +69,7 @@ struct SevenJointArm {
         .parent = "link7",
         .child = "hand",
         .anchor = {{kReach, 0.0, kHand}}}}};
-  /// What is drawn of a link: a capsule along z, or with a rotation along x. There is no ground, so
+  /// The drawing of a link: a capsule along z, or with a rotation along x. There is no ground, so
   /// nothing touches.
   static constexpr eagerx::models::RigidGeometry drawn(const char* name, std::size_t body,
                                                        double radius, double length,

@@ -12,7 +12,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// What torch.save wrote, in either of its formats.
+/// Reads a file of torch.save in either of its formats.
 bool read_torch_bytes(std::string_view bytes, bool all, TensorTable& table,
                       PolicyProblem& problem) {
   if (is_legacy_torch(bytes)) return read_legacy_torch(bytes, all, table, problem);

@@ -84,7 +84,7 @@ class Layouts {
     return is_zip_ || known.marks.front() == nullptr || ranges::any_of(known.marks, is_there);
   }
 
-  /// What libraries have besides the layouts that are known, by its names.
+  /// Refuses layouts of libraries that are not supported, by their names.
   bool check_supported() {
     constexpr const char* kExport = "export the actor to ONNX, which says every step";
     const auto fail = [&](const char* how) { return refuse(problem_, "E0628", how, kExport); };

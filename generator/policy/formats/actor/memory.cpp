@@ -17,7 +17,7 @@ std::string name_of(const std::string& base, const char* what, int index) {
   return fmt::format("{}{}{}_l{}", base, base.empty() ? "" : ".", what, index);
 }
 
-/// What stands before `.weight_ih_l0`.
+/// The text before `.weight_ih_l0`.
 std::vector<std::string> bases_of(const TensorTable& table) {
   std::vector<std::string> bases;
   for (const auto& [name, tensor] : table.tensors) {

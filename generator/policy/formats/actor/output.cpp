@@ -64,8 +64,8 @@ class OutputReader : ActorParts {
     return std::nullopt;
   }
 
-  /// What follows the last layer: as the file says, else as its library does, else as the graph
-  /// says.
+  /// The activation after the last layer: as the file says, else as its library does, else as the
+  /// graph says.
   std::optional<Activation> output_activation() {
     if (layout_.output_rule != OutputRule::fixed) {
       if (given_output_) return given_output_;

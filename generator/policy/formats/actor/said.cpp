@@ -100,8 +100,8 @@ class Chain {
   int tries_ = 10'000;
 };
 
-/// What follows each layer if the graph names no activation: the one of all, after each Linear or
-/// the norm behind it, but for the last.
+/// Activations between layers if the graph names none: the one of all, after each Linear or the
+/// norm behind it, but for the last.
 void activate_between(const TensorTable& table, ActorLayout& layout) {
   bool any_linear = false;
   for (std::size_t i = 0; i + 1 < layout.modules.size(); ++i) {

@@ -240,7 +240,7 @@ class DataReader {
     return std::vector<std::uint32_t>(static_cast<std::size_t>(*size), 0);
   }
 
-  /// What is not a Box has no bounds of its own: they are those of its choices.
+  /// A space other than Box has no bounds of its own: they are those of its choices.
   void add_bounds_of_choices(bool is_binary) {
     PolicyContract& contract = facts_.contract;
     for (const std::uint32_t count : contract.choices) {

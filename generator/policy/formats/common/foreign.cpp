@@ -23,7 +23,7 @@ constexpr const char* kBaselines2Way =
     "export its TensorFlow graph to ONNX with tf2onnx, or train with Stable-Baselines3";
 constexpr const char* kUnpackWay = "unpack it, and name the policy in it";
 
-/// What tells a file or folder, what it is then, and what to do.
+/// A mark that identifies a file or folder, its kind, and the fix.
 struct Mark {
   std::string_view text;
   const char* what;
@@ -56,7 +56,7 @@ constexpr std::array kBeginnings = {
     Mark{"ustar"sv, "a tar archive", kUnpackWay, 257},
 };
 
-/// What names in a pickle tell of it, the more special first.
+/// Names in a pickle that identify its library, the more special first.
 constexpr std::array kPickleMarks = {
     Mark{"vec_normalize", "VecNormalize's statistics, not a policy",
          "name the policy as `policy`, and this file as its `normalize`"},

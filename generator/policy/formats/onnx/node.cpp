@@ -108,7 +108,7 @@ NetAttribute attribute_of(const AttributeProto& attribute, std::deque<NetTensor>
   return result;
 }
 
-/// What older versions of ONNX say in another way.
+/// Converts the forms of older versions of ONNX.
 void renew(NetNode& node, std::int64_t opset, std::vector<const NetValue*>& inputs) {
   constexpr std::int64_t kBoundsAreInputs = 11;
   constexpr std::int64_t kSoftmaxHasOneAxis = 13;

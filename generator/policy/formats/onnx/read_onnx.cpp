@@ -128,7 +128,7 @@ class Reading {
  private:
   const std::string& output(int i) const { return graph_.output(i).name(); }
 
-  /// What is known of `name`; tensors of the file are looked at when they are first asked for.
+  /// The value of `name`; tensors of the file are looked at when they are first asked for.
   const NetValue* value(std::string_view name) {
     const auto [place, fresh] = values_.try_emplace(name);
     const auto tensor = names_.tensors.find(name);

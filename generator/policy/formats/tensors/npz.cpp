@@ -17,7 +17,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// What follows `'key':` in the header, or empty.
+/// The text after `'key':` in the header, or empty.
 std::string_view header_entry(std::string_view header, std::string_view key) {
   const std::string quoted = fmt::format("'{}':", key);
   const std::size_t at = header.find(quoted);

@@ -67,14 +67,14 @@ Result convolved(const Torch& call, const Places& at) {
 Result convolution(const Torch& call) {
   return convolved(call, {5, 6});
 }
-/// What tracing writes: x, weight, bias, stride, padding, dilation, transposed, output_padding,
-/// groups, and switches of the machine.
+/// Arguments that tracing writes: x, weight, bias, stride, padding, dilation, transposed,
+/// output_padding, groups, and switches of the machine.
 Result traced_convolution(const Torch& call) {
   if (call.whole(6, "transposed", 0) != 0) return std::nullopt;
   return convolved(call, {5, 8});
 }
 
-/// What the pools have in common: a window of `kernel` numbers that moves by `strides`.
+/// Parameters of pools: a window of `kernel` numbers that moves by `strides`.
 struct Windows {
   NetValue x;
   std::size_t axes = 0;

@@ -13,7 +13,7 @@
 
 namespace eagerx::gen {
 
-/// What helps where a module keeps something else than the state of a GRU or LSTM.
+/// Help where a module keeps something other than the state of a GRU or LSTM.
 inline constexpr const char* kStateAsInput =
     "give a history of observations to the policy as its input (`window: 5` at a connection), or "
     "export the actor with its state as an input and an output, to ONNX";

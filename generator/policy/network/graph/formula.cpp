@@ -20,7 +20,7 @@ bool near(const std::optional<float>& value, float wanted) {
   return value && std::fabs(*value - wanted) <= kRelative * wanted;
 }
 
-/// What an input is to a formula: a part of one, the data itself, a number.
+/// The role of an input in a formula: a part of one, the data itself, a number.
 class Formula {
  public:
   explicit Formula(const NetCall& call) : call_(call), a_(call.input(0)), b_(call.input(1)) {}

@@ -179,7 +179,7 @@ class LayerBuilder {
     return true;
   }
 
-  /// What a robot cannot compute in a step, and a generator not in a minute.
+  /// Whether a robot can compute it in a step, and the generator in a minute.
   bool is_short(const KernelShape& kernel, std::uint64_t values) {
     constexpr auto kMostProducts = static_cast<std::uint64_t>(kMaxProducts);
     const std::uint64_t size = std::uint64_t{kernel.rows} * kernel.columns;

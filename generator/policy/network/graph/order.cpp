@@ -48,7 +48,7 @@ Reorder indices(const Dims& shape, std::int64_t first, const Integers& strides) 
   return order;
 }
 
-/// What moving axis `order[i]` to place i does to values of `dims`.
+/// The reordering of values of `dims` when axis `order[i]` moves to place i.
 Reorder transposition(const Dims& dims, const Integers& order) {
   const Integers strides = strides_of(dims);
   Dims shape;

@@ -21,7 +21,7 @@ bool usual_activations(const NetCall& call, bool is_lstm) {
   return std::ranges::equal(given->texts, std::span(kUsual).first(is_lstm ? 3 : 2));
 }
 
-/// What is unusual about the operator, or empty.
+/// The unusual property of the operator.
 std::string unusual(const NetCall& call, bool is_lstm) {
   const std::string_view direction = call.text("direction");
   if (!direction.empty() && direction != "forward") {

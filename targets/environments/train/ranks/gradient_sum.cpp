@@ -12,7 +12,7 @@ namespace {
 using environments::Share;
 using environments::share_of;
 
-/// What is no float32 of a gradient, of each part.
+/// Values of each part that are no float32 of a gradient.
 struct Counted {
   double divergence, count;
 };

@@ -108,8 +108,8 @@ void Learner::draw(const Frozen& frozen, const Simd* row, Random& random) {
   frozen.kernels.tanh(drawn_.data(), numbers_);
 }
 
-/// What the critics should say of the samples: the reward and what the actor gets from there on,
-/// as the more doubtful target has it.
+/// The target of the critics for the samples: the reward and what the actor gets from there on, as
+/// the more doubtful target has it.
 void Learner::estimate_target(const Frozen& frozen, Random& random) {
   const Model& model = frozen.model;
   std::copy_n(next_.begin(), seen_by_actor_, next_row_.begin());

@@ -9,7 +9,7 @@
 
 namespace oracle {
 
-/// What every object has: its state, and what each actuator set last.
+/// Data of every object: its state, and the last value of each actuator.
 template <class Model>
 struct OracleSimulator {
   std::int64_t state = 0;
