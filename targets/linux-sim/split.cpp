@@ -211,7 +211,7 @@ std::string connect_part(SplitLink& link, const std::string& line, const std::st
   if (!link.port().open(line, options.baud))
     return "error: cannot open `" + line + "`: " + link.port().error() +
            (facts.part_count == 1 ? "" : "\nnote: of " + name_of_part(link.part()));
-  link.set_runs_ahead(!options.lockstep);
+  link.set_pipelined(!options.lockstep);
   return greet_part(link, facts, most_s);
 }
 

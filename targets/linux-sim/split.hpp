@@ -25,7 +25,7 @@ class SplitLink {
   virtual const link::Greeting& greeting() const = 0;
   virtual const link::Statistics& statistics() const = 0;
   /// Whether the hub may ask its parts, all of them, for messages before it needs these.
-  virtual void set_runs_ahead(bool runs_ahead) = 0;
+  virtual void set_pipelined(bool is_pipelined) = 0;
   /// The hub no longer waits for the board.
   virtual void forget_silence() = 0;
   virtual bool finish(link::Report& report, CountListener& counts) = 0;

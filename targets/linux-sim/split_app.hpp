@@ -29,7 +29,7 @@ class LinkOfRun final : public SplitLink {
   link::Problem problem() const override { return link().problem(); }
   const link::Greeting& greeting() const override { return link().board(); }
   const link::Statistics& statistics() const override { return link().statistics(); }
-  void set_runs_ahead(bool runs_ahead) override { star_.set_runs_ahead(runs_ahead); }
+  void set_pipelined(bool is_pipelined) override { star_.set_pipelined(is_pipelined); }
   void forget_silence() override { link().on_silence(0, nullptr, nullptr); }
   bool finish(link::Report& report, CountListener& counts) override {
     return link().finish(report,

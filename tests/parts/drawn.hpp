@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <deque>
-#include <eagerx/link/ahead.hpp>
+#include <eagerx/link/pipeline.hpp>
 #include <eagerx/trace.hpp>
 #include <memory>
 #include <semaphore>
@@ -197,7 +197,7 @@ class SplitRun {
   Result run_parts(const target::RunPlan& plan, bool ahead, bool looks,
                    std::index_sequence<K...> /*parts*/) {
     const std::tuple<PartRun<Parts>...> parts(lines_[K]...);
-    star_.set_runs_ahead(ahead);
+    star_.set_pipelined(ahead);
     ((star_.template link<K>().port.line = &lines_[K]), ...);
     const bool open =
         (star_.template link<K>().open({Parts::Link::kGraph, target::kRuntimeVersion}, K + 1) &&

@@ -34,11 +34,11 @@ std::string messages_text(const Plan& plan, const std::vector<bool>& crosses) {
 }
 
 /// "continues while up to 4 exchanges are on their way: `arm.u` reads it with `delay: 0.1`"
-std::string ahead_text(const PartLink& link) {
+std::string pipelining_text(const PartLink& link) {
   const std::string what =
       link.depth > 1
           ? fmt::format("continues while up to {} exchanges are on their way", link.depth)
-          : fmt::format("waits for a message where it is {}", link.posts ? "read" : "sent");
+          : fmt::format("waits for a message where it is {}", link.is_pipelined ? "read" : "sent");
   return fmt::format("{}: {}", what, link.why_no_more);
 }
 
@@ -84,7 +84,7 @@ std::string part_text(const Plan& plan, std::size_t part, const YamlValue* limit
   return fmt::format("  {}, for {}{}\n", placed.name, placed.target->id.value, machine) +
          row("takes", messages_text(plan, link.to_part)) +
          row("gives", messages_text(plan, link.to_hub)) + row("a step", load_of_part(plan, part)) +
-         row("the hub", ahead_text(link)) +
+         row("the hub", pipelining_text(link)) +
          (link.exchanges == 0.0 ? std::string() : time_rows(plan, link, limit));
 }
 

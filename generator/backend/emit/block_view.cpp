@@ -91,12 +91,12 @@ class BlockView {
 
   /// Where messages are asked for before they are needed.
   void add_waiting() {
-    view_.set("posts", names_.posts(n_));
+    view_.set("is_pipelined", names_.is_pipelined(n_));
     const bool reads = names_.runs(n_) && node_.role != NodeRole::engine;
     view_.set("waits", reads && ranges::any_of(node_.inputs, [&](const Input& input) {
-                         return names_.posts(input.source_node);
+                         return names_.is_pipelined(input.source_node);
                        }));
-    if (!names_.posts(n_)) return;
+    if (!names_.is_pipelined(n_)) return;
     const std::string& member = names_.nodes[n_].member.expression();
     view_.set("take", "take_" + member.substr(0, member.size() - 1));
     view_.set("taken", fmt::format("taken_[{}]", names_.place_in_taken(n_)));
@@ -341,7 +341,7 @@ View groups_view(const Plan& plan, const ProgramNames& names,
 View takes_view(const Plan& plan, const ProgramNames& names) {
   View takes = list();
   for (std::size_t n = 0; n < plan.graph->nodes.size(); ++n)
-    if (names.posts(n)) takes.push_back(BlockView(plan, names, n).make_take());
+    if (names.is_pipelined(n)) takes.push_back(BlockView(plan, names, n).make_take());
   return takes;
 }
 
@@ -351,7 +351,7 @@ void add_lag(const ProgramNames& names, std::size_t node, View& view) {
 }
 
 View ask_view(const Plan& plan, const ProgramNames& names, std::size_t node) {
-  return names.posts(node) ? BlockView(plan, names, node).make_take() : View(false);
+  return names.is_pipelined(node) ? BlockView(plan, names, node).make_take() : View(false);
 }
 
 MessagePlace message_place(const Plan& plan, const ProgramNames& names, std::size_t ring,

@@ -110,7 +110,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_lo
   name_parts();
   for (const char* taken : {"link_", "slot_", "due_", "countdown_", "warm_", "started_",
                             "resetting_", "reset_timeouts_", "refused_delays_", "memory_faults_",
-                            "arrivals_", "drawing_", "ahead_", "taken_"})
+                            "arrivals_", "drawing_", "pipeline_", "taken_"})
     members.unique(taken);
   name_nodes(members, types);
   name_rings(members);
@@ -317,20 +317,20 @@ std::string ProgramNames::link_argument(std::size_t part) const {
   return is_hub() ? "part::" + parts[part] + ", " : "";
 }
 
-bool ProgramNames::posts(std::size_t node) const {
-  return gen::posts(plan_, part_, node);
+bool ProgramNames::is_pipelined(std::size_t node) const {
+  return gen::is_pipelined(plan_, part_, node);
 }
-bool ProgramNames::posts() const {
+bool ProgramNames::is_pipelined() const {
   return place_in_taken(plan_.graph->nodes.size()) > 0;
 }
 std::size_t ProgramNames::place_in_taken(std::size_t node) const {
   std::size_t place = 0;
-  for (std::size_t n = 0; n < node; ++n) place += posts(n) ? 1 : 0;
+  for (std::size_t n = 0; n < node; ++n) place += is_pipelined(n) ? 1 : 0;
   return place;
 }
 std::string ProgramNames::awaited(std::size_t node, const std::string& count) const {
-  if (!posts(node)) return count;
-  return fmt::format("ahead_.need(*this, {}taken_[{}], {})",
+  if (!is_pipelined(node)) return count;
+  return fmt::format("pipeline_.need(*this, {}taken_[{}], {})",
                      link_argument(plan_.graph->placement->part_of[node]), place_in_taken(node),
                      count);
 }

@@ -92,8 +92,8 @@ struct ProgramNames {
   [[nodiscard]] bool crosses(std::size_t node, std::size_t output) const;
   /// Whether this program is a hub that asks for the messages of a node before it needs them, and
   /// for those of any node.
-  [[nodiscard]] bool posts(std::size_t node) const;
-  [[nodiscard]] bool posts() const;
+  [[nodiscard]] bool is_pipelined(std::size_t node) const;
+  [[nodiscard]] bool is_pipelined() const;
   /// How many ticks later than `node` sends them its messages come into this program, the first
   /// aside.
   [[nodiscard]] std::uint64_t lag(std::size_t node) const {

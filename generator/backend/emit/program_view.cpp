@@ -74,7 +74,7 @@ class ProgramView {
     view_.set("what", what_runs());
     view_.set("is_split", names_.is_split());
     add_parts();
-    add_ahead();
+    add_pipelining();
     view_.set("is_host", names_.is_hub());
     view_.set("link_parameter", names_.is_split() ? ", class Link = eagerx::link::NoLink" : "");
     const bool acts = !graph_.environment().outputs.empty();
@@ -129,19 +129,19 @@ class ProgramView {
   }
 
   /// Members of a hub that asks for messages before it needs them.
-  void add_ahead() {
-    const bool posts = names_.posts();
-    view_.set("link_header", posts ? "ahead" : "star");
-    view_.set("tell", posts ? "ahead_.tell(*this, " : "trace(");
+  void add_pipelining() {
+    const bool is_pipelined = names_.is_pipelined();
+    view_.set("link_header", is_pipelined ? "pipeline" : "star");
+    view_.set("tell", is_pipelined ? "pipeline_.tell(*this, " : "trace(");
     view_["takes"] = takes_view(plan_, names_);
-    view_["ahead"] = View(false);
-    if (!posts) return;
-    View ahead = object();
-    ahead.set("part_count", fmt::format("{}", graph_.placement->parts.size()));
-    ahead.set("most_waiting", fmt::format("{}", plan_.split->most_waiting));
-    ahead.set("trace_bytes", fmt::format("{}", plan_.split->trace_bytes));
-    ahead.set("taken_count", fmt::format("{}", names_.place_in_taken(graph_.nodes.size())));
-    view_["ahead"] = std::move(ahead);
+    view_["pipelining"] = View(false);
+    if (!is_pipelined) return;
+    View pipelining = object();
+    pipelining.set("part_count", fmt::format("{}", graph_.placement->parts.size()));
+    pipelining.set("most_in_flight", fmt::format("{}", plan_.split->most_in_flight));
+    pipelining.set("trace_bytes", fmt::format("{}", plan_.split->trace_bytes));
+    pipelining.set("taken_count", fmt::format("{}", names_.place_in_taken(graph_.nodes.size())));
+    view_["pipelining"] = std::move(pipelining);
   }
 
   void add_actions() {

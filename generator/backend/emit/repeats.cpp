@@ -129,7 +129,7 @@ class Finder {
                                    graph_.nodes[first].inputs[input].source_node};
     // What comes from a part is waited for node by node.
     if (sources[0] != sources[1] &&
-        (posts(plan_, part_, sources[0]) || posts(plan_, part_, sources[1])))
+        (is_pipelined(plan_, part_, sources[0]) || is_pipelined(plan_, part_, sources[1])))
       return false;
     return a.count == b.count && plan_.nodes[sources[0]].rate == plan_.nodes[sources[1]].rate;
   }

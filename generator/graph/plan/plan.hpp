@@ -104,7 +104,7 @@ struct PartLink {
   double part_bytes = 0.0;            // a step, to the part, without frames
   double hub_bytes = 0.0;
   bool several_frames = false;  // whether messages do not fit into one
-  bool posts = false;           // the hub asks for messages where they are sent, and takes them
+  bool is_pipelined = false;    // the hub asks for messages where they are sent, and takes them
                                 // where they are read
   std::size_t depth = 1;        // exchanges on their way at most
   std::string why_no_more;      // what keeps the hub from going further
@@ -113,9 +113,9 @@ struct PartLink {
   std::vector<std::uint64_t> lags;
 };
 struct Split {
-  std::vector<PartLink> links;   // of each part
-  std::size_t most_waiting = 0;  // ticks of a part's nodes on their way, if any link posts
-  std::size_t trace_bytes = 0;   // of messages that wait for them in the hub
+  std::vector<PartLink> links;     // of each part
+  std::size_t most_in_flight = 0;  // ticks of a part's nodes in flight, if any link is pipelined
+  std::size_t trace_bytes = 0;     // of messages that wait for them in the hub
 };
 
 /// The telemetry of a board: the channels of one rate together, as many as a record takes.

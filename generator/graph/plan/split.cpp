@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "generator/graph/plan/ahead.hpp"
+#include "generator/graph/plan/pipelining.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -149,7 +149,7 @@ Split make_split(const Plan& plan) {
   Split split;
   for (std::size_t part = 0; part < plan.graph->placement->parts.size(); ++part)
     split.links.push_back(make_link(plan, part));
-  plan_ahead(plan, split);
+  plan_pipelining(plan, split);
   return split;
 }
 
@@ -187,10 +187,10 @@ LinkUse link_use_of_flags(const Graph& graph, Part part, std::size_t node) {
   return use;
 }
 
-bool posts(const Plan& plan, Part part, std::size_t node) {
+bool is_pipelined(const Plan& plan, Part part, std::size_t node) {
   if (part != Part::hub || plan.graph->nodes[node].outputs.empty()) return false;
   const std::size_t owner = plan.graph->placement->part_of[node];
-  return owner != Placement::kHub && plan.split->links[owner].posts;
+  return owner != Placement::kHub && plan.split->links[owner].is_pipelined;
 }
 
 }  // namespace eagerx::gen

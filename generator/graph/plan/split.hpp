@@ -24,6 +24,6 @@ LinkUse link_use(const Plan& plan, Part part, std::size_t node, std::size_t outp
 LinkUse link_use_of_flags(const Graph& graph, Part part, std::size_t node);
 
 /// Whether the program `part` is the hub and asks for what `node` sends, without waiting for it.
-bool posts(const Plan& plan, Part part, std::size_t node);
+bool is_pipelined(const Plan& plan, Part part, std::size_t node);
 
 }  // namespace eagerx::gen

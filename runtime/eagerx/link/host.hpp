@@ -323,7 +323,7 @@ struct NoLink {
   static bool get(Message&&... /*message*/) {
     return false;
   }
-  static bool runs_ahead() { return false; }
+  static bool is_pipelined() { return false; }
   template <class Part>
   static bool is_full(Part /*part*/) {
     return false;

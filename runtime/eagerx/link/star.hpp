@@ -79,9 +79,9 @@ class Star {
     return true;
   }
 
-  /// Whether a hub that can (ahead.hpp) asks for messages before it needs them.
-  bool runs_ahead() const { return runs_ahead_; }
-  void set_runs_ahead(bool runs_ahead) { runs_ahead_ = runs_ahead; }
+  /// Whether a hub that can (pipeline.hpp) asks for messages before it needs them.
+  bool is_pipelined() const { return is_pipelined_; }
+  void set_pipelined(bool is_pipelined) { is_pipelined_ = is_pipelined; }
   template <std::size_t K>
   bool is_full(PartIndex<K> /*part*/) const {
     return link<K>().is_full();
@@ -111,7 +111,7 @@ class Star {
  private:
   std::tuple<Links...> links_{};
   PartProgress progress_[kParts] = {};
-  bool runs_ahead_ = false;
+  bool is_pipelined_ = false;
 };
 
 }  // namespace eagerx::link

@@ -35,9 +35,9 @@ Cell::Product Network::first() const {
   return {layer.sizes, layer.weights, layer.bias};
 }
 
-std::vector<float> Network::drawn(Random random, float gain) const {
+std::vector<float> Network::sampled(Random random, float gain) const {
   std::vector<float> parameters(parameters_, 0.0F);
-  if (cell_) cell_->draw(random, parameters.data());
+  if (cell_) cell_->sample(random, parameters.data());
   for (const Layer& layer : layers_) {
     const float scale = &layer == &layers_.back() ? gain : 1.0F;
     const float deviation = scale / sqrt(static_cast<float>(layer.sizes.inputs));

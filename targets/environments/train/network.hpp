@@ -39,7 +39,7 @@ class Network {
   std::size_t output() const { return layers_.back().to; }
 
   /// [parameters], normal with a deviation of 1/√inputs, in the last layer `gain` times that.
-  std::vector<float> drawn(Random random, float gain) const;
+  std::vector<float> sampled(Random random, float gain) const;
 
   /// Fills the rest of `row`, whose inputs and state before are there. The outputs have no
   /// activation.

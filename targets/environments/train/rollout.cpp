@@ -56,7 +56,7 @@ void Rollout::reset(std::uint64_t seed) {
   taken.clear();
   actor_states_.clear();
   critic_states_.clear();
-  draw_cuts(seed);
+  sample_cuts(seed);
   observation_sums.clear();
   sum_observations();
 }
@@ -64,7 +64,7 @@ void Rollout::reset(std::uint64_t seed) {
 /// Episodes of one length would all be at the same place of it in every iteration, and what is
 /// learnt at their ends would be forgotten at their beginnings. So the first ones are cut, each
 /// elsewhere (as rsl_rl and others do, `init_at_random_ep_len`).
-void Rollout::draw_cuts(std::uint64_t seed) {
+void Rollout::sample_cuts(std::uint64_t seed) {
   time_ = 0;
   for (std::size_t e = 0; e < count_; ++e) {
     Random random({seed, static_cast<std::uint32_t>(first_ + e), 0}, entity_id("train/cut"));
@@ -135,7 +135,7 @@ void Rollout::collect(const Frozen& frozen) {
   spent.learning_s += watch.lap();
 }
 
-/// Draws the actions of all environments and notes what the critic thinks.
+/// Samples the actions of all environments and notes what the critic thinks.
 void Rollout::act(const Frozen& frozen, std::size_t step) {
   const Model& model = frozen.model;
   for (std::size_t k = 0; k < tiles(); ++k) {
@@ -150,10 +150,10 @@ void Rollout::act(const Frozen& frozen, std::size_t step) {
     critic_states_.keep(model.critic, k, critic_row_.data());
     Simd* answers = &actor_row_[model.actor.output()];
     if (head_.chooses) {
-      draw_choices(frozen, step, k, answers);
+      sample_choices(frozen, step, k, answers);
     } else {
       frozen.kernels.tanh(answers, head_.outputs);
-      draw_actions(frozen, step, k, answers);
+      sample_actions(frozen, step, k, answers);
     }
     note_values(step, k, critic_row_[model.critic.output()]);
   }
@@ -183,8 +183,8 @@ Random Rollout::noise(const Frozen& frozen, std::size_t step, std::size_t enviro
           entity_id("train/noise")};
 }
 
-void Rollout::draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile,
-                           const Simd* scores) {
+void Rollout::sample_choices(const Frozen& frozen, std::size_t step, std::size_t tile,
+                             const Simd* scores) {
   for (std::size_t l = 0; l < lanes(); ++l) {
     const std::size_t e = tile * kLanes + l;
     const Place to = place(step, e);
@@ -193,17 +193,17 @@ void Rollout::draw_choices(const Frozen& frozen, std::size_t step, std::size_t t
     float log_p = 0.0F;
     for (std::size_t j = 0; j < numbers_; own += head_.counts[j++]) {
       const Choice choice(own, head_.counts[j], l);
-      const std::size_t drawn = choice.at(random.uniform(0.0F, 1.0F));
-      actions[to.simd * numbers_ + j].lane[to.lane] = static_cast<float>(drawn);
-      action_[e * numbers_ + j] = head_.low[j] + static_cast<float>(drawn);
-      log_p += choice.log_probability(drawn);
+      const std::size_t sampled = choice.at(random.uniform(0.0F, 1.0F));
+      actions[to.simd * numbers_ + j].lane[to.lane] = static_cast<float>(sampled);
+      action_[e * numbers_ + j] = head_.low[j] + static_cast<float>(sampled);
+      log_p += choice.log_probability(sampled);
     }
     log_probability[to.simd].lane[to.lane] = log_p;
   }
 }
 
-void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile,
-                           const Simd* means) {
+void Rollout::sample_actions(const Frozen& frozen, std::size_t step, std::size_t tile,
+                             const Simd* means) {
   for (std::size_t l = 0; l < lanes(); ++l) {
     const std::size_t e = tile * kLanes + l;
     const Place to = place(step, e);

@@ -59,7 +59,7 @@ class Rollout final : public RolloutStatistics {
   std::size_t simds() const { return horizon_ * count_ / kLanes; }
 
   Simds inputs;             // [simds][inputs of the critic] normalised observations
-  Simds actions;            // [simds][numbers] as drawn, in -1…1 or beyond; or the choice
+  Simds actions;            // [simds][numbers] as sampled, in -1…1 or beyond; or the choice
   Simds log_probability;    // [simds] of the actions
   Simds advantage, target;  // [simds] target of the critic
   Simds continues;          // [simds] 1 where the episode went on behind the step, 0 where it ended
@@ -78,12 +78,12 @@ class Rollout final : public RolloutStatistics {
   void note_values(std::size_t step, std::size_t tile, const Simd& value);
   void note_states(std::size_t step);
   void forget();
-  void draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Simd* means);
-  void draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Simd* scores);
+  void sample_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Simd* means);
+  void sample_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Simd* scores);
   Random noise(const Frozen& frozen, std::size_t step, std::size_t environment) const;
   void note_step(const Frozen& frozen, std::size_t step);
   void step_environments();
-  void draw_cuts(std::uint64_t seed);
+  void sample_cuts(std::uint64_t seed);
   void cut_first_episodes();
   void settle(const Frozen& frozen, std::size_t step, std::size_t environment);
   bool count_reward(float discount, std::size_t environment);

@@ -32,7 +32,7 @@ Description description_of(std::size_t inputs, std::size_t outputs) {
 }
 
 /// Widths that fill panels and registers and such that do not; outputs that are alone.
-std::size_t drawn_width(Random& random, float most) {
+std::size_t sampled_width(Random& random, float most) {
   return 1 + static_cast<std::size_t>(random.uniform(0.0F, most));
 }
 
@@ -41,7 +41,7 @@ std::vector<float> with_biases(std::vector<float> parameters, Random& random) {
   return parameters;
 }
 
-std::vector<float> drawn_rows_of(std::size_t inputs, Random& random) {
+std::vector<float> sampled_rows_of(std::size_t inputs, Random& random) {
   std::vector<float> rows;
   for (std::size_t i = 0; i < kLanes * inputs; ++i) rows.push_back(random.normal(0.0F, 3.0F));
   return rows;
@@ -63,7 +63,7 @@ void expect_the_same(const Policy& policy, const gen::Network& deployed, const K
   Simds row(policy.network.row());
   std::vector<gen::Memory<float>> memories(kLanes);
   for (std::size_t step = 0; step < kSteps; ++step) {
-    const std::vector<float> rows = drawn_rows_of(inputs, random);
+    const std::vector<float> rows = sampled_rows_of(inputs, random);
     policy.answer(kernels, rows.data(), row.data());
     for (std::size_t l = 0; l < kLanes; ++l) {
       const auto first = rows.begin() + static_cast<std::ptrdiff_t>(l * inputs);
@@ -84,13 +84,13 @@ TEST_P(TrainOneNetwork, HasTheBitsOfPrograms) {
   const auto [memory, activation] = GetParam();
   Random random({11, 0, 0}, 1);
   for (int network = 0; network < 40; ++network) {
-    const std::size_t inputs = drawn_width(random, 40.0F), outputs = drawn_width(random, 18.0F);
-    std::vector<std::size_t> layers(drawn_width(random, 3.0F));
-    for (std::size_t& width : layers) width = drawn_width(random, 40.0F);
-    const CellShape cell{memory, memory == Memory::none ? 0 : drawn_width(random, 20.0F)};
+    const std::size_t inputs = sampled_width(random, 40.0F), outputs = sampled_width(random, 18.0F);
+    std::vector<std::size_t> layers(sampled_width(random, 3.0F));
+    for (std::size_t& width : layers) width = sampled_width(random, 40.0F);
+    const CellShape cell{memory, memory == Memory::none ? 0 : sampled_width(random, 20.0F)};
     const Network shape(inputs, layers, outputs, activation, cell);
     const Description description = description_of(inputs, outputs);
-    const Policy policy{shape, with_biases(shape.drawn(random, 1.0F), random), Head(description)};
+    const Policy policy{shape, with_biases(shape.sampled(random, 1.0F), random), Head(description)};
     const gen::Network deployed = read_back(policy, description);
     for (const Kernels* kernels : kernels_here())
       ASSERT_NO_FATAL_FAILURE(expect_the_same(policy, deployed, *kernels, random)) << network;

@@ -58,7 +58,7 @@ const Network& actor() {
 }
 
 Policy policy() {
-  return {actor(), folded(actor(), actor().drawn(Random({5, 0, 0}, 1), 1.0F), seen()),
+  return {actor(), folded(actor(), actor().sampled(Random({5, 0, 0}, 1), 1.0F), seen()),
           Head(description())};
 }
 
@@ -85,7 +85,7 @@ TEST(TrainStatistics, AreThoseOfAllRows) {
 
 TEST(TrainPolicy, NormalisationIsFoldedIntoTheFirstLayer) {
   const Kernels& kernels = *kernels_here().back();
-  const std::vector<float> trained = actor().drawn(Random({5, 0, 0}, 1), 1.0F);
+  const std::vector<float> trained = actor().sampled(Random({5, 0, 0}, 1), 1.0F);
   Simds normalised(actor().row()), raw(actor().row());
   Normaliser(seen()).load(rows().data(), normalised.data());
   actor().forward(kernels, trained.data(), normalised.data());
@@ -108,7 +108,7 @@ TEST(TrainPolicy, AnswersDoNotMoveWithTheStatistics) {
   more.count = 1;
   wider.add(more);
   ASSERT_GT(std::abs(wider.mean[0] - seen().mean[0]), 0.001);
-  const std::vector<float> before = actor().drawn(Random({5, 0, 0}, 1), 1.0F);
+  const std::vector<float> before = actor().sampled(Random({5, 0, 0}, 1), 1.0F);
   std::vector<float> after = before;
   keep_answers(actor(), after, seen(), wider);
   EXPECT_NE(after, before);
@@ -134,7 +134,7 @@ TEST(TrainPolicy, AnswersStayWithInputsBehindTheObservations) {
   for (std::size_t i = 0; i < 3; ++i) more.add(i, 40.0);
   more.count = 1;
   wider.add(more);
-  const std::vector<float> before = critic.drawn(Random({5, 0, 0}, 1), 1.0F);
+  const std::vector<float> before = critic.sampled(Random({5, 0, 0}, 1), 1.0F);
   std::vector<float> after = before;
   keep_answers(critic, after, seen(), wider);
   const auto answers = [&](const std::vector<float>& parameters, const Statistics& statistics) {
@@ -199,7 +199,7 @@ Description choosing() {
 }
 Policy choosing_policy() {
   const Network network(3, {24, 16}, 3, Activation::tanh);
-  return {network, folded(network, network.drawn(Random({5, 0, 0}, 1), 1.0F), seen()),
+  return {network, folded(network, network.sampled(Random({5, 0, 0}, 1), 1.0F), seen()),
           Head(choosing())};
 }
 
@@ -287,7 +287,7 @@ TEST(TrainChoice, OfSeveralNumbersEachHasItsOwnScores) {
 
 TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoices) {
   const Network network(3, {24, 16}, 9, Activation::tanh);
-  const Policy ours{network, folded(network, network.drawn(Random({5, 0, 0}, 1), 1.0F), seen()),
+  const Policy ours{network, folded(network, network.sampled(Random({5, 0, 0}, 1), 1.0F), seen()),
                     Head(choosing_several())};
   const std::string bytes = safetensors_of(ours, choosing_several(), Settings());
   gen::Diagnostics diagnostics;

@@ -26,7 +26,7 @@ class TrainRecurrent : public testing::TestWithParam<Memory> {
   const Cell& cell_ = *network_.memory();
 
   std::vector<float> parameters() const {
-    std::vector<float> result = network_.drawn(Random({7, 0, 0}, 1), 1.0F);
+    std::vector<float> result = network_.sampled(Random({7, 0, 0}, 1), 1.0F);
     Random random({8, 0, 0}, 1);
     for (float& x : result) x += random.normal(0.0F, 0.2F);  // biases are drawn too
     return result;

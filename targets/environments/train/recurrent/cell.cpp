@@ -13,7 +13,7 @@ Cell::Cell(CellShape shape, std::size_t inputs)
   from_state_ = {{shape.units, gates_}, hidden, biases + gates_};
 }
 
-void Cell::draw(Random& random, float* parameters) const {
+void Cell::sample(Random& random, float* parameters) const {
   std::fill_n(parameters, this->parameters(), 0.0F);
   for (const Product& product : {from_input_, from_state_}) {
     const float deviation = 1.0F / sqrt(static_cast<float>(product.sizes.inputs));

@@ -46,7 +46,7 @@ class Cell {
 
   /// Weights normal with a deviation of 1/√inputs; biases 0, of an LSTM's forget gate 1
   /// (Jozefowicz, Zaremba, Sutskever 2015): at first it keeps what it remembers.
-  void draw(Random& random, float* parameters) const;
+  void sample(Random& random, float* parameters) const;
 
   /// Fills the rest of the cell's part of `row`, whose inputs and state before are there.
   void forward(const Kernels& kernels, const float* parameters, Simd* row) const;

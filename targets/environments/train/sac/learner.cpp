@@ -36,7 +36,7 @@ Learner::Learner(const Model& model, std::size_t tiles)
       reward_(1),
       continues_(1),
       target_(1),
-      drawn_(numbers_),
+      sampled_(numbers_),
       noise_(numbers_),
       deviation_(numbers_),
       spread_(numbers_),
@@ -88,7 +88,7 @@ void Learner::load(const Frozen& frozen, const std::vector<std::size_t>& places,
 }
 
 /// Actions of the actor, whose answers are in `row`, with the logarithms of their probabilities.
-void Learner::draw(const Frozen& frozen, const Simd* row, Random& random) {
+void Learner::sample(const Frozen& frozen, const Simd* row, Random& random) {
   const Simd* means = row + frozen.model.actor.output();
   std::copy_n(means + numbers_, numbers_, spread_.data());
   frozen.kernels.tanh(spread_.data(), numbers_);
@@ -101,11 +101,11 @@ void Learner::draw(const Frozen& frozen, const Simd* row, Random& random) {
       const float x = means[j].lane[l] + deviation * noise;
       noise_[j].lane[l] = noise;
       deviation_[j].lane[l] = deviation;
-      drawn_[j].lane[l] = x;
+      sampled_[j].lane[l] = x;
       log_probability_.lane[l] += log_probability_of(noise, log_deviation, x);
     }
   }
-  frozen.kernels.tanh(drawn_.data(), numbers_);
+  frozen.kernels.tanh(sampled_.data(), numbers_);
 }
 
 /// The target of the critics for the samples: the reward and what the actor gets from there on, as
@@ -114,10 +114,10 @@ void Learner::estimate_target(const Frozen& frozen, Random& random) {
   const Model& model = frozen.model;
   std::copy_n(next_.begin(), seen_by_actor_, next_row_.begin());
   model.actor.forward(frozen.kernels, model.actor_parameters.data(), next_row_.data());
-  draw(frozen, next_row_.data(), random);
+  sample(frozen, next_row_.data(), random);
   for (std::size_t c = 0; c < 2; ++c) {
     std::copy_n(next_.begin(), width_, row_[c].begin());
-    std::copy_n(drawn_.begin(), numbers_, row_[c].begin() + static_cast<std::ptrdiff_t>(width_));
+    std::copy_n(sampled_.begin(), numbers_, row_[c].begin() + static_cast<std::ptrdiff_t>(width_));
     model.critic.forward(frozen.kernels, model.critics[c].target.data(), row_[c].data());
   }
   const std::size_t output = model.critic.output();
@@ -152,10 +152,10 @@ void Learner::improve(const Frozen& frozen, std::size_t tile, Random& random) {
   Simd* row = &actor_rows_[tile * actor_width_];
   std::copy_n(observation_.begin(), seen_by_actor_, row);
   model.actor.forward(frozen.kernels, model.actor_parameters.data(), row);
-  draw(frozen, row, random);
+  sample(frozen, row, random);
   for (std::size_t c = 0; c < 2; ++c) {
     std::copy_n(observation_.begin(), width_, row_[c].begin());
-    std::copy_n(drawn_.begin(), numbers_, row_[c].begin() + static_cast<std::ptrdiff_t>(width_));
+    std::copy_n(sampled_.begin(), numbers_, row_[c].begin() + static_cast<std::ptrdiff_t>(width_));
     model.critic.forward(frozen.kernels, model.critics[c].parameters.data(), row_[c].data());
   }
   const std::size_t output = model.critic.output();
@@ -175,7 +175,7 @@ void Learner::improve(const Frozen& frozen, std::size_t tile, Random& random) {
 void Learner::slopes(const Frozen& frozen, Simd* actor_deltas) {
   for (std::size_t j = 0; j < numbers_; ++j) {
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const float action = drawn_[j].lane[l];
+      const float action = sampled_[j].lane[l];
       const float value = deltas_[0][width_ + j].lane[l] + deltas_[1][width_ + j].lane[l];
       // By the number whose tanh the action is: -log(1 - tanh²) grows by 2 tanh.
       const float slope = frozen.temperature * 2.0F * action - value * (1.0F - action * action);

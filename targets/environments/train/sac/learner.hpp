@@ -27,7 +27,7 @@ struct Gradient {
                 std::vector<float>(model.critic.parameters())} {}
   std::vector<float> actor;
   std::array<std::vector<float>, 2> critics;
-  double log_probability = 0.0;  // of the actions that were drawn
+  double log_probability = 0.0;  // of the sampled actions
   double deviation = 0.0;        // of the actions before tanh, mean over their numbers
   double loss = 0.0;             // half the squared errors of both critics
 
@@ -49,7 +49,7 @@ class Learner {
 
  private:
   void load(const Frozen& frozen, const std::vector<std::size_t>& places, std::size_t tile);
-  void draw(const Frozen& frozen, const Simd* row, Random& random);
+  void sample(const Frozen& frozen, const Simd* row, Random& random);
   void estimate_target(const Frozen& frozen, Random& random);
   void judge(const Frozen& frozen, std::size_t tile);
   void improve(const Frozen& frozen, std::size_t tile, Random& random);
@@ -62,11 +62,11 @@ class Learner {
   std::size_t tiles_, numbers_;
   std::size_t width_, seen_by_actor_;  // of what the critics see, and of that the first ones
   std::size_t actor_width_, critic_width_;
-  // Of a tile: samples, and the actions that the actor draws.
+  // Of a tile: samples, and the actions that the actor samples.
   Simds observation_, next_;  // [width] normalised
   Simds action_;              // [numbers] of the memory
   Simds reward_, continues_, target_;
-  Simds drawn_, noise_, deviation_, spread_;  // [numbers]; of each drawn action
+  Simds sampled_, noise_, deviation_, spread_;  // [numbers]; of each sampled action
   Simd log_probability_{};
   std::vector<float> rows_;                           // [kLanes][width] scratch
   Simds actor_rows_, actor_deltas_;                   // [tiles][actor row]

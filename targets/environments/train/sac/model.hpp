@@ -16,7 +16,7 @@ namespace eagerx::train::sac {
 /// A critic and the slow copy of it that others learn from.
 struct Critic {
   Critic(const Network& network, Random random)
-      : parameters(network.drawn(random, 1.0F)), target(parameters), adam(network.parameters()) {}
+      : parameters(network.sampled(random, 1.0F)), target(parameters), adam(network.parameters()) {}
   std::vector<float> parameters, target;
   Adam adam;
 };
@@ -29,7 +29,7 @@ struct Model {
   Model(const train::Settings& settings, std::size_t inputs, const Head& head, std::size_t more = 0)
       : actor(inputs, settings.net_arch, 2 * head.numbers, settings.activation_fn),
         critic(inputs + more + head.numbers, settings.net_arch, 1, settings.activation_fn),
-        actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
+        actor_parameters(actor.sampled(random(settings, "train/actor"), 0.01F)),
         averaged(actor_parameters),
         critics{Critic(critic, random(settings, "train/critic")),
                 Critic(critic, random(settings, "train/second_critic"))},

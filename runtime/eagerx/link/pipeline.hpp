@@ -101,7 +101,7 @@ class LaterTrace {
 /// links. `Most`: ticks of a part's nodes that may be on their way; `Bytes`: of the trace that
 /// waits. If either is not enough, the hub waits. All zero at the start.
 template <class Owner, class Trace, std::size_t Parts, std::size_t Most, std::size_t Bytes>
-class Ahead {
+class Pipeline {
  public:
   /// Takes what a node sends at tick `n`; false if the connection is over. `record`: of its first
   /// message, null where the trace waits for nothing.
@@ -111,7 +111,7 @@ class Ahead {
   template <std::size_t K, class... Message>
   bool post(Owner& owner, PartIndex<K> part, Take take, Seq n, Awaited<Message>... awaited) {
     auto& link = owner.link();
-    if (held_ || !link.runs_ahead()) return (owner.*take)(n, nullptr);
+    if (held_ || !link.is_pipelined()) return (owner.*take)(n, nullptr);
     Queue& queue = queues_[K];
     while ((link.is_full(part) || queue.count == Most) && queue.count > 0) {
       if (!take_next(owner, queue)) return false;

@@ -1,4 +1,4 @@
-#include "generator/graph/plan/ahead.hpp"
+#include "generator/graph/plan/pipelining.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ constexpr std::size_t kMostBytesOnWay = std::size_t{1} << 16U;
 /// Of the trace that waits.
 constexpr std::size_t kLeastTraceBytes = std::size_t{1} << 12U;
 constexpr std::size_t kMostTraceBytes = std::size_t{1} << 20U;
-/// eagerx/link/ahead.hpp: a record's header, and what its message is filled up to.
+/// eagerx/link/pipeline.hpp: a record's header, and what its message is filled up to.
 constexpr std::size_t kRecord = 32, kFilled = 16;
 
 /// How long after it was sent a message is read, at the earliest.
@@ -39,12 +39,12 @@ class ReadAhead {
   void run() {
     for (std::size_t part = 0; part < split_.links.size(); ++part) {
       split_.links[part].why_no_more = reason_against(part);
-      split_.links[part].posts = split_.links[part].why_no_more.empty();
+      split_.links[part].is_pipelined = split_.links[part].why_no_more.empty();
     }
     find_lags();
     for (std::size_t part = 0; part < split_.links.size(); ++part)
-      if (split_.links[part].posts) look_at(part);
-    if (ranges::none_of(split_.links, &PartLink::posts)) return;
+      if (split_.links[part].is_pipelined) look_at(part);
+    if (ranges::none_of(split_.links, &PartLink::is_pipelined)) return;
     // The first message after a reset, and the one that is being sent, in addition to those in
     // flight.
     constexpr double kMoreSteps = 2.0;
@@ -56,7 +56,7 @@ class ReadAhead {
       ticks = std::max(ticks, ticks_per_step(part));
     }
     constexpr double kMostTicks = 4096.0;
-    split_.most_waiting =
+    split_.most_in_flight =
         static_cast<std::size_t>(std::clamp(std::ceil(steps * ticks), 8.0, kMostTicks));
     split_.trace_bytes = std::clamp(static_cast<std::size_t>(steps * record_bytes_per_step()),
                                     kLeastTraceBytes, kMostTraceBytes) /
@@ -109,7 +109,7 @@ class ReadAhead {
       if (!graph_.placement->parts[part].target->language.empty()) continue;
       for (std::size_t n = 0; n < lags.size(); ++n) {
         const std::size_t owner = part_of_[n];
-        if (owner != part && owner != Placement::kHub && split_.links[owner].posts)
+        if (owner != part && owner != Placement::kHub && split_.links[owner].is_pipelined)
           lags[n] = lag_of(n, part);
       }
     }
@@ -198,7 +198,7 @@ class ReadAhead {
 
 }  // namespace
 
-void plan_ahead(const Plan& plan, Split& split) {
+void plan_pipelining(const Plan& plan, Split& split) {
   ReadAhead(plan, split).run();
 }
 

@@ -1,9 +1,9 @@
-// eagerx/link/ahead.hpp: a hub that continues while messages are in flight reads what it would
+// eagerx/link/pipeline.hpp: a hub that continues while messages are in flight reads what it would
 // have read, and its trace has the order that it would have had, on any line.
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <eagerx/link/ahead.hpp>
+#include <eagerx/link/pipeline.hpp>
 #include <memory>
 #include <thread>
 #include <tuple>
@@ -43,24 +43,24 @@ class Hub {
     for (Seq n = 0; n < steps; ++n) {
       if (!ask(n)) return n;
       most_on_way = std::max(most_on_way, n + 1 - taken_);
-      const Seq count = ahead_.need(*this, kPart, taken_, n < delay ? 1 : n - delay + 1);
+      const Seq count = pipeline_.need(*this, kPart, taken_, n < delay ? 1 : n - delay + 1);
       if (!star.ok()) return n;
       EXPECT_EQ(ring_[(count - 1) % kRing], sum_of(count - 1)) << n;
     }
-    return ahead_.settle(*this) ? steps : 0;
+    return pipeline_.settle(*this) ? steps : 0;
   }
   /// The same with a part that receives other frames in between.
   void run_held(Seq from, Seq steps) {
-    EXPECT_TRUE(ahead_.hold(*this));
+    EXPECT_TRUE(pipeline_.hold(*this));
     EXPECT_EQ(taken_, from);
     for (Seq n = from; n < from + steps; ++n) {
       ask(n);
       EXPECT_EQ(taken_, n + 1);
     }
-    ahead_.go_on();
+    pipeline_.go_on();
     ask(from + steps);
     EXPECT_EQ(taken_, from + steps);
-    EXPECT_TRUE(ahead_.settle(*this));
+    EXPECT_TRUE(pipeline_.settle(*this));
   }
   /// The calls that the trace must receive.
   static Calls expected(Seq steps) {
@@ -78,9 +78,9 @@ class Hub {
   bool ask(Seq n) {
     star.begin_step();
     auto value = static_cast<std::uint32_t>(n * n);
-    ahead_.tell(*this, kSent, n, value);
+    pipeline_.tell(*this, kSent, n, value);
     star.put(kPart, value);
-    return ahead_.post(*this, kPart, &Hub::take, n, Awaited<std::uint32_t>{kAnswered});
+    return pipeline_.post(*this, kPart, &Hub::take, n, Awaited<std::uint32_t>{kAnswered});
   }
   static std::uint32_t sum_of(Seq n) {
     std::uint32_t sum = 0;
@@ -90,18 +90,18 @@ class Hub {
   bool take(Seq n, Record* record) {
     std::uint32_t& place = ring_[n % kRing];
     if (!star.get(kPart, kAnswered, place)) return false;
-    ahead_.came(*this, record, kAnswered, n, place);
+    pipeline_.came(*this, record, kAnswered, n, place);
     return ++taken_, true;
   }
 
   std::uint32_t ring_[kRing] = {};
   Seq taken_ = 0;
   template <class, class, std::size_t, std::size_t, std::size_t>
-  friend class Ahead;
-  Ahead<Hub, KeepingTrace, 1, 16, TraceBytes> ahead_{};
+  friend class Pipeline;
+  Pipeline<Hub, KeepingTrace, 1, 16, TraceBytes> pipeline_{};
 };
 
-class LinkAhead : public ::testing::Test {
+class LinkPipeline : public ::testing::Test {
  protected:
   void TearDown() override {
     turns_.end();
@@ -117,7 +117,7 @@ class LinkAhead : public ::testing::Test {
     end.port.out = &to_board_;
     end.port.turns = &turns_;
     end.set_time_limit(600'000'000'000);
-    hub.star.set_runs_ahead(true);
+    hub.star.set_pipelined(true);
     if (!thread_.joinable()) {
       part_->port.in = &to_board_;
       part_->port.out = &to_host_;
@@ -157,7 +157,7 @@ class LinkAhead : public ::testing::Test {
 
 constexpr std::size_t kEnough = 4096;
 
-TEST_F(LinkAhead, ExchangesAreOnTheirWayWhileADelayGivesTime) {
+TEST_F(LinkPipeline, ExchangesAreOnTheirWayWhileADelayGivesTime) {
   auto hub = std::make_unique<Hub<kEnough>>();
   connect(*hub);
   EXPECT_EQ(hub->run(200, 3), 200U);
@@ -167,7 +167,7 @@ TEST_F(LinkAhead, ExchangesAreOnTheirWayWhileADelayGivesTime) {
   EXPECT_EQ(hub->star.link<0>().statistics().repeated, 0U);
 }
 
-TEST_F(LinkAhead, NeverMoreThanTheLinkHasFramesFor) {
+TEST_F(LinkPipeline, NeverMoreThanTheLinkHasFramesFor) {
   auto hub = std::make_unique<Hub<kEnough>>();
   connect(*hub);
   EXPECT_EQ(hub->run(200, 30), 200U);
@@ -175,23 +175,23 @@ TEST_F(LinkAhead, NeverMoreThanTheLinkHasFramesFor) {
   EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(200));
 }
 
-TEST_F(LinkAhead, WithoutADelayEachIsWaitedFor) {
+TEST_F(LinkPipeline, WithoutADelayEachIsWaitedFor) {
   auto hub = std::make_unique<Hub<kEnough>>();
   connect(*hub);
   EXPECT_EQ(hub->run(50, 0), 50U);
   EXPECT_EQ(hub->most_on_way, 1U);
 }
 
-TEST_F(LinkAhead, InLockstepNothingIsOnItsWay) {
+TEST_F(LinkPipeline, InLockstepNothingIsOnItsWay) {
   auto hub = std::make_unique<Hub<kEnough>>();
   connect(*hub);
-  hub->star.set_runs_ahead(false);
+  hub->star.set_pipelined(false);
   EXPECT_EQ(hub->run(50, 3), 50U);
   EXPECT_EQ(hub->most_on_way, 0U);
   EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(50));
 }
 
-TEST_F(LinkAhead, WhatIsHeldIsAskedForAndTaken) {
+TEST_F(LinkPipeline, WhatIsHeldIsAskedForAndTaken) {
   auto hub = std::make_unique<Hub<kEnough>>();
   connect(*hub);
   EXPECT_EQ(hub->run(3, 3), 3U);
@@ -210,7 +210,7 @@ TEST(LinkLate, TheFirstComesAtOnceAndTheOthersInOrder) {
   }
 }
 
-TEST_F(LinkAhead, ATraceWithoutRoomWaits) {
+TEST_F(LinkPipeline, ATraceWithoutRoomWaits) {
   // Two records fit, of four that would wait; and the ring goes around where none ends.
   for (const Seq steps : {1U, 2U, 3U, 100U}) {
     auto small = std::make_unique<Hub<112>>();
@@ -224,7 +224,7 @@ TEST_F(LinkAhead, ATraceWithoutRoomWaits) {
   }
 }
 
-TEST_F(LinkAhead, ABadLineChangesNothing) {
+TEST_F(LinkPipeline, ABadLineChangesNothing) {
   std::uint64_t repeated = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
     auto hub = std::make_unique<Hub<kEnough>>();
@@ -237,7 +237,7 @@ TEST_F(LinkAhead, ABadLineChangesNothing) {
   EXPECT_GT(repeated, 500U);
 }
 
-TEST_F(LinkAhead, NothingBehindWhatDidNotComeIsTold) {
+TEST_F(LinkPipeline, NothingBehindWhatDidNotComeIsTold) {
   auto hub = std::make_unique<Hub<kEnough>>();
   connect(*hub);
   EXPECT_EQ(hub->run(50, 3), 50U);
