@@ -132,7 +132,7 @@ class ProgramView {
   void add_pipelining() {
     const bool is_pipelined = names_.is_pipelined();
     view_.set("link_header", is_pipelined ? "pipeline" : "star");
-    view_.set("tell", is_pipelined ? "pipeline_.tell(*this, " : "trace(");
+    view_.set("tell", is_pipelined ? "pipe_.tell(*this, " : "trace(");
     view_["takes"] = takes_view(plan_, names_);
     view_["pipelining"] = View(false);
     if (!is_pipelined) return;

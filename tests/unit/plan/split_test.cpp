@@ -104,7 +104,7 @@ TEST(Split, ADelayGivesTime) {
     return planned(placement, "30", "actions.voltage", more)->plan->split->links.front();
   };
   const PartLink at_once = link("smooth: {part: filter}", "");
-  EXPECT_TRUE(at_once.posts);
+  EXPECT_TRUE(at_once.is_pipelined);
   EXPECT_EQ(at_once.depth, 1U);
   EXPECT_EQ(at_once.why_no_more, "`arm.u` reads it with no `delay`");
   EXPECT_EQ(link("smooth: {part: filter}", ", delay: 0.03").depth, 1U);  // less than an exchange
@@ -117,7 +117,7 @@ TEST(Split, ADelayGivesTime) {
   // A delay that a reset may change may be none.
   EXPECT_EQ(link("smooth: {part: filter}", ", delay: 0.1, max_delay: 0.2").depth, 1U);
   const PartLink board = link("smooth: mps2-an386", ", delay: 0.1");
-  EXPECT_TRUE(board.posts);
+  EXPECT_TRUE(board.is_pipelined);
   EXPECT_EQ(board.depth, 1U);
   EXPECT_EQ(board.why_no_more, "a board holds one request at a time");
 }
@@ -126,9 +126,9 @@ TEST(Split, AnActionIsAskedForBeforeItIsNeeded) {
   // The filter reads it at once, whatever is behind the filter.
   const auto at_once = planned("agent: {part: mind}", "30", "actions.voltage", ", delay: 0.1");
   const PartLink agent = at_once->plan->split->links.front();
-  EXPECT_TRUE(agent.posts);
-  EXPECT_TRUE(posts(*at_once->plan, Part::hub, Graph::kEnvironment));
-  EXPECT_FALSE(posts(*at_once->plan, Part::placed(0), Graph::kEnvironment));
+  EXPECT_TRUE(agent.is_pipelined);
+  EXPECT_TRUE(is_pipelined(*at_once->plan, Part::hub, Graph::kEnvironment));
+  EXPECT_FALSE(is_pipelined(*at_once->plan, Part::placed(0), Graph::kEnvironment));
   EXPECT_EQ(agent.depth, 1U);
   EXPECT_EQ(agent.why_no_more, "`smooth.signal` reads it with no `delay`");
   const auto late = planned("agent: {part: mind}", "30", "actions.voltage, delay: 0.1");

@@ -33,7 +33,7 @@ class Program {
   void connect(Link& link) { link_ = &link; }
   [[nodiscard]] Link& link() const { return *link_; }
   /// At the end of an episode, and where messages are looked at: waits for those on their way.
-  void settle() { pipeline_.settle(*this); }
+  void settle() { pipe_.settle(*this); }
   /// The action that the part with the agent has sent in the last step, once it is there.
   [[nodiscard]] Action applied() const {
     return {.voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1 - 1)],
@@ -156,9 +156,9 @@ class Program {
     }
     link_->begin_step();
     // actions
-    if (!pipeline_.post(*this, part::kBoard, &Program::take_environment, n10Hz_ - 1,
-        eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_voltage},
-        eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_push})) {
+    if (!pipe_.post(*this, part::kBoard, &Program::take_environment, n10Hz_ - 1,
+                    eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_voltage},
+                    eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_push})) {
       return observe();
     }
     if (slot_ >= 12) {
@@ -268,7 +268,7 @@ class Program {
           engine_.callback(eagerx::Tick{n}, left_simulator_, right_simulator_);
         }
         engine_tick_[0] = static_cast<std::int64_t>(n);
-        pipeline_.tell(*this, channel::engine_tick, n, engine_tick_[0]);
+        pipe_.tell(*this, channel::engine_tick, n, engine_tick_[0]);
         if constexpr (eagerx::traces_simulators<Trace>) {
           trace.simulator("left", n, left_simulator_);
           trace.simulator("right", n, right_simulator_);
@@ -279,9 +279,8 @@ class Program {
       const eagerx::Seq n = n30Hz_ - 1;
       // fast: ButterworthFilter
       {
-        if (!pipeline_.post(*this, part::kBoard, &Program::take_fast, n,
-                            eagerx::link::Awaited<eagerx::Array<float, 1>>{
-                                channel::fast_filtered})) {
+        if (!pipe_.post(*this, part::kBoard, &Program::take_fast, n,
+                        eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::fast_filtered})) {
           return;
         }
       }
@@ -296,8 +295,8 @@ class Program {
           trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n, in);
         }
         right_u_applied_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        pipeline_.tell(*this, channel::right_u_applied_action_applied, n,
-                       right_u_applied_action_applied_[0]);
+        pipe_.tell(*this, channel::right_u_applied_action_applied, n,
+                   right_u_applied_action_applied_[0]);
       }
     }
     if ((due & k20Hz) != 0) {
@@ -310,7 +309,7 @@ class Program {
           trace.inputs("left/x", LeftXIo::Rate{}, n, in);
         }
         left_x_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        pipeline_.tell(*this, channel::left_x_observation, n, left_x_observation_[0]);
+        pipe_.tell(*this, channel::left_x_observation, n, left_x_observation_[0]);
       }
       // left/theta: FloatOutput
       {
@@ -320,7 +319,7 @@ class Program {
           trace.inputs("left/theta", LeftThetaIo::Rate{}, n, in);
         }
         left_theta_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        pipeline_.tell(*this, channel::left_theta_observation, n, left_theta_observation_[0]);
+        pipe_.tell(*this, channel::left_theta_observation, n, left_theta_observation_[0]);
         observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
         link_->put(part::kBoard, left_theta_observation_[0]);
@@ -329,7 +328,7 @@ class Program {
       {
         const RightUIo::Inputs in{
             .tick = {engine_tick_, n60Hz_},
-            .action = {right_u_action_, pipeline_.need(*this, part::kBoard, taken_[1], n30Hz_)}};
+            .action = {right_u_action_, pipe_.need(*this, part::kBoard, taken_[1], n30Hz_)}};
         if (!link_->ok()) {
           return;
         }
@@ -338,7 +337,7 @@ class Program {
           trace.inputs("right/u", RightUIo::Rate{}, n, in);
         }
         right_u_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        pipeline_.tell(*this, channel::right_u_action_applied, n, right_u_action_applied_[0]);
+        pipe_.tell(*this, channel::right_u_action_applied, n, right_u_action_applied_[0]);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -354,7 +353,7 @@ class Program {
         }
         left_theta_dot_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
-        pipeline_.tell(*this, channel::left_theta_dot_observation, n, new_observation);
+        pipe_.tell(*this, channel::left_theta_dot_observation, n, new_observation);
         link_->put(part::kBoard, new_observation);
       }
     }
@@ -368,7 +367,7 @@ class Program {
           trace.inputs("right/x", RightXIo::Rate{}, n, in);
         }
         right_x_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        pipeline_.tell(*this, channel::right_x_observation, n, right_x_observation_[0]);
+        pipe_.tell(*this, channel::right_x_observation, n, right_x_observation_[0]);
       }
       // right/theta: FloatOutput
       {
@@ -379,7 +378,7 @@ class Program {
           trace.inputs("right/theta", RightThetaIo::Rate{}, n, in);
         }
         right_theta_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        pipeline_.tell(*this, channel::right_theta_observation, n, new_observation);
+        pipe_.tell(*this, channel::right_theta_observation, n, new_observation);
         link_->put(part::kBoard, new_observation);
       }
     }
@@ -395,7 +394,7 @@ class Program {
           trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n, in);
         }
         left_u_applied_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        pipeline_.tell(*this, channel::left_u_applied_action_applied, n, new_action_applied);
+        pipe_.tell(*this, channel::left_u_applied_action_applied, n, new_action_applied);
         link_->put(part::kBoard, new_action_applied);
       }
     }
@@ -413,7 +412,7 @@ class Program {
       {
         const SlowIo::Inputs in{
             .signal = {action_voltage_,
-                       pipeline_.need(*this, part::kBoard, taken_[0], slow_signal_cursor_.take())}};
+                       pipe_.need(*this, part::kBoard, taken_[0], slow_signal_cursor_.take())}};
         if (!link_->ok()) {
           return;
         }
@@ -423,7 +422,7 @@ class Program {
           trace.inputs("slow", SlowIo::Rate{}, n, in);
         }
         slow_.callback(eagerx::Tick{n}, in, out);
-        pipeline_.tell(*this, channel::slow_filtered, n, new_filtered);
+        pipe_.tell(*this, channel::slow_filtered, n, new_filtered);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -437,7 +436,7 @@ class Program {
           trace.inputs("left/u", LeftUIo::Rate{}, n, in);
         }
         left_u_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        pipeline_.tell(*this, channel::left_u_action_applied, n, left_u_action_applied_[0]);
+        pipe_.tell(*this, channel::left_u_action_applied, n, left_u_action_applied_[0]);
       }
     }
   }
@@ -449,11 +448,11 @@ class Program {
     if (!link_->get(part::kBoard, channel::environment_voltage, new_voltage)) {
       return false;
     }
-    pipeline_.came(*this, record, channel::environment_voltage, n, new_voltage);
+    pipe_.came(*this, record, channel::environment_voltage, n, new_voltage);
     if (!link_->get(part::kBoard, channel::environment_push, new_push)) {
       return false;
     }
-    pipeline_.came(*this, record, channel::environment_push, n, new_push);
+    pipe_.came(*this, record, channel::environment_push, n, new_push);
     ++taken_[0];
     return true;
   }
@@ -464,7 +463,7 @@ class Program {
     if (!link_->get(part::kBoard, channel::fast_filtered, new_filtered)) {
       return false;
     }
-    pipeline_.came(*this, record, channel::fast_filtered, n, new_filtered);
+    pipe_.came(*this, record, channel::fast_filtered, n, new_filtered);
     right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
     ++taken_[1];
     return true;
@@ -511,7 +510,7 @@ class Program {
   Link* link_ = nullptr;
   // What parts are asked for and is not read yet, and how many messages of each of their nodes are
   // there.
-  eagerx::link::Pipeline<Program, Trace, 1, 10, 4096> pipeline_{};
+  eagerx::link::Pipeline<Program, Trace, 1, 10, 4096> pipe_{};
   template <class, class, std::size_t, std::size_t, std::size_t>
   friend class eagerx::link::Pipeline;
   eagerx::Seq taken_[2]{};
