@@ -1,0 +1,18 @@
+# Accelerations of MultibodyEngine: a table of MuJoCo's, and, where it is installed, MuJoCo itself.
+add_executable(mujoco_table ${CMAKE_CURRENT_LIST_DIR}/table.cpp)
+target_link_libraries(mujoco_table PRIVATE eagerx_warnings eagerx::runtime)
+target_compile_definitions(mujoco_table PRIVATE EAGERX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+add_test(NAME mujoco.table COMMAND mujoco_table)
+
+# (Debian's mujocoConfig.cmake names a folder that does not exist.)
+find_path(EAGERX_MUJOCO_INCLUDE mujoco/mujoco.h)
+find_library(EAGERX_MUJOCO mujoco)
+if(EAGERX_MUJOCO AND EAGERX_MUJOCO_INCLUDE)
+  add_executable(mujoco_accelerations ${CMAKE_CURRENT_LIST_DIR}/accelerations.cpp)
+  target_link_libraries(mujoco_accelerations PRIVATE eagerx_warnings eagerx::runtime ${EAGERX_MUJOCO})
+  target_include_directories(mujoco_accelerations SYSTEM PRIVATE ${EAGERX_MUJOCO_INCLUDE})
+  target_compile_options(mujoco_accelerations PRIVATE -O1)
+  add_test(NAME mujoco.accelerations COMMAND mujoco_accelerations)
+else()
+  eagerx_left_out(mujoco.accelerations "MuJoCo is not installed (libmujoco-dev)")
+endif()
