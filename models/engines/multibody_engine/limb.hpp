@@ -15,6 +15,7 @@
 #include <models/engines/multibody_engine/joint_torques.hpp>
 #include <models/engines/multibody_engine/moving.hpp>
 #include <models/engines/multibody_engine/spatial.hpp>
+#include <type_traits>
 
 namespace eagerx::models::multibody {
 
@@ -167,15 +168,23 @@ class Limb {
         }
         record.rhs[i] -= l * record.rhs[j];
       });
-      if constexpr (kFloating) {
-        unrolled<6>([&](auto b) __attribute__((always_inline)) {
-          unrolled<b + 1>([&](auto c) __attribute__((always_inline)) {
-            base.a[b][c] -= record.to_base[j][b] * coupling_[j][c];
-          });
-          base.rhs[b] -= record.to_base[j][b] * record.rhs[j];
-        });
-      }
     });
+    if constexpr (kFloating) {  // once for each element, which is in memory
+      unrolled<6>([&](auto b) __attribute__((always_inline)) {
+        unrolled<b + 1>([&](auto c) __attribute__((always_inline)) {
+          Real sum = base.a[b][c];
+          each_back([&](auto j) __attribute__((always_inline)) {
+            sum -= record.to_base[j][b] * coupling_[j][c];
+          });
+          base.a[b][c] = sum;
+        });
+        Real sum = base.rhs[b];
+        each_back([&](auto j) __attribute__((always_inline)) {
+          sum -= record.to_base[j][b] * record.rhs[j];
+        });
+        base.rhs[b] = sum;
+      });
+    }
   }
 
   /// The rows of a solved point of link j, but for what the base's factors do: L⁻ᵀJᵀ.
@@ -242,6 +251,14 @@ class Limb {
       each_above<j>([&](auto i) __attribute__((always_inline)) {
         along[j] -= record.lower[j][i] * along[i];
       });
+    });
+  }
+
+  /// f(j) from the tips on.
+  template <class F>
+  [[gnu::always_inline]] static void each_back(const F& f) {
+    unrolled<n>([&](auto back) __attribute__((always_inline)) {
+      f(std::integral_constant<std::size_t, n - 1 - back>{});
     });
   }
 
@@ -398,7 +415,13 @@ class Limb {
     if constexpr (!Constant<Damping, Lane>::is(Lane(0)))
       sum = sum + damping_torque(value<Real, Damping>(k), v);
     const FreeJoint<Real> free = free_joint(v, inertia, sum, needed, dt);
-    sum = sum + motor_torque(drive.motor_velocity, drive.motor_torque, v, free, dt);
+    // Two divisions that nearly no joint needs; lane by lane, so that others change no sign of a 0.
+    if (const auto has_motor = drive.motor_torque > zero; any(has_motor)) {
+      const JointTorque<Real> more =
+          sum + motor_torque(drive.motor_velocity, drive.motor_torque, v, free, dt);
+      sum = {eagerx::select(has_motor, more.now, sum.now),
+             eagerx::select(has_motor, more.slope, sum.slope)};
+    }
     constexpr Lane kUnlimited = std::numeric_limits<Lane>::infinity();
     using Low = typename Group::template Low<j>;
     using High = typename Group::template High<j>;

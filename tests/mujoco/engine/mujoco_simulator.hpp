@@ -109,10 +109,12 @@ class MujocoSimulator {
     for (int c = 0; c < data().ncon; ++c) {
       const mjContact& contact = data().contact[c];
       if (contact.geom1 != id && contact.geom2 != id) continue;
-      double local[6], world[3];
+      double local[6];  // on geom2, in the contact's axes, which are the rows of `frame`
       mj_contactForce(plant_->model, plant_->data, c, local);
-      mju_mulMatTVec3(world, contact.frame, local);  // on geom2
-      for (std::size_t i = 0; i < 3; ++i) sum[i] += contact.geom2 == id ? world[i] : -world[i];
+      const double sign = contact.geom2 == id ? 1.0 : -1.0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) sum[i] += sign * contact.frame[3 * k + i] * local[k];
+      }
     }
     return sum;
   }
