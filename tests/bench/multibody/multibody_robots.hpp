@@ -23,7 +23,7 @@ struct Robot {
   static constexpr std::size_t kOfLeg = JOINTS, kHips = kOfLeg == 3 ? 1 : 2;
   static_assert(kOfLeg == 3 || kOfLeg == 5);
   static constexpr double kStiffness = 300.0, kMostTorque = 200.0;
-  static constexpr double kStart = kOfLeg == 3 ? 0.28 : 0.4;  // height [m]
+  static constexpr double kStart = kOfLeg == 3 ? 0.28 : 0.48;  // height [m]
   static constexpr double home(std::size_t j) {
     constexpr double kOfThree[3] = {0.9, -1.8, 0.9};
     return j % kOfLeg < kHips ? 0.0 : kOfThree[j % kOfLeg - kHips];
