@@ -151,7 +151,7 @@ void add_engine(UnresolvedGraph& draft, const ResolveOptions& options) {
   engine.node.name = "engine";
   engine.node.role = NodeRole::engine;
   engine.node.span = draft.spec.engine.name.span;
-  engine.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
+  engine.node.rate_hz = rate_of(*spec.rate, {}, draft.diagnostics).value_or(Rational{});
   engine.node.entity = find_entity(draft.library, spec.type, EntityKind::engine, draft.diagnostics);
   if (engine.node.entity != nullptr) {
     engine.node.config = resolve_config(draft.library, *engine.node.entity, spec.config,
@@ -171,7 +171,7 @@ UnresolvedNode node_of(UnresolvedGraph& draft, const EntitySpec& spec,
   node.node.role = NodeRole::node;
   node.node.span = spec.name.span;
   if (spec.rate)
-    node.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
+    node.node.rate_hz = rate_of(*spec.rate, {}, draft.diagnostics).value_or(Rational{});
   node.node.entity = find_entity(draft.library, spec.type, EntityKind::node, draft.diagnostics);
   if (node.node.entity == nullptr) {
     draft.erroneous.insert(spec.name.value);

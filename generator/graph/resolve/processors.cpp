@@ -1,6 +1,7 @@
 // Processors: what they take must arrive, what they give is the receiver's space.
 #include <fmt/format.h>
 
+#include "generator/frontend/read/number.hpp"
 #include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
@@ -65,7 +66,7 @@ std::optional<std::vector<Setting>> settings_for(const Entity& entity, std::uint
     if (parameter.type != Parameter::Type::integers) return std::nullopt;
     std::vector<YamlValue> indices;
     for (std::uint64_t i = 0; i < elements; ++i)
-      indices.push_back(made_scalar(std::to_string(i), {}));
+      indices.push_back(made_number(static_cast<std::int64_t>(i), {}));
     settings.push_back({parameter.name.value, {}, made_list(std::move(indices), {})});
   }
   return settings;

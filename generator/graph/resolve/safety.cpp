@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/graph/resolve/unresolved_graph.hpp"
 
@@ -43,7 +44,7 @@ namespace {
 YamlValue list_of(const std::vector<double>& values, Span span) {
   std::vector<YamlValue> items;
   items.reserve(values.size());
-  for (const double value : values) items.push_back(made_scalar(fmt::format("{}", value), span));
+  for (const double value : values) items.push_back(made_number(value, span));
   return made_list(std::move(items), span);
 }
 

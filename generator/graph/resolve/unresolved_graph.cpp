@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "generator/frontend/read/scalar.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
@@ -21,7 +21,7 @@ std::optional<std::vector<std::uint64_t>> shape_of(const YamlValue& yaml,
   std::uint64_t elements = 1;
   for (const auto& item : yaml.items) {
     if (is_unresolved(item)) return std::nullopt;
-    const auto dimension = parse_int(item.text);
+    const auto dimension = whole_of(item);
     if (!dimension || *dimension < 1 ||
         static_cast<std::uint64_t>(*dimension) > kMaxElements / elements) {
       diagnostics
@@ -167,12 +167,13 @@ namespace {
 
 /// A setting that a manifest may write as a reference; nullopt if it does not fulfil `good`.
 template <class Test>
-std::optional<YamlValue> replaced(const std::optional<YamlValue>& setting, const char* expected,
-                                  const References& references, Diagnostics& diagnostics,
-                                  Test&& good) {
+std::optional<QuantitySpec> replaced(const std::optional<QuantitySpec>& setting,
+                                     const char* expected, const References& references,
+                                     Diagnostics& diagnostics, Test&& good) {
   if (!setting) return std::nullopt;
-  YamlValue value = substitute(*setting, references, diagnostics);
-  if (value.is_scalar() && good(value.text)) return value;
+  const YamlValue value = value_of(*setting, references, diagnostics);
+  const auto number = value.is_scalar() ? exact_of(value) : std::nullopt;
+  if (number && good(*number)) return QuantitySpec{*number, value.span, setting->with_unit};
   if (!is_unresolved(value)) {
     diagnostics.error("E0204", value.span,
                       fmt::format("expected {}, found {}", expected, describe(value)));
@@ -180,22 +181,13 @@ std::optional<YamlValue> replaced(const std::optional<YamlValue>& setting, const
   return std::nullopt;
 }
 
-bool is_window(const std::string& text) {
+bool is_window(const Rational& messages) {
   constexpr std::int64_t kMost = 1'000'000;
-  const auto count = parse_int(text);
-  return count && *count >= 0 && *count <= kMost;
+  return messages.is_integer() && messages >= Rational() && messages <= Rational(kMost);
 }
 
-std::optional<SecondsSpec> replaced(const std::optional<SecondsSpec>& setting,
-                                    const References& references, Diagnostics& diagnostics) {
-  if (!setting || !setting->reference) return setting;
-  const auto is_delay = [](const std::string& text) {
-    const auto seconds = Rational::parse(text);
-    return seconds && *seconds >= Rational();
-  };
-  const auto value =
-      replaced(setting->reference, "a delay in seconds", references, diagnostics, is_delay);
-  return value ? std::optional(read_seconds(*value)) : std::nullopt;
+bool is_delay(const Rational& seconds) {
+  return seconds >= Rational();
 }
 
 }  // namespace
@@ -205,8 +197,9 @@ ConnectionSettings manifest_settings(const PortManifest& port, const References&
   ConnectionSettings result = port.settings;
   result.window =
       replaced(result.window, "a number of messages", references, diagnostics, is_window);
-  result.delay = replaced(result.delay, references, diagnostics);
-  result.max_delay = replaced(result.max_delay, references, diagnostics);
+  result.delay = replaced(result.delay, "a delay in seconds", references, diagnostics, is_delay);
+  result.max_delay =
+      replaced(result.max_delay, "a delay in seconds", references, diagnostics, is_delay);
   return result;
 }
 
