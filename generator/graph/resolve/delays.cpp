@@ -1,10 +1,11 @@
-// Delays of connections: as written, drawn at a reset, or changed by it up to a longest one.
+#include "generator/graph/resolve/delays.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/states.hpp"
 
 namespace eagerx::gen {
 namespace {

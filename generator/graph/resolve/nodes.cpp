@@ -1,4 +1,5 @@
-// The environment, the engine and the nodes of the graph.
+#include "generator/graph/resolve/nodes.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <string_view>
 
 #include "generator/frontend/parameters/requirements.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/ports.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {

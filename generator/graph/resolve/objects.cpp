@@ -1,13 +1,14 @@
-// Objects become the engine nodes that implement them on the chosen engine; nothing of an object
-// remains but its states and its simulator.
+#include "generator/graph/resolve/objects.hpp"
+
 #include <fmt/format.h>
 
 #include <map>
 #include <set>
 
 #include "generator/frontend/read/number.hpp"
+#include "generator/graph/resolve/ports.hpp"
 #include "generator/graph/resolve/prune.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/safety.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {

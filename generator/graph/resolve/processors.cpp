@@ -1,8 +1,9 @@
-// Processors: what they take must arrive, what they give is the receiver's space.
+#include "generator/graph/resolve/processors.hpp"
+
 #include <fmt/format.h>
 
 #include "generator/frontend/read/number.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/limits.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {

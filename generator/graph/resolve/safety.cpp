@@ -1,11 +1,14 @@
-// What is safe: values of actions and actuators, and when they are applied.
+#include "generator/graph/resolve/safety.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/scalar.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/bounds.hpp"
+#include "generator/graph/resolve/safe_outputs.hpp"
+#include "generator/graph/resolve/states.hpp"
 
 namespace eagerx::gen {
 
