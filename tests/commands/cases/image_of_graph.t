@@ -17,5 +17,5 @@ The image of a board is started if it is of the graph. CMake and the emulator ar
   
   1 error
   [1]
-  $ started "of a main function of one's own"
+  $ started "of your own main function"
   started -M mps2-an386
