@@ -1,4 +1,4 @@
-// What only the critic of a training sees.
+// Inputs that only the critic of a training has.
 #pragma once
 
 #include "generator/graph/resolve/unresolved_graph.hpp"

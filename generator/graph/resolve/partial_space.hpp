@@ -1,4 +1,4 @@
-// What is written of a space, until all of it is known.
+// Spaces as far as they are written, until dtype and shape are known.
 #pragma once
 
 #include <optional>

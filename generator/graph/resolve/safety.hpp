@@ -1,4 +1,4 @@
-// What is safe: values of actions and actuators, and when they are applied.
+// Safe values of actions and actuators, and when they are applied.
 #pragma once
 
 #include <string>

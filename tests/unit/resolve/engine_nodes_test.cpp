@@ -1,4 +1,4 @@
-// What resolve makes of engine nodes, actions and circles.
+// The rules of resolve for engine nodes, actions and circles.
 #include <gtest/gtest.h>
 
 #include "generator/graph/resolve/prune.hpp"
