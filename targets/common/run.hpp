@@ -294,8 +294,4 @@ void for_each_fault(const Program& program, F&& f) {
   if constexpr (requires { program.guard; }) program.guard.for_each_count(f);
 }
 
-/// The program object of a run. All-zero until its first reset, so it lives in .bss.
-template <class Program>
-constinit Program program_of_run{};
-
 }  // namespace eagerx::target

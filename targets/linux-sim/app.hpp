@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/math/rounding_check.hpp>
+#include <memory>
 #include <optional>
 #include <runtime/host/base/exhaustion.hpp>
 #include <runtime/host/base/supervisor.hpp>
@@ -12,6 +13,7 @@
 #include <targets/common/csv.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/graph_program.hpp>
+#include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/rows.hpp>
 #include <targets/linux-sim/traces.hpp>
 #include <targets/linux-sim/watch.hpp>
@@ -195,13 +197,29 @@ void run_program(Watch& watch, LinkOf<Graph>& link, Program& program) {
   target::stop(program);
 }
 
+/// Both programs of a graph. All-zero until their first reset, so they take no room in a file.
+template <class Graph>
+struct Programs {
+  template <class Trace>
+  using Of = typename LinkOf<Graph>::template Program<Trace>;
+
+  Of<Untraced<Graph>> untraced;
+  Of<Traced<Graph>> traced;
+};
+
 template <class Graph>
 class ProgramOf final : public GraphProgram {
  public:
-  ProgramOf() {
-    untraced().trace.spaces = &spaces;
-    traced().trace.spaces = &spaces;
-    traced().trace.recorder = &recorder;
+  explicit ProgramOf(Programs<Graph>& programs)
+      : untraced_(programs.untraced), traced_(programs.traced) {
+    untraced_.trace.spaces = &spaces;
+    traced_.trace.spaces = &spaces;
+    traced_.trace.recorder = &recorder;
+    if constexpr (requires { Graph::kRenders; }) {
+      pictures_ = make_pictures();
+      untraced_.trace.pictures = pictures_.get();
+      traced_.trace.pictures = pictures_.get();
+    }
   }
   const GraphFacts& facts() const override {
     static const GraphFacts facts = known();
@@ -215,64 +233,57 @@ class ProgramOf final : public GraphProgram {
   }
   bool policies_answer() const override { return Graph::policies_answer(); }
   bool rounds_each_operation() const override { return eagerx::rounds_each_operation(); }
-  bool is_real() const override { return target::is_real(untraced()); }
-  Pictures* pictures() const override {
-    if constexpr (requires { Graph::kRenders; }) return pictures_of_run();
-    return nullptr;
-  }
+  bool is_real() const override { return target::is_real(untraced_); }
+  Pictures* pictures() const override { return pictures_.get(); }
   SplitLink* link(std::size_t part) override { return link_.link(part); }
 
   void run(Watch& watch, bool is_traced) override {
-    is_traced ? run_program<Graph>(watch, link_, traced())
-              : run_program<Graph>(watch, link_, untraced());
+    is_traced ? run_program<Graph>(watch, link_, traced_)
+              : run_program<Graph>(watch, link_, untraced_);
   }
   void list_counts(bool is_traced, CountListener& listener) const override {
     const auto count = [&](const char* name, std::uint64_t n) { listener.count(name, n); };
-    is_traced ? target::for_each_fault(traced(), count) : target::for_each_fault(untraced(), count);
+    is_traced ? target::for_each_fault(traced_, count) : target::for_each_fault(untraced_, count);
   }
-  std::uint64_t hash() const override { return traced().trace.hash(); }
+  std::uint64_t hash() const override { return traced_.trace.hash(); }
 
   std::size_t action_bytes() const override { return sizeof(Action); }
   void zero(void* action) const override { *static_cast<Action*>(action) = Graph::zero(); }
   void draw(EpisodeKey key, StateRow states) const override {
     copy_states<Graph>(Graph::draw(key), states);
   }
-  void warm_up() override { target::warm_up(traced()); }
+  void warm_up() override { target::warm_up(traced_); }
   void reset(std::uint32_t episode, StateRow states) override {
     if constexpr (!LinkOf<Graph>::kIsSplit) {
       typename Graph::States begin;
       take_states<Graph>(states, begin);
-      traced().trace.episode(episode);
-      observation_.emplace(traced().reset(begin));
+      traced_.trace.episode(episode);
+      observation_.emplace(traced_.reset(begin));
     }
   }
   void act(target::Agent agent, EpisodeKey key, Seq step, void* action) override {
     if constexpr (!LinkOf<Graph>::kIsSplit)
-      *static_cast<Action*>(action) = target::act<Graph>(agent, key, step, *observation_, traced());
+      *static_cast<Action*>(action) = target::act<Graph>(agent, key, step, *observation_, traced_);
   }
   void tune(StateRow states) override {
     if constexpr (!LinkOf<Graph>::kIsSplit) {
       typename Graph::States set;
       take_states<Graph>(states, set);
-      target::tune(traced(), set);
+      target::tune(traced_, set);
     }
   }
   void guard(void* action) override {
     auto& checked = *static_cast<Action*>(action);
-    checked = target::guarded(traced(), checked, 0);  // a log tells no lateness
+    checked = target::guarded(traced_, checked, 0);  // a log tells no lateness
   }
   void apply(void* action) override {
     if constexpr (!LinkOf<Graph>::kIsSplit)
-      observation_.emplace(target::apply(traced(), *static_cast<Action*>(action)));
+      observation_.emplace(target::apply(traced_, *static_cast<Action*>(action)));
   }
 
  private:
   using Action = typename Graph::Action;
-  template <class Trace>
-  using Program = typename LinkOf<Graph>::template Program<Trace>;
-
-  static auto& untraced() { return target::program_of_run<Program<Untraced<Graph>>>; }
-  static auto& traced() { return target::program_of_run<Program<Traced<Graph>>>; }
+  using UntracedProgram = decltype(Programs<Graph>::untraced);
 
   static GraphFacts known() {
     GraphFacts facts{};
@@ -297,8 +308,8 @@ class ProgramOf final : public GraphProgram {
       facts.shape_count = sizeof(Graph::kShapes) / sizeof(ChannelShape);
     }
     if constexpr (requires { Graph::kBounds; }) facts.bounds = Graph::kBounds;
-    facts.waits_in_resets = requires {
-      untraced().reset_timeouts();
+    facts.waits_in_resets = requires(UntracedProgram program) {
+      program.reset_timeouts();
     };
     if constexpr (requires { Graph::kRenders; }) {
       facts.is_shown = true;
@@ -313,6 +324,9 @@ class ProgramOf final : public GraphProgram {
     return facts;
   }
 
+  UntracedProgram& untraced_;
+  decltype(Programs<Graph>::traced)& traced_;
+  std::unique_ptr<Pictures> pictures_;
   [[no_unique_address]] LinkOf<Graph> link_;
   std::optional<typename Graph::Observation> observation_;
 };
@@ -320,7 +334,8 @@ class ProgramOf final : public GraphProgram {
 template <class Graph>
 int run(int argc, char** argv) {
   host::end_when_exhausted();
-  static ProgramOf<Graph> program;
+  constinit static Programs<Graph> programs{};
+  static ProgramOf<Graph> program(programs);
   return run(argc, argv, program);
 }
 

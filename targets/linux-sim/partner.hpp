@@ -78,11 +78,11 @@ int serve(int argc, char** argv) {
     return kBadUsage;
   }
   std::signal(SIGPIPE, SIG_IGN);  // a host that goes is no reason to be killed
+  constinit static target::BoardProgramOf<Graph, LinkPort> program{};
   static Link link{};
   for (bool is_again = false;; is_again = true) {
     if (!open_line(link.port, arguments, is_again)) return kBadFile;
-    const bool has_finished = target::serve<Graph, LinkPort>(
-        target::program_of_run<target::BoardProgramOf<Graph, LinkPort>>, link, [] { return 0U; });
+    const bool has_finished = target::serve<Graph, LinkPort>(program, link, [] { return 0U; });
     const bool is_forged = link.port.is_forged();
     if (has_finished || (arguments.reconnect_s <= 0.0 && !is_forged)) return kDone;
     std::fprintf(stderr, "%s: the line `%.*s` is closed: %s\n",

@@ -115,16 +115,16 @@ class Simulation {
 
   /// A run begins: as a program that has just been started.
   void begin(std::uint64_t seed, std::uint32_t environment, bool watched) {
-    if (has_begun_) target::stop(program());
+    if (has_begun_) target::stop(program_);
     has_begun_ = true;
     observation_.reset();
-    std::destroy_at(&program());
-    std::construct_at(&program());
+    std::destroy_at(&program_);
+    std::construct_at(&program_);
     if (watched) {
-      program().trace.watch(messages.values.data(), first_of_channel_.data());
-      program().trace.draw_from_now_on();
+      program_.trace.watch(messages.values.data(), first_of_channel_.data());
+      program_.trace.draw_from_now_on();
     }
-    target::warm_up(program());
+    target::warm_up(program_);
     key_ = {seed, environment, 0};
     next_episode_ = 0;
     rewards_ = {};
@@ -139,9 +139,9 @@ class Simulation {
     ++next_episode_;
     steps_ = 0;
     ended_ = false;
-    program().trace.forget();
-    program().trace.episode(key_.episode);
-    observation_.emplace(program().reset(drawn));
+    program_.trace.forget();
+    program_.trace.episode(key_.episode);
+    observation_.emplace(program_.reset(drawn));
     write(Outcome{});
     return true;
   }
@@ -151,7 +151,7 @@ class Simulation {
   bool tune() {
     States set{};
     if (!apply_settings(set, true)) return false;
-    target::tune(program(), set);
+    target::tune(program_, set);
     return true;
   }
 
@@ -161,10 +161,10 @@ class Simulation {
     if (!observation_) return done;
     for (; done < steps && !ended_; ++done) {
       const Action wanted = driver == Driver::hand ? hand() : act(driver);
-      Action action = target::guarded(program(), wanted, 0);
-      observation_.emplace(target::apply(program(), action));
+      Action action = target::guarded(program_, wanted, 0);
+      observation_.emplace(target::apply(program_, action));
       ++steps_;
-      const Outcome result = target::outcome_of<Graph>(program());
+      const Outcome result = target::outcome_of<Graph>(program_);
       rewards_.step(result);
       ended_ = target::has_ended(result);
       if (done + 1 < steps && !ended_) continue;
@@ -175,7 +175,7 @@ class Simulation {
   }
 
   bool ended() const { return ended_; }
-  std::uint64_t hash() { return program().trace.hash(); }
+  std::uint64_t hash() { return program_.trace.hash(); }
 
   /// [height][width][4], with the last one 255; null if there is no such picture.
   const std::uint8_t* picture(std::uint32_t width, std::uint32_t height) {
@@ -184,8 +184,8 @@ class Simulation {
       if (width == 0 || height == 0 || width > kWidest || height > kWidest) return nullptr;
       const std::size_t count = std::size_t{width} * height;
       pixels_.resize(4 * count);
-      program().trace.paint(painter,
-                            {pixels_.data(), static_cast<int>(width), static_cast<int>(height), 3});
+      program_.trace.paint(painter,
+                           {pixels_.data(), static_cast<int>(width), static_cast<int>(height), 3});
       // From the end, because four take more room than three.
       for (std::size_t i = count; i-- > 0;) {
         for (std::size_t c = 3; c-- > 0;) pixels_[4 * i + c] = pixels_[3 * i + c];
@@ -204,7 +204,7 @@ class Simulation {
       if (count == 0) return;
       counts_ += (counts_.empty() ? "" : ", ") + quoted(name) + ": " + std::to_string(count);
     };
-    target::for_each_fault(program(), add);
+    target::for_each_fault(program_, add);
     rewards_.for_each_count(add);
     counts_ = "{" + counts_ + "}";
     return counts_.c_str();
@@ -213,8 +213,6 @@ class Simulation {
  private:
   using Outcome = typename target::OutcomeOf<Graph>::Type;
   static constexpr std::uint32_t kWidest = 2048;  // pixels
-
-  static Program& program() { return target::program_of_run<Program>; }
 
   /// A list of names.
   static std::string tunable() {
@@ -230,7 +228,7 @@ class Simulation {
     const target::Agent agent = driver == Driver::policy   ? target::Agent::policy
                                 : driver == Driver::random ? target::Agent::random
                                                            : target::Agent::zero;
-    return target::act<Graph>(agent, key_, steps_, *observation_, program());
+    return target::act<Graph>(agent, key_, steps_, *observation_, program_);
   }
 
   Action hand() const {
@@ -292,6 +290,7 @@ class Simulation {
   std::vector<std::size_t> first_of_channel_;
   std::vector<std::uint8_t> pixels_;
   std::string text_, counts_;
+  Program program_{};
   std::optional<Observation> observation_;  // its windows lie in the program
   EpisodeKey key_{};
   std::uint32_t next_episode_ = 0;

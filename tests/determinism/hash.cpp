@@ -15,7 +15,7 @@ using graphs::pendulum_swing_up::Graph;
 
 int main() {
   const eagerx::target::RunPlan plan{.episodes = 2, .steps = 450, .seed = 1};
-  auto& program = eagerx::target::program_of_run<Graph::Program<eagerx::HashTrace>>;
+  constinit static Graph::Program<eagerx::HashTrace> program{};
   const auto agent = [](eagerx::EpisodeKey /*key*/, eagerx::Seq /*step*/,
                         const Graph::Observation& observation) {
     return Graph::policy(observation);

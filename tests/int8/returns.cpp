@@ -27,7 +27,7 @@ struct Return : eagerx::target::Watch<Graph> {
 
 int main() {
   const eagerx::target::RunPlan plan{.episodes = SEEDS, .steps = 100, .seed = 1};
-  auto& program = eagerx::target::program_of_run<Graph::Program<eagerx::HashTrace>>;
+  constinit static Graph::Program<eagerx::HashTrace> program{};
   const auto agent = [](eagerx::EpisodeKey /*key*/, eagerx::Seq /*step*/,
                         const Graph::Observation& observation) {
     return Graph::policy(observation);

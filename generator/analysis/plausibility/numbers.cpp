@@ -10,12 +10,12 @@ namespace eagerx::gen {
 namespace {
 
 /// The values of a delay that are written, whether it is drawn or not.
-std::vector<SecondsSpec> written_delays(const ConnectionSettings& settings) {
-  std::vector<SecondsSpec> result;
+std::vector<QuantitySpec> written_delays(const ConnectionSettings& settings) {
+  std::vector<QuantitySpec> result;
   const auto add = [&](const std::optional<YamlValue>& value) {
     if (!value) return;
-    if (value->is_scalar()) result.push_back(read_seconds(*value));
-    for (const YamlValue& item : value->items) result.push_back(read_seconds(item));
+    if (value->is_scalar()) result.push_back(read_quantity(*value));
+    for (const YamlValue& item : value->items) result.push_back(read_quantity(item));
   };
   if (settings.delay) result.push_back(*settings.delay);
   if (settings.random_delay) {
@@ -30,10 +30,11 @@ std::vector<SecondsSpec> written_delays(const ConnectionSettings& settings) {
 void check_delay(const Judged& judged, const ConnectionSettings& settings,
                  Diagnostics& diagnostics) {
   constexpr std::int64_t kManySteps = 10;
-  for (const SecondsSpec& delay : written_delays(settings)) {
-    if (delay.with_unit || delay.value < Rational(1)) continue;
-    const std::string seconds = delay.value.to_string();
-    const Rational steps = delay.value * judged.graph.environment().rate_hz;
+  for (const QuantitySpec& delay : written_delays(settings)) {
+    const Rational* delay_s = delay.number();
+    if (delay.with_unit || delay_s == nullptr || *delay_s < Rational(1)) continue;
+    const std::string seconds = delay_s->to_string();
+    const Rational steps = *delay_s * judged.graph.environment().rate_hz;
     if (steps < Rational(kManySteps) || steps.overflowed()) continue;
     auto& problem = diagnostics.warning(
         "W0114", delay.span,
@@ -76,9 +77,8 @@ class Rates {
     problem.help.fixes = {change_number_to(in_hz), allow_here("W0115")};
   }
   void check(const EntitySpec& entity, const std::string& what) {
-    if (!entity.rate) return;
-    if (const auto rate = Rational::parse(entity.rate->value.text))
-      check(what, *rate, entity.rate->span);
+    const Rational* rate_hz = entity.rate ? entity.rate->number() : nullptr;
+    if (rate_hz != nullptr) check(what, *rate_hz, entity.rate->span);
   }
   void check(const Selection& ports, const std::string& owner) {
     if (!ports) return;

@@ -229,10 +229,12 @@ class Measurement {
     }
   }
 
-  /// The program object: of a program of eagerx-gen by its name; of a library, whose object has a
-  /// name of the user's, by its class, which has members of the map.
+  /// The program object: of a program of eagerx-gen by its name, as a variable of the function that
+  /// runs it; of a library, whose object has a name of the user's, by its class, which has members
+  /// of the map.
   bool is_program(const Symbol& symbol) const {
-    if (symbol.name.find("program_of_run<") != std::string::npos) return true;
+    if (symbol.name.starts_with("eagerx::board::") && symbol.name.ends_with("::program"))
+      return true;
     const auto found = classes_.find(symbol.size);
     return found != classes_.end() && std::ranges::any_of(found->second, [&](const auto& member) {
              return map_.owner_of_member.contains(member.second);

@@ -130,10 +130,13 @@ class GraphView {
         place.set("first", fmt::format("{}", first));
         place.set("count", fmt::format("{}", own.size()));
         item["bounded"] = std::move(place);
-        View line = object();
-        line.set("values", joined(own));
-        line.set("channel", channel.name);
-        bounds.push_back(line);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+          View line = object();
+          line.set("values", own[i]);
+          line.set("channel",
+                   own.size() == 1 ? channel.name : fmt::format("{}[{}]", channel.name, i));
+          bounds.push_back(line);
+        }
         first += own.size();
       } else {
         item["bounded"] = View(false);

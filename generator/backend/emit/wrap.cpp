@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/backend/emit/line_passes.hpp"
+#include "generator/backend/emit/lists.hpp"
 #include "generator/backend/emit/scanner.hpp"
 
 namespace eagerx::gen {
@@ -45,6 +46,8 @@ Break find_break(std::string_view line, std::size_t indent, bool continued) {
   Break best;
   int least = std::numeric_limits<int>::max();
   const bool is_if = !continued && line.substr(indent).starts_with("if (");
+  constexpr std::string_view kReturn = "return ";  // conditions are aligned behind it
+  const bool is_return = !continued && line.substr(indent).starts_with(kReturn);
   for (Scanner scan(line); scan.next() && scan.at() < kColumns;) {
     const std::size_t at = scan.at();
     if (scan.in_literal() || at <= indent || at + 2 >= line.size()) continue;
@@ -53,7 +56,12 @@ Break find_break(std::string_view line, std::size_t indent, bool continued) {
         is_if && scan.depth() == 0 && rest.starts_with(") ") && line[at + 2] != '{';
     if ((ends_condition || ends_line(line, at)) && scan.depth() <= least) {
       least = scan.depth();
-      best = {at + 2, ends_condition ? indent + kBody : deeper, !ends_condition};
+      const bool aligned = is_return && scan.depth() == 0 && line[at] != ',' && line[at] != '=';
+      best = {at + 2,
+              ends_condition ? indent + kBody
+              : aligned      ? indent + kReturn.size()
+                             : deeper,
+              !ends_condition};
     } else if (line[at] == '{' && line[at + 1] != '}' && scan.depth() - 1 < least) {
       least = scan.depth() - 1;
       best = {at + 1, deeper};
@@ -94,16 +102,6 @@ std::string wrapped_comment(std::string_view line, std::size_t indent) {
   const std::string begin = wrapped_comment(line, indent, last);
   return begin + last;
 }
-
-/// An initializer or a call: what is before its bracket, its elements, and what is behind it.
-struct Braces {
-  std::string_view head, tail;  // with the brackets
-  std::vector<std::string_view> elements;
-
-  [[nodiscard]] bool is_designated() const {
-    return !elements.empty() && elements.front().starts_with('.');
-  }
-};
 
 /// The elements of what opens with the bracket at `brace`; none if it is not closed here.
 std::optional<Braces> braces_at(std::string_view line, std::size_t brace) {
@@ -173,6 +171,7 @@ std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t
     if (const auto inner = braces_at(text, braces.head.size()); inner && !inner->elements.empty())
       return wrapped_braces(*inner, indent, deeper);
   }
+  if (has_columns(braces)) return wrapped_list(braces, indent, deeper);
   const std::string begin(indent, ' ');
   const std::size_t aligned = indent + columns_of(braces.head);
   std::string all;
@@ -183,6 +182,17 @@ std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t
   const std::string aside = in_lines(braces, aligned, braces.is_designated());
   const auto lines = std::ranges::count(aside, '\n') + 1;
   if (!aside.empty() && !(fits_below && lines > 2)) return begin + std::string(braces.head) + aside;
+  if (braces.elements.size() == 1 && braces.is_designated()) {
+    const std::string_view element = braces.elements.front();
+    const std::size_t value = element.find(" = ");
+    if (value != kNone && element.find('{') == kNone) {
+      const std::string below = std::string(aligned + 4, ' ') +
+                                std::string(element.substr(value + 3)) + std::string(braces.tail);
+      if (columns_of(below) <= kColumns)
+        return begin + std::string(braces.head) + std::string(element.substr(0, value + 2)) + '\n' +
+               below;
+    }
+  }
   std::string result = begin + std::string(braces.head) + "\n";
   if (fits_below) return result + std::string(deeper, ' ') + all;
   for (std::size_t i = 0; i < braces.elements.size(); ++i) {
@@ -193,8 +203,15 @@ std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t
     const auto inner = brace == kNone || deeper + columns_of(line) <= kColumns
                            ? std::nullopt
                            : braces_at(line, brace);
-    result += inner && !inner->elements.empty() ? wrapped_braces(*inner, deeper, deeper + 4)
-                                                : std::string(deeper, ' ') + line;
+    const std::size_t call = line.find('(');
+    if (inner && !inner->elements.empty()) {
+      result += wrapped_braces(*inner, deeper, deeper + 4);
+    } else if (deeper + columns_of(line) > kColumns && call != kNone) {
+      result += std::string(deeper, ' ') + line.substr(0, call + 1) + '\n' +
+                std::string(deeper + 4, ' ') + line.substr(call + 1);
+    } else {
+      result += std::string(deeper, ' ') + line;
+    }
     if (!last) result += '\n';
   }
   return result;
@@ -213,10 +230,11 @@ std::optional<std::size_t> call_around(std::string_view line, std::size_t at) {
   return open.back();
 }
 
-/// Only the beginning of a line is looked at: some have a million numbers.
+/// Only the beginning of a long line is looked at: some have a million numbers.
 std::string wrapped_code(std::string_view line, std::size_t indent) {
-  constexpr std::size_t kSeen = 4 * kColumns;
-  if (indent < line.size() && line[indent] == '{' && line.size() < kSeen) {
+  constexpr std::size_t kLong = 20 * kColumns;
+  const std::size_t seen = line.size() < kLong ? kLong : 4 * kColumns;
+  if (indent < line.size() && line[indent] == '{' && line.size() < seen) {
     const auto braces = braces_at(line.substr(indent), 0);
     if (braces && !braces->elements.empty() && braces->tail.find('{') == kNone)
       return wrapped_braces(*braces, indent, indent + 4);
@@ -224,21 +242,21 @@ std::string wrapped_code(std::string_view line, std::size_t indent) {
   std::string result;
   std::string_view rest = line.substr(indent);
   for (bool continued = false;;) {
-    const std::string begin = std::string(indent, ' ') + std::string(rest.substr(0, kSeen));
+    const std::string begin = std::string(indent, ' ') + std::string(rest.substr(0, seen));
     const Break place =
         columns_of(begin) > kColumns ? find_break(begin, indent, continued) : Break{};
     if (place.at == kNone) {
       std::size_t call = kNone;
       for (Scanner scan(begin); call == kNone && scan.next();)
         if (!scan.in_literal() && begin[scan.at()] == '(') call = scan.at();
-      const bool fits = call != kNone && call < kColumns && rest.size() < kSeen && !continued &&
+      const bool fits = call != kNone && call < kColumns && rest.size() < seen &&
                         indent + 4 + columns_of(begin.substr(call + 1)) <= kColumns;
       if (columns_of(begin) <= kColumns || !fits)
         return result + std::string(indent, ' ') + std::string(rest);
       return result + begin.substr(0, call + 1) + '\n' + std::string(indent + 4, ' ') +
              begin.substr(call + 1);
     }
-    if (begin[place.at - 1] == '{' && rest.size() < kSeen) {
+    if (begin[place.at - 1] == '{' && rest.size() < seen) {
       const auto call = call_around(begin, place.at - 1);
       if (call && !continued && begin[*call] == '(' &&
           indent + 4 + columns_of(rest.substr(*call + 1 - indent)) <= kColumns) {
@@ -249,9 +267,15 @@ std::string wrapped_code(std::string_view line, std::size_t indent) {
       if (braces && !braces->elements.empty())
         return result + wrapped_braces(*braces, indent, place.indent);
     }
-    const auto call = !continued && begin[place.at - 2] == ',' && rest.size() < kSeen
+    const auto call = !continued && begin[place.at - 2] == ',' && rest.size() < seen
                           ? call_around(begin, place.at - 1)
                           : std::nullopt;
+    if (call && begin[*call] == '<') {  // not inside of `<>`, if the arguments around it fit below
+      const std::size_t around = begin.find('(');
+      if (around < *call && indent + 4 + columns_of(rest.substr(around + 1 - indent)) <= kColumns)
+        return result + begin.substr(0, around + 1) + '\n' + std::string(indent + 4, ' ') +
+               std::string(rest.substr(around + 1 - indent));
+    }
     if (call) {
       const auto arguments = braces_at(rest, *call - indent);
       const std::string lines = arguments ? in_lines(*arguments, *call + 1, false) : std::string();
@@ -345,6 +369,12 @@ bool is_needless_blank(std::string_view text) {
   return !line.starts_with("namespace ");
 }
 
+/// Whether a blank line before it is one too many.
+bool closes_block(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(' ');
+  return begin != kNone && line[begin] == '}' && line.find("// namespace") == kNone;
+}
+
 }  // namespace
 
 std::string wrapped(std::string_view text) {
@@ -374,7 +404,7 @@ std::string wrapped(std::string_view text) {
     const std::string_view mark = comment_mark(line);
     if (on && columns_of(line) > kColumns && !mark.empty() && mark == comment_mark(next)) {
       result += wrapped_comment(line, line.find('/'), carried);
-    } else if (on && line.empty() && is_needless_blank(result)) {
+    } else if (on && line.empty() && (is_needless_blank(result) || closes_block(next))) {
       // Templates leave out what is before or behind it.
     } else {
       const bool is_code = on && line.find("{ ") != kNone && !line.ends_with('}');

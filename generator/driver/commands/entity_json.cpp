@@ -39,7 +39,7 @@ void add(Json& object, std::string_view name, const std::vector<std::string>& te
   if (!texts.empty()) object[name] = texts;
 }
 
-/// Bounds and delays may be fractions: as the text that messages have.
+/// Bounds and quantities may be fractions: as the text that messages have.
 Json json_of_number(const std::string& text) {
   if (const auto whole = parse_int(text)) return *whole;
   if (const auto value = parse_number(text)) return *value;
@@ -50,10 +50,11 @@ Json json_of(const ConditionNumber& number) {
   return json_of_number(to_string(number));
 }
 
-void add(Json& object, std::string_view name, const std::optional<SecondsSpec>& seconds) {
-  if (!seconds) return;
-  object[name] = seconds->reference ? json_of(*seconds->reference)
-                                    : json_of_number(seconds->value.to_string());
+void add(Json& object, std::string_view name, const std::optional<QuantitySpec>& quantity) {
+  if (!quantity) return;
+  const Rational* number = quantity->number();
+  object[name] =
+      number != nullptr ? json_of_number(number->to_string()) : json_of(*quantity->expression());
 }
 
 Json json_of(const Parameter& parameter) {

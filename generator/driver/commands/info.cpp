@@ -28,8 +28,9 @@ std::string text_of(const YamlValue& yaml) {
   return fmt::format("[{}]", join(items, ", "));
 }
 
-std::string text_of(const SecondsSpec& seconds) {
-  return seconds.reference ? text_of(*seconds.reference) : seconds.value.to_string();
+std::string text_of(const QuantitySpec& quantity) {
+  const Rational* number = quantity.number();
+  return number != nullptr ? number->to_string() : text_of(*quantity.expression());
 }
 
 std::string space_of(const SpaceSpec& space) {

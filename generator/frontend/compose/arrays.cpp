@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/frontend/read/scalar.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
@@ -49,7 +49,7 @@ std::optional<std::int64_t> count_of(const YamlValue& entity, const References& 
   if (written == nullptr) return std::nullopt;
   const YamlValue count = substitute(*written, references, diagnostics);
   if (is_unresolved(count) || !check(count, count_format(), diagnostics)) return 0;
-  return parse_int(count.text).value_or(0);
+  return whole_of(count).value_or(0);
 }
 
 YamlValue element_of(YamlValue entity, std::int64_t index, std::int64_t count,
@@ -58,7 +58,7 @@ YamlValue element_of(YamlValue entity, std::int64_t index, std::int64_t count,
   // Overrides once, for the first element: the others have the same list.
   Diagnostics unheard;
   choose_each(entity, static_cast<std::size_t>(index), count, index == 0 ? diagnostics : unheard);
-  references[{"index"}] = made_scalar(std::to_string(index), entity.span);
+  references[{"index"}] = made_number(index, entity.span);
   return substitute(std::move(entity), references, index == 0 ? diagnostics : unheard);
 }
 

@@ -8,6 +8,7 @@
 
 #include "generator/frontend/library/condition.hpp"
 #include "generator/frontend/parameters/requirements.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
@@ -37,8 +38,8 @@ bool take_parameters(const Library& library, const YamlValue& settings, const En
                fmt::format("missing key `rate`: nodes in `{}` run at it", entity.id.value))
         .help = {"add `rate:`, its rate in Hz", add_key("rate")};
   }
-  check_requirements(entity, config, rate != nullptr ? Rational::parse(rate->text) : std::nullopt,
-                     span, diagnostics);
+  check_requirements(entity, config, rate != nullptr ? exact_of(*rate) : std::nullopt, span,
+                     diagnostics);
   return diagnostics.error_count() == errors_before;
 }
 

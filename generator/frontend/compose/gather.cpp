@@ -6,6 +6,7 @@
 #include <array>
 
 #include "generator/frontend/compose/port_bindings.hpp"
+#include "generator/frontend/read/number.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -22,7 +23,7 @@ YamlValue made_map(Span span) {
 /// `{type: Mux, rate: …, config: {size: …}, inputs: [a, b]}`
 YamlValue mux(std::size_t inputs, std::size_t size, const YamlValue& rate, Span span) {
   YamlValue config = made_map(span);
-  set_entry(config, "size", span, made_scalar(std::to_string(size), span));
+  set_entry(config, "size", span, made_number(static_cast<std::int64_t>(size), span));
   std::vector<YamlValue> names;
   for (std::size_t i = 0; i < inputs; ++i) names.push_back(made_scalar(kInputsOfMux[i], span));
   YamlValue node = made_map(span);
@@ -102,7 +103,7 @@ std::optional<Gathered> gather(const Spanned<std::string>& to,
 
 YamlValue with_element(YamlValue connection, std::int64_t element, Span span) {
   YamlValue config = made_map(span);
-  set_entry(config, "index", span, made_scalar(std::to_string(element), span));
+  set_entry(config, "index", span, made_number(static_cast<std::int64_t>(element), span));
   YamlValue processor = made_map(span);
   set_entry(processor, "type", span, made_scalar("GetIndex", span));
   set_entry(processor, "config", span, std::move(config));

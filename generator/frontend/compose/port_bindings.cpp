@@ -1,5 +1,6 @@
 #include "generator/frontend/compose/port_bindings.hpp"
 
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/spec/port_name.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
@@ -54,7 +55,7 @@ CompositeSpec shown_composite(const std::string& name, Span span, const Entity& 
                               const YamlValue* rate, const CompositePorts& ports) {
   CompositeSpec shown{name, entity.id.value, entity.summary, {}, {}, {}, {}, span};
   shown.is_object = entity.kind == EntityKind::object;
-  if (rate != nullptr) shown.rate_hz = rate->text;
+  if (rate != nullptr) shown.rate_hz = exact_of(*rate);
   for (const auto& port : shown.is_object ? entity.actuators : entity.inputs) {
     std::vector<std::string> inside;
     const auto found = ports.sinks.find(port.name.value);

@@ -6,11 +6,9 @@
 #include <functional>
 #include <optional>
 #include <runtime/host/expression/typed.hpp>
-#include <variant>
 #include <vector>
 
-#include "generator/frontend/read/rational.hpp"
-#include "generator/frontend/read/tree.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/support/diagnostics/diagnostics.hpp"
 
 namespace eagerx::gen {
@@ -22,8 +20,7 @@ using TypedExpression = expression::Typed;
 using ExpressionType = expression::Type;
 using ExpressionVariable = expression::Variable;
 
-/// Whole numbers and decimals are exact as long as they fit into 64 bits; else a double.
-using ExpressionNumber = std::variant<std::int64_t, double, Rational>;
+using ExpressionNumber = ComputedNumber;
 
 /// Of an Op::number.
 ExpressionNumber exact_number(const Expression& number);

@@ -138,7 +138,7 @@ void choose_engine_rate(Translation& t) {
   EntitySpec& engine = t.result.spec.engine;
   const Span whole{t.result.spec.file, 0, 0, 0};
   if (t.options.engine_rate_hz) {
-    engine.rate = made_rate(*t.options.engine_rate_hz, {});
+    engine.rate = QuantitySpec{*t.options.engine_rate_hz, {}};
     t.result.remarks["engine.rate"] = "from --engine-rate";
     return;
   }
@@ -149,7 +149,7 @@ void choose_engine_rate(Translation& t) {
         "give it with `--engine-rate`";
     return;
   }
-  engine.rate = made_rate(*fastest, whole);
+  engine.rate = QuantitySpec{*fastest, whole};
   t.result.remarks["engine.rate"] = "that of the fastest sensor or actuator";
   t.diagnostics
       .note(whole, fmt::format("the file has no rate for the engine: {} Hz is taken, {}",

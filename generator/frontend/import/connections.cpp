@@ -132,8 +132,7 @@ class ConnectionTranslator {
     if (const YamlValue* window = port->find("window")) take_window(*window, defaults, settings);
     if (const YamlValue* delay = port->find("delay")) {
       const auto value = saved_delay(*delay, t_.diagnostics);
-      if (value && value != delay_of(defaults))
-        settings.delay = SecondsSpec{*value, {}, delay->span};
+      if (value && value != delay_of(defaults)) settings.delay = QuantitySpec{*value, delay->span};
     }
     if (const YamlValue* skip = port->find("skip")) {
       const auto value = parse_bool(skip->text);
@@ -184,7 +183,7 @@ class ConnectionTranslator {
                            fmt::format("expected a window of 0 to {} messages, found {}", kLargest,
                                        describe(window)));
     } else if (value != window_of(defaults)) {
-      settings.window = made_scalar(fmt::format("{}", *value), window.span);
+      settings.window = QuantitySpec{Rational(*value), window.span};
     }
   }
 

@@ -98,7 +98,7 @@ class EntityTranslator {
     if (rate == nullptr) {
       t_.diagnostics.error("E0802", saved.name.span, fmt::format("{} has no rate", user));
     } else if (const auto value = saved_rate(*rate, t_.diagnostics)) {
-      made.rate = made_rate(*value, rate->span);
+      made.rate = QuantitySpec{*value, rate->span};
     }
     made.inputs = node_ports(saved, *entity, "inputs", entity->inputs);
     made.outputs = node_ports(saved, *entity, "outputs", entity->outputs);
@@ -120,7 +120,7 @@ class EntityTranslator {
           "give it with `--engine-rate`";
     } else if (rate != nullptr) {
       if (const auto value = saved_rate(*rate, t_.diagnostics))
-        engine.rate = made_rate(*value, rate->span);
+        engine.rate = QuantitySpec{*value, rate->span};
     }
     const YamlValue* delays = saved.parameter("simulate_delays");
     if (delays != nullptr && delays->text == "false") {
@@ -217,7 +217,7 @@ class EntityTranslator {
     const Reference reference = rate_reference(section, name);
     for (const auto& implementation : entity.object_engines) {
       for (const auto& node : implementation.nodes) {
-        if (reference_in(node.rate->value) != reference) continue;
+        if (reference_in(*node.rate) != reference) continue;
         const bool own = ranges::any_of(implementation.connections, [&](const ConnectionSpec& c) {
           return (c.to.value == fmt::format("{}.{}", section, name) &&
                   c.from.value.starts_with(node.name.value + ".")) ||

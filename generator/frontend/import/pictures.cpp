@@ -140,9 +140,8 @@ std::optional<Spanned<Rational>> rate_of_drawing(const Translation& t, const Pic
                                                  const GraphSpec& spec, const EntitySpec& object) {
   const Entity& entity = *t.entity(pictures.object);
   const auto own = manifest_rate(entity, *drawing_of(entity), object.config);
-  const auto engine =
-      spec.engine.rate ? Rational::parse(spec.engine.rate->value.text) : std::nullopt;
-  if (!own || !engine || *own <= *engine) return std::nullopt;
+  const Rational* engine = spec.engine.rate ? spec.engine.rate->number() : nullptr;
+  if (!own || engine == nullptr || *own <= *engine) return std::nullopt;
   return Spanned<Rational>{*engine, pictures.place};
 }
 

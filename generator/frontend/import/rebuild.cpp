@@ -250,7 +250,7 @@ class Rebuilder {
       const std::string& node = match.first;
       const YamlValue* rate = saved_.find(node)->parameter("rate");
       const EntitySpec* spec = find_named(rebuilt.implementation->nodes, match.second);
-      const auto lender = reference_in(spec->rate->value);  // `$(sensors theta rate)`
+      const auto lender = reference_in(*spec->rate);  // `$(sensors theta rate)`
       if (rate == nullptr || !lender || lender->part != "rate") continue;
       SavedPort* port = find_named(rebuilt.object.ports[lender->what], lender->name);
       if (port == nullptr || rebuilt.has_node_of(lender->what, lender->name)) continue;
@@ -304,7 +304,7 @@ class Rebuilder {
     const PortManifest* manifest = type != nullptr ? type->input(link.to.port) : nullptr;
     if (port == nullptr || manifest == nullptr) return;
     const ConnectionSettings ours = overlay(manifest->settings, inside.settings);
-    const std::string window = ours.window ? ours.window->text : "1";
+    const std::string window = std::to_string(window_of(ours).value_or(1));
     const auto delay = delay_of(ours);
     const bool skip = skips(ours);
     const auto check = [&](const char* key, const std::string& here, bool same) {
@@ -315,8 +315,7 @@ class Rebuilder {
                       key, port->find(key)->text, here));
     };
     if (const YamlValue* value = port->find("window"))
-      check("window", window,
-            value->text == window || (ours.window && is_expression(*ours.window)));
+      check("window", window, value->text == window || !window_of(ours));
     if (const YamlValue* value = port->find("delay"))
       check("delay", delay.value_or(Rational()).to_string(),
             !delay || meant_number(*value) == delay);

@@ -91,7 +91,4 @@ std::optional<SpaceSpec> missing_of(const SpaceSpec& saved, const SpaceSpec& man
 const PortManifest* manifest_port(const Entity& entity, std::string_view section,
                                   std::string_view name);
 
-/// A rate that was not in the file, at `span`.
-Spanned<YamlValue> made_rate(const Rational& rate_hz, Span span);
-
 }  // namespace eagerx::gen

@@ -126,10 +126,6 @@ bool same_bound(const std::optional<YamlValue>& a, const std::optional<YamlValue
 
 }  // namespace
 
-Spanned<YamlValue> made_rate(const Rational& rate_hz, Span span) {
-  return {made_scalar(rate_hz.to_string(), span), span};
-}
-
 std::optional<Rational> saved_rate(const YamlValue& yaml, Diagnostics& diagnostics) {
   return checked(yaml, "a rate in Hz", false, diagnostics);
 }
@@ -145,8 +141,9 @@ std::optional<Rational> meant_number(const YamlValue& yaml) {
 std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& port,
                                       const std::vector<Setting>& settings) {
   if (!port.rate) return std::nullopt;
+  if (const Rational* number = port.rate->number()) return *number;
   const auto reference = reference_in(*port.rate);
-  if (!reference || reference->what != "config") return Rational::parse(port.rate->text);
+  if (!reference || reference->what != "config") return std::nullopt;
   if (const Setting* setting = find_named(settings, reference->name))
     return meant_number(setting->value);
   const Parameter* parameter = find_named(entity.config, reference->name);

@@ -16,12 +16,17 @@ namespace {
 
 constexpr std::size_t kWidth = 110;
 
+std::string text_of(const QuantitySpec& quantity) {
+  const Rational* number = quantity.number();
+  return number != nullptr ? number->to_string() : text_of(*quantity.expression());
+}
+
 /// Settings that EAGERx has for a connection: it has no `max_delay` and draws no delays.
 void add_settings(const ConnectionSettings& settings, std::vector<std::string>& items) {
   if (settings.window) items.push_back("window: " + text_of(*settings.window));
   if (settings.delay) {
     // With its unit where it could be taken for milliseconds (W0114).
-    const Rational& seconds = settings.delay->value;
+    const Rational seconds = delay_of(settings).value_or(Rational());
     const bool is_long = seconds >= Rational(1);
     items.push_back(fmt::format("delay: {}{}", seconds.to_string(), is_long ? " s" : ""));
   }
@@ -112,7 +117,7 @@ class GraphWriter {
     text_ += '\n';
     line(0, "engine:");
     line(2, "type: " + yaml_scalar(spec_.engine.type.value), "engine");
-    line(2, "rate: " + text_of(spec_.engine.rate->value), "engine.rate");
+    line(2, "rate: " + text_of(*spec_.engine.rate), "engine.rate");
     if (!spec_.engine.config.empty()) line(2, "config: " + config_text(spec_.engine.config));
     add_states(2, spec_.engine.states);
   }
@@ -124,7 +129,7 @@ class GraphWriter {
     for (const auto& entity : entities) {
       line(2, yaml_text(entity.name.value) + ":");
       line(4, "type: " + yaml_scalar(entity.type.value));
-      if (entity.rate) line(4, "rate: " + text_of(entity.rate->value));
+      if (entity.rate) line(4, "rate: " + text_of(*entity.rate));
       if (!entity.config.empty()) line(4, "config: " + config_text(entity.config));
       if (entity.sensors) add_selection(4, "sensors", *entity.sensors);
       if (entity.actuators) add_selection(4, "actuators", *entity.actuators);

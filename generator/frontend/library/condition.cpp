@@ -249,12 +249,6 @@ bool at_most(const ConditionNumber& a, const ConditionNumber& b) {
   return less(a, b) || equal(a, b);
 }
 
-std::string to_string(const ConditionNumber& number) {
-  if (const auto* exact = std::get_if<Rational>(&number)) return exact->to_string();
-  const auto* whole = std::get_if<std::int64_t>(&number);
-  return whole != nullptr ? fmt::format("{}", *whole) : fmt::format("{}", std::get<double>(number));
-}
-
 std::string to_string(const ConditionValue& value) {
   struct Writer {
     std::string operator()(bool truth) const { return truth ? "true" : "false"; }

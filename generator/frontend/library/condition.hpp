@@ -101,6 +101,5 @@ bool at_most(const ConditionNumber& a, const ConditionNumber& b);
 
 /// A value as messages show it: "20", "[10, 20]", "bandpass".
 std::string to_string(const ConditionValue& value);
-std::string to_string(const ConditionNumber& number);
 
 }  // namespace eagerx::gen

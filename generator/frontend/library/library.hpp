@@ -59,11 +59,11 @@ struct PortManifest {
   Spanned<std::string> name;
   SpaceSpec space;
   std::string unit, about;
-  std::string eagerx;             // its name in EAGERx
-  std::optional<YamlValue> rate;  // sensors and actuators; may be `$(config x)`
-  ConnectionSettings settings;    // with a `max_delay` the entity sets the delay at its reset
-  bool optional = false;          // of a node: a graph may do without it
-  bool tunes_running = false;     // a state that can be set while an episode runs
+  std::string eagerx;                // its name in EAGERx
+  std::optional<QuantitySpec> rate;  // sensors and actuators
+  ConnectionSettings settings;       // with a `max_delay` the entity sets the delay at its reset
+  bool optional = false;             // of a node: a graph may do without it
+  bool tunes_running = false;        // a state that can be set while an episode runs
 };
 
 /// A C++ class and the header that defines it, as generated code includes it.

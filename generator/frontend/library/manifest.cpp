@@ -66,7 +66,7 @@ std::vector<PortManifest> read_ports(const YamlValue& root, const char* key,
     port.about = text_at(entry.value, "about");
     const YamlValue* eagerx = entry.value.find("eagerx");
     port.eagerx = eagerx != nullptr ? eagerx->text : entry.key;
-    port.rate = value_at(entry.value, "rate");
+    if (const YamlValue* rate = entry.value.find("rate")) port.rate = read_quantity(*rate);
     port.settings = read_connection_settings(entry.value, diagnostics);
     port.optional = text_at(entry.value, "optional") == "true";
     port.tunes_running = text_at(entry.value, "tunable") == "running";

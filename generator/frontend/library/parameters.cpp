@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/frontend/library/manifest_values.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/spec/reference.hpp"
 
@@ -75,7 +76,7 @@ void add_tunable_states(Entity& entity) {
     if (!parameter.tunable) continue;
     const Span span = parameter.name.span;
     const auto bound = [&](const std::optional<ConditionNumber>& value) {
-      return value ? std::optional(made_scalar(to_string(*value), span)) : std::nullopt;
+      return value ? std::optional(made_number(*value, span)) : std::nullopt;
     };
     PortManifest state;
     state.name = parameter.name;

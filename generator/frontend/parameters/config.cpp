@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/quantity.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/read/typos.hpp"
@@ -57,16 +58,14 @@ std::vector<YamlValue> items_of(const YamlValue& yaml) {
   return yaml.is_sequence() ? yaml.items : std::vector<YamlValue>{yaml};
 }
 
-std::optional<double> any_number_of(const YamlValue& yaml) {
-  const auto number = parse_number(yaml.text);
-  if (number || yaml.origin != Origin::computed) return number;
-  const auto fraction = Rational::parse(yaml.text);
-  return fraction ? std::optional(fraction->to_double()) : std::nullopt;
+/// Also a hexadecimal one.
+std::optional<std::int64_t> any_whole_of(const YamlValue& yaml) {
+  return yaml.number ? whole_of(yaml) : parse_whole(yaml.text);
 }
 
 /// Texts that are no numbers are no values of parameters either.
 std::optional<double> number_of(const YamlValue& yaml) {
-  const auto number = any_number_of(yaml);
+  const auto number = real_of(yaml);
   return number && std::isnan(*number) ? std::nullopt : number;
 }
 
@@ -79,7 +78,7 @@ class Reader {
   std::optional<ConfigValue> read() {
     switch (parameter_.type) {
       case Parameter::Type::integer:
-        return one<std::int64_t>([](const YamlValue& n) { return parse_whole(n.text); });
+        return one<std::int64_t>(any_whole_of);
       case Parameter::Type::number:
         return one<double>(number_of);
       case Parameter::Type::boolean:
@@ -89,7 +88,7 @@ class Reader {
       case Parameter::Type::keyword:
         return keyword();
       case Parameter::Type::integers:
-        return list<std::int64_t>([](const YamlValue& n) { return parse_whole(n.text); });
+        return list<std::int64_t>(any_whole_of);
       case Parameter::Type::numbers:
         return list<double>(number_of);
       case Parameter::Type::model: {
@@ -281,10 +280,16 @@ bool is_reported(const Span& span, const Diagnostics& diagnostics) {
 
 }  // namespace
 
+YamlValue value_of(const QuantitySpec& quantity, const References& references,
+                   Diagnostics& diagnostics) {
+  if (const Rational* number = quantity.number()) return made_number(*number, quantity.span);
+  return substitute(*quantity.expression(), references, diagnostics);
+}
+
 std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics& diagnostics) {
   std::vector<double> result;
   for (const auto& item : items_of(yaml)) {
-    const auto number = item.is_scalar() && !item.quoted ? any_number_of(item) : std::nullopt;
+    const auto number = item.is_scalar() && !item.quoted ? real_of(item) : std::nullopt;
     if (!number && is_unresolved(item)) return std::nullopt;
     if (!number) {
       if (!is_reported(item.span, diagnostics))
@@ -310,12 +315,14 @@ bool are_exact_as_doubles(const YamlValue& yaml, std::optional<Dtype> dtype, con
   return true;
 }
 
-std::optional<Rational> rate_of(const YamlValue& yaml, Diagnostics& diagnostics) {
-  const auto rate = yaml.is_scalar() ? Rational::parse(yaml.text) : std::nullopt;
-  if (rate && rate->to_double() > 0.0) return rate;
-  if (is_unresolved(yaml)) return std::nullopt;
-  diagnostics.error("E0204", yaml.span,
-                    fmt::format("expected a rate in Hz, found {}", describe(yaml)));
+std::optional<Rational> rate_of(const QuantitySpec& rate, const References& references,
+                                Diagnostics& diagnostics) {
+  const YamlValue found = value_of(rate, references, diagnostics);
+  const auto rate_hz = exact_of(found);
+  if (rate_hz && *rate_hz > Rational()) return rate_hz;
+  if (is_unresolved(found)) return std::nullopt;
+  diagnostics.error("E0204", found.span,
+                    fmt::format("expected a rate in Hz, found {}", describe(found)));
   return std::nullopt;
 }
 

@@ -65,6 +65,10 @@ YamlValue substitute(YamlValue yaml, const References& references, Diagnostics& 
 std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,
                                 Diagnostics& diagnostics);
 
+/// The number, or what the expression gives; unresolved after a problem.
+YamlValue value_of(const QuantitySpec& quantity, const References& references,
+                   Diagnostics& diagnostics);
+
 /// A number or list of numbers as doubles; nullopt (and E0322) if it is something else.
 std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics& diagnostics);
 
@@ -74,9 +78,9 @@ std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics
 bool are_exact_as_doubles(const YamlValue& yaml, std::optional<Dtype> dtype, const char* code,
                           Diagnostics& diagnostics);
 
-/// A rate from a value that may have been a reference; nullopt (and E0204) if it is no positive
-/// decimal.
-std::optional<Rational> rate_of(const YamlValue& yaml, Diagnostics& diagnostics);
+/// A rate in Hz, with references replaced; nullopt (and E0204) if it is no positive number.
+std::optional<Rational> rate_of(const QuantitySpec& rate, const References& references,
+                                Diagnostics& diagnostics);
 
 /// The entity with this id if it is of the wanted kind, else nullptr and E0303 (unknown) or E0304
 /// (other kind); nothing is said of an empty id.

@@ -1,10 +1,12 @@
 // What `$(…)` stands for.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "generator/frontend/library/condition.hpp"
 #include "generator/frontend/parameters/config.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/quantity.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/spec/named.hpp"
@@ -21,8 +23,8 @@ bool is_missing(const Reference& reference, const References& references) {
 /// Of a whole number: whether E0322 or E0323 tells of it, where the parameter is read.
 bool is_refused(const Parameter& parameter, const YamlValue& value) {
   if (parameter.type != Parameter::Type::integer || is_expression(value)) return false;
-  const auto whole =
-      value.is_scalar() && !value.quoted ? parse_whole(value.text) : std::optional<std::int64_t>{};
+  if (!value.is_scalar() || value.quoted) return true;
+  const auto whole = value.number ? whole_of(value) : parse_whole(value.text);
   if (!whole) return true;
   return (parameter.low && !at_most(*parameter.low, *whole)) ||
          (parameter.high && !at_most(*whole, *parameter.high));
@@ -33,11 +35,11 @@ std::optional<ConditionValue> fact_of(const YamlValue& yaml) {
   if (is_unresolved(yaml)) return std::nullopt;
   const auto number = [](const YamlValue& item) -> std::optional<ConditionNumber> {
     if (!item.is_scalar() || item.quoted) return std::nullopt;
-    if (const auto exact = Rational::parse(item.text)) {
+    if (const auto exact = exact_of(item)) {
       if (exact->is_integer()) return exact->num();
       return *exact;
     }
-    const auto real = parse_number(item.text);
+    const auto real = real_of(item);
     return real ? std::optional<ConditionNumber>(*real) : std::nullopt;
   };
   if (yaml.is_sequence()) {
@@ -50,6 +52,15 @@ std::optional<ConditionValue> fact_of(const YamlValue& yaml) {
     return std::visit([](const auto& value) { return ConditionValue(value); }, *one);
   if (const auto truth = parse_bool(yaml.text)) return *truth;
   return yaml.text;
+}
+
+std::optional<ComputedNumber> finite_number(const ConditionValue& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* exact = std::get_if<Rational>(&value))
+    return exact->overflowed() ? std::nullopt : std::optional<ComputedNumber>(*exact);
+  const auto* real = std::get_if<double>(&value);
+  return real != nullptr && std::isfinite(*real) ? std::optional<ComputedNumber>(*real)
+                                                 : std::nullopt;
 }
 
 /// `2 * $(config limit)`; marked as unresolved where something in it is not known.
@@ -65,13 +76,13 @@ YamlValue compute(YamlValue yaml, const References& references, Diagnostics& dia
   yaml.origin = Origin::unresolved;
   const auto value = expression ? evaluate(*expression, facts) : std::nullopt;
   if (!value) return yaml;
-  std::string text = to_string(*value);
-  if (!Rational::parse(text) && !is_decimal_text(text)) {
+  yaml.number = finite_number(*value);
+  if (!yaml.number) {
     diagnostics.error("E0324", yaml.span, fmt::format("`{}` is no finite number", yaml.text));
     return yaml;
   }
-  yaml.origin = Origin::computed;
-  yaml.text = std::move(text);
+  yaml.origin = Origin::written;
+  yaml.text = to_string(*yaml.number);
   return yaml;
 }
 
@@ -86,7 +97,7 @@ YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml) {
   const bool text =
       parameter.type == Parameter::Type::text || parameter.type == Parameter::Type::keyword;
   const Unit* unit = find_unit(parameter.unit);
-  if (unit == nullptr || text || !yaml.is_scalar() || yaml.quoted) return yaml;
+  if (unit == nullptr || text || !yaml.is_scalar() || yaml.quoted || yaml.number) return yaml;
   const auto number = number_in(yaml.text, *unit);
   // What parameters are read with knows no fractions.
   if (number && (*number == yaml.text || number->find('/') == std::string::npos))
@@ -111,7 +122,8 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
       continue;
     // A single number is a list of one.
     const std::size_t size = value.is_sequence() ? value.items.size() : 1;
-    result[{"size", parameter.name.value}] = made_scalar(std::to_string(size), value.span);
+    result[{"size", parameter.name.value}] =
+        made_number(static_cast<std::int64_t>(size), value.span);
     for (std::size_t i = 0; i < value.items.size(); ++i)
       result[{"config", parameter.name.value, std::to_string(i)}] = value.items[i];
   }

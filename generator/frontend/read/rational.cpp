@@ -1,6 +1,8 @@
 #include "generator/frontend/read/rational.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <limits>
 #include <numeric>
 
@@ -153,6 +155,12 @@ std::optional<Rational> Rational::parse(std::string_view text) {
   const std::size_t slash = text.find('/');
   if (slash != std::string_view::npos) return parse_fraction(text, slash);
   return is_decimal_text(text) ? parse_decimal(text) : std::nullopt;
+}
+
+std::optional<Rational> Rational::of_decimal(double real) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), real).ptr;
+  return parse({digits.data(), static_cast<std::size_t>(end - digits.data())});
 }
 
 Rational operator+(const Rational& a, const Rational& b) {

@@ -23,6 +23,8 @@ class Rational {
   /// Reads "30", "-0.07", "29.97", "1e-3", "30000/1001", exactly. Nothing for other texts (blanks,
   /// leading zeros, ".inf", a zero denominator) and for numbers that do not fit.
   static std::optional<Rational> parse(std::string_view text);
+  /// The shortest decimal that means `real`; nothing if it does not fit.
+  static std::optional<Rational> of_decimal(double real);
   /// The caller vouches that den > 0 and that num and den have no common factor.
   static Rational from_lowest_terms(std::int64_t num, std::int64_t den);
 

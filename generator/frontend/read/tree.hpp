@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
+#include "generator/frontend/read/rational.hpp"
 #include "generator/support/diagnostics/diagnostics.hpp"
 
 namespace eagerx::gen {
@@ -17,20 +19,24 @@ enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 /// text, and is never taken for one of the others.
 enum class Origin : std::uint8_t {
   written,
-  computed,    // a number that an expression gave, perhaps a fraction: `1/3`
   unresolved,  // not known, and already reported: no further message about it
   python,      // an object that only Python knows; its text names it
 };
+
+/// Of an expression, or of what a stage of the generator adds. Whole numbers and decimals are exact
+/// as long as they fit into 64 bits; else a double.
+using ComputedNumber = std::variant<std::int64_t, double, Rational>;
 
 /// A value and what is below it. Maps keep their order and have no duplicate keys.
 struct YamlValue {
   struct Entry;
 
   YamlKind kind = YamlKind::null;
-  Span span;         // a scalar: its text; a map or sequence: its first token
-  std::string tag;   // explicit tag such as "!!python/tuple" in full
-                     // ("tag:yaml.org,2002:python/tuple"), else empty
-  std::string text;  // scalars
+  Span span;                             // a scalar: its text; a map or sequence: its first token
+  std::string tag;                       // explicit tag such as "!!python/tuple" in full
+                                         // ("tag:yaml.org,2002:python/tuple"), else empty
+  std::string text;                      // scalars
+  std::optional<ComputedNumber> number;  // of what was computed; `text` is for messages then
   Origin origin = Origin::written;
   bool quoted = false;
   bool with_unit = false;        // a rate or time, whose unit was taken off `text`

@@ -274,7 +274,7 @@ EntitySpec read_entity(const std::string& name, Span span, const YamlValue& yaml
   EntitySpec spec;
   spec.name = {name, span};
   if (const YamlValue* type = yaml.find("type")) spec.type = spanned_text(*type);
-  if (const YamlValue* rate = yaml.find("rate")) spec.rate = Spanned<YamlValue>{*rate, rate->span};
+  if (const YamlValue* rate = yaml.find("rate")) spec.rate = read_quantity(*rate);
   spec.config = read_config(yaml.find("config"));
   if (const YamlValue* states = yaml.find("states")) {
     for (const auto& entry : states->entries) {

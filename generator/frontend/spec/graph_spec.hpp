@@ -70,7 +70,7 @@ struct AgentSpec {
 struct EntitySpec {
   Spanned<std::string> name;
   Spanned<std::string> type;
-  std::optional<Spanned<YamlValue>> rate;  // a decimal, in manifests also `$(…)`
+  std::optional<QuantitySpec> rate;
   std::vector<Setting> config;
   std::vector<StateSpec> states;
   Selection sensors, actuators, inputs, outputs;
@@ -119,9 +119,9 @@ struct PlacementSpec {
 
 /// A node or an object that contains others; the flat graph has only its contents.
 struct CompositeSpec {
-  std::string name;                    // "arm/shoulder"
-  std::string type, about;             // id and summary of its manifest
-  std::optional<std::string> rate_hz;  // where it has one
+  std::string name;                 // "arm/shoulder"
+  std::string type, about;          // id and summary of its manifest
+  std::optional<Rational> rate_hz;  // where it has one
   bool is_object = false;
   /// Its ports, and those of the flat graph that they stand for: "arm/shoulder/position.setpoint".
   std::vector<std::pair<std::string, std::vector<std::string>>> inputs, outputs;

@@ -34,13 +34,14 @@ ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& ov
 
 std::optional<std::uint32_t> window_of(const ConnectionSettings& settings) {
   if (!settings.window) return 1;
-  const auto count = parse_int(settings.window->text);
-  return count ? std::optional(static_cast<std::uint32_t>(*count)) : std::nullopt;
+  const Rational* count = settings.window->number();
+  return count != nullptr ? std::optional(static_cast<std::uint32_t>(count->num())) : std::nullopt;
 }
 
 std::optional<Rational> delay_of(const ConnectionSettings& settings) {
-  if (settings.delay && settings.delay->reference) return std::nullopt;
-  return settings.delay ? settings.delay->value : Rational();
+  if (!settings.delay) return Rational();
+  const Rational* seconds = settings.delay->number();
+  return seconds != nullptr ? std::optional(*seconds) : std::nullopt;
 }
 
 bool skips(const ConnectionSettings& settings) {
@@ -66,10 +67,14 @@ ProcessorSpec read_processor(const YamlValue& yaml) {
   return {{type.text, type.span}, read_config(yaml.find("config"))};
 }
 
-SecondsSpec read_seconds(const YamlValue& yaml) {
-  const auto value = Rational::parse(yaml.text);
-  return {value.value_or(Rational()), value ? std::nullopt : std::optional(yaml), yaml.span,
-          yaml.with_unit};
+QuantitySpec read_quantity(const YamlValue& yaml) {
+  if (const auto number = Rational::parse(yaml.text)) return {*number, yaml.span, yaml.with_unit};
+  return {yaml, yaml.span, yaml.with_unit};
+}
+
+std::optional<Reference> reference_in(const QuantitySpec& quantity) {
+  const YamlValue* expression = quantity.expression();
+  return expression != nullptr ? reference_in(*expression) : std::nullopt;
 }
 
 std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagnostics) {
@@ -103,11 +108,11 @@ std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagno
 
 ConnectionSettings read_connection_settings(const YamlValue& yaml, Diagnostics& diagnostics) {
   ConnectionSettings settings;
-  settings.window = value_at(yaml, "window");
+  if (const YamlValue* window = yaml.find("window")) settings.window = read_quantity(*window);
   if (const YamlValue* longest = yaml.find("max_delay"))
-    settings.max_delay = read_seconds(*longest);
+    settings.max_delay = read_quantity(*longest);
   if (const YamlValue* delay = yaml.find("delay"); delay != nullptr && delay->is_scalar()) {
-    settings.delay = read_seconds(*delay);
+    settings.delay = read_quantity(*delay);
   } else if (delay != nullptr) {
     settings.random_delay = read_random(*delay, diagnostics);
   }

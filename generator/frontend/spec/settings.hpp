@@ -3,10 +3,12 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "generator/frontend/read/rational.hpp"
 #include "generator/frontend/read/tree.hpp"
+#include "generator/frontend/spec/reference.hpp"
 
 namespace eagerx::gen {
 
@@ -39,21 +41,26 @@ struct RandomSpec {
   std::optional<YamlValue> second;  // high; std
 };
 
-/// Seconds, as exact as they are written; in a manifest perhaps `$(…)`.
-struct SecondsSpec {
-  Rational value;                      // 0 for a reference
-  std::optional<YamlValue> reference;  // until it is replaced
+/// A rate in Hz, a time in seconds or a number of messages, as exact as it is written; in a
+/// manifest perhaps an expression of references, `$(config limit)`.
+struct QuantitySpec {
+  std::variant<Rational, YamlValue> value;
   Span span;
   bool with_unit = false;  // one was written
+
+  /// nullptr: it is an expression.
+  [[nodiscard]] const Rational* number() const { return std::get_if<Rational>(&value); }
+  /// nullptr: it is a number.
+  [[nodiscard]] const YamlValue* expression() const { return std::get_if<YamlValue>(&value); }
 };
 
 /// Settings of a connection. A manifest's port, the graph's port and the connection may each give
 /// some; `overlay` puts one on top of the other.
 struct ConnectionSettings {
-  std::optional<YamlValue> window;  // a number of messages; in manifests also `$(…)`
-  std::optional<SecondsSpec> delay;
+  std::optional<QuantitySpec> window;      // in messages
+  std::optional<QuantitySpec> delay;       // in seconds
   std::optional<RandomSpec> random_delay;  // drawn at every reset, replaces `delay`
-  std::optional<SecondsSpec> max_delay;    // a reset may change the delay up to these seconds
+  std::optional<QuantitySpec> max_delay;   // a reset may change the delay up to these seconds
   std::optional<Spanned<bool>> skip;
   std::optional<ProcessorSpec> processor;
 };
@@ -73,7 +80,9 @@ bool skips(const ConnectionSettings& settings);
 std::optional<YamlValue> value_at(const YamlValue& yaml, std::string_view key);
 std::vector<Setting> read_config(const YamlValue* yaml);
 ProcessorSpec read_processor(const YamlValue& yaml);
-SecondsSpec read_seconds(const YamlValue& yaml);
+QuantitySpec read_quantity(const YamlValue& yaml);
+/// Of an expression that is one reference and nothing else.
+std::optional<Reference> reference_in(const QuantitySpec& quantity);
 /// nullopt if nothing is said of the value, or E0206 if too much is.
 std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagnostics);
 /// Of the mapping of a connection, or of a port in a graph or a manifest.

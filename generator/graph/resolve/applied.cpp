@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/graph/resolve/bounds.hpp"
 #include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {

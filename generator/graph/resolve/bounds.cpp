@@ -1,4 +1,5 @@
-// Bounds of spaces, and how they are looked up.
+#include "generator/graph/resolve/bounds.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

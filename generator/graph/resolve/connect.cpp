@@ -1,12 +1,13 @@
-// The user's connections: names to ports, each input once, nothing left open.
+#include "generator/graph/resolve/connect.hpp"
+
 #include <fmt/format.h>
 
 #include <map>
 #include <set>
 #include <utility>
 
+#include "generator/graph/resolve/resets.hpp"
 #include "generator/graph/resolve/unknown_owners.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 

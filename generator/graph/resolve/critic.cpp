@@ -1,7 +1,7 @@
-// What the critic of a training sees besides the observations: inputs of the task, and states.
+#include "generator/graph/resolve/critic.hpp"
+
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {

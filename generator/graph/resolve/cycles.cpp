@@ -1,10 +1,10 @@
-// A cycle of connections without `skip` can never start: every node waits for the one before it.
+#include "generator/graph/resolve/cycles.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {

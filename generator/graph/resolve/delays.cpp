@@ -1,10 +1,11 @@
-// Delays of connections: as written, drawn at a reset, or changed by it up to a longest one.
+#include "generator/graph/resolve/delays.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/states.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -54,7 +55,10 @@ void resolve_delay(const UnresolvedGraph& draft, const UnresolvedInput& from, In
   const ConnectionSettings& settings = from.settings;
   into.delay_s = delay_of(settings).value_or(Rational());
   into.entity_sets_delay = from.entity_sets_delay;
-  if (settings.max_delay) into.max_delay_s = settings.max_delay->value;
+  if (settings.max_delay) {
+    const Rational* longest_s = settings.max_delay->number();
+    into.max_delay_s = longest_s != nullptr ? *longest_s : Rational();
+  }
   if (settings.random_delay) draw_delay(*settings.random_delay, into, draft.diagnostics);
   if (into.max_delay_s && *into.max_delay_s < into.delay_s) {
     draft.diagnostics.error(

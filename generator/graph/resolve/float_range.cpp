@@ -1,11 +1,9 @@
-// Parameters that are finite as they are written and infinite as the numbers that the program
-// computes with.
+#include "generator/graph/resolve/float_range.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
-
-#include "generator/graph/resolve/unresolved_graph.hpp"
 
 namespace eagerx::gen {
 namespace {

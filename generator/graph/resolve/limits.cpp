@@ -1,10 +1,10 @@
-// What manifests require of parameters, ports and rates together.
+#include "generator/graph/resolve/limits.hpp"
+
 #include <fmt/format.h>
 
 #include <tuple>
 
 #include "generator/frontend/parameters/requirements.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 

@@ -1,4 +1,5 @@
-// The environment, the engine and the nodes of the graph.
+#include "generator/graph/resolve/nodes.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <string_view>
 
 #include "generator/frontend/parameters/requirements.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/ports.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
@@ -151,7 +152,7 @@ void add_engine(UnresolvedGraph& draft, const ResolveOptions& options) {
   engine.node.name = "engine";
   engine.node.role = NodeRole::engine;
   engine.node.span = draft.spec.engine.name.span;
-  engine.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
+  engine.node.rate_hz = rate_of(*spec.rate, {}, draft.diagnostics).value_or(Rational{});
   engine.node.entity = find_entity(draft.library, spec.type, EntityKind::engine, draft.diagnostics);
   if (engine.node.entity != nullptr) {
     engine.node.config = resolve_config(draft.library, *engine.node.entity, spec.config,
@@ -171,7 +172,7 @@ UnresolvedNode node_of(UnresolvedGraph& draft, const EntitySpec& spec,
   node.node.role = NodeRole::node;
   node.node.span = spec.name.span;
   if (spec.rate)
-    node.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
+    node.node.rate_hz = rate_of(*spec.rate, {}, draft.diagnostics).value_or(Rational{});
   node.node.entity = find_entity(draft.library, spec.type, EntityKind::node, draft.diagnostics);
   if (node.node.entity == nullptr) {
     draft.erroneous.insert(spec.name.value);

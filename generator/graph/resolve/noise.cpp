@@ -1,9 +1,10 @@
-// Noise on observations: a node between an observation and where it comes from.
+#include "generator/graph/resolve/noise.hpp"
+
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/nodes.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {

@@ -1,12 +1,14 @@
-// Objects become the engine nodes that implement them on the chosen engine; nothing of an object
-// remains but its states and its simulator.
+#include "generator/graph/resolve/objects.hpp"
+
 #include <fmt/format.h>
 
 #include <map>
 #include <set>
 
+#include "generator/frontend/read/number.hpp"
+#include "generator/graph/resolve/ports.hpp"
 #include "generator/graph/resolve/prune.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/safety.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
@@ -61,13 +63,10 @@ class ObjectBuilder {
   void add_rates(const char* kind, const std::vector<PortManifest>& ports,
                  const Selection& chosen) {
     for (const auto& port : ports) {
-      YamlValue rate = substitute(*port.rate, references_, diagnostics());
+      YamlValue rate = value_of(*port.rate, references_, diagnostics());
       const ComponentSpec* set = find_component(chosen, port.name.value);
-      if (set != nullptr && set->rate) {
-        rate.text = set->rate->value.to_string();
-        rate.span = set->rate->span;
-      }
-      references_[rate_reference(kind, port.name.value)] = rate;
+      if (set != nullptr && set->rate) rate = made_number(set->rate->value, set->rate->span);
+      references_[rate_reference(kind, port.name.value)] = std::move(rate);
     }
   }
 
@@ -102,9 +101,7 @@ class ObjectBuilder {
       node.node.role = NodeRole::engine_node;
       node.node.span = spec_.name.span;
       node.node.object = draft_.objects.size();
-      node.node.rate_hz =
-          rate_of(substitute(spec.rate->value, references_, diagnostics()), diagnostics())
-              .value_or(Rational{});
+      node.node.rate_hz = rate_of(*spec.rate, references_, diagnostics()).value_or(Rational{});
       const Entity* entity =
           find_entity(draft_.library, spec.type, EntityKind::engine_node, diagnostics());
       node.node.entity = entity;
@@ -338,7 +335,7 @@ class ObjectBuilder {
   /// A sensor or actuator ticks with the engine node that implements it.
   void check_rate(const PortManifest& port, const char* kind, const UnresolvedNode& node,
                   Span span) {
-    const auto rate = Rational::parse(references_[rate_reference(kind, port.name.value)].text);
+    const auto rate = exact_of(references_[rate_reference(kind, port.name.value)]);
     if (!rate || node.node.rate_hz == Rational() || *rate == node.node.rate_hz) return;
     diagnostics()
         .error("E0317", span,

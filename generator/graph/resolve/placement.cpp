@@ -1,10 +1,10 @@
-// Which program of a graph each node is in.
+#include "generator/graph/resolve/placement.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
 
 #include "generator/graph/resolve/chosen_nodes.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 

@@ -1,7 +1,9 @@
-// Processors: what they take must arrive, what they give is the receiver's space.
+#include "generator/graph/resolve/processors.hpp"
+
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/frontend/read/number.hpp"
+#include "generator/graph/resolve/limits.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {
@@ -65,7 +67,7 @@ std::optional<std::vector<Setting>> settings_for(const Entity& entity, std::uint
     if (parameter.type != Parameter::Type::integers) return std::nullopt;
     std::vector<YamlValue> indices;
     for (std::uint64_t i = 0; i < elements; ++i)
-      indices.push_back(made_scalar(std::to_string(i), {}));
+      indices.push_back(made_number(static_cast<std::int64_t>(i), {}));
     settings.push_back({parameter.name.value, {}, made_list(std::move(indices), {})});
   }
   return settings;

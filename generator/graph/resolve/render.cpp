@@ -1,7 +1,7 @@
-// What a program shows, and what only its pictures need.
+#include "generator/graph/resolve/render.hpp"
+
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {

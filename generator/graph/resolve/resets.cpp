@@ -1,8 +1,8 @@
-// Reset nodes: the states they bring about, what they pass on otherwise, and who can run while they
-// do.
+#include "generator/graph/resolve/resets.hpp"
+
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/processors.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {

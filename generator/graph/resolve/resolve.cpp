@@ -7,7 +7,24 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/connect.hpp"
+#include "generator/graph/resolve/critic.hpp"
+#include "generator/graph/resolve/cycles.hpp"
+#include "generator/graph/resolve/float_range.hpp"
+#include "generator/graph/resolve/limits.hpp"
+#include "generator/graph/resolve/nodes.hpp"
+#include "generator/graph/resolve/noise.hpp"
+#include "generator/graph/resolve/objects.hpp"
+#include "generator/graph/resolve/placement.hpp"
+#include "generator/graph/resolve/render.hpp"
+#include "generator/graph/resolve/resets.hpp"
+#include "generator/graph/resolve/safety.hpp"
+#include "generator/graph/resolve/spaces.hpp"
+#include "generator/graph/resolve/stages.hpp"
+#include "generator/graph/resolve/states.hpp"
+#include "generator/graph/resolve/sync.hpp"
+#include "generator/graph/resolve/task.hpp"
+#include "generator/graph/resolve/telemetry.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 

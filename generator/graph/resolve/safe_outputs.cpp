@@ -1,11 +1,11 @@
-// A graph without engine: its actions are what a main loop measures, its observations what leaves
-// to the world. What they are while a measurement is missing or wrong.
+#include "generator/graph/resolve/safe_outputs.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "generator/frontend/read/scalar.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/bounds.hpp"
 
 namespace eagerx::gen {
 namespace {

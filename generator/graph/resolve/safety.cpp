@@ -1,10 +1,14 @@
-// What is safe: values of actions and actuators, and when they are applied.
+#include "generator/graph/resolve/safety.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/scalar.hpp"
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/bounds.hpp"
+#include "generator/graph/resolve/safe_outputs.hpp"
+#include "generator/graph/resolve/states.hpp"
 
 namespace eagerx::gen {
 
@@ -43,7 +47,7 @@ namespace {
 YamlValue list_of(const std::vector<double>& values, Span span) {
   std::vector<YamlValue> items;
   items.reserve(values.size());
-  for (const double value : values) items.push_back(made_scalar(fmt::format("{}", value), span));
+  for (const double value : values) items.push_back(made_number(value, span));
   return made_list(std::move(items), span);
 }
 

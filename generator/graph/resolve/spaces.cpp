@@ -1,4 +1,5 @@
-// Spaces flow from outputs to inputs until every port knows its own; then both ends are compared.
+#include "generator/graph/resolve/spaces.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +7,11 @@
 #include <map>
 #include <tuple>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/bounds.hpp"
+#include "generator/graph/resolve/connect.hpp"
+#include "generator/graph/resolve/delays.hpp"
+#include "generator/graph/resolve/limits.hpp"
+#include "generator/graph/resolve/processors.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {

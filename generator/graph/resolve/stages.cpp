@@ -1,7 +1,8 @@
-// Stages of a training: what they draw, weigh and wait for.
+#include "generator/graph/resolve/stages.hpp"
+
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/states.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
 

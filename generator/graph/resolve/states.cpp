@@ -1,11 +1,14 @@
-// How states get their values at a reset, checked against their spaces.
+#include "generator/graph/resolve/states.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/bounds.hpp"
+#include "generator/graph/resolve/ports.hpp"
+#include "generator/graph/resolve/processors.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {

@@ -1,9 +1,9 @@
-// Whether inputs count messages or go by the clock.
+#include "generator/graph/resolve/sync.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
 namespace eagerx::gen {

@@ -1,9 +1,10 @@
-// The task: a node at the rate of the environment, and its expressions.
+#include "generator/graph/resolve/task.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
+#include "generator/graph/resolve/critic.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {

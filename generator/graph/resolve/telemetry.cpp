@@ -1,7 +1,7 @@
-// What a board sends of itself while it runs.
+#include "generator/graph/resolve/telemetry.hpp"
+
 #include <fmt/format.h>
 
-#include "generator/graph/resolve/unresolved_graph.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {

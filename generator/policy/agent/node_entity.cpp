@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "generator/frontend/read/number.hpp"
 #include "generator/policy/agent/use.hpp"
 
 namespace eagerx::gen {
@@ -17,7 +18,7 @@ std::optional<YamlValue> bounds_setting(const std::vector<double>& bounds, Span 
   if (bounds.empty()) return std::nullopt;
   std::vector<YamlValue> numbers;
   numbers.reserve(bounds.size());
-  for (const double bound : bounds) numbers.push_back(made_scalar(fmt::format("{}", bound), span));
+  for (const double bound : bounds) numbers.push_back(made_number(bound, span));
   return bounds.size() == 1 ? numbers.front() : made_list(std::move(numbers), span);
 }
 
@@ -59,7 +60,7 @@ PortManifest output_port(const ComponentSpec* written, const std::string& name, 
     port.space.shape = made_list({}, span);
     const std::size_t size = kind == "argmax" ? network->groups().size() : network->outputs();
     if (kind != "argmax" || size > 1) {
-      port.space.shape->items = {made_scalar(std::to_string(size), span)};
+      port.space.shape->items = {made_number(static_cast<std::int64_t>(size), span)};
     }
   }
   port.space.low = bounds_setting(bounds.low, span);

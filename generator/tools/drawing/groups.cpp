@@ -35,7 +35,8 @@ BoxGroup group_of(const CompositeSpec& composite) {
   group.box.kind = composite.is_object ? BoxKind::object : BoxKind::node;
   group.box.name = composite.name;
   group.box.subtitle =
-      composite.type + (composite.rate_hz ? ", " + *composite.rate_hz + " Hz" : std::string());
+      composite.type +
+      (composite.rate_hz ? ", " + composite.rate_hz->to_string() + " Hz" : std::string());
   group.box.about = composite.about;
   const auto add = [](const auto& named, std::vector<BoxPort>& ports,
                       std::map<std::string, std::size_t>& number_of) {

@@ -167,7 +167,7 @@ class Nodes {
           Json{{"name", composite.name},
                {"type", composite.type},
                {"about", composite.about},
-               {"rate", composite.rate_hz ? Json(*composite.rate_hz) : Json(nullptr)},
+               {"rate", composite.rate_hz ? Json(composite.rate_hz->to_string()) : Json(nullptr)},
                {"line", line_of(composite.span)}});
     Json& rings = page["rings"] = Json::list();
     for (const Ring& ring : plan_.rings) rings.push_back(ring_json(ring));

@@ -317,7 +317,7 @@ int run(const char* board) {
   }
 
   using BoardTrace = Trace<Graph>;
-  auto& program = target::program_of_run<typename Graph::template Program<BoardTrace>>;
+  constinit static typename Graph::template Program<BoardTrace> program{};
   if constexpr (kTraces) {
     program.trace.print(options.trace);
     if (options.trace)

@@ -24,16 +24,14 @@ struct SerialPort {
   }
 };
 
-template <class Graph>
-constinit target::BoardLinkOf<Graph, SerialPort> link_of_run{};
-
 /// The main function; it does not return.
 template <class Graph>
 int serve() {
   static_assert(note_graph<Graph> != nullptr);
-  target::serve<Graph, SerialPort>(
-      target::program_of_run<target::BoardProgramOf<Graph, SerialPort>>, link_of_run<Graph>,
-      [] { return static_cast<std::uint32_t>(stack_used_bytes()); });
+  constinit static target::BoardProgramOf<Graph, SerialPort> program{};
+  constinit static target::BoardLinkOf<Graph, SerialPort> link{};
+  target::serve<Graph, SerialPort>(program, link,
+                                   [] { return static_cast<std::uint32_t>(stack_used_bytes()); });
   return kDone;
 }
 

@@ -8,11 +8,11 @@
 #include <runtime/host/base/files.hpp>
 #include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/supervisor.hpp>
+#include <targets/common/image_message.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/film.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/pictures/png.hpp>
-#include <targets/linux-sim/pictures/show.hpp>
 #include <targets/linux-sim/pictures/window.hpp>
 #include <vector>
 
@@ -67,34 +67,11 @@ struct Studio {
   Window window;
   std::string problem;  // the first
 };
-std::unique_ptr<Studio> studio;
 
 bool is_film(const std::string& path) {
   constexpr std::array kEndings = {".mp4", ".mkv", ".mov", ".webm", ".gif", ".avi"};
   return std::any_of(kEndings.begin(), kEndings.end(),
                      [&](const char* ending) { return path.ends_with(ending); });
-}
-
-void write_png(const std::string& path) {
-  const std::string png = png_of(studio->pixels.data(), studio->width, studio->height);
-  const int error = host::write_whole(path, png, host::Durability::cached);
-  if (error != 0)
-    studio->problem = "error: cannot write `" + path + "`: " + host::problem_of_writing(error);
-}
-
-std::string open_files(const std::string& path) {
-  if (!read_names(path, studio->names))
-    return "error: `" + path +
-           "` is no name of pictures\nhelp: write one `%d` or such as `%04d` "
-           "where their numbers are to stand";
-  studio->to_files = true;
-  const auto folder = std::filesystem::path(path).parent_path();
-  std::error_code error;
-  if (!folder.empty()) std::filesystem::create_directories(folder, error);
-  if (error) return "error: cannot make `" + folder.string() + "`: " + error.message();
-  const int refused = host::claim_output(path);  // for all that have these names
-  return refused == 0 ? std::string()
-                      : "error: cannot write `" + path + "`: " + host::problem_of_writing(refused);
 }
 
 class PicturesOfRun final : public Pictures {
@@ -106,37 +83,41 @@ class PicturesOfRun final : public Pictures {
   const std::uint8_t* kept(bool paints) override;
   std::string close() override;
 
-  void hand_on();
+  void show_scene(const float* scene, std::size_t rows) override;
+  void show_image(const std::uint8_t* image, int width, int height, int channels) override;
 
  private:
+  std::string open_files(const std::string& path);
+  void write_png(const std::string& path);
+  void hand_on();
   void look_at_window();
 
   bool paused_ = false;
   std::int64_t paused_ns_ = 0;
+  std::unique_ptr<Studio> studio_;
 };
-PicturesOfRun pictures;
 
 std::string PicturesOfRun::open(const Rendering& wanted, const std::string& title,
                                 const std::string& rate) {
   if (wanted.to.empty()) return {};
-  studio = std::make_unique<Studio>();
-  studio->width = wanted.width;
-  studio->height = wanted.height;
-  studio->pixels.resize(static_cast<std::size_t>(wanted.width) *
-                        static_cast<std::size_t>(wanted.height) * 3);
+  studio_ = std::make_unique<Studio>();
+  studio_->width = wanted.width;
+  studio_->height = wanted.height;
+  studio_->pixels.resize(static_cast<std::size_t>(wanted.width) *
+                         static_cast<std::size_t>(wanted.height) * 3);
   std::string problem;
   if (wanted.to == "window") {
-    studio->to_window = true;
-    problem = studio->window.open(title, wanted.width, wanted.height);
+    studio_->to_window = true;
+    problem = studio_->window.open(title, wanted.width, wanted.height);
   } else if (is_film(wanted.to)) {
-    studio->to_film = true;
-    problem = studio->film.open(wanted.to, wanted.width, wanted.height, rate);
+    studio_->to_film = true;
+    problem = studio_->film.open(wanted.to, wanted.width, wanted.height, rate);
   } else if (wanted.to.ends_with(".png")) {
     problem = open_files(wanted.to);
   } else if (wanted.to == "asked") {
-    studio->is_asked = true;
-    studio->scene.reserve(kMostKept);
-    std::ranges::fill(studio->pixels, kWhite);
+    studio_->is_asked = true;
+    studio_->scene.reserve(kMostKept);
+    std::ranges::fill(studio_->pixels, kWhite);
   } else if (wanted.to != "hash") {
     problem = "error: `" + wanted.to +
               "` is not a value of `--render`\nhelp: it is `window`, a film "
@@ -146,12 +127,34 @@ std::string PicturesOfRun::open(const Rendering& wanted, const std::string& titl
   return problem;
 }
 
+void PicturesOfRun::write_png(const std::string& path) {
+  const std::string png = png_of(studio_->pixels.data(), studio_->width, studio_->height);
+  const int error = host::write_whole(path, png, host::Durability::cached);
+  if (error != 0)
+    studio_->problem = "error: cannot write `" + path + "`: " + host::problem_of_writing(error);
+}
+
+std::string PicturesOfRun::open_files(const std::string& path) {
+  if (!read_names(path, studio_->names))
+    return "error: `" + path +
+           "` is no name of pictures\nhelp: write one `%d` or such as `%04d` "
+           "where their numbers are to stand";
+  studio_->to_files = true;
+  const auto folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) return "error: cannot make `" + folder.string() + "`: " + error.message();
+  const int refused = host::claim_output(path);  // for all that have these names
+  return refused == 0 ? std::string()
+                      : "error: cannot write `" + path + "`: " + host::problem_of_writing(refused);
+}
+
 bool PicturesOfRun::has_window() const {
-  return studio && studio->to_window;
+  return studio_ && studio_->to_window;
 }
 
 void PicturesOfRun::hand_on() {
-  const std::vector<std::uint8_t>& pixels = studio->pixels;
+  const std::vector<std::uint8_t>& pixels = studio_->pixels;
   for (std::size_t i = 0; i < pixels.size(); i += 8) {
     std::uint64_t word = 0;
     for (std::size_t k = 0; k < 8 && i + k < pixels.size(); ++k)
@@ -159,23 +162,23 @@ void PicturesOfRun::hand_on() {
     const std::uint64_t h = (hash_ ^ word) * 0x9e3779b97f4a7c15U;
     hash_ = h ^ h >> 32U;
   }
-  if (!studio->problem.empty()) return;
-  if (studio->to_files && studio->names.numbered) write_png(studio->names.of(count_));
-  if (studio->to_film && !studio->film.write(pixels.data(), pixels.size())) ends_run_ = true;
+  if (!studio_->problem.empty()) return;
+  if (studio_->to_files && studio_->names.numbered) write_png(studio_->names.of(count_));
+  if (studio_->to_film && !studio_->film.write(pixels.data(), pixels.size())) ends_run_ = true;
   ++count_;
-  if (!studio->problem.empty()) ends_run_ = true;
-  if (studio->to_window) look_at_window();
+  if (!studio_->problem.empty()) ends_run_ = true;
+  if (studio_->to_window) look_at_window();
 }
 
 void PicturesOfRun::look_at_window() {
   constexpr int kWaitMs = 20;
   constexpr int kFastest = 6;
-  studio->window.show(studio->pixels.data());
+  studio_->window.show(studio_->pixels.data());
   const std::int64_t begin_ns = now_ns();
   bool waited = false;
   for (;;) {
     host::send_heartbeat();
-    const Wishes wishes = studio->window.wishes(paused_ ? kWaitMs : 0);
+    const Wishes wishes = studio_->window.wishes(paused_ ? kWaitMs : 0);
     ends_run_ = ends_run_ || wishes.ends;
     if (wishes.pauses) paused_ = !paused_;
     speed_ = std::clamp(speed_ + wishes.speeds, -kFastest, kFastest);
@@ -193,50 +196,47 @@ std::int64_t PicturesOfRun::take_paused_ns() {
 }
 
 const std::uint8_t* PicturesOfRun::kept(bool paints) {
-  if (!studio || !studio->is_asked) return nullptr;
-  if (paints && studio->scene_rows > 0)
-    studio->painter.paint(studio->scene.data(), studio->scene_rows,
-                          {studio->pixels.data(), studio->width, studio->height, 3});
-  return studio->pixels.data();
+  if (!studio_ || !studio_->is_asked) return nullptr;
+  if (paints && studio_->scene_rows > 0)
+    studio_->painter.paint(studio_->scene.data(), studio_->scene_rows,
+                           {studio_->pixels.data(), studio_->width, studio_->height, 3});
+  return studio_->pixels.data();
 }
 
 std::string PicturesOfRun::close() {
-  if (!studio) return {};
-  if (studio->to_files && !studio->names.numbered && count_ > 0 && studio->problem.empty())
-    write_png(studio->names.of(0));
-  std::string problem = studio->problem;
-  if (studio->to_film) {
-    const std::string film = studio->film.finish();
+  if (!studio_) return {};
+  if (studio_->to_files && !studio_->names.numbered && count_ > 0 && studio_->problem.empty())
+    write_png(studio_->names.of(0));
+  std::string problem = studio_->problem;
+  if (studio_->to_film) {
+    const std::string film = studio_->film.finish();
     if (problem.empty()) problem = film;
   }
-  studio.reset();
+  studio_.reset();
   is_on_ = false;
   return problem;
 }
 
-}  // namespace
-
-Pictures* pictures_of_run() {
-  return &pictures;
-}
-bool pictures_are_on() {
-  return pictures.is_on();
-}
-
-void show_scene(const float* scene, std::size_t rows) {
-  if (studio->is_asked) {
-    studio->scene.assign(scene, scene + rows * kSceneColumns);
-    studio->scene_rows = rows;
+void PicturesOfRun::show_scene(const float* scene, std::size_t rows) {
+  if (studio_->is_asked) {
+    studio_->scene.assign(scene, scene + rows * kSceneColumns);
+    studio_->scene_rows = rows;
     return;
   }
-  studio->painter.paint(scene, rows, {studio->pixels.data(), studio->width, studio->height, 3});
-  pictures.hand_on();
+  studio_->painter.paint(scene, rows, {studio_->pixels.data(), studio_->width, studio_->height, 3});
+  hand_on();
 }
 
-void show_image(const std::uint8_t* image, int width, int height, int channels) {
+void PicturesOfRun::show_image(const std::uint8_t* image, int width, int height, int channels) {
   target::scale_image(image, width, height, channels,
-                      {studio->pixels.data(), studio->width, studio->height, 3});
-  if (!studio->is_asked) pictures.hand_on();
+                      {studio_->pixels.data(), studio_->width, studio_->height, 3});
+  if (!studio_->is_asked) hand_on();
+}
+
+}  // namespace
+
+std::unique_ptr<Pictures> make_pictures() {
+  return std::make_unique<PicturesOfRun>();
 }
 
 }  // namespace eagerx::linux_sim

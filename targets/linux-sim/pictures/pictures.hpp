@@ -1,16 +1,19 @@
 // What `--render` of a program does with scenes: a window, a film, or pictures in files.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <targets/linux-sim/options.hpp>
 
 namespace eagerx::linux_sim {
 
 /// The pictures of a run. A program that shows nothing has none, and is not linked with them: so
-/// the library calls them by this interface. There is one, see show.hpp.
+/// the library calls them by this interface.
 class Pictures {
  public:
+  virtual ~Pictures() = default;
   /// Before the run. `rate`: pictures a second, "30/1". Empty, or what is wrong.
   virtual std::string open(const Rendering& wanted, const std::string& title,
                            const std::string& rate) = 0;
@@ -27,6 +30,11 @@ class Pictures {
   /// kept. `paints`: else what was painted the last time.
   virtual const std::uint8_t* kept(bool paints) = 0;
 
+  /// Shows a scene of [rows][kSceneColumns], if the pictures are on.
+  virtual void show_scene(const float* scene, std::size_t rows) = 0;
+  /// The same of an image of [height][width][channels].
+  virtual void show_image(const std::uint8_t* image, int width, int height, int channels) = 0;
+
   /// Behind the run. Empty, or what is wrong: then the film, or the picture, is not there.
   virtual std::string close() = 0;
   std::uint64_t count() const { return count_; }
@@ -34,12 +42,13 @@ class Pictures {
   std::uint64_t hash() const { return hash_; }
 
  protected:
-  ~Pictures() = default;
-
   bool is_on_ = false, ends_run_ = false;
   int speed_ = 0;
   std::uint64_t count_ = 0;
   std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
+
+/// They are off until they are opened.
+std::unique_ptr<Pictures> make_pictures();
 
 }  // namespace eagerx::linux_sim

@@ -1,30 +1,20 @@
 // What a program that shows something calls.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <eagerx/rate.hpp>
 #include <eagerx/scene.hpp>
 #include <targets/common/image_message.hpp>
+#include <targets/linux-sim/pictures/pictures.hpp>
 
 namespace eagerx::linux_sim {
 
-class Pictures;
-
-Pictures* pictures_of_run();
-bool pictures_are_on();
-/// A scene of [rows][kSceneColumns].
-void show_scene(const float* scene, std::size_t rows);
-/// An image of [height][width][channels].
-void show_image(const std::uint8_t* image, int width, int height, int channels);
-
 template <class Message>
-void show(const Message& message) {
+void show(const Message& message, Pictures& pictures) {
   using Shape = target::ImageShape<Message>;
   if constexpr (Shape::is_image) {
-    show_image(message.data, Shape::width, Shape::height, Shape::channels);
+    pictures.show_image(message.data, Shape::width, Shape::height, Shape::channels);
   } else {
-    show_scene(message.data, kSceneRows<Message>);
+    pictures.show_scene(message.data, kSceneRows<Message>);
   }
 }
 
@@ -37,10 +27,12 @@ requires requires {
 }
 struct Shows<Graph> {
   static constexpr bool kDraws = true;
-  static bool draws() { return pictures_are_on(); }
+  Pictures* pictures = nullptr;
+
+  bool draws() const { return pictures->is_on(); }
   template <class Rate, class Message>
-  static void show(Rate /*rate*/, Seq /*tick*/, const Message& message) {
-    linux_sim::show(message);
+  void show(Rate /*rate*/, Seq /*tick*/, const Message& message) const {
+    linux_sim::show(message, *pictures);
   }
 };
 

@@ -39,6 +39,51 @@ TEST(Wrapped, GroupsAreOneALine) {
             "    {1, 2},\n    {3, 4},   // a\n    {5, 66},  // b\n");
 }
 
+// As clang-format 14 writes them.
+TEST(Wrapped, LongListsAreInColumnsBehindTheirBraceOrBelow) {
+  EXPECT_EQ(
+      wrapped("  static constexpr std::uint8_t kKindAt[20] = {0, 1, 1, 1, 2, 1, 1, 1, 2, 1, 1, 1, "
+              "2, 1, 1, 1, 2, 1, 1, 1};\n"),
+      "  static constexpr std::uint8_t kKindAt[20] = {0, 1, 1, 1, 2, 1, 1, 1, 2, 1,\n"
+      "                                               1, 1, 2, 1, 1, 1, 2, 1, 1, 1};\n");
+  EXPECT_EQ(
+      wrapped("    static constexpr std::array<double, 9> a = {0.785352033, -0.000925552165, 0.0, "
+              "0.0462776083, 0.999952532, 0.0, 6.01745125e-06, 0.00024999507, 1.0};\n"),
+      "    static constexpr std::array<double, 9> a = {0.785352033,    -0.000925552165, 0.0,\n"
+      "                                                0.0462776083,   0.999952532,     0.0,\n"
+      "                                                6.01745125e-06, 0.00024999507,   1.0};\n");
+  EXPECT_EQ(
+      wrapped("  static constexpr std::array<const char*, 8> kObservationNames{\"angle\", "
+              "\"wound\", \"speed\", \"mean\", \"applied\", \"test\", \"motor\", \"dcsc\"};\n"),
+      "  static constexpr std::array<const char*, 8> kObservationNames{\n"
+      "      \"angle\", \"wound\", \"speed\", \"mean\", \"applied\", \"test\", \"motor\", "
+      "\"dcsc\"};\n");
+}
+
+TEST(Wrapped, ACallGoesBelowAsAWhole) {
+  EXPECT_EQ(wrapped("    robot_servos_action_cursor_.reset(eagerx::DelayQuanta<1, 5000000, "
+                    "20000000>::of(robot_servos_action_delay_s_));\n"),
+            "    robot_servos_action_cursor_.reset(\n"
+            "        eagerx::DelayQuanta<1, 5000000, "
+            "20000000>::of(robot_servos_action_delay_s_));\n");
+  EXPECT_EQ(wrapped("        PendulumPendulumActuatorIo::Outputs out{.action_applied = "
+                    "pendulum_pendulum_actuator_action_applied_[0]};\n"),
+            "        PendulumPendulumActuatorIo::Outputs out{.action_applied =\n"
+            "                                                    "
+            "pendulum_pendulum_actuator_action_applied_[0]};\n");
+}
+
+TEST(Wrapped, AConditionIsAlignedBehindReturn) {
+  EXPECT_EQ(wrapped("    return " + kLong + " && " + kLong.substr(20) + " && b;\n"),
+            "    return " + kLong + " &&\n           " + kLong.substr(20) + " && b;\n");
+}
+
+TEST(Wrapped, NoBlankLineIsBeforeABraceButThatOfANamespace) {
+  EXPECT_EQ(wrapped("class A {\n  int b;\n\n};\n"), "class A {\n  int b;\n};\n");
+  const std::string text = "int a;\n\n}  // namespace b\n";
+  EXPECT_EQ(wrapped(text), text);
+}
+
 TEST(Wrapped, ACommentGoesOnInTheNextLine) {
   EXPECT_EQ(wrapped("  // " + kLong + " " + kLong + " b\n  // c d\n  int e;\n"),
             "  // " + kLong + "\n  // " + kLong + " b c d\n  int e;\n");

@@ -66,7 +66,7 @@ TEST(ImportGraph, ChoosesWhatIsNotSavedAndSaysSo) {
   EXPECT_TRUE(import.saved);
   EXPECT_EQ(import.graph->spec.name.value, "state");
   EXPECT_EQ(import.graph->spec.engine.type.value, "OracleEngine");
-  EXPECT_EQ(import.graph->spec.engine.rate->value.text, "20");
+  EXPECT_EQ(*import.graph->spec.engine.rate->number(), Rational(20));
   EXPECT_EQ(import.graph->spec.rate.value, Rational(20));
   EXPECT_EQ(import.diagnostics.all().size(), 3U);
   for (const auto& d : import.diagnostics.all()) EXPECT_EQ(d.severity, Severity::note);
@@ -79,7 +79,7 @@ TEST(ImportGraph, TheCommandLineWins) {
   EXPECT_EQ(import.graph->spec.engine.type.value, "OracleEngine");
   EXPECT_EQ(Import(file(environment("5") + object()), {"OracelEngine", {}, {}}).codes(),
             Codes{"E0303"});
-  EXPECT_EQ(import.graph->spec.engine.rate->value.text, "100");
+  EXPECT_EQ(*import.graph->spec.engine.rate->number(), Rational(100));
   EXPECT_EQ(import.graph->spec.rate.value, Rational(1, 3));
 }
 
@@ -252,8 +252,7 @@ TEST(WriteGraph, TextsSurvive) {
   graph.spec.path = "x.yaml";
   graph.spec.rate.value = Rational(1);
   graph.spec.engine.type.value = "E";
-  graph.spec.engine.rate = Spanned<YamlValue>{};
-  graph.spec.engine.rate->value.text = "1";
+  graph.spec.engine.rate = QuantitySpec{Rational(1), {}};
   const std::vector<std::string> texts = {"plain",      "",           "it's",         "a: b", "#",
                                           "two\nlines", "\x01\t\"\\", "\u00e9\u2028", "null", "-",
                                           "[",          "*a",         "12",           " "};

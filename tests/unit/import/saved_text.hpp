@@ -20,7 +20,7 @@ struct Import {
     library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
     if (!sensor_delay.empty())
       library.entities.at("OObject").sensors.front().settings.delay =
-          read_seconds(made_scalar(sensor_delay, {}));
+          read_quantity(made_scalar(sensor_delay, {}));
     graph = import_graph(tree, "state.yaml", library, options, diagnostics);
   }
 

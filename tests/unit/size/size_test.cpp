@@ -43,7 +43,7 @@ void describe(Tools& tools) {
              "00000000 00000006 T eagerx_start\n00000011 00000004 t step\n"
              "00000040 00000020 r graphs::g::policy::kLayer\n"
              "20000000 B eagerx_bss_begin\n20000028 B eagerx_bss_end\n"
-             "20000000 00000018 b eagerx::(anonymous namespace)::program_of_run<G>::program\n");
+             "20000000 00000018 b eagerx::board::run<G>(char const*)::program\n");
   tools.says(
       "addr2line",
       "0x00000000\n/x/targets/common/start.cpp:1\n0x00000002\n/x/targets/common/start.cpp:2\n"

@@ -1,0 +1,23 @@
+// The number that a value is: what its text means, or, where it was computed, the number itself,
+// which goes through no text.
+#pragma once
+
+#include <string>
+
+#include "generator/frontend/read/tree.hpp"
+
+namespace eagerx::gen {
+
+/// As messages show it: "20", "0.5", "1/3".
+std::string to_string(const ComputedNumber& number);
+
+/// A number that was not in a file, at `span`.
+YamlValue made_number(const ComputedNumber& number, Span span);
+
+// nullopt for what is no such number. Of written text: parse_int(), parse_number() and
+// Rational::parse() say which.
+std::optional<std::int64_t> whole_of(const YamlValue& yaml);
+std::optional<double> real_of(const YamlValue& yaml);
+std::optional<Rational> exact_of(const YamlValue& yaml);
+
+}  // namespace eagerx::gen

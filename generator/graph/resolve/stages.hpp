@@ -1,0 +1,12 @@
+// The stages of a training.
+#pragma once
+
+#include "generator/graph/resolve/unresolved_graph.hpp"
+
+namespace eagerx::gen {
+
+/// The stages of a training (E0307 names, E0327 ranges, E0352 what no
+/// stage can be).
+void resolve_stages(UnresolvedGraph& draft);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,11 @@
+// Engines that do not wait for the graph.
+#pragma once
+
+#include "generator/graph/resolve/unresolved_graph.hpp"
+
+namespace eagerx::gen {
+
+/// `sync: false` (E0338 what does not go together with it).
+void check_sync(UnresolvedGraph& draft);
+
+}  // namespace eagerx::gen
