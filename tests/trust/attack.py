@@ -76,6 +76,13 @@ def over(stage, address, of_hub, of_part):
     same_hash(stage.hub(7001, host=host, before=of_hub))
 
 
+def no_allocation_in_a_step(stage):
+    guarded = ["env", "LD_PRELOAD=" + os.path.join(WORK, "no_alloc.so")]
+    hub = stage.hub(stage.left("--key", stage.key)[1], before=guarded)
+    same_hash(hub)
+    check("no_alloc: no allocation while stepping" in hub.said(), "records need no memory", hub.said())
+
+
 def cost_of_a_step(stage):
     """Requested by name, it is the least of three runs, because whatever else runs here only adds to it."""
     steps, runs = 10_000, 3 if sys.argv[3:] else 1
@@ -339,8 +346,8 @@ def without_the_library(stage):
     check(made.returncode == 0, "a key is made without it", made.stderr)
 
 
-CHECKS = [the_hash_is_the_same, beyond_this_machine, a_second_implementation, another_key, a_key_on_one_side,
-          of_another_graph, slow_greetings, many_hostile_connections, hostile_answers, changed_on_the_way,
+CHECKS = [the_hash_is_the_same, beyond_this_machine, no_allocation_in_a_step, a_second_implementation, another_key,
+          a_key_on_one_side, of_another_graph, slow_greetings, many_hostile_connections, hostile_answers, changed_on_the_way,
           files_that_are_no_key, without_the_library, cost_of_a_step]
 
 for name in ("good", "other"):
