@@ -15,6 +15,7 @@ eagerx_compiled_library(
   eagerx_base UNITY
   SOURCES ${eagerx_host_folder}/base/claim.cpp ${eagerx_host_folder}/base/exhaustion.cpp ${eagerx_host_folder}/base/files.cpp ${eagerx_host_folder}/base/handover.cpp ${eagerx_host_folder}/base/index.cpp
           ${eagerx_host_folder}/base/interrupt.cpp ${eagerx_host_folder}/base/json.cpp
+          ${eagerx_host_folder}/base/json_reader.cpp
           ${eagerx_host_folder}/base/supervisor.cpp
           ${eagerx_host_folder}/base/nearest.cpp ${eagerx_host_folder}/base/thread_pool.cpp ${eagerx_host_folder}/base/text_file.cpp
           ${eagerx_host_folder}/base/utf8.cpp
@@ -76,7 +77,7 @@ eagerx_compiled_library(
 eagerx_compiled_library(
   eagerx_foxglove UNITY
   SOURCES ${eagerx_host_folder}/foxglove/access.cpp ${eagerx_host_folder}/foxglove/client_message.cpp
-          ${eagerx_host_folder}/foxglove/json_reader.cpp ${eagerx_host_folder}/foxglove/scene_schema.cpp
+          ${eagerx_host_folder}/foxglove/scene_schema.cpp
           ${eagerx_host_folder}/foxglove/scene_update.cpp ${eagerx_host_folder}/foxglove/server.cpp
           ${eagerx_host_folder}/foxglove/server_message.cpp ${eagerx_host_folder}/foxglove/server_text.cpp
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
