@@ -1,9 +1,9 @@
 # Libraries that are the same for every graph: compiled once and kept.
 #
-# eagerx_compiled_library(<name> SOURCES <file>... [FOLDERS <folder>...] [LINK <library>...] [OPTIONS <flag>...] [UNITY]
-#                         [OF_ITS_TYPE])
+# eagerx_compiled_library(<name> SOURCES <file>... [GENERATED <file>... FROM <file>...] [FOLDERS <folder>...]
+#                         [LINK <library>...] [OPTIONS <flag>...] [UNITY] [OF_ITS_TYPE])
 #
-# <name> is a static library of the sources. Where EAGERX_LIBRARY_CACHE names a folder, or EAGERX_LIBRARIES one that came
+# <name> is a static library of the sources, and of those that the build generates FROM others. Where EAGERX_LIBRARY_CACHE names a folder, or EAGERX_LIBRARIES one that came
 # with the package, and one of them has the library already, it is taken from there; otherwise it is compiled, and the
 # cache then has it. What is kept has a folder of its own for each compiler, set of flags, and text of the sources and of
 # all headers in FOLDERS, so it is never too old. It is compiled with -O2 for every build type but Debug, so that one serves
@@ -13,11 +13,11 @@
 include_guard(GLOBAL)
 
 function(eagerx_compiled_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "UNITY;OF_ITS_TYPE" "" "SOURCES;FOLDERS;LINK;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "UNITY;OF_ITS_TYPE" "" "SOURCES;GENERATED;FROM;FOLDERS;LINK;OPTIONS")
   set(graphs ${CMAKE_CURRENT_BINARY_DIR}/${name}.ci) # of calls, of a library that was taken from where it is kept
   file(REMOVE_RECURSE ${graphs})
   if(EAGERX_LIBRARY_CACHE OR EAGERX_LIBRARIES)
-    _eagerx_library_key(key ${name} "${arg_SOURCES}" "${arg_FOLDERS}" "${arg_OPTIONS}" ${arg_OF_ITS_TYPE})
+    _eagerx_library_key(key ${name} "${arg_SOURCES};${arg_FROM}" "${arg_FOLDERS}" "${arg_OPTIONS}" ${arg_OF_ITS_TYPE})
     foreach(file IN LISTS EAGERX_COMPILED)
       if(file MATCHES "/lib${name}\\.a$")
         execute_process(COMMAND ${CMAKE_COMMAND} -D FROM=${file} -D TO=${EAGERX_LIBRARY_CACHE}/${key}/lib${name}.a
@@ -46,7 +46,7 @@ function(eagerx_compiled_library name)
       endif()
     endforeach()
   endif()
-  add_library(${name} STATIC EXCLUDE_FROM_ALL ${arg_SOURCES})
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${arg_SOURCES} ${arg_GENERATED})
   target_link_libraries(${name} PUBLIC ${arg_LINK})
   set(level $<$<NOT:$<CONFIG:Debug>>:-O2>)
   if(arg_OF_ITS_TYPE)

@@ -15,6 +15,7 @@ eagerx_compiled_library(
   eagerx_base UNITY
   SOURCES ${eagerx_host_folder}/base/claim.cpp ${eagerx_host_folder}/base/exhaustion.cpp ${eagerx_host_folder}/base/files.cpp ${eagerx_host_folder}/base/handover.cpp ${eagerx_host_folder}/base/index.cpp
           ${eagerx_host_folder}/base/interrupt.cpp ${eagerx_host_folder}/base/json.cpp
+          ${eagerx_host_folder}/base/json_reader.cpp
           ${eagerx_host_folder}/base/supervisor.cpp
           ${eagerx_host_folder}/base/nearest.cpp ${eagerx_host_folder}/base/thread_pool.cpp ${eagerx_host_folder}/base/text_file.cpp
           ${eagerx_host_folder}/base/utf8.cpp
@@ -76,19 +77,44 @@ eagerx_compiled_library(
 eagerx_compiled_library(
   eagerx_foxglove UNITY
   SOURCES ${eagerx_host_folder}/foxglove/access.cpp ${eagerx_host_folder}/foxglove/client_message.cpp
-          ${eagerx_host_folder}/foxglove/json_reader.cpp ${eagerx_host_folder}/foxglove/scene_schema.cpp
+          ${eagerx_host_folder}/foxglove/scene_schema.cpp
           ${eagerx_host_folder}/foxglove/scene_update.cpp ${eagerx_host_folder}/foxglove/server.cpp
           ${eagerx_host_folder}/foxglove/server_message.cpp ${eagerx_host_folder}/foxglove/server_text.cpp
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx_publish eagerx_trace eagerx_web_sockets
   OPTIONS ${eagerx_host_plain_options})
+# The same with cyclonedds-dev, and idlc of cyclonedds-tools, which makes C of messages.idl.
+find_package(CycloneDDS QUIET)
+find_program(EAGERX_IDLC idlc)
+mark_as_advanced(CycloneDDS_DIR EAGERX_IDLC)
+set(eagerx_dds_arguments SOURCES ${eagerx_host_folder}/dds/no_dds.cpp)
+if(CycloneDDS_FOUND AND EAGERX_IDLC)
+  idlc_generate(TARGET eagerx_dds_messages FILES ${eagerx_host_folder}/dds/messages.idl FEATURES case-sensitive
+                WARNINGS no-implicit-extensibility NO_TYPE_INFO)
+  set(eagerx_dds_messages ${CMAKE_CURRENT_BINARY_DIR}/messages.c)
+  # As C++, because programs have no compiler of C.
+  set_source_files_properties(${eagerx_dds_messages} PROPERTIES LANGUAGE CXX SKIP_UNITY_BUILD_INCLUSION ON
+                                                                COMPILE_OPTIONS "-w;-D_Alignof=alignof")
+  get_target_property(eagerx_dds_include CycloneDDS::ddsc INTERFACE_INCLUDE_DIRECTORIES)
+  find_file(EAGERX_DDS_VERSION dds/version.h PATHS ${eagerx_dds_include} NO_DEFAULT_PATH)
+  mark_as_advanced(EAGERX_DDS_VERSION)
+  set(eagerx_dds_arguments
+      GENERATED ${eagerx_dds_messages}
+      FROM ${eagerx_host_folder}/dds/messages.idl ${EAGERX_DDS_VERSION}
+      SOURCES ${eagerx_host_folder}/dds/dds_sink.cpp ${eagerx_host_folder}/dds/joint_exchange.cpp
+              ${eagerx_host_folder}/dds/library.cpp ${eagerx_host_folder}/dds/participant.cpp)
+endif()
 eagerx_compiled_library(
-  eagerx_dds UNITY
-  SOURCES ${eagerx_host_folder}/dds/dds_sink.cpp ${eagerx_host_folder}/dds/library.cpp ${eagerx_host_folder}/dds/messages.cpp
-          ${eagerx_host_folder}/dds/participant.cpp ${eagerx_host_folder}/dds/topics.cpp
+  eagerx_dds UNITY ${eagerx_dds_arguments} ${eagerx_host_folder}/dds/network.cpp ${eagerx_host_folder}/dds/topics.cpp
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx_publish eagerx_trace ${CMAKE_DL_LIBS}
   OPTIONS ${eagerx_host_plain_options})
+get_target_property(eagerx_dds_is_kept eagerx_dds IMPORTED)
+if(TARGET eagerx_dds_messages AND NOT eagerx_dds_is_kept)
+  add_dependencies(eagerx_dds eagerx_dds_messages_generate)
+  target_include_directories(eagerx_dds SYSTEM PRIVATE ${CMAKE_CURRENT_BINARY_DIR} ${eagerx_dds_include})
+  target_compile_definitions(eagerx_dds PRIVATE EAGERX_DDSC="$<TARGET_SONAME_FILE_NAME:CycloneDDS::ddsc>")
+endif()
 eagerx_compiled_library(
   eagerx_key UNITY
   SOURCES ${eagerx_host_folder}/key/key_file.cpp ${eagerx_host_folder}/key/session.cpp ${eagerx_host_folder}/key/sodium.cpp

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <runtime/host/base/json_reader.hpp>
 #include <runtime/host/foxglove/client_message.hpp>
-#include <runtime/host/foxglove/json_reader.hpp>
 #include <runtime/host/foxglove/server_message.hpp>
 #include <string_view>
 #include <vector>
@@ -13,14 +13,14 @@
 namespace {
 
 using eagerx::foxglove::ClientMessage;
-using eagerx::foxglove::Json;
+using Json = eagerx::host::JsonValue;
 
 void require(bool holds) {
   if (!holds) std::abort();
 }
 
 std::size_t count(const Json& value, int depth) {
-  require(depth <= eagerx::foxglove::kDeepestJson);
+  require(depth <= eagerx::host::kDeepestJson);
   std::size_t values = 1;
   require(value.names.empty() || value.names.size() == value.items.size());
   for (const Json& each : value.items) values += count(each, depth + 1);
@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check(eagerx::foxglove::read_client_bytes(text));
   eagerx::foxglove::steps_of_request(text);
   check_server(text);
-  const auto json = eagerx::foxglove::read_json(text);
-  if (json) require(count(*json, 0) <= eagerx::foxglove::kMostJsonValues);
+  const auto json = eagerx::host::read_json(text);
+  if (json) require(count(*json, 0) <= eagerx::host::kMostJsonValues);
   return 0;
 }

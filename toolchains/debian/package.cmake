@@ -23,7 +23,7 @@ libstdc++-arm-none-eabi-newlib, libstdc++-arm-none-eabi-dev, qemu-system-arm, ff
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
     "ccache, gcc-riscv64-unknown-elf, picolibc-riscv64-unknown-elf, qemu-system-misc, \
 g++-aarch64-linux-gnu, g++-arm-linux-gnueabihf, qemu-user, libode-dev, libftdi1-dev, \
-cyclonedds-tools, libsodium23, emscripten, nodejs")
+cyclonedds-dev, cyclonedds-tools, libsodium23, emscripten, nodejs")
 if(CMAKE_CROSSCOMPILING)
   set(debian_names x86_64 amd64 aarch64 arm64 armv7 armhf)
   list(FIND debian_names "${CMAKE_SYSTEM_PROCESSOR}" index)

@@ -1,6 +1,4 @@
-#include <bit>
 #include <runtime/host/dds/dds_sink.hpp>
-#include <runtime/host/dds/messages.hpp>
 #include <runtime/host/dds/participant.hpp>
 #include <runtime/host/dds/ros_values.hpp>
 #include <runtime/host/dds/topics.hpp>
@@ -56,9 +54,9 @@ class DdsSink final : public PublishSink {
   }
 
   void step(const PublishedStep& step) override {
-    ros::Clock clock{ros::time_of(step.time_ns)};
+    const rosgraph_msgs_msg_dds__Clock_ clock{ros::time_of(stamp_of(step.time_ns))};
     write(clock_, clock);
-    ros::UInt32 episode{step.episode};
+    const std_msgs_msg_dds__UInt32_ episode{step.episode};
     if (step.step == 0) write(reset_, episode);
   }
 
@@ -66,6 +64,8 @@ class DdsSink final : public PublishSink {
 
  private:
   static constexpr const char* kClockTopic = "rt/clock";
+  using Dimension = std_msgs_msg_dds__MultiArrayDimension_;
+  using Header = std_msgs_msg_dds__Header_;
 
   template <class F>
   void with_type(std::size_t channel, F&& f) {
@@ -79,8 +79,8 @@ class DdsSink final : public PublishSink {
       if (writer < 0 && problem.empty()) problem = participant_.problem(writer, name);
       return writer;
     };
-    clock_ = add(ros::Clock::kType, kClockTopic, Promise::clock);
-    reset_ = add(ros::UInt32::kType, reset_topic_, Promise::event);
+    clock_ = add(rosgraph_msgs_msg_dds__Clock__desc, kClockTopic, Promise::clock);
+    reset_ = add(std_msgs_msg_dds__UInt32__desc, reset_topic_, Promise::event);
     layouts_.resize(channels_.size());
     names_.resize(channels_.size());
     for (std::size_t c = 0; c < channels_.size(); ++c) {
@@ -93,27 +93,25 @@ class DdsSink final : public PublishSink {
   const TopicType& type_of(std::size_t channel) {
     switch (topics_[channel].form) {
       case Form::image:
-        return ros::Image::kType;
+        return sensor_msgs_msg_dds__Image__desc;
       case Form::imu:
-        return ros::Imu::kType;
+        return sensor_msgs_msg_dds__Imu__desc;
       case Form::position:
       case Form::velocity:
       case Form::effort:
-        return ros::JointState::kType;
+        return sensor_msgs_msg_dds__JointState__desc;
       case Form::number:
       case Form::array:
         break;
     }
     const TopicType* type = nullptr;
-    with_type(channel, [&](auto of) {
-      type = topics_[channel].form == Form::number ? &decltype(of)::One::kType
-                                                   : &decltype(of)::Many::kType;
-    });
+    with_type(channel,
+              [&](auto of) { type = topics_[channel].form == Form::number ? &of.one : &of.many; });
     return *type;
   }
   /// As ROS 2 has it: the stride of a dimension counts all elements of it and of those behind it.
-  std::vector<ros::MultiArrayDimension> dimensions_of(const std::vector<std::uint32_t>& shape) {
-    std::vector<ros::MultiArrayDimension> dimensions(shape.size());
+  std::vector<Dimension> dimensions_of(const std::vector<std::uint32_t>& shape) {
+    std::vector<Dimension> dimensions(shape.size());
     std::uint32_t stride = 1;
     for (std::size_t d = shape.size(); d-- > 0;) {
       stride *= shape[d];
@@ -129,17 +127,18 @@ class DdsSink final : public PublishSink {
   void write(Entity writer, const Message& message) {
     write(writer, static_cast<const void*>(&message));
   }
-  ros::Header header(const PublishedMessage& message, const Topic& topic) const {
-    return {ros::time_of(message.time_ns), const_cast<char*>(topic.frame.c_str())};
+  Header header(const PublishedMessage& message, const Topic& topic) const {
+    return {ros::time_of(stamp_of(message.time_ns)), const_cast<char*>(topic.frame.c_str())};
   }
-  /// The elements of a message as T, valid until the next call.
-  template <class T>
-  Sequence<T> elements(const PublishedMessage& message) {
+  /// The elements of a message as those of `sequence`, valid until the next call.
+  template <class Sequence>
+  void give_elements(const PublishedMessage& message, Sequence& sequence) {
+    using T = std::remove_pointer_t<decltype(sequence._buffer)>;
     const std::size_t size = channels_[message.channel].size;
     room_.resize(size);
     auto* const to = reinterpret_cast<T*>(room_.data());
     for (std::size_t i = 0; i < size; ++i) to[i] = ros::value_of<T>(message.values[i]);
-    return ros::sequence(to, size);
+    ros::point(sequence, to, size);
   }
   const std::vector<double>& numbers(const PublishedMessage& message) {
     const auto& channel = channels_[message.channel];
@@ -152,7 +151,7 @@ class DdsSink final : public PublishSink {
   void write_number(const PublishedMessage& message) {
     with_type(message.channel, [&](auto of) {
       using One = typename decltype(of)::One;
-      const One one{ros::value_of<decltype(One::data)>(message.values[0])};
+      const One one{ros::value_of<decltype(One::data_)>(message.values[0])};
       write(writers_[message.channel], one);
     });
   }
@@ -160,40 +159,40 @@ class DdsSink final : public PublishSink {
     with_type(message.channel, [&](auto of) {
       typename decltype(of)::Many many{};
       auto& layout = layouts_[message.channel];
-      many.layout.dim = ros::sequence(layout.data(), layout.size());
-      many.data = elements<std::remove_reference_t<decltype(*many.data.buffer)>>(message);
+      ros::point(many.layout_.dim_, layout.data(), layout.size());
+      give_elements(message, many.data_);
       write(writers_[message.channel], many);
     });
   }
   void write_image(const PublishedMessage& message, const Topic& topic) {
-    ros::Image image{};
-    image.header = header(message, topic);
-    image.height = topic.shape[0];
-    image.width = topic.shape[1];
-    image.encoding = const_cast<char*>(encoding_of(topic.shape));
-    image.step = image.width * (topic.shape.size() == 3 ? topic.shape[2] : 1);
-    image.data = elements<std::uint8_t>(message);
+    sensor_msgs_msg_dds__Image_ image{};
+    image.header_ = header(message, topic);
+    image.height_ = topic.shape[0];
+    image.width_ = topic.shape[1];
+    image.encoding_ = const_cast<char*>(encoding_of(topic.shape));
+    image.step_ = image.width_ * (topic.shape.size() == 3 ? topic.shape[2] : 1);
+    give_elements(message, image.data_);
     write(writers_[message.channel], image);
   }
   /// Ours has the specific force before the angular velocity, and knows no orientation.
   void write_imu(const PublishedMessage& message, const Topic& topic) {
     const std::vector<double>& n = numbers(message);
-    ros::Imu imu{};
-    imu.header = header(message, topic);
-    imu.orientation_covariance[0] = -1.0;
-    imu.linear_acceleration = {n[0], n[1], n[2]};
-    imu.angular_velocity = {n[3], n[4], n[5]};
+    sensor_msgs_msg_dds__Imu_ imu{};
+    imu.header_ = header(message, topic);
+    imu.orientation_covariance_[0] = -1.0;
+    imu.linear_acceleration_ = {n[0], n[1], n[2]};
+    imu.angular_velocity_ = {n[3], n[4], n[5]};
     write(writers_[message.channel], imu);
   }
   void write_joints(const PublishedMessage& message, const Topic& topic) {
     numbers(message);
-    ros::JointState joints{};
-    joints.header = header(message, topic);
-    joints.name = names_[message.channel].sequence();
-    (topic.form == Form::position   ? joints.position
-     : topic.form == Form::velocity ? joints.velocity
-                                    : joints.effort) =
-        ros::sequence(numbers_.data(), numbers_.size());
+    sensor_msgs_msg_dds__JointState_ joints{};
+    joints.header_ = header(message, topic);
+    names_[message.channel].give(joints.name_);
+    ros::point(topic.form == Form::position   ? joints.position_
+               : topic.form == Form::velocity ? joints.velocity_
+                                              : joints.effort_,
+               numbers_.data(), numbers_.size());
     write(writers_[message.channel], joints);
   }
 
@@ -206,9 +205,9 @@ class DdsSink final : public PublishSink {
   std::string nothing_;
   Participant participant_;
   Entity clock_ = -1, reset_ = -1;
-  std::vector<Entity> writers_;                                 // of channels
-  std::vector<std::vector<ros::MultiArrayDimension>> layouts_;  // of those that are arrays
-  std::vector<ros::Names> names_;                               // of those that are joints
+  std::vector<Entity> writers_;                  // of channels
+  std::vector<std::vector<Dimension>> layouts_;  // of those that are arrays
+  std::vector<ros::Names> names_;                // of those that are joints
   std::vector<std::uint64_t> room_;
   std::vector<double> numbers_;
 };

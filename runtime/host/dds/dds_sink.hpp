@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <runtime/host/dds/participant.hpp>
+#include <runtime/host/dds/network.hpp>
 #include <runtime/host/dds/topics.hpp>
 #include <runtime/host/publish/sink.hpp>
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace eagerx::dds {
 
-/// `said`: what the user wrote. `chosen`: [channels] which of them are topics.
+/// In a program that was built without Cyclone DDS, its open() says so. `said`: what the user
+/// wrote. `chosen`: [channels] which of them are topics.
 std::unique_ptr<publish::PublishSink> topic_sink(const Network& to, std::string said,
                                                  const publish::PublishedChannels& channels,
                                                  const Graph& graph, std::vector<bool> chosen);

@@ -6,8 +6,8 @@
 namespace eagerx::dds {
 namespace {
 
-/// Both Debians have this name; another maker's library may be of another version.
-constexpr const char* kFile = "libddsc.so.0debian";
+/// The name that a program is linked with: of the version whose headers are used here.
+constexpr const char* kFile = EAGERX_DDSC;
 
 bool look_up_all(void* library, Functions& f) {
   return look_up(library, "dds_create_domain", f.create_domain) &&
@@ -42,8 +42,9 @@ const Functions* library(std::string& problem) {
     return opened != nullptr && look_up_all(opened, functions);
   }();
   if (!found)
-    problem = "error: DDS needs the library Cyclone DDS, `" + std::string(kFile) +
-              "`\nhelp: apt install cyclonedds-tools, which brings it";
+    problem =
+        "error: DDS needs the library Cyclone DDS, `" + std::string(kFile) +
+        "`, with which the program was built\nhelp: apt install cyclonedds-dev, which brings it";
   return found ? &functions : nullptr;
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -18,17 +17,8 @@
 namespace eagerx::dds {
 namespace {
 
-constexpr std::uint32_t kMostDomain = 232;
 constexpr const char* kOfUser = "CYCLONEDDS_URI";
 
-/// Found by name or, where there is one, by address; the text has nothing that means something in
-/// XML.
-bool is_interface(std::string_view text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' ||
-           c == '-' || c == '_';
-  });
-}
 bool is_address(std::string_view text) {
   return text.find_first_not_of("0123456789.") == std::string_view::npos;
 }
@@ -109,21 +99,6 @@ int hear_this_machine(const std::set<int>& before) {
 
 }  // namespace
 
-bool parse_network(std::string_view text, Network& network) {
-  if (text.empty()) return true;
-  const std::size_t at = text.find('@');
-  if (at != std::string_view::npos) {
-    if (!is_interface(text.substr(at + 1))) return false;
-    network.interface = text.substr(at + 1);
-    text = text.substr(0, at);
-  }
-  if (text.empty()) return true;
-  if (text.front() != ':') return false;
-  const auto [end, error] =
-      std::from_chars(text.data() + 1, text.data() + text.size(), network.domain);
-  return error == std::errc() && end == text.data() + text.size() && network.domain <= kMostDomain;
-}
-
 /// A program is in a domain once, in one network.
 struct Participant::Domain {
   const Functions& functions;
@@ -182,31 +157,31 @@ std::string Participant::join(const Network& network, const std::string& config)
 template <class Make>
 Entity Participant::endpoint(const TopicType& type, const std::string& topic, Promise promise,
                              Make make) {
-  constexpr int kBestEffort = 0, kReliable = 1, kKeepLast = 0, kVolatile = 0, kTransientLocal = 1;
   const Functions& f = *functions_;
   const Entity id = f.create_topic(id_, &type, topic.c_str(), nullptr, nullptr);
   if (id < 0) return id;
-  Qos* const qos = f.create_qos();
+  dds_qos_t* const qos = f.create_qos();
   const bool is_reliable = promise == Promise::event || promise == Promise::exchange;
   // A writer does not wait for a reader: without room it says so at once.
-  f.qset_reliability(qos, is_reliable ? kReliable : kBestEffort, 0);
-  f.qset_history(qos, kKeepLast,
+  f.qset_reliability(qos, is_reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, 0);
+  f.qset_history(qos, DDS_HISTORY_KEEP_LAST,
                  promise == Promise::clock      ? 1
                  : promise == Promise::exchange ? 16
                                                 : 5);
-  f.qset_durability(qos, promise == Promise::event ? kTransientLocal : kVolatile);
+  f.qset_durability(
+      qos, promise == Promise::event ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   const Entity made = make(id, qos);
   f.delete_qos(qos);
   f.remove(id);  // what was made keeps it
   return made;
 }
 Entity Participant::writer(const TopicType& type, const std::string& topic, Promise promise) {
-  return endpoint(type, topic, promise, [&](Entity id, const Qos* qos) {
+  return endpoint(type, topic, promise, [&](Entity id, const dds_qos_t* qos) {
     return functions_->create_writer(id_, id, qos, nullptr);
   });
 }
 Entity Participant::reader(const TopicType& type, const std::string& topic, Promise promise) {
-  return endpoint(type, topic, promise, [&](Entity id, const Qos* qos) {
+  return endpoint(type, topic, promise, [&](Entity id, const dds_qos_t* qos) {
     return functions_->create_reader(id_, id, qos, nullptr);
   });
 }

@@ -4,18 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <runtime/host/dds/library.hpp>
+#include <runtime/host/dds/network.hpp>
 #include <string>
-#include <string_view>
 
 namespace eagerx::dds {
-
-/// `dds[:DOMAIN][@INTERFACE]`
-struct Network {
-  std::uint32_t domain = 0;  // to 232
-  std::string interface;     // a name or an IPv4 address; empty: this machine only
-};
-/// Parses the text behind `dds`. False if it is wrong.
-bool parse_network(std::string_view text, Network& network);
 
 /// The quality of service of a reader or writer.
 enum class Promise : std::uint8_t {

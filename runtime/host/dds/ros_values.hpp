@@ -1,65 +1,82 @@
-// Numbers of the trace in messages of ROS 2.
+// Messages of ROS 2, as idlc makes them of messages.idl, and numbers of the trace in them.
 #pragma once
 
-#include <bit>
+#include <messages.h>
+
 #include <cstddef>
 #include <cstdint>
-#include <runtime/host/dds/messages.hpp>
+#include <runtime/host/dds/library.hpp>
+#include <runtime/host/dds/stamp.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace eagerx::ros {
 
-constexpr std::int64_t kSecondInNs = 1'000'000'000;
-
-inline Time time_of(std::int64_t ns) {
-  return {static_cast<std::int32_t>(ns / kSecondInNs),
-          static_cast<std::uint32_t>(ns % kSecondInNs)};
+inline builtin_interfaces_msg_dds__Time_ time_of(dds::Stamp stamp) {
+  return {stamp.s, stamp.ns};
 }
 
-template <class T>
-Sequence<T> sequence(T* elements, std::size_t size) {
+/// Lets `sequence` be these elements, which stay the caller's.
+template <class Sequence, class T>
+void point(Sequence& sequence, T* elements, std::size_t size) {
   const auto count = static_cast<std::uint32_t>(size);
-  return {count, count, elements, false};
+  sequence = {count, count, elements, false};
 }
 
 using trace_log::value_of;
 
-/// The types of one number and of many.
+/// The types of one number and of many, and the library's descriptions of them.
 template <class OneType, class ManyType>
 struct Std {
   using One = OneType;
   using Many = ManyType;
+  const dds::TopicType& one;
+  const dds::TopicType& many;
 };
+template <class One, class Many>
+Std<One, Many> std_of(const dds::TopicType& one, const dds::TopicType& many) {
+  return {one, many};
+}
 
 /// f(Std<…>) for what elements of this type are.
 template <class F>
 void with_dtype(trace_log::Dtype dtype, F&& f) {
   switch (dtype) {
     case trace_log::Dtype::float32:
-      return f(Std<Float32, Float32MultiArray>());
+      return f(std_of<std_msgs_msg_dds__Float32_, std_msgs_msg_dds__Float32MultiArray_>(
+          std_msgs_msg_dds__Float32__desc, std_msgs_msg_dds__Float32MultiArray__desc));
     case trace_log::Dtype::float64:
-      return f(Std<Float64, Float64MultiArray>());
+      return f(std_of<std_msgs_msg_dds__Float64_, std_msgs_msg_dds__Float64MultiArray_>(
+          std_msgs_msg_dds__Float64__desc, std_msgs_msg_dds__Float64MultiArray__desc));
     case trace_log::Dtype::int8:
-      return f(Std<Int8, Int8MultiArray>());
+      return f(std_of<std_msgs_msg_dds__Int8_, std_msgs_msg_dds__Int8MultiArray_>(
+          std_msgs_msg_dds__Int8__desc, std_msgs_msg_dds__Int8MultiArray__desc));
     case trace_log::Dtype::int16:
-      return f(Std<Int16, Int16MultiArray>());
+      return f(std_of<std_msgs_msg_dds__Int16_, std_msgs_msg_dds__Int16MultiArray_>(
+          std_msgs_msg_dds__Int16__desc, std_msgs_msg_dds__Int16MultiArray__desc));
     case trace_log::Dtype::int32:
-      return f(Std<Int32, Int32MultiArray>());
+      return f(std_of<std_msgs_msg_dds__Int32_, std_msgs_msg_dds__Int32MultiArray_>(
+          std_msgs_msg_dds__Int32__desc, std_msgs_msg_dds__Int32MultiArray__desc));
     case trace_log::Dtype::int64:
-      return f(Std<Int64, Int64MultiArray>());
+      return f(std_of<std_msgs_msg_dds__Int64_, std_msgs_msg_dds__Int64MultiArray_>(
+          std_msgs_msg_dds__Int64__desc, std_msgs_msg_dds__Int64MultiArray__desc));
     case trace_log::Dtype::uint8:
-      return f(Std<UInt8, UInt8MultiArray>());
+      return f(std_of<std_msgs_msg_dds__UInt8_, std_msgs_msg_dds__UInt8MultiArray_>(
+          std_msgs_msg_dds__UInt8__desc, std_msgs_msg_dds__UInt8MultiArray__desc));
     case trace_log::Dtype::uint16:
-      return f(Std<UInt16, UInt16MultiArray>());
+      return f(std_of<std_msgs_msg_dds__UInt16_, std_msgs_msg_dds__UInt16MultiArray_>(
+          std_msgs_msg_dds__UInt16__desc, std_msgs_msg_dds__UInt16MultiArray__desc));
     case trace_log::Dtype::uint32:
-      return f(Std<UInt32, UInt32MultiArray>());
+      return f(std_of<std_msgs_msg_dds__UInt32_, std_msgs_msg_dds__UInt32MultiArray_>(
+          std_msgs_msg_dds__UInt32__desc, std_msgs_msg_dds__UInt32MultiArray__desc));
     case trace_log::Dtype::uint64:
-      return f(Std<UInt64, UInt64MultiArray>());
+      return f(std_of<std_msgs_msg_dds__UInt64_, std_msgs_msg_dds__UInt64MultiArray_>(
+          std_msgs_msg_dds__UInt64__desc, std_msgs_msg_dds__UInt64MultiArray__desc));
     case trace_log::Dtype::boolean:
-      return f(Std<Bool, UInt8MultiArray>());  // ROS 2 has no array of them
+      return f(std_of<std_msgs_msg_dds__Bool_, std_msgs_msg_dds__UInt8MultiArray_>(
+          std_msgs_msg_dds__Bool__desc,
+          std_msgs_msg_dds__UInt8MultiArray__desc));  // ROS 2 has no array of them
   }
 }
 
@@ -70,7 +87,10 @@ class Names {
     for (std::size_t i = 0; i < size; ++i) texts_.push_back(name + "_" + std::to_string(i));
     for (std::string& text : texts_) pointers_.push_back(text.data());
   }
-  Sequence<char*> sequence() { return ros::sequence(pointers_.data(), pointers_.size()); }
+  template <class Sequence>
+  void give(Sequence& sequence) {
+    point(sequence, pointers_.data(), pointers_.size());
+  }
 
  private:
   std::vector<std::string> texts_;

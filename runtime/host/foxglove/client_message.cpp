@@ -1,10 +1,13 @@
 #include <array>
 #include <cmath>
+#include <runtime/host/base/json_reader.hpp>
 #include <runtime/host/foxglove/client_message.hpp>
-#include <runtime/host/foxglove/json_reader.hpp>
 
 namespace eagerx::foxglove {
 namespace {
+
+using Json = host::JsonValue;
+using host::read_json;
 
 using Asked = ClientMessage::Kind;
 

@@ -1,11 +1,14 @@
 #include <cmath>
 #include <eagerx/scene.hpp>
 #include <limits>
-#include <runtime/host/foxglove/json_reader.hpp>
+#include <runtime/host/base/json_reader.hpp>
 #include <runtime/host/foxglove/server_message.hpp>
 
 namespace eagerx::foxglove {
 namespace {
+
+using Json = host::JsonValue;
+using host::read_json;
 
 using MessageKind = ServerMessage::Kind;
 

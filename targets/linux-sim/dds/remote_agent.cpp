@@ -13,13 +13,7 @@ namespace eagerx::linux_sim {
 namespace {
 
 constexpr std::int64_t kMsInNs = 1'000'000;
-constexpr std::int64_t kSlice = 50 * kMsInNs;       // in which a signal is seen
-constexpr dds::Entity kPublications = 0x7fff'0003;  // DDS_BUILTIN_TOPIC_DCPSPUBLICATION
-constexpr std::uint32_t kNotRead = 2U | 4U | 8U | 16U | 32U | 64U;  // in any other state
-
-bool equal(const ros::Time& a, const ros::Time& b) {
-  return a.sec == b.sec && a.nanosec == b.nanosec;
-}
+constexpr std::int64_t kSlice = 50 * kMsInNs;  // in which a signal is seen
 
 std::size_t units(std::size_t bytes) {
   return bytes / sizeof(std::max_align_t) + 1;
@@ -54,50 +48,20 @@ RemoteAgent::RemoteAgent(const Options& options, const GraphFacts& facts, const 
 std::string RemoteAgent::open() {
   if (inputs_.empty())
     return "error: this graph has no action that `--agent dds` could give\nhelp: leave it out";
-  std::vector<std::string> names;
-  for (const Input& input : inputs_) names.push_back(input.topic);
+  std::vector<std::string> inputs;
+  std::vector<dds::JointExchange::Output> outputs;
+  for (const Input& input : inputs_) inputs.push_back(input.topic);
+  for (const Output& output : outputs_)
+    outputs.push_back({output.topic, output.field->name, output.field->type.size});
+  std::vector<std::string> names = inputs;
   for (const Output& output : outputs_) names.push_back(output.topic);
-  std::string problem = dds::problem_of_names(names);
-  if (problem.empty()) problem = participant_.open({options_.agent_domain, ""}, true);
-  return problem.empty() ? make_topics() : problem;
-}
-
-std::string RemoteAgent::make_topics() {
-  const dds::Functions& f = participant_.functions();
-  waitset_ = f.create_waitset(participant_.id());
-  publications_ = f.create_reader(participant_.id(), kPublications, nullptr, nullptr);
-  for (Input& input : inputs_) {
-    input.reader = participant_.reader(ros::JointState::kType, input.topic, dds::Promise::exchange);
-    if (input.reader < 0) return participant_.problem(input.reader, input.topic);
-    f.waitset_attach(waitset_, f.create_readcondition(input.reader, kNotRead), 0);
-  }
-  for (Output& output : outputs_) {
-    output.writer =
-        participant_.writer(ros::JointState::kType, output.topic, dds::Promise::exchange);
-    if (output.writer < 0) return participant_.problem(output.writer, output.topic);
-    output.names.make(output.field->name, output.field->type.size);
-  }
-  return {};
-}
-
-/// Somebody writes each action, and reads an observation.
-bool RemoteAgent::is_there() const {
-  const dds::Functions& f = participant_.functions();
-  dds::Matched matched{};
-  for (const Input& input : inputs_) {
-    f.get_subscription_matched_status(input.reader, &matched);
-    if (matched.current == 0) return false;
-  }
-  return outputs_.empty() ||
-         std::any_of(outputs_.begin(), outputs_.end(), [&](const Output& output) {
-           f.get_publication_matched_status(output.writer, &matched);
-           return matched.current > 0;
-         });
+  const std::string problem = dds::problem_of_names(names);
+  return problem.empty() ? exchange_->open(options_.agent_domain, inputs, outputs) : problem;
 }
 
 std::string RemoteAgent::wait_for_agent() {
   const std::int64_t until = now_ns() + static_cast<std::int64_t>(options_.agent_timeout_s * 1e9);
-  while (!is_there()) {
+  while (!exchange_->is_there()) {
     host::stop_if_requested();
     look_for_strangers();
     if (host::interrupted()) return {};
@@ -114,7 +78,7 @@ const void* RemoteAgent::act(Seq step, ObservationRow observations, std::int64_t
   const std::int64_t began = now_ns();
   if (!in_real_time) until_ns = began + static_cast<std::int64_t>(options_.agent_timeout_s * 1e9);
   frame_ = std::to_string(episode_) + "/" + std::to_string(step);
-  now_ = ros::time_of(trace_log::time_of_tick(++written_, facts_.rate_num, facts_.rate_den));
+  now_ = dds::stamp_of(trace_log::time_of_tick(++written_, facts_.rate_num, facts_.rate_den));
   for (Input& input : inputs_) input.has_come = false;
   for (Output& output : outputs_) output.is_written = false;
   bool is_written = write(observations);
@@ -139,8 +103,7 @@ const void* RemoteAgent::act(Seq step, ObservationRow observations, std::int64_t
       is_written = false;
     }
     if (!is_written) is_written = write(observations);
-    participant_.functions().waitset_wait(waitset_, nullptr, 0,
-                                          std::min(until_ns - now, is_written ? kSlice : kMsInNs));
+    exchange_->wait(std::min(until_ns - now, is_written ? kSlice : kMsInNs));
   }
   has_answered_ = true;
   missed_in_a_row_ = 0;
@@ -161,12 +124,7 @@ bool RemoteAgent::write(ObservationRow observations) {
       for (std::size_t i = 0; i < type.size; ++i)
         output.numbers.push_back(number_of(type.scalar, message + w * type.bytes, i));
     }
-    ros::JointState out{};
-    out.header = {now_, frame_.data()};
-    // Names are those of one message: all arrays have as many elements, or none.
-    if (observations.sizes[o] == 1) out.name = output.names.sequence();
-    out.position = ros::sequence(output.numbers.data(), output.numbers.size());
-    output.is_written = participant_.functions().write(output.writer, &out) >= 0;
+    output.is_written = exchange_->write(o, now_, frame_, output.numbers);
     complete = complete && output.is_written;
   }
   return complete;
@@ -174,35 +132,24 @@ bool RemoteAgent::write(ObservationRow observations) {
 
 bool RemoteAgent::take_all() {
   bool complete = true;
-  for (Input& input : inputs_) {
-    take(input);
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    Input& input = inputs_[i];
+    exchange_->read(i, [this, &input](dds::Stamp when, std::span<const double> numbers) {
+      judge(input, when, numbers);
+    });
     complete = complete && input.has_come;
   }
   return complete;
 }
 
-void RemoteAgent::take(Input& input) {
-  constexpr std::uint32_t kAtOnce = 16;
-  const dds::Functions& f = participant_.functions();
-  void* messages[kAtOnce] = {};
-  dds::SampleInfo infos[kAtOnce];
-  const std::int32_t count = f.take(input.reader, messages, infos, kAtOnce, kAtOnce);
-  for (std::int32_t i = 0; i < count; ++i)
-    if (infos[i].is_valid) judge(input, *static_cast<const ros::JointState*>(messages[i]));
-  if (count > 0) f.return_loan(input.reader, messages, count);
-}
-
-void RemoteAgent::judge(Input& input, const ros::JointState& message) {
-  const ros::Time& when = message.header.stamp;
-  if (!equal(when, now_)) {
-    const bool is_older =
-        when.sec < now_.sec || (when.sec == now_.sec && when.nanosec < now_.nanosec);
+void RemoteAgent::judge(Input& input, dds::Stamp when, std::span<const double> numbers) {
+  if (when != now_) {
     // One that was answered may have been asked for twice.
-    if (!equal(when, before_) || !has_answered_) ++(is_older ? late_ : others_);
+    if (when != before_ || !has_answered_) ++(when < now_ ? late_ : others_);
     return;
   }
   if (input.has_come) return;
-  if (std::uint64_t* const wrong = wrong_with(*input.field, message.position)) {
+  if (std::uint64_t* const wrong = wrong_with(*input.field, numbers)) {
     ++*wrong;
     return;
   }
@@ -210,16 +157,16 @@ void RemoteAgent::judge(Input& input, const ros::JointState& message) {
   with_elements(input.field->type.scalar, static_cast<void*>(to), [&](auto* elements) {
     using T = std::remove_reference_t<decltype(*elements)>;
     for (std::size_t i = 0; i < input.field->type.size; ++i)
-      elements[i] = static_cast<T>(message.position.buffer[i]);
+      elements[i] = static_cast<T>(numbers[i]);
   });
   input.has_come = true;
 }
 
-std::uint64_t* RemoteAgent::wrong_with(const Field& field, const dds::Sequence<double>& numbers) {
+std::uint64_t* RemoteAgent::wrong_with(const Field& field, std::span<const double> numbers) {
   const MessageType& type = field.type;
-  if (numbers.length != type.size) return &lengths_;
+  if (numbers.size() != type.size) return &lengths_;
   for (std::size_t i = 0; i < type.size; ++i) {
-    const double number = numbers.buffer[i];
+    const double number = numbers[i];
     if (!std::isfinite(number)) return &not_finite_;
     if (!with_scalar(type.scalar, [&](auto zero) { return fits(number, zero); }))
       return &not_whole_;
@@ -229,24 +176,10 @@ std::uint64_t* RemoteAgent::wrong_with(const Field& field, const dds::Sequence<d
   return nullptr;
 }
 
-/// Writers whose type is another one: DDS does not connect us.
 void RemoteAgent::look_for_strangers() {
-  const dds::Functions& f = participant_.functions();
-  void* message[1] = {};
-  dds::SampleInfo info;
-  while (f.take(publications_, message, &info, 1, 1) == 1) {
-    const auto& writer = *static_cast<const dds::Endpoint*>(message[0]);
-    const bool is_ours =
-        info.is_valid && std::any_of(inputs_.begin(), inputs_.end(), [&](const Input& input) {
-          return input.topic == writer.topic_name;
-        });
-    if (is_ours && std::strcmp(writer.type_name, ros::JointState::kType.name) != 0) {
-      ++strangers_;
-      stranger_ = "\nnote: what somebody writes to `" + std::string(writer.topic_name) +
-                  "` is no sensor_msgs/JointState";
-    }
-    f.return_loan(publications_, message, 1);
-    message[0] = nullptr;
+  for (const std::string& topic : exchange_->strangers()) {
+    ++strangers_;
+    stranger_ = "\nnote: what somebody writes to `" + topic + "` is no sensor_msgs/JointState";
   }
 }
 
@@ -260,7 +193,7 @@ std::string RemoteAgent::silence(const std::string& what) const {
 }
 
 void RemoteAgent::finish(Summary& summary) {
-  if (participant_.id() >= 0) look_for_strangers();
+  look_for_strangers();
   const auto add = [&](const char* name, std::uint64_t count) {
     if (count > 0) summary.faults.emplace_back(name, count);
   };

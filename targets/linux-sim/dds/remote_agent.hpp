@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <runtime/host/dds/messages.hpp>
-#include <runtime/host/dds/participant.hpp>
-#include <runtime/host/dds/ros_values.hpp>
+#include <memory>
+#include <runtime/host/dds/joint_exchange.hpp>
+#include <runtime/host/dds/stamp.hpp>
+#include <span>
 #include <string>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/graph_program.hpp>
@@ -44,43 +45,36 @@ class RemoteAgent {
   struct Input {
     const Field* field;
     std::string topic;
-    dds::Entity reader = -1;
     bool has_come = false;
   };
   struct Output {
     const Field* field;
     std::string topic;
-    dds::Entity writer = -1;
     bool is_written = false;
     std::vector<double> numbers{};  // [most][size]
-    ros::Names names{};
   };
 
-  std::string make_topics();
-  bool is_there() const;
   /// Those of this step that are not written. False: there is no room for one, as long as earlier
   /// ones are on their way.
   bool write(ObservationRow observations);
   /// Takes what has come. True: all actions are there.
   bool take_all();
-  void take(Input& input);
-  void judge(Input& input, const ros::JointState& message);
+  void judge(Input& input, dds::Stamp when, std::span<const double> numbers);
   /// Null, or what is wrong with its numbers.
-  std::uint64_t* wrong_with(const Field& field, const dds::Sequence<double>& numbers);
+  std::uint64_t* wrong_with(const Field& field, std::span<const double> numbers);
   void look_for_strangers();
   std::string silence(const std::string& what) const;
 
   const Options& options_;
   const GraphFacts& facts_;
   const Fields& fields_;
-  dds::Participant participant_;
-  dds::Entity waitset_ = -1, publications_ = -1;
+  const std::unique_ptr<dds::JointExchange> exchange_ = dds::joint_exchange();
   std::vector<Input> inputs_;
   std::vector<Output> outputs_;
   std::vector<std::max_align_t> action_, wanted_;  // Action objects
   std::uint32_t episode_ = 0;
   std::uint64_t written_ = 0;  // observations, of all episodes
-  ros::Time now_{}, before_{};
+  dds::Stamp now_, before_;
   bool has_answered_ = false;
   std::string frame_, problem_, stranger_;
   std::uint64_t missed_in_a_row_ = 0, missed_ = 0, late_ = 0, others_ = 0;

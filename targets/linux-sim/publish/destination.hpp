@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <runtime/host/dds/participant.hpp>
+#include <runtime/host/dds/network.hpp>
 #include <runtime/host/publish/address.hpp>
 #include <string>
 #include <string_view>

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <eagerx/message.hpp>
 #include <eagerx/scene.hpp>
+#include <runtime/host/base/json_reader.hpp>
 #include <runtime/host/foxglove/access.hpp>
 #include <runtime/host/foxglove/client_message.hpp>
-#include <runtime/host/foxglove/json_reader.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
 #include <string>
 
@@ -14,65 +14,6 @@ namespace eagerx::foxglove {
 namespace {
 
 using Asked = ClientMessage::Kind;
-
-TEST(JsonReader, ReadsWhatRfc8259Says) {
-  const auto value = read_json(
-      " {\"a\" : [1, -0.5e+2, true, null, \"\\u00e9\\ud83d\\ude00\\n\\\"\"], \"b\":{}, \"a\":2} ");
-  ASSERT_TRUE(value);
-  const Json* const a = value->find("a");
-  ASSERT_TRUE(a != nullptr && a->items.size() == 5);
-  EXPECT_EQ(a->items[1].number, -50.0);
-  EXPECT_TRUE(a->items[2].boolean);
-  EXPECT_EQ(a->items[3].kind, Json::Kind::null);
-  EXPECT_EQ(a->items[4].text, "\xc3\xa9\xf0\x9f\x98\x80\n\"");
-  EXPECT_EQ(value->find("b")->kind, Json::Kind::object);
-  EXPECT_EQ(value->find("c"), nullptr);
-}
-
-TEST(JsonReader, RefusesAllElse) {
-  for (const char* wrong : {"",
-                            " ",
-                            "{",
-                            "[1,]",
-                            "[1 2]",
-                            "{\"a\"}",
-                            "{\"a\":}",
-                            "{a:1}",
-                            "01",
-                            "-",
-                            ".5",
-                            "5.",
-                            "1e",
-                            "+1",
-                            "inf",
-                            "nan",
-                            "NaN",
-                            "1e999",
-                            "tru",
-                            "nullx",
-                            "\"",
-                            "\"\n\"",
-                            "\"\\x\"",
-                            "\"\\u12\"",
-                            "\"\\u12g4\"",
-                            "\"\\ud800\"",
-                            "\"\\ud800\\u0041\"",
-                            "\"\\udc00\"",
-                            "1 1",
-                            "'a'",
-                            "[1]]"})
-    EXPECT_FALSE(read_json(wrong)) << wrong;
-  const auto nested = [](int depth) {
-    return std::string(static_cast<std::size_t>(depth), '[') +
-           std::string(static_cast<std::size_t>(depth), ']');
-  };
-  EXPECT_TRUE(read_json(nested(kDeepestJson + 1)));
-  EXPECT_FALSE(read_json(nested(kDeepestJson + 2)));
-  std::string many = "[0";
-  for (std::size_t i = 2; i < kMostJsonValues; ++i) many += ",0";
-  EXPECT_TRUE(read_json(many + "]"));
-  EXPECT_FALSE(read_json(many + ",0]"));
-}
 
 TEST(ClientMessage, ParametersAreNumbersFlagsOrNothing) {
   const auto message = read_client_text(
@@ -175,7 +116,7 @@ TEST(SceneUpdate, AnyNumbersAreJson) {
       for (std::size_t i = 0; i < 16; ++i) scene[i] = number;
       scene[0] = static_cast<float>(shape);
       const std::string text = scene_update(scene.data, 1, 0);
-      EXPECT_TRUE(read_json(text)) << shape << " " << number << " " << text;
+      EXPECT_TRUE(host::read_json(text)) << shape << " " << number << " " << text;
     }
   }
 }

@@ -1,8 +1,8 @@
 #include <charconv>
 #include <cmath>
-#include <runtime/host/foxglove/json_reader.hpp>
+#include <runtime/host/base/json_reader.hpp>
 
-namespace eagerx::foxglove {
+namespace eagerx::host {
 namespace {
 
 bool is_decimal(char c) {
@@ -26,11 +26,12 @@ void append_utf8(std::string& to, std::uint32_t point) {
   add(0x80 | (point & 0x3f));
 }
 
-class Reader {
+class JsonReader {
  public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  JsonReader(std::string_view text, std::size_t most_values)
+      : text_(text), most_values_(most_values) {}
 
-  bool document(Json& value) { return this->value(value, 0) && (skip_space(), text_.empty()); }
+  bool document(JsonValue& value) { return this->value(value, 0) && (skip_space(), text_.empty()); }
 
  private:
   void skip_space() {
@@ -48,22 +49,22 @@ class Reader {
     return take({&c, 1});
   }
 
-  bool value(Json& to, int depth) {
+  bool value(JsonValue& to, int depth) {
     skip_space();
-    if (depth > kDeepestJson || ++values_ > kMostJsonValues || text_.empty()) return false;
+    if (depth > kDeepestJson || ++values_ > most_values_ || text_.empty()) return false;
     switch (text_.front()) {
       case '{':
         return object(to, depth);
       case '[':
         return array(to, depth);
       case '"':
-        to.kind = Json::Kind::text;
+        to.kind = JsonValue::Kind::text;
         return string(to.text);
       case 'n':
         return take("null");
       case 't':
       case 'f':
-        to.kind = Json::Kind::boolean;
+        to.kind = JsonValue::Kind::boolean;
         to.boolean = text_.front() == 't';
         return take(to.boolean ? "true" : "false");
       default:
@@ -71,8 +72,8 @@ class Reader {
     }
   }
 
-  bool object(Json& to, int depth) {
-    to.kind = Json::Kind::object;
+  bool object(JsonValue& to, int depth) {
+    to.kind = JsonValue::Kind::object;
     text_.remove_prefix(1);
     if (take_after_space('}')) return true;
     do {
@@ -84,8 +85,8 @@ class Reader {
     return take("}");
   }
 
-  bool array(Json& to, int depth) {
-    to.kind = Json::Kind::array;
+  bool array(JsonValue& to, int depth) {
+    to.kind = JsonValue::Kind::array;
     text_.remove_prefix(1);
     if (take_after_space(']')) return true;
     do {
@@ -94,8 +95,8 @@ class Reader {
     return take("]");
   }
 
-  bool number(Json& to) {
-    to.kind = Json::Kind::number;
+  bool number(JsonValue& to) {
+    to.kind = JsonValue::Kind::number;
     // from_chars takes `.5`, `5.`, `01`, `inf` and `nan`, too.
     std::size_t at = text_.front() == '-' ? 1 : 0;
     const auto digits = [&] {
@@ -167,21 +168,22 @@ class Reader {
   }
 
   std::string_view text_;
+  const std::size_t most_values_;
   std::size_t values_ = 0;
 };
 
 }  // namespace
 
-const Json* Json::find(std::string_view name) const {
+const JsonValue* JsonValue::find(std::string_view name) const {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return &items[i];
   return nullptr;
 }
 
-std::optional<Json> read_json(std::string_view text) {
-  Json value;
-  if (!Reader(text).document(value)) return std::nullopt;
+std::optional<JsonValue> read_json(std::string_view text, std::size_t most_values) {
+  JsonValue value;
+  if (!JsonReader(text, most_values).document(value)) return std::nullopt;
   return value;
 }
 
-}  // namespace eagerx::foxglove
+}  // namespace eagerx::host

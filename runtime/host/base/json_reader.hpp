@@ -1,33 +1,36 @@
-// JSON that somebody else has written, such as a client of a server.
+// JSON that somebody else has written: a client of a server, a library, another program.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace eagerx::foxglove {
+namespace eagerx::host {
 
-struct Json {
+struct JsonValue {
   enum class Kind : std::uint8_t { null, boolean, number, text, array, object };
   Kind kind = Kind::null;
   bool boolean = false;
   double number = 0.0;
   std::string text;
-  std::vector<Json> items;         // of an array or an object
+  std::vector<JsonValue> items;    // of an array or an object
   std::vector<std::string> names;  // [items] of an object
 
   /// The first of this name; null if there is none, or this is no object.
-  const Json* find(std::string_view name) const;
+  const JsonValue* find(std::string_view name) const;
+  bool is(Kind which) const { return kind == which; }
 };
 
 inline constexpr int kDeepestJson = 16;
 inline constexpr std::size_t kMostJsonValues = 20'000;
 
 /// A whole text of JSON (RFC 8259); nullopt if it is none, is nested deeper than kDeepestJson, or
-/// has more values than kMostJsonValues. Numbers are the nearest double, and none that is beyond
+/// has more than `most_values`. Numbers are the nearest double, and none that is beyond
 /// all of them. Text in strings is taken as it is, but for its escapes.
-std::optional<Json> read_json(std::string_view text);
+std::optional<JsonValue> read_json(std::string_view text,
+                                   std::size_t most_values = kMostJsonValues);
 
-}  // namespace eagerx::foxglove
+}  // namespace eagerx::host

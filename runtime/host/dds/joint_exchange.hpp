@@ -1,0 +1,47 @@
+// Messages sensor_msgs/JointState between this program and others of this machine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <runtime/host/dds/stamp.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace eagerx::dds {
+
+class JointExchange {
+ public:
+  struct Output {
+    std::string topic;
+    std::string name;      // its elements are NAME_0, NAME_1 …
+    std::size_t size = 0;  // of one message
+  };
+  /// The time of a message, and its positions; valid during the call.
+  using Take = std::function<void(Stamp time, std::span<const double> positions)>;
+
+  virtual ~JointExchange() = default;
+  /// Joins `domain`, where nothing of another machine is taken. `inputs`: topics to read. Empty, or
+  /// what is wrong.
+  virtual std::string open(std::uint32_t domain, const std::vector<std::string>& inputs,
+                           const std::vector<Output>& outputs) = 0;
+  /// Somebody writes each input, and reads an output.
+  virtual bool is_there() const = 0;
+  /// `positions`: [n · size] of output `output`, which has names if n is 1. False: there is no room
+  /// for the message, as long as earlier ones are on their way.
+  virtual bool write(std::size_t output, Stamp time, std::string& frame,
+                     std::span<double> positions) = 0;
+  /// Calls `take` for messages that have come.
+  virtual void read(std::size_t input, const Take& take) = 0;
+  /// Until a message comes, or for `most_ns`.
+  virtual void wait(std::int64_t most_ns) = 0;
+  /// Inputs that somebody writes with another type, since the last call: DDS does not connect us.
+  virtual std::vector<std::string> strangers() = 0;
+};
+
+/// In a program that was built without Cyclone DDS, its open() says so.
+std::unique_ptr<JointExchange> joint_exchange();
+
+}  // namespace eagerx::dds
