@@ -28,3 +28,5 @@ if(VALGRIND AND NOT EAGERX_SANITIZE)
 endif()
 # The trace hash of an earlier version.
 add_test(NAME commands_stable_hash COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/stability ${PROJECT_BINARY_DIR} --run)
+# Every spelling of a name, in every command.
+add_test(NAME commands_spellings COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/spellings ${PROJECT_BINARY_DIR})

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <runtime/host/base/nearest.hpp>
 #include <utility>
 
 #include "generator/support/diagnostics/join.hpp"
@@ -49,6 +50,16 @@ void UnknownOwners::report() {
   }
 }
 
+std::string UnknownOwners::spelled(const Unknown& unknown, const Place& place) {
+  const std::string whole = unknown.owner + "." + place.port;
+  for (std::size_t end = whole.size(); (end = whole.find_last_of("./", end - 1)) != std::string::npos;) {
+    const std::string* const owner = host::name_meant(whole.substr(0, end), unknown.known);
+    if (owner != nullptr) return *owner + "." + whole.substr(end + 1);
+    if (end == 0) break;
+  }
+  return {};
+}
+
 bool UnknownOwners::is_used(std::string_view owner) const {
   return ranges::any_of(draft_.spec.connections, [&](const ConnectionSpec& connection) {
     return parse_port(connection.from.value).owner == owner ||
@@ -68,7 +79,9 @@ void UnknownOwners::report_declared(const Unknown& unknown, Span declared) {
 void UnknownOwners::report_used(const Unknown& unknown, const Place& place) {
   auto& problem = error(unknown, place);
   if (++helped_ > kMostHelped) return;
-  if (unknown.elements > 0) {
+  if (const std::string port = spelled(unknown, place); !port.empty()) {
+    problem.help = write_instead(port);
+  } else if (unknown.elements > 0) {
     problem.help = fmt::format(
         "`{0}` has {1}: write `\"{0}[*].{2}\"` for all of them, or `\"{0}[0].{2}\"` for one",
         unknown.owner, counted(unknown.elements, "element"), place.port);
