@@ -26,8 +26,8 @@ std::vector<host::Named> names_of(const GraphFacts& facts) {
 std::string spell(std::string& name, const std::vector<host::Named>& known) {
   const std::string* const meant = host::name_meant(name, known);
   if (meant == nullptr) {
-    return "error: this program has no channel `" + name + "`\nhelp: " +
-           host::suggestion(name, known);
+    return "error: this program has no channel `" + name +
+           "`\nhelp: " + host::suggestion(name, known);
   }
   if (*meant != name) say_other_spelling(name, *meant);
   name = *meant;

@@ -99,8 +99,8 @@ std::string Measures::read(const char* option, const std::string& written, expre
   };
   formula.text = written;
   expression::Text text(formula.text);
-  const auto typed = expression::read_typed(
-      text, {names, expression::NameForm::port, suggest, meant}, type);
+  const auto typed =
+      expression::read_typed(text, {names, expression::NameForm::port, suggest, meant}, type);
   const std::string problem = "error: `" + std::string(option) + " \"" + written + "\"`, ";
   if (typed) {
     const std::string what = formula.calculation.prepare(*typed, place_of);

@@ -23,8 +23,8 @@ class GraphView {
         network_(network),
         node_policies_(node_policies) {
     constants_.unique("kName");
-    for (const char* taken :
-         {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels", "kShapes", "kAliases"})
+    for (const char* taken : {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels",
+                              "kShapes", "kAliases"})
       constants_.unique(taken);
   }
 

@@ -47,8 +47,8 @@ void report_not_found(const Graph& whole, const std::string& name, Diagnostics& 
   constexpr const char* kHelp =
       "nodes are cut out, and composites and arrays of them: the rest is what your main loop "
       "brings";
-  if (is_simulated(whole, name) || name == "environment" || name == "actions" || name == "observations" ||
-      name == kTask || name == kRender) {
+  if (is_simulated(whole, name) || name == "environment" || name == "actions" ||
+      name == "observations" || name == kTask || name == kRender) {
     refuse(diagnostics, fmt::format("`{}` cannot be cut out", name)).help = kHelp;
   } else if (name == "agent") {
     refuse(diagnostics, "`agent` cannot be cut out").help =

@@ -52,7 +52,8 @@ void UnknownOwners::report() {
 
 std::string UnknownOwners::spelled(const Unknown& unknown, const Place& place) {
   const std::string whole = unknown.owner + "." + place.port;
-  for (std::size_t end = whole.size(); (end = whole.find_last_of("./", end - 1)) != std::string::npos;) {
+  for (std::size_t end = whole.size();
+       (end = whole.find_last_of("./", end - 1)) != std::string::npos;) {
     const std::string* const owner = host::name_meant(whole.substr(0, end), unknown.known);
     if (owner != nullptr) return *owner + "." + whole.substr(end + 1);
     if (end == 0) break;

@@ -53,8 +53,9 @@ class CampaignReader {
       return false;
     }
     if (line.starts_with("episode,step,"))
-      return fail("this is the table of a run\nhelp: plot channels of the log that the run writes "
-                  "with `--trace`");
+      return fail(
+          "this is the table of a run\nhelp: plot channels of the log that the run writes "
+          "with `--trace`");
     if (line != kFirst && !line.starts_with(std::string(kFirst) + ","))
       return fail("this is no table of `eagerx-gen campaign --csv`");
     const auto names = host::cells_of(line);

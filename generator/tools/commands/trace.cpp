@@ -77,7 +77,8 @@ void ask_graph(Run& run, const GraphOptions& options, PlotRequest& request) {
     for (const Output& output : node.outputs) {
       const std::string channel = node.name + "/" + output.name;
       request.units[channel] = unit_of(*run.graph, node, output);
-      for (const std::string& port : node.ports_of(output)) request.ports.push_back({port, channel});
+      for (const std::string& port : node.ports_of(output))
+        request.ports.push_back({port, channel});
       for (const std::string& port : run.graph->aliases_of(node, output))
         request.ports.push_back({port, channel});
     }
@@ -157,8 +158,8 @@ Command table(PlotOptions& options) {
                  "--seed",
                  "CHANNEL|RUNS.csv"),
            std::move(output),
-           reads(text("--graph", options.graph.graph, "take units, and names of channels, from this graph",
-                      "GRAPH.yaml")),
+           reads(text("--graph", options.graph.graph,
+                      "take units, and names of channels, from this graph", "GRAPH.yaml")),
            variant(options.graph), library(options.graph),
            whole("--episode", options.episode, "only this episode, from 0", 0, kLastEpisode),
            quiet(options)},

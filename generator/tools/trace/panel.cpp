@@ -37,7 +37,8 @@ std::optional<std::uint32_t> channel_named(const Log& log, const std::string& na
     return std::nullopt;
   }
   if (*meant != name)
-    naming.note += fmt::format("{}`{}` is `{}` here", naming.note.empty() ? "" : "\nnote: ", name, *meant);
+    naming.note +=
+        fmt::format("{}`{}` is `{}` here", naming.note.empty() ? "" : "\nnote: ", name, *meant);
   return log.channel(*meant);
 }
 
