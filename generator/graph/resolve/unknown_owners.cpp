@@ -27,15 +27,17 @@ const EntitySpec* declaration(const GraphSpec& spec, std::string_view name) {
 }  // namespace
 
 std::string UnknownOwners::add(const PortName& port, Span span, std::vector<std::string> known) {
+  const std::string written =
+      port.owner + "." + (port.section.empty() ? "" : port.section + ".") + port.name;
   const auto [same, is_new] = index_of_.try_emplace(port.owner, unknown_.size());
   if (!is_new) {
-    unknown_[same->second].places.push_back({port.name, span});
+    unknown_[same->second].places.push_back({port.name, span, written});
     return unknown_[same->second].near;
   }
   if (!helps()) known.clear();
   const std::size_t elements = elements_of(port.owner, known);
   std::string near = elements > 0 ? std::string() : nearest(port.owner, known);
-  unknown_.push_back({port.owner, {{port.name, span}}, std::move(known), elements, near});
+  unknown_.push_back({port.owner, {{port.name, span, written}}, std::move(known), elements, near});
   return near;
 }
 
@@ -51,7 +53,7 @@ void UnknownOwners::report() {
 }
 
 std::string UnknownOwners::spelled(const Unknown& unknown, const Place& place) {
-  const std::string whole = unknown.owner + "." + place.port;
+  const std::string& whole = place.written;
   for (std::size_t end = whole.size();
        (end = whole.find_last_of("./", end - 1)) != std::string::npos;) {
     const std::string* const owner = host::name_meant(whole.substr(0, end), unknown.known);

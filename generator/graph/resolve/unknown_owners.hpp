@@ -32,6 +32,7 @@ class UnknownOwners {
   struct Place {
     std::string port;
     Span span;
+    std::string written;  // with what is between owner and port
   };
   struct Unknown {
     std::string owner;
