@@ -28,6 +28,12 @@ struct ChannelShape {
   const char* sizes;  // "4x3"
 };
 
+/// Of a channel that is also a port of a composite, which is how the graph calls it.
+struct ChannelAlias {
+  std::uint32_t channel;
+  const char* port;  // "robot.speed"
+};
+
 /// Inclusive, as in a Space. float32 is exact here; an int64 beyond 2^53 is rounded.
 struct Bounds {
   double low, high;

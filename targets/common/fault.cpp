@@ -75,6 +75,15 @@ std::string list_of(const std::vector<FaultPlace>& places) {
   return places.empty() ? "this graph has neither observations nor actions" : text;
 }
 
+/// `observations/angle` is `observations.angle`.
+std::string spelled(const std::string& name, const std::vector<FaultPlace>& places) {
+  std::vector<std::string> known;
+  for (const FaultPlace& place : places) known.push_back(full_name(place));
+  const std::size_t end = name.find('[');
+  const std::string* const other = host::spelled_otherwise(name.substr(0, end), known);
+  return other == nullptr ? name : *other + name.substr(std::min(end, name.size()));
+}
+
 std::string near(const std::string& name, const std::vector<FaultPlace>& places) {
   std::vector<std::string> known;
   for (const FaultPlace& place : places) known.push_back(place.name);
@@ -104,6 +113,8 @@ std::optional<Fault> parse_fault(std::string_view text) {
 
 std::optional<PlacedFault> place_fault(Fault fault, const std::vector<FaultPlace>& places,
                                        FaultProblem& problem) {
+  const std::string written = std::exchange(fault.name, spelled(fault.name, places));
+  if (written != fault.name) problem.note = "`" + written + "` is `" + fault.name + "` here";
   std::optional<PlacedFault> found;
   for (std::size_t i = 0; i < places.size(); ++i) {
     PlacedFault placed;

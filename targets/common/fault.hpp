@@ -78,6 +78,7 @@ T with_faults(const std::vector<PlacedFault>& faults, std::size_t place, std::si
 
 struct FaultProblem {
   std::string what, help;
+  std::string note = {};  // of a name with another separator, which is accepted
 };
 
 /// nullopt for a fault of something that is not there or cannot have it; `problem` says which.

@@ -32,6 +32,18 @@ bool is_header(const std::vector<Cell>& row, const std::vector<std::string>& col
       [](const Cell& cell, const std::string& column) { return cell.text == column; });
 }
 
+bool are_words(const std::vector<Cell>& row) {
+  return std::ranges::none_of(row, [](const Cell& cell) {
+    return cell.text.find_first_of("0123456789") == 0 || cell.text.find_first_of("+-.") == 0;
+  });
+}
+
+std::string names_of(const std::vector<std::string>& columns) {
+  std::string names = "`";
+  for (const std::string& column : columns) names += (names == "`" ? "" : ",") + column;
+  return names + "`";
+}
+
 /// Reads one number exactly: no spaces inside, nothing after it, in range, finite.
 template <class T>
 bool parse_cell(std::string_view text, T& value) {
@@ -140,9 +152,10 @@ ActionProblem ActionTable::load(const std::string& path, std::uint64_t steps) {
     const bool first = &row == &file.rows().front();
     if (first && is_header(row, columns_)) continue;
     if (const Cell* bad = add(row)) {
-      return file.at(bad->line, bad->column,
-                     "`" + std::string(bad->text) + "` is not a number that `" +
-                         columns_[static_cast<std::size_t>(bad - row.data())] + "` can hold");
+      std::string text = "`" + std::string(bad->text) + "` is not a number that `" +
+                         columns_[static_cast<std::size_t>(bad - row.data())] + "` can hold";
+      if (first && are_words(row)) text += "\nhelp: names of columns are " + names_of(columns_);
+      return file.at(bad->line, bad->column, text);
     }
   }
   if (count_ < steps) {

@@ -127,7 +127,9 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
 /// Everything behind the command line.
 int run_with(const Options& given, GraphProgram& program) {
   const GraphFacts& facts = program.facts();
-  const Options options = with_channels_named(given, facts);
+  Options options = given;
+  if (const std::string unknown = name_channels(options, facts); !unknown.empty())
+    return fail(unknown, kBadUsage);
   const bool is_split = facts.is_split();
   const Fields fields(program);
   StateSettings settings(fields.states);

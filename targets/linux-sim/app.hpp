@@ -307,6 +307,10 @@ class ProgramOf final : public GraphProgram {
       facts.shapes = Graph::kShapes;
       facts.shape_count = sizeof(Graph::kShapes) / sizeof(ChannelShape);
     }
+    if constexpr (requires { Graph::kAliases; }) {
+      facts.aliases = Graph::kAliases;
+      facts.alias_count = sizeof(Graph::kAliases) / sizeof(ChannelAlias);
+    }
     if constexpr (requires { Graph::kBounds; }) facts.bounds = Graph::kBounds;
     facts.waits_in_resets = requires(UntracedProgram program) {
       program.reset_timeouts();

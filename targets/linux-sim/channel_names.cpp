@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <runtime/host/base/nearest.hpp>
 #include <targets/linux-sim/channel_names.hpp>
 #include <targets/linux-sim/say.hpp>
 
@@ -11,35 +10,70 @@ bool is_word(std::string_view name) {
   return name == "actions" || name == "sensors" || name == "none";
 }
 
-std::string named(const std::string& written, const std::vector<std::string>& channels) {
-  const std::string* const meant = host::name_meant(written, channels);
-  if (meant == nullptr || *meant == written) return written;
-  say_other_spelling(written, *meant);
-  return *meant;
+std::vector<host::Named> names_of(const GraphFacts& facts) {
+  std::vector<host::Named> known;
+  for (std::size_t i = 0; i < facts.channel_count; ++i) {
+    const std::string name = facts.channels[i].name;
+    known.push_back({name, name});
+    for (const std::string& port : ports_of(facts.channels[i])) known.push_back({port, name});
+    for (const std::string& alias : aliases_of(facts, i)) known.push_back({alias, name});
+    known.push_back({name.substr(0, name.rfind('/')), name, false});
+  }
+  return known;
+}
+
+/// Writes a name as traces spell it.
+std::string spell(std::string& name, const std::vector<host::Named>& known) {
+  const std::string* const meant = host::name_meant(name, known);
+  if (meant == nullptr) {
+    return "error: this program has no channel `" + name +
+           "`\nhelp: " + host::suggestion(name, known);
+  }
+  if (*meant != name) say_other_spelling(name, *meant);
+  name = *meant;
+  return {};
 }
 
 /// Of a list separated by commas.
-std::string all_named(std::string_view list, const std::vector<std::string>& channels) {
-  std::string result;
-  while (!list.empty()) {
-    const std::string word(list.substr(0, list.find(',')));
-    list.remove_prefix(std::min(word.size() + 1, list.size()));
-    if (!result.empty()) result += ",";
-    result += is_word(word) ? word : named(word, channels);
+std::string spell_all(std::string& list, const std::vector<host::Named>& known) {
+  std::string result, problem;
+  for (std::string_view rest = list; !rest.empty() && problem.empty();) {
+    std::string word(rest.substr(0, rest.find(',')));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    if (!is_word(word)) problem = spell(word, known);
+    result += (result.empty() ? "" : ",") + word;
   }
-  return result;
+  list = result;
+  return problem;
 }
 
 }  // namespace
 
-Options with_channels_named(Options options, const GraphFacts& facts) {
-  std::vector<std::string> channels;
-  for (std::size_t i = 0; i < facts.channel_count; ++i)
-    channels.emplace_back(facts.channels[i].name);
-  options.replay_given = all_named(options.replay_given, channels);
-  options.identify_sensors = all_named(options.identify_sensors, channels);
-  for (std::string& each : options.publish_only) each = named(each, channels);
-  return options;
+std::vector<std::string> ports_of(const Channel& channel) {
+  constexpr std::string_view kBetween = ", ";
+  std::string_view port = channel.port;
+  std::vector<std::string> names;
+  for (std::size_t end = 0; (end = port.find(kBetween)) != std::string_view::npos;
+       port.remove_prefix(end + kBetween.size()))
+    names.emplace_back(port.substr(0, end));
+  names.emplace_back(port);
+  return names;
+}
+
+std::vector<std::string> aliases_of(const GraphFacts& facts, std::size_t channel) {
+  std::vector<std::string> aliases;
+  for (std::size_t i = 0; i < facts.alias_count; ++i)
+    if (facts.aliases[i].channel == channel) aliases.emplace_back(facts.aliases[i].port);
+  return aliases;
+}
+
+std::string name_channels(Options& options, const GraphFacts& facts) {
+  const std::vector<host::Named> known = names_of(facts);
+  std::string problem = spell_all(options.replay_given, known);
+  if (problem.empty()) problem = spell_all(options.identify_sensors, known);
+  for (std::string& each : options.publish_only)
+    if (problem.empty()) problem = spell(each, known);
+  return problem;
 }
 
 }  // namespace eagerx::linux_sim

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/faults.hpp>
+#include <targets/linux-sim/say.hpp>
 #include <utility>
 
 namespace eagerx::linux_sim {
@@ -26,6 +27,7 @@ std::string AgentFaults::read(const std::vector<std::string>& texts) {
     if (!fault->begins) fault->begins = 0;
     target::FaultProblem problem;
     auto placed = target::place_fault(std::move(*fault), places_, problem);
+    if (!problem.note.empty()) say_note(problem.note);
     if (!placed) return "error: " + problem.what + "\nhelp: " + problem.help;
     faults_.push_back(std::move(*placed));
   }

@@ -42,6 +42,8 @@ struct GraphFacts {
   std::size_t channel_count;
   const ChannelShape* shapes;  // of channels whose messages are not one number
   std::size_t shape_count;
+  const ChannelAlias* aliases;  // ports of composites
+  std::size_t alias_count;
   const Bounds* bounds;  // null: no channel has some
   bool waits_in_resets;  // reset nodes
   bool is_shown;         // `render:`

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <runtime/host/base/number.hpp>
+#include <targets/linux-sim/channel_names.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/measures.hpp>
@@ -20,15 +21,18 @@ std::string shown(double value) {
   return host::number_text(static_cast<float>(std::round(value * scale) / scale));
 }
 
-/// Of a message that is several sensors: "arm.x, arm.same".
-std::vector<std::string> names_in(std::string_view port) {
-  constexpr std::string_view kBetween = ", ";
-  std::vector<std::string> names;
-  for (std::size_t end = 0; (end = port.find(kBetween)) != std::string_view::npos;
-       port.remove_prefix(end + kBetween.size()))
-    names.emplace_back(port.substr(0, end));
-  names.emplace_back(port);
-  return names;
+/// With what is near them when they are mistyped.
+std::vector<host::Named> names_of(const std::vector<Readable>& readables) {
+  std::vector<host::Named> known;
+  for (const Readable& each : readables) {
+    known.push_back({each.name, each.name});
+    for (const std::string& other : each.also) {
+      known.push_back({other, each.name});
+      known.push_back({other.substr(0, other.rfind('/')), each.name, false});
+    }
+  }
+  for (const char* word : {"time", "pi"}) known.push_back({word, word});
+  return known;
 }
 
 }  // namespace
@@ -75,6 +79,13 @@ std::string Measures::read(const char* option, const std::string& written, expre
                            const std::vector<Readable>& readables, Formula& formula) {
   std::vector<expression::Variable> names;
   names.reserve(readables.size());
+  const std::vector<host::Named> known = names_of(readables);
+  const auto meant = [&](const std::string& name) {
+    const std::string* const found = host::name_meant(name, known);
+    if (found != nullptr) say_other_spelling(name, *found);
+    return found == nullptr ? std::string() : *found;
+  };
+  const auto suggest = [&](const std::string& name) { return host::suggestion(name, known); };
   for (const Readable& each : readables) names.push_back({each.name, false, {each.size}});
   const auto place_of = [&](const expression::Read& read) {
     Variable variable;
@@ -88,8 +99,8 @@ std::string Measures::read(const char* option, const std::string& written, expre
   };
   formula.text = written;
   expression::Text text(formula.text);
-  const auto typed = expression::read_typed(
-      text, {names, expression::NameForm::port, {}, say_other_spelling}, type);
+  const auto typed =
+      expression::read_typed(text, {names, expression::NameForm::port, suggest, meant}, type);
   const std::string problem = "error: `" + std::string(option) + " \"" + written + "\"`, ";
   if (typed) {
     const std::string what = formula.calculation.prepare(*typed, place_of);
@@ -192,8 +203,10 @@ void Measures::describe(Summary& summary) const {
 std::vector<Readable> readables_of(const GraphFacts& facts, const std::vector<Field>& states) {
   std::vector<Readable> result;
   for (std::uint32_t i = 0; i < facts.channel_count; ++i) {
-    for (const std::string& name : names_in(facts.channels[i].port))
-      result.push_back({name, Variable::Kind::message, i, facts.channels[i].size});
+    std::vector<std::string> also = aliases_of(facts, i);
+    also.emplace_back(facts.channels[i].name);
+    for (const std::string& name : ports_of(facts.channels[i]))
+      result.push_back({name, Variable::Kind::message, i, facts.channels[i].size, also});
   }
   for (std::uint32_t i = 0; i < states.size(); ++i)
     result.push_back({states[i].name, Variable::Kind::state, i, states[i].type.size});

@@ -32,6 +32,7 @@ struct Readable {
   Variable::Kind kind;
   std::uint32_t number;
   std::uint64_t size;
+  std::vector<std::string> also = {};  // other names of it
 };
 
 /// Mean and deviation of one number an episode, and the episodes with the least and the most.

@@ -173,7 +173,7 @@ std::string StateSettings::read(const std::vector<std::string>& texts) {
     }
     auto found = std::find(known.begin(), known.end(), setting->name);
     const std::string* const spelled =
-        found == known.end() ? host::spelled_otherwise(setting->name, known) : nullptr;
+        found == known.end() ? host::name_meant(setting->name, known) : nullptr;
     if (spelled != nullptr) {
       say_other_spelling(setting->name, *spelled);
       setting->name = *spelled;

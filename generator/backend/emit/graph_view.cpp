@@ -23,8 +23,8 @@ class GraphView {
         network_(network),
         node_policies_(node_policies) {
     constants_.unique("kName");
-    for (const char* taken :
-         {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels", "kShapes"})
+    for (const char* taken : {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels",
+                              "kShapes", "kAliases"})
       constants_.unique(taken);
   }
 
@@ -111,7 +111,7 @@ class GraphView {
   }
 
   void add_channels() {
-    View channels = list(), bounds = list(), shapes = list();
+    View channels = list(), bounds = list(), shapes = list(), aliases = list();
     std::size_t first = 0, number = 0;
     for (const auto& channel : plan_.channels) {
       const GraphNode& node = graph_.nodes[channel.node];
@@ -147,11 +147,19 @@ class GraphView {
         line.set("channel", channel.name);
         shapes.push_back(line);
       }
+      for (const std::string& port : channel.aliases) {
+        View line = object();
+        line.set("place", fmt::format("{{{}, \"{}\"}}", number, port));
+        line.set("channel", channel.name);
+        aliases.push_back(line);
+      }
       channels.push_back(item);
       ++number;
     }
     view_.set("has_shapes", shapes.is_non_empty_list());
     view_["shapes"] = std::move(shapes);
+    view_.set("has_aliases", aliases.is_non_empty_list());
+    view_["aliases"] = std::move(aliases);
     view_.set("has_bounds", bounds.is_non_empty_list());
     view_["bounds"] = std::move(bounds);
     view_["channels"] = std::move(channels);

@@ -54,7 +54,8 @@ std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& dia
     if (name->empty()) continue;
     *said = activation_of(*name);
     if (*said) continue;
-    diagnostics.error("E0303", {}, fmt::format("unknown activation `{}`", *name));
+    diagnostics.error("E0303", {}, fmt::format("unknown activation `{}`", *name)).help =
+        suggestion(*name, activation_names());
     return std::nullopt;
   }
   return read_policy(request, diagnostics);

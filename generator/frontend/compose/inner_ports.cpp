@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
@@ -52,6 +54,13 @@ bool InnerPorts::has_port(const Spanned<std::string>& written, const std::string
   auto& problem = diagnostics.error(
       "E0307", written.span,
       fmt::format("`{}` has no {} `{}`", name.owner, sends ? "output" : "input", name.name));
+  std::string inside = port;  // `robot.body/v`: of what is in it
+  std::ranges::replace(inside, '.', '/');
+  if (const std::size_t end = inside.rfind('/'); end > name.owner.size()) {
+    inside[end] = '.';
+    problem.help = meaning(inside);
+    return false;
+  }
   const std::string near = nearest(name.name, *known);
   problem.help = near.empty() ? fmt::format("it has {}", join(*known, ", "))
                               : meaning(fmt::format("{}.{}", name.owner, near));

@@ -49,10 +49,16 @@ void take_states(const YamlValue& settings, Scope& scope, Diagnostics& diagnosti
   for (const auto& entry : states->entries) {
     const std::size_t dot = entry.key.find('.');
     if (dot == std::string::npos) {
-      diagnostics
-          .error("E0390", entry.key_span,
-                 fmt::format("`{}` is no state of an entity inside", entry.key))
-          .help = fmt::format("a composite has the states of what is inside: `NAME.{}`", entry.key);
+      auto& problem = diagnostics.error(
+          "E0390", entry.key_span, fmt::format("`{}` is no state of an entity inside", entry.key));
+      std::string dotted = entry.key;
+      if (const std::size_t slash = dotted.rfind('/'); slash != std::string::npos) {
+        dotted[slash] = '.';
+        problem.help = write_instead(dotted);
+      } else {
+        problem.help =
+            fmt::format("a composite has the states of what is inside: `NAME.{}`", entry.key);
+      }
       continue;
     }
     scope.states[entry.key.substr(0, dot)].push_back(
@@ -78,6 +84,18 @@ void take_settings_of_ports(const YamlValue& settings, const YamlValue& inside, 
   take("actuators", "to", scope.actuators);
 }
 
+namespace {
+
+/// `robot.body.mass` and `robot/body.mass` of `robot` are its `body.mass`; empty if it is neither.
+std::string spelled_inside(const std::string& state, const std::vector<std::string>& known) {
+  const std::string inside = state.substr(state.find_first_of("./") + 1);
+  const std::size_t end = inside.find('.');
+  if (end == std::string::npos || !contains(known, inside.substr(0, end))) return {};
+  return inside;
+}
+
+}  // namespace
+
 void report_unknown_inner(const Scope& scope, const YamlValue& graph, Diagnostics& diagnostics) {
   std::vector<std::string> known;
   for (const char* key : {"objects", "nodes"}) {
@@ -89,9 +107,11 @@ void report_unknown_inner(const Scope& scope, const YamlValue& graph, Diagnostic
     if (contains(known, name.substr(0, name.find('[')))) continue;
     auto& problem = diagnostics.error("E0390", states.front().key_span,
                                       fmt::format("there is no `{}` inside", name));
+    const std::string spelled = spelled_inside(name + "." + states.front().key, known);
     const std::string near = nearest(name, known);
-    problem.help = near.empty() ? fmt::format("there is {}", join(known, ", "))
-                                : meaning(fmt::format("{}.{}", near, states.front().key));
+    problem.help = !spelled.empty() ? write_instead(spelled)
+                   : near.empty()   ? fmt::format("there is {}", join(known, ", "))
+                                    : meaning(fmt::format("{}.{}", near, states.front().key));
   }
 }
 

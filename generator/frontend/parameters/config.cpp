@@ -122,8 +122,9 @@ class Reader {
     if (const auto foreign = yaml.is_scalar() ? foreign_number(yaml.text) : std::nullopt)
       return foreign->help;
     const Unit* unit = find_unit(parameter_.unit);
-    if (unit == nullptr || !yaml.is_scalar() || take_unit_off(yaml.text).unit.empty())
-      return help_with_word(yaml);
+    if (unit == nullptr || !yaml.is_scalar()) return help_with_word(yaml);
+    const NumberAndUnit parts = take_unit_off(yaml.text);
+    if (parts.number.empty() || parts.unit.empty()) return help_with_word(yaml);
     const std::string right = with_right_unit(yaml.text, unit->quantity);
     return right.empty() ? Help(fmt::format("its unit is {}", unit->name)) : write_instead(right);
   }

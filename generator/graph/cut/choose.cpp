@@ -18,11 +18,17 @@ Diagnostic& refuse(Diagnostics& diagnostics, const std::string& what) {
   return diagnostics.error("E0397", {}, what);
 }
 
+bool is_made(const Graph& whole, std::size_t node) {
+  return (whole.task && whole.task->node == node) || (whole.render && whole.render->node == node);
+}
+
 /// Names that a user knows: composites and arrays instead of their contents.
 std::vector<std::string> known_names(const Graph& whole) {
   std::set<std::string> names;
-  for (const auto& node : whole.nodes) {
-    if (node.role != NodeRole::node || (node.entity != nullptr && node.name.starts_with("mux/")))
+  for (std::size_t n = 0; n < whole.nodes.size(); ++n) {
+    const GraphNode& node = whole.nodes[n];
+    if (node.role != NodeRole::node || is_made(whole, n) ||
+        (node.entity != nullptr && node.name.starts_with("mux/")))
       continue;
     names.insert(node.name);
     for (std::size_t at = 0; at < node.name.size(); ++at)
@@ -31,20 +37,18 @@ std::vector<std::string> known_names(const Graph& whole) {
   return {names.begin(), names.end()};
 }
 
-bool is_made(const Graph& whole, std::size_t node) {
-  return (whole.task && whole.task->node == node) || (whole.render && whole.render->node == node);
+bool is_simulated(const Graph& whole, std::string_view name) {
+  return name == "engine" || ranges::any_of(whole.objects, [&](const Object& object) {
+           return is_called(object.name, name) != Called::no;
+         });
 }
 
 void report_not_found(const Graph& whole, const std::string& name, Diagnostics& diagnostics) {
   constexpr const char* kHelp =
       "nodes are cut out, and composites and arrays of them: the rest is what your main loop "
       "brings";
-  const bool simulated =
-      name == "engine" || ranges::any_of(whole.objects, [&](const Object& object) {
-        return is_called(object.name, name) != Called::no;
-      });
-  if (simulated || name == "environment" || name == "actions" || name == "observations" ||
-      name == kTask || name == kRender) {
+  if (is_simulated(whole, name) || name == "environment" || name == "actions" ||
+      name == "observations" || name == kTask || name == kRender) {
     refuse(diagnostics, fmt::format("`{}` cannot be cut out", name)).help = kHelp;
   } else if (name == "agent") {
     refuse(diagnostics, "`agent` cannot be cut out").help =
@@ -142,6 +146,16 @@ class WayBack {
 };
 
 }  // namespace
+
+std::vector<std::string> spelled_names(const Graph& whole, const std::vector<std::string>& names,
+                                       Diagnostics& diagnostics) {
+  std::vector<std::string> known = known_names(whole);
+  for (const Object& object : whole.objects) known.push_back(object.name);
+  std::vector<std::string> result;
+  for (const std::string& name : names)
+    result.push_back(name == "agent" ? name : node_meant(name, known, {}, diagnostics));
+  return result;
+}
 
 std::vector<bool> choose_nodes(const Graph& whole, const std::vector<std::string>& names,
                                Diagnostics& diagnostics) {

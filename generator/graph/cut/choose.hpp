@@ -1,12 +1,16 @@
 // Which nodes are cut out, and what is said of them.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "generator/graph/cut/cut.hpp"
 
 namespace eagerx::gen {
 
+/// The names as the graph spells them, with a note of each that is spelled otherwise.
+std::vector<std::string> spelled_names(const Graph& whole, const std::vector<std::string>& names,
+                                       Diagnostics& diagnostics);
 /// By node of `whole`; also what gathers elements of messages among them. Empty after a problem:
 /// E0307, E0397.
 std::vector<bool> choose_nodes(const Graph& whole, const std::vector<std::string>& names,

@@ -238,9 +238,11 @@ class Cutter {
 std::optional<Graph> cut_out(const Graph& whole, const CutRequest& request,
                              Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
-  const std::vector<bool> inside = choose_nodes(whole, request.names, diagnostics);
+  CutRequest spelled = request;
+  spelled.names = spelled_names(whole, request.names, diagnostics);
+  const std::vector<bool> inside = choose_nodes(whole, spelled.names, diagnostics);
   if (inside.empty() || !check_order(whole, inside, diagnostics)) return std::nullopt;
-  auto graph = Cutter(whole, request, inside, diagnostics).run();
+  auto graph = Cutter(whole, spelled, inside, diagnostics).run();
   return diagnostics.error_count() == errors_before ? std::move(graph) : std::nullopt;
 }
 

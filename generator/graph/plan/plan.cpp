@@ -18,9 +18,7 @@ namespace eagerx::gen {
 namespace {
 
 std::string port_of(const GraphNode& node, const Output& output) {
-  const std::vector<std::string> names = output.names();
-  if (!names.empty()) return fmt::format("{}", join(names, ", "));
-  return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
+  return fmt::format("{}", join(node.ports_of(output), ", "));
 }
 
 constexpr std::uint64_t kMaxRingBytes = std::uint64_t{1} << 30U;
@@ -83,8 +81,9 @@ class Planner {
         const Output& output = graph_.nodes[n].outputs[o];
         // What only pictures need is left out of programs without pictures, and so of all traces.
         if (!graph_.nodes[n].drawn)
-          plan_.channels.push_back(
-              {graph_.nodes[n].name + "/" + output.name, n, o, port_of(graph_.nodes[n], output)});
+          plan_.channels.push_back({graph_.nodes[n].name + "/" + output.name, n, o,
+                                    port_of(graph_.nodes[n], output),
+                                    graph_.aliases_of(graph_.nodes[n], output)});
         plan_.nodes[n].rings.push_back(plan_.rings.size());
         Ring ring;
         ring.node = n;

@@ -69,6 +69,7 @@ struct Channel {
   // As graphs call it: "smooth.filtered", "pendulum.theta", "actions.u", "arm.x, arm.same". Sensors
   // that processors of their own make of it are others: then it is "arm/state.observation".
   std::string port = {};
+  std::vector<std::string> aliases = {};  // ports of composites that it is: "robot.speed"
 };
 
 enum class ScheduleForm : std::uint8_t {

@@ -1,7 +1,10 @@
 #include "generator/graph/resolve/chosen_nodes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <runtime/host/base/nearest.hpp>
 
 namespace eagerx::gen {
 namespace {
@@ -36,6 +39,24 @@ Called is_called(std::string_view node, std::string_view name) {
   }
   if (node.empty()) return Called::itself;
   return node.front() == '/' ? Called::inside : Called::no;
+}
+
+std::string node_meant(const std::string& name, const std::vector<std::string>& known, Span span,
+                       Diagnostics& diagnostics) {
+  const auto is_called_so = [&](const std::string& wanted) {
+    return std::ranges::any_of(
+        known, [&](const std::string& node) { return is_called(node, wanted) != Called::no; });
+  };
+  if (is_called_so(name)) return name;
+  std::string meant = name;
+  std::ranges::replace(meant, '.', '/');
+  if (!is_called_so(meant)) {
+    const std::string* const found = host::name_meant(meant, known);
+    if (found == nullptr) return name;
+    meant = *found;
+  }
+  diagnostics.note(span, fmt::format("`{}` is `{}` here", name, meant));
+  return meant;
 }
 
 }  // namespace eagerx::gen

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "generator/support/diagnostics/diagnostics.hpp"
 
 namespace eagerx::gen {
 
@@ -13,5 +17,10 @@ enum class Called : std::uint8_t { no, itself, inside };
 /// Whether `node` ("leg[2]/knee") is called by `name`: "leg[2]/knee", "leg[2]", "leg",
 /// "leg[*]/knee". A `*` stands for any index.
 Called is_called(std::string_view node, std::string_view name);
+
+/// The one of the nodes, composites and arrays in `known` that `name` means where none is called
+/// so: `robot.driver` and `driver` are `robot/driver`. A note tells of it. `name` without one.
+std::string node_meant(const std::string& name, const std::vector<std::string>& known, Span span,
+                       Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

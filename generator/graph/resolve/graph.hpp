@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -136,6 +137,8 @@ struct GraphNode {
   Span span;
 
   [[nodiscard]] bool is_reset_node() const { return !reset_targets.empty(); }
+  /// How the graph calls an output: each sensor that it is, "smooth.filtered", or "actions.u".
+  [[nodiscard]] std::vector<std::string> ports_of(const Output& output) const;
 };
 
 /// A state of an object that the graph does not write: a reset leaves it as it is.
@@ -334,6 +337,9 @@ struct Graph {
   std::optional<Render> render;
   std::optional<Telemetry> telemetry;
   std::optional<Cut> cut;
+  /// Of each port that a composite's port stands for, how the graph calls it: "robot/meter.y" is
+  /// "robot.v".
+  std::multimap<std::string, std::string> composite_ports;
   bool asynchronous = false;  // inputs take what has arrived instead of counting
   Rational reset_timeout_s = Rational(60);
   std::vector<std::string> include_roots;  // further folders with headers, besides the built-in one
@@ -347,6 +353,9 @@ struct Graph {
     return nodes.size() > kEngine && nodes[kEngine].role == NodeRole::engine;
   }
   [[nodiscard]] const GraphNode& engine() const { return nodes[kEngine]; }
+  /// The ports of composites that an output is: "robot.speed".
+  [[nodiscard]] std::vector<std::string> aliases_of(const GraphNode& node,
+                                                    const Output& output) const;
   /// Its id, or "none".
   [[nodiscard]] std::string engine_id() const {
     return has_engine() ? engine().entity->id.value : "none";

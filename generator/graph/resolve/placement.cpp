@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
 
 #include "generator/graph/resolve/chosen_nodes.hpp"
 #include "generator/support/diagnostics/join.hpp"
@@ -146,13 +147,32 @@ class Placer {
         return true;
     return false;
   }
+  /// Nodes, composites and arrays.
+  [[nodiscard]] std::set<std::string> known_names() const {
+    std::set<std::string> known;
+    for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
+      if (!is_placeable(n)) continue;
+      const std::string& name = draft_.nodes[n].node.name;
+      known.insert(name);
+      known.insert(name.substr(0, name.find_first_of("/[")));
+    }
+    return known;
+  }
+  /// As nodes are spelled.
+  [[nodiscard]] std::string name_of(const PlacementSpec& item) const {
+    if (item.name.value == kAgent || item.name.value == kController) return item.name.value;
+    std::vector<std::string> known;
+    for (const std::string& name : known_names()) known.push_back(name);
+    for (const UnresolvedObject& object : draft_.objects) known.push_back(object.name);
+    return node_meant(item.name.value, known, item.name.span, draft_.diagnostics);
+  }
   /// `controller`, where no node is called so.
   [[nodiscard]] bool is_rest(const PlacementSpec& item) const {
     return item.name.value == kController && !is_name_of_node(kController);
   }
 
   void place(const PlacementSpec& item, std::size_t part) {
-    const std::string& name = item.name.value;
+    const std::string name = name_of(item);
     bool found = false;
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
       if (!is_placeable(n) || is_called(owner_of(draft_.nodes[n].node.name), name) == Called::no)
@@ -174,11 +194,7 @@ class Placer {
       return;
     }
     std::vector<std::string> known = {"controller", "agent"};
-    for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
-      if (!is_placeable(n)) continue;
-      known.push_back(draft_.nodes[n].node.name);
-      known.push_back(known.back().substr(0, known.back().find_first_of("/[")));
-    }
+    for (const std::string& node : known_names()) known.push_back(node);
     draft_.diagnostics.error("E0307", item.name.span, fmt::format("there is no node `{}`", name))
         .help = suggestion(name, known, "");
   }

@@ -176,6 +176,22 @@ std::vector<std::string> Output::names() const {
   return result;
 }
 
+std::vector<std::string> GraphNode::ports_of(const Output& output) const {
+  std::vector<std::string> ports = output.names();
+  if (ports.empty())
+    ports.push_back((role == NodeRole::environment ? "actions" : name) + "." + output.name);
+  return ports;
+}
+
+std::vector<std::string> Graph::aliases_of(const GraphNode& node, const Output& output) const {
+  std::vector<std::string> aliases;
+  for (const std::string& port : node.ports_of(output)) {
+    const auto [begin, end] = composite_ports.equal_range(port);
+    for (auto each = begin; each != end; ++each) aliases.push_back(each->second);
+  }
+  return aliases;
+}
+
 std::string name_of_source(const Graph& graph, const Input& input) {
   const GraphNode& node = graph.nodes[input.source_node];
   if (!input.sensor.empty()) return input.sensor;
@@ -192,6 +208,10 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   draft.graph.file_name = std::filesystem::path(spec.path).filename().string();
   draft.graph.double_precision = (options.real.empty() ? spec.real : options.real) == "double";
   draft.graph.span = spec.name.span;
+  for (const CompositeSpec& composite : spec.composites)
+    for (const auto& [port, inner] : composite.outputs)
+      for (const std::string& each : inner)
+        draft.graph.composite_ports.emplace(each, composite.name + "." + port);
   if (!check_engine_option(spec, library, options, diagnostics)) return std::nullopt;
   check_graph_name(spec.name, diagnostics);
   check_names(draft);

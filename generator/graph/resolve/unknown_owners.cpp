@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <runtime/host/base/nearest.hpp>
 #include <utility>
 
 #include "generator/support/diagnostics/join.hpp"
@@ -26,15 +27,17 @@ const EntitySpec* declaration(const GraphSpec& spec, std::string_view name) {
 }  // namespace
 
 std::string UnknownOwners::add(const PortName& port, Span span, std::vector<std::string> known) {
+  const std::string written =
+      port.owner + "." + (port.section.empty() ? "" : port.section + ".") + port.name;
   const auto [same, is_new] = index_of_.try_emplace(port.owner, unknown_.size());
   if (!is_new) {
-    unknown_[same->second].places.push_back({port.name, span});
+    unknown_[same->second].places.push_back({port.name, span, written});
     return unknown_[same->second].near;
   }
   if (!helps()) known.clear();
   const std::size_t elements = elements_of(port.owner, known);
   std::string near = elements > 0 ? std::string() : nearest(port.owner, known);
-  unknown_.push_back({port.owner, {{port.name, span}}, std::move(known), elements, near});
+  unknown_.push_back({port.owner, {{port.name, span, written}}, std::move(known), elements, near});
   return near;
 }
 
@@ -47,6 +50,17 @@ void UnknownOwners::report() {
     }
     for (const Place& place : each.places) report_used(each, place);
   }
+}
+
+std::string UnknownOwners::spelled(const Unknown& unknown, const Place& place) {
+  const std::string& whole = place.written;
+  for (std::size_t end = whole.size();
+       (end = whole.find_last_of("./", end - 1)) != std::string::npos;) {
+    const std::string* const owner = host::name_meant(whole.substr(0, end), unknown.known);
+    if (owner != nullptr) return *owner + "." + whole.substr(end + 1);
+    if (end == 0) break;
+  }
+  return {};
 }
 
 bool UnknownOwners::is_used(std::string_view owner) const {
@@ -68,7 +82,9 @@ void UnknownOwners::report_declared(const Unknown& unknown, Span declared) {
 void UnknownOwners::report_used(const Unknown& unknown, const Place& place) {
   auto& problem = error(unknown, place);
   if (++helped_ > kMostHelped) return;
-  if (unknown.elements > 0) {
+  if (const std::string port = spelled(unknown, place); !port.empty()) {
+    problem.help = write_instead(port);
+  } else if (unknown.elements > 0) {
     problem.help = fmt::format(
         "`{0}` has {1}: write `\"{0}[*].{2}\"` for all of them, or `\"{0}[0].{2}\"` for one",
         unknown.owner, counted(unknown.elements, "element"), place.port);

@@ -32,6 +32,7 @@ class UnknownOwners {
   struct Place {
     std::string port;
     Span span;
+    std::string written;  // with what is between owner and port
   };
   struct Unknown {
     std::string owner;
@@ -41,6 +42,9 @@ class UnknownOwners {
     std::string near;
   };
 
+  /// The port that `owner.port` is with other separators, or with what is around it; empty if there
+  /// is none: `robot.body.v` and `body.v` are `robot/body.v`.
+  static std::string spelled(const Unknown& unknown, const Place& place);
   [[nodiscard]] bool is_used(std::string_view owner) const;
   void report_declared(const Unknown& unknown, Span declared);
   void report_used(const Unknown& unknown, const Place& place);

@@ -26,6 +26,8 @@ enum class Activation : std::uint8_t {
 const char* to_string(Activation activation);
 /// The activation called `name` in a description ("relu", "leaky_relu") or in torch ("LeakyReLU").
 std::optional<Activation> activation_of(std::string_view name);
+/// As descriptions have them.
+std::vector<std::string> activation_names();
 /// torch's default for what elu and leaky relu do below zero; 0 for the others.
 float default_slope(Activation activation);
 

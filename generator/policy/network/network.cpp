@@ -47,6 +47,10 @@ std::optional<Activation> activation_of(std::string_view name) {
   return std::nullopt;
 }
 
+std::vector<std::string> activation_names() {
+  return {kActivationNames.begin(), kActivationNames.end()};
+}
+
 float default_slope(Activation activation) {
   if (activation == Activation::elu) return 1.0F;
   return activation == Activation::leaky_relu ? 0.01F : 0.0F;

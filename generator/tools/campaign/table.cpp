@@ -52,6 +52,10 @@ class CampaignReader {
       problem_ = fmt::format("error: cannot read `{}`", path_);
       return false;
     }
+    if (line.starts_with("episode,step,"))
+      return fail(
+          "this is the table of a run\nhelp: plot channels of the log that the run writes "
+          "with `--trace`");
     if (line != kFirst && !line.starts_with(std::string(kFirst) + ","))
       return fail("this is no table of `eagerx-gen campaign --csv`");
     const auto names = host::cells_of(line);

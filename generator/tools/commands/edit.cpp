@@ -9,6 +9,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <runtime/host/base/nearest.hpp>
 #include <set>
 #include <utility>
 #include <vector>
@@ -150,6 +151,21 @@ int perform_fix(const EditOptions& options) {
   return code;
 }
 
+/// That nothing is called `options.from`, and what was probably meant.
+void say_no_such_name(const EditOptions& options, const std::string& text) {
+  complain("error: `{}` has no object and no node `{}`\n", options.graph, options.from);
+  const std::string owner = options.from.substr(0, options.from.find_first_of("./["));
+  if (owner != options.from && !uses_of(text, owner).empty()) {
+    complain(
+        "help: what is inside of `{}` has its name in the manifest of its type; `eagerx-gen rename "
+        "{} {} NEW` renames `{}`\n",
+        owner, shell_word(options.graph), owner, owner);
+    return;
+  }
+  const std::string help = host::suggestion(options.from, owners_of(text));
+  if (!help.empty()) complain("help: {}\n", help);
+}
+
 int perform_rename(const EditOptions& options) {
   Run run;
   const auto file = text_of_file(run, options.graph);
@@ -157,7 +173,7 @@ int perform_rename(const EditOptions& options) {
   const auto edit = rename(*file, options.from, options.to);
   if (!edit) {
     if (uses_of(*file, options.from).empty()) {
-      complain("error: `{}` has no object and no node `{}`\n", options.graph, options.from);
+      say_no_such_name(options, *file);
     } else {
       complain("error: `{}` is taken, or cannot be the name of an object or a node\n", options.to);
     }

@@ -70,14 +70,19 @@ bool is_table(const std::string& path) {
   return path.ends_with(".csv");
 }
 
-/// Of the channels of the graph, by their names in a trace.
-std::map<std::string, std::string> units_of(Run& run, const GraphOptions& options) {
-  std::map<std::string, std::string> units;
-  if (options.graph.empty() || !make(run, options)) return units;
-  for (const GraphNode& node : run.graph->nodes)
-    for (const Output& output : node.outputs)
-      units[node.name + "/" + output.name] = unit_of(*run.graph, node, output);
-  return units;
+/// Units and names of the channels of the graph.
+void ask_graph(Run& run, const GraphOptions& options, PlotRequest& request) {
+  if (options.graph.empty() || !make(run, options)) return;
+  for (const GraphNode& node : run.graph->nodes) {
+    for (const Output& output : node.outputs) {
+      const std::string channel = node.name + "/" + output.name;
+      request.units[channel] = unit_of(*run.graph, node, output);
+      for (const std::string& port : node.ports_of(output))
+        request.ports.push_back({port, channel});
+      for (const std::string& port : run.graph->aliases_of(node, output))
+        request.ports.push_back({port, channel});
+    }
+  }
 }
 
 int perform(const PlotOptions& options) {
@@ -87,7 +92,8 @@ int perform(const PlotOptions& options) {
     return finish(options, campaign::plot_campaigns(tables));
   }
   Run run;
-  PlotRequest request{options.log, options.channels, {}, units_of(run, options.graph)};
+  PlotRequest request{options.log, options.channels, {}};
+  ask_graph(run, options.graph, request);
   if (run.diagnostics.has_errors()) return gen::finish(run, options);
   if (options.episode) request.episode = static_cast<std::uint32_t>(*options.episode);
   return finish(options, options.output == "-"
@@ -119,7 +125,8 @@ std::string check(const PlotOptions& options) {
     return options.channels.empty() ? "name at least one channel of the log" : "";
   if (options.channels.size() > 1 ||
       (options.channels.size() == 1 && !is_table(options.channels.front())))
-    return "after the table of a campaign there may be one other, to be compared with it";
+    return "after the table of a campaign there may be one other, to be compared with it; channels "
+           "of a run are in the log that it writes with --trace";
   if (options.output == "-") return "a campaign is drawn as a picture: -o FILE.svg";
   return options.episode ? "--episode is for logs" : "";
 }
@@ -151,8 +158,8 @@ Command table(PlotOptions& options) {
                  "--seed",
                  "CHANNEL|RUNS.csv"),
            std::move(output),
-           reads(text("--graph", options.graph.graph, "take the units of channels from this graph",
-                      "GRAPH.yaml")),
+           reads(text("--graph", options.graph.graph,
+                      "take units, and names of channels, from this graph", "GRAPH.yaml")),
            variant(options.graph), library(options.graph),
            whole("--episode", options.episode, "only this episode, from 0", 0, kLastEpisode),
            quiet(options)},

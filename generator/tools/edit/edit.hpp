@@ -15,6 +15,9 @@ namespace eagerx::gen {
 /// limited, placed, measured or shown of it, also in variants. Empty: there is none of this name.
 std::vector<Bytes> uses_of(std::string_view text, const std::string& name);
 
+/// The objects and nodes of a graph file.
+std::vector<std::string> owners_of(std::string_view text);
+
 /// Whether it can be the name of an object or a node, and none has it.
 bool is_free_name(std::string_view text, const std::string& name);
 

@@ -84,6 +84,8 @@ class Uses {
   bool words_ = false;
 };
 
+}  // namespace
+
 std::vector<std::string> owners_of(std::string_view text) {
   std::vector<std::string> names;
   const OutlineNode top = outline_of(text);
@@ -95,8 +97,6 @@ std::vector<std::string> owners_of(std::string_view text) {
   }
   return names;
 }
-
-}  // namespace
 
 std::vector<Bytes> uses_of(std::string_view text, const std::string& name) {
   const auto owners = owners_of(text);

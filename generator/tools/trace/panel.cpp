@@ -14,30 +14,32 @@ namespace {
 
 using trace_log::Log;
 
-std::string list_of(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "`" : ", `") + name + "`";
-  return text;
+std::vector<host::Named> names_of(const Log& log, const Naming& naming) {
+  std::vector<host::Named> known;
+  for (const auto& channel : log.channels) {
+    known.push_back({channel.name, channel.name});
+    known.push_back({channel.name.substr(0, channel.name.rfind('/')), channel.name, false});
+  }
+  for (const host::Named& port : naming.ports)
+    if (log.channel(port.of)) known.push_back(port);
+  return known;
 }
 
 }  // namespace
 
 std::optional<std::uint32_t> channel_named(const Log& log, const std::string& name,
-                                           std::string& problem) {
-  std::vector<std::string> all;
-  for (const auto& channel : log.channels) all.push_back(channel.name);
-  if (const std::string* const meant = host::name_meant(name, all))
-    return static_cast<std::uint32_t>(meant - all.data());
-  std::vector<std::string> fitting;
-  for (const std::string* const each : host::with_parts_of(name, all)) fitting.push_back(*each);
-  if (!fitting.empty()) {
-    problem = "`" + name + "` may be " + list_of(fitting);
+                                           Naming& naming) {
+  const std::vector<host::Named> known = names_of(log, naming);
+  const std::string* const meant = host::name_meant(name, known);
+  if (meant == nullptr) {
+    naming.problem = fmt::format("there is no channel `{}` in `{}`\nhelp: {}", name, log.path,
+                                 host::suggestion(name, known));
     return std::nullopt;
   }
-  problem = "there is no channel `" + name + "` in `" + log.path + "`";
-  const std::string near = nearest(name, all);
-  problem += near.empty() ? "\nhelp: there are " + list_of(all) : "\nhelp: is it `" + near + "`?";
-  return std::nullopt;
+  if (*meant != name)
+    naming.note +=
+        fmt::format("{}`{}` is `{}` here", naming.note.empty() ? "" : "\nnote: ", name, *meant);
+  return log.channel(*meant);
 }
 
 PlotPanel panel_of(const Log& log, std::uint32_t channel, std::optional<std::uint32_t> episode) {
@@ -68,10 +70,10 @@ namespace {
 
 /// A channel, or one element of it.
 std::optional<PlotPanel> one_named(const Log& log, const std::string& name,
-                                   std::optional<std::uint32_t> episode, std::string& problem) {
+                                   std::optional<std::uint32_t> episode, Naming& naming) {
   const std::size_t bracket = name.ends_with(']') ? name.rfind('[') : std::string::npos;
   const std::string whole = name.substr(0, bracket);
-  const auto channel = channel_named(log, whole, problem);
+  const auto channel = channel_named(log, whole, naming);
   if (!channel) return std::nullopt;
   PlotPanel panel = panel_of(log, *channel, episode);
   if (bracket == std::string::npos) return panel;
@@ -79,7 +81,7 @@ std::optional<PlotPanel> one_named(const Log& log, const std::string& name,
   const bool is_number =
       host::read_number(name.substr(bracket + 1, name.size() - bracket - 2), element);
   if (!is_number || element >= panel.elements) {
-    problem = fmt::format(
+    naming.problem = fmt::format(
         "`{}` has no element `{}`\nhelp: its elements are {}[0]{}", panel.title,
         name.substr(bracket), panel.title,
         panel.elements == 1 ? "" : fmt::format(" to {}[{}]", panel.title, panel.elements - 1));
@@ -113,12 +115,12 @@ void lay_over(PlotPanel added, PlotPanel& panel) {
 }  // namespace
 
 std::optional<PlotPanel> panel_named(const Log& log, const std::string& name,
-                                     std::optional<std::uint32_t> episode, std::string& problem) {
+                                     std::optional<std::uint32_t> episode, Naming& naming) {
   std::optional<PlotPanel> panel;
   std::size_t begin = 0;
   while (begin <= name.size()) {
     const std::size_t end = std::min(name.find(',', begin), name.size());
-    auto one = one_named(log, name.substr(begin, end - begin), episode, problem);
+    auto one = one_named(log, name.substr(begin, end - begin), episode, naming);
     if (!one) return std::nullopt;
     begin = end + 1;
     if (!panel && end == name.size()) return one;

@@ -26,10 +26,16 @@ struct PlotPanel {
   std::string unit = {};                   // of all of them; empty: not known
 };
 
+/// What is said of names of channels.
+struct Naming {
+  std::vector<host::Named> ports = {};  // names besides those of the log
+  std::string problem = {}, note = {};
+};
+
 /// The channel that `name` means: its whole name, or the only one that has all its parts in their
-/// order ("theta", "pendulum/theta"). nullopt: `problem` says why, and which there are.
+/// order ("theta", "pendulum/theta"). nullopt: the problem says why, and which there are.
 std::optional<std::uint32_t> channel_named(const trace_log::Log& log, const std::string& name,
-                                           std::string& problem);
+                                           Naming& naming);
 
 /// `episode`: only this one; without: all.
 PlotPanel panel_of(const trace_log::Log& log, std::uint32_t channel,
@@ -38,7 +44,7 @@ PlotPanel panel_of(const trace_log::Log& log, std::uint32_t channel,
 /// The meaning of `name`: a channel, one element of it (`pose[3]`), or several with commas, in one
 /// panel. nullopt: as channel_named().
 std::optional<PlotPanel> panel_named(const trace_log::Log& log, const std::string& name,
-                                     std::optional<std::uint32_t> episode, std::string& problem);
+                                     std::optional<std::uint32_t> episode, Naming& naming);
 
 /// Panels below each other, with the same time. Long lines are thinned to the least and the
 /// greatest value of each column of pixels. The same bytes on every machine.

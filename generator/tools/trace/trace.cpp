@@ -34,7 +34,8 @@ std::string unit_of(const PlotPanel& panel, const std::map<std::string, std::str
   return found;
 }
 
-std::vector<PlotPanel> panels_of(const Log& log, const PlotRequest& request, std::string& problem) {
+std::vector<PlotPanel> panels_of(const Log& log, const PlotRequest& request, Naming& naming) {
+  std::string& problem = naming.problem;
   std::vector<PlotPanel> panels;
   if (request.episode && *request.episode >= log.episodes()) {
     problem = fmt::format("error: there is no episode {} in `{}`, whose episodes are 0 to {}",
@@ -42,22 +43,26 @@ std::vector<PlotPanel> panels_of(const Log& log, const PlotRequest& request, std
     if (log.episodes() == 0) problem = fmt::format("error: `{}` has no messages", log.path);
     return panels;
   }
+  std::string problems;
   for (const auto& name : request.channels) {
-    std::string why;
-    if (auto panel = panel_named(log, name, request.episode, why)) {
+    if (auto panel = panel_named(log, name, request.episode, naming)) {
       panel->unit = unit_of(*panel, request.units);
       panels.push_back(std::move(*panel));
     } else {
-      problem += (problem.empty() ? "error: " : "\nerror: ") + why;
+      problems += (problems.empty() ? "error: " : "\nerror: ") + problem;
     }
   }
+  problem = problems;
   return panels;
 }
 
 template <class F>
 TraceResult plot(const PlotRequest& request, F&& f) {
   return with_log(request.log, [&](const Log& log, TraceResult& result) {
-    const std::vector<PlotPanel> panels = panels_of(log, request, result.problem);
+    Naming naming{request.ports};
+    const std::vector<PlotPanel> panels = panels_of(log, request, naming);
+    result.problem = naming.problem;
+    if (!naming.note.empty()) result.note += (result.note.empty() ? "" : "\nnote: ") + naming.note;
     if (!result.problem.empty()) return;
     result.bytes = f(log, panels);
     result.summary = counted(panels.size(), "channel");

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <runtime/host/base/nearest.hpp>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ std::optional<TraceFormat> trace_format_of(const std::string& path);
 struct TraceResult {
   std::string problem;    // in lines; empty if there is none
   bool readable = false;  // whether the log is one
-  std::string note;       // of a log that ends early
+  std::string note;       // of a log that ends early, and names that are spelled otherwise
   std::string bytes;      // of the file, or text
   std::string summary;    // "620 messages of 9 channels"
 };
@@ -37,6 +38,7 @@ struct PlotRequest {
   std::vector<std::string> channels;
   std::optional<std::uint32_t> episode;           // without: all
   std::map<std::string, std::string> units = {};  // of channels, where one is known
+  std::vector<host::Named> ports = {};            // as a graph calls channels
 };
 TraceResult plot_log_as_svg(const PlotRequest& request);
 /// In lines of `columns` characters: of Braille, or where a terminal has none of ASCII.

@@ -125,6 +125,48 @@ const std::string* name_meant(std::string_view name, const std::vector<std::stri
   return found.size() == 1 ? found.front() : nullptr;
 }
 
+const std::string* name_meant(std::string_view name, const std::vector<Named>& known) {
+  if (name.empty()) return nullptr;
+  std::vector<std::string> names;
+  for (const Named& each : known) {
+    if (each.accepted && each.name == name) return &each.of;
+    names.push_back(each.accepted ? each.name : std::string());
+  }
+  const auto of = [&](const std::string* each) {
+    return &known[static_cast<std::size_t>(each - names.data())].of;
+  };
+  if (const std::string* const spelled = spelled_otherwise(name, names)) return of(spelled);
+  const std::string* found = nullptr;
+  for (const std::string* each : with_parts_of(name, names)) {
+    if (found != nullptr && *found != *of(each)) return nullptr;
+    found = of(each);
+  }
+  return found;
+}
+
+std::string suggestion(std::string_view name, const std::vector<Named>& known) {
+  std::vector<std::string> names, all;
+  for (const Named& each : known) {
+    names.push_back(each.name);
+    if (std::find(all.begin(), all.end(), each.of) == all.end()) all.push_back(each.of);
+  }
+  const auto listed = [](const std::vector<std::string>& list) {
+    std::string text;
+    for (const std::string& each : list) text += (text.empty() ? "" : ", ") + each;
+    return text;
+  };
+  std::vector<std::string> fitting;
+  for (const std::string* each : with_parts_of(name, names)) {
+    const std::string& of = known[static_cast<std::size_t>(each - names.data())].of;
+    if (std::find(fitting.begin(), fitting.end(), of) == fitting.end()) fitting.push_back(of);
+  }
+  if (!fitting.empty()) return "it may be " + listed(fitting);
+  const std::string near = nearest_name(name, names);
+  for (const Named& each : known)
+    if (!near.empty() && each.name == near) return "did you mean `" + each.of + "`?";
+  return all.empty() ? std::string() : "there is " + listed(all);
+}
+
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
   const std::string near = nearest_name(name, known);
   return near.empty() ? near : "did you mean `" + near + "`?";

@@ -25,6 +25,18 @@ std::vector<const std::string*> with_parts_of(std::string_view name,
 /// parts. Null if there is none, or more than one.
 const std::string* name_meant(std::string_view name, const std::vector<std::string>& known);
 
+/// One of the names of something; `of` is the one that is written. Names with no meaning of their
+/// own, which are only to be near a mistyped one, are not `accepted`.
+struct Named {
+  std::string name, of;
+  bool accepted = true;
+};
+/// The same for what has several names: the `of` that they agree on. Null if there is none.
+const std::string* name_meant(std::string_view name, const std::vector<Named>& known);
+/// "did you mean `…`?" with the `of` of the nearest name; "it may be A, B" of several that have its
+/// parts; or "there is A, B, C".
+std::string suggestion(std::string_view name, const std::vector<Named>& known);
+
 /// "did you mean `…`?" with it, or empty.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 /// The same, or "there is A, B, C"; empty if nothing is known.

@@ -148,12 +148,8 @@ class Typer {
 
   std::vector<Variable>::const_iterator find(const std::string& name) const {
     const auto found = std::ranges::find(names_.variables, name, &Variable::name);
-    if (found != names_.variables.end() || !names_.note) return found;
-    const std::vector<std::string> known = known_names();
-    const std::string* const spelled = host::spelled_otherwise(name, known);
-    if (spelled == nullptr) return found;
-    names_.note(name, *spelled);
-    return names_.variables.begin() + (spelled - known.data());
+    if (found != names_.variables.end() || !names_.meant) return found;
+    return std::ranges::find(names_.variables, names_.meant(name), &Variable::name);
   }
 
   [[nodiscard]] std::vector<std::string> known_names() const {

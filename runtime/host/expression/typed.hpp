@@ -91,8 +91,8 @@ struct Names {
   NameForm form = NameForm::plain;
   std::function<std::string(const std::string& name)>
       help{};  // for an unknown name; empty: list the known names
-  /// If set, names with other separators (`.`, `/`) are accepted, and it receives both spellings.
-  std::function<void(const std::string& written, const std::string& name)> note{};
+  /// If set, it gives the variable that another name means, or nothing.
+  std::function<std::string(const std::string& name)> meant{};
 };
 
 /// The whole text as an expression of the type that is wanted: one number, or one truth. nullopt

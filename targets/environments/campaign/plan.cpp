@@ -41,7 +41,7 @@ std::string known_name(const std::string& name, const Description& description) 
   for (const std::size_t end : {name.size(), name.rfind('[')}) {
     const std::string whole = name.substr(0, end);
     if (std::ranges::find(names, whole) != names.end()) return name;
-    const std::string* const spelled = host::spelled_otherwise(whole, names);
+    const std::string* const spelled = host::name_meant(whole, names);
     if (spelled == nullptr) continue;
     fmt::print(stderr, "note: `{}` is `{}` here\n", whole, *spelled);
     return *spelled + name.substr(whole.size());
@@ -147,6 +147,7 @@ void add_faults(Plan& plan, const Description& description, std::vector<target::
       throw Problem(client::kUsage, fmt::format("`{}` is given twice", text_of(fault)));
     target::FaultProblem problem;
     auto placed = target::place_fault(std::move(fault), places, problem);
+    if (!problem.note.empty()) fmt::print(stderr, "note: {}\n", problem.note);
     if (!placed) throw Problem(kProblems, problem.what, problem.help);
     plan.faults.push_back(in_row(std::move(*placed), places));
   }

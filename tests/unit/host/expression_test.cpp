@@ -99,25 +99,17 @@ TEST(Calculation, Conditions) {
   EXPECT_TRUE(holds("a.x in (1, 3) and a.on"));
 }
 
-TEST(Expression, NamesWithOtherSeparatorsOnlyWithANote) {
-  const auto read = [](const std::string& written, std::string& said) {
+TEST(Expression, OtherNamesThatMeanAVariable) {
+  const auto read = [](const std::string& written) {
     Text text(written);
     Names names{variables(), NameForm::port};
-    names.note = [&](const std::string& other, const std::string& name) {
-      said += other + "=" + name;
-    };
+    names.meant = [](const std::string& name) { return name == "other" ? "a/b.c" : ""; };
     return read_typed(text, names, Type::number).has_value();
   };
-  for (const std::string other : {"a/b/c", "a.b.c"}) {
-    std::string said;
-    EXPECT_TRUE(read(other + " + 1", said)) << other;
-    EXPECT_EQ(said, other + "=a/b.c");
-    EXPECT_EQ(problem(other).substr(0, 15), "1: unknown name") << problem(other);
-  }
-  std::string said;
-  EXPECT_TRUE(read("a/b.c", said));
-  EXPECT_FALSE(read("b.c", said));
-  EXPECT_EQ(said, "");
+  EXPECT_TRUE(read("other + 1"));
+  EXPECT_TRUE(read("a/b.c"));
+  EXPECT_FALSE(read("b.c"));
+  EXPECT_EQ(problem("other").substr(0, 15), "1: unknown name");
 }
 
 // What a task may call is calculated here, too.

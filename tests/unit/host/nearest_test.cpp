@@ -68,6 +68,27 @@ TEST(Nearest, MeantByParts) {
   EXPECT_EQ(meant(""), "");
 }
 
+TEST(Nearest, WhatHasSeveralNames) {
+  const std::vector<Named> known = {{"robot/gyro/y", "robot/gyro/y"},
+                                    {"robot.turn", "robot/gyro/y"},
+                                    {"robot/gyro", "robot/gyro/y", false},
+                                    {"robot/body/accel/y", "robot/body/accel/y"}};
+  const auto meant = [&](std::string_view name) {
+    const std::string* const found = name_meant(name, known);
+    return found == nullptr ? std::string() : *found;
+  };
+  EXPECT_EQ(meant("robot.turn"), "robot/gyro/y");
+  EXPECT_EQ(meant("robot/turn"), "robot/gyro/y");
+  EXPECT_EQ(meant("turn"), "robot/gyro/y");
+  EXPECT_EQ(meant("gyro"), "robot/gyro/y");
+  EXPECT_EQ(meant("robot"), "");  // two of them
+  EXPECT_EQ(meant(""), "");
+  EXPECT_EQ(suggestion("robot", known), "it may be robot/gyro/y, robot/body/accel/y");
+  EXPECT_EQ(suggestion("robot.trn", known), "did you mean `robot/gyro/y`?");
+  EXPECT_EQ(suggestion("robot/gyr0", known), "did you mean `robot/gyro/y`?");
+  EXPECT_EQ(suggestion("x", known), "there is robot/gyro/y, robot/body/accel/y");
+}
+
 TEST(Nearest, AsASentenceForPeople) {
   const std::vector<std::string> names = {"theta", "voltage"};
   EXPECT_EQ(did_you_mean("thta", names), "did you mean `theta`?");

@@ -106,35 +106,39 @@ TEST_F(LogsTest, ValuesHaveTheFewestDigitsAndNullForWhatIsNotFinite) {
 
 TEST_F(LogsTest, AChannelIsNamedByPartsThatOnlyItHas) {
   const trace_log::Log read = log();
-  std::string problem;
-  EXPECT_EQ(channel_named(read, "theta", problem), 1U);
-  EXPECT_EQ(channel_named(read, "pendulum/theta", problem), 1U);
-  EXPECT_EQ(channel_named(read, "pendulum.theta", problem), 1U);  // as the graph spells it
-  EXPECT_FALSE(channel_named(read, "thetta", problem));
-  EXPECT_NE(problem.find("thetta"), std::string::npos);
+  Naming naming;
+  EXPECT_EQ(channel_named(read, "theta", naming), 1U);
+  EXPECT_EQ(channel_named(read, "pendulum/theta", naming), 1U);
+  EXPECT_EQ(channel_named(read, "pendulum.theta", naming), 1U);  // as the graph spells it
+  EXPECT_EQ(naming.note,
+            "`theta` is `pendulum/theta` here\nnote: `pendulum.theta` is `pendulum/theta` here");
+  naming.ports = {{"arm.angle", "pendulum/theta"}};
+  EXPECT_EQ(channel_named(read, "arm.angle", naming), 1U);  // as a graph calls it
+  EXPECT_FALSE(channel_named(read, "thetta", naming));
+  EXPECT_NE(naming.problem.find("thetta"), std::string::npos);
 }
 
 TEST_F(LogsTest, APanelIsAChannelAnElementOrSeveral) {
   const trace_log::Log read = log();
-  std::string problem;
-  const auto whole = panel_named(read, "u", {}, problem);
-  ASSERT_TRUE(whole) << problem;
+  Naming naming;
+  const auto whole = panel_named(read, "u", {}, naming);
+  ASSERT_TRUE(whole) << naming.problem;
   EXPECT_EQ(whole->elements, 2U);
   EXPECT_EQ(whole->names, (std::vector<std::string>{"[0]", "[1]"}));
-  const auto one = panel_named(read, "u[1]", {}, problem);
-  ASSERT_TRUE(one) << problem;
+  const auto one = panel_named(read, "u[1]", {}, naming);
+  ASSERT_TRUE(one) << naming.problem;
   EXPECT_EQ(one->title, "environment/u[1]");
   EXPECT_EQ(one->elements, 1U);
   for (const PlotLine& line : one->lines) EXPECT_EQ(line.element, 0U);
-  const auto both = panel_named(read, "theta,u[0],u", {}, problem);
-  ASSERT_TRUE(both) << problem;
+  const auto both = panel_named(read, "theta,u[0],u", {}, naming);
+  ASSERT_TRUE(both) << naming.problem;
   EXPECT_EQ(both->names, (std::vector<std::string>{"pendulum/theta", "environment/u[0]",
                                                    "environment/u[0]", "environment/u[1]"}));
   EXPECT_EQ(both->elements, 4U);
   for (const std::string wrong : {"u[2]", "u[x]", "u[]", "theta[1]", "theta,", ",u", "thetta"}) {
-    problem.clear();
-    EXPECT_FALSE(panel_named(read, wrong, {}, problem)) << wrong;
-    EXPECT_NE(problem, "") << wrong;
+    naming.problem.clear();
+    EXPECT_FALSE(panel_named(read, wrong, {}, naming)) << wrong;
+    EXPECT_NE(naming.problem, "") << wrong;
   }
 }
 

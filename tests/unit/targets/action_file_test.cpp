@@ -78,7 +78,8 @@ TEST_F(ActionFileTest, SkipsHeaderCommentsAndEmptyLines) {
 
 TEST_F(ActionFileTest, AHeaderMustBeRight) {
   EXPECT_EQ(problem("voltage,x,gear\n1,2,3\n"),
-            ":1:1: error: `voltage` is not a number that `voltage[0]` can hold");
+            ":1:1: error: `voltage` is not a number that `voltage[0]` can hold\n"
+            "help: names of columns are `voltage[0],voltage[1],gear`");
 }
 
 TEST_F(ActionFileTest, TooFewRows) {
