@@ -17,7 +17,9 @@ std::vector<host::Named> names_of(const GraphFacts& facts) {
     known.push_back({name, name});
     for (const std::string& port : ports_of(facts.channels[i])) known.push_back({port, name});
     for (const std::string& alias : aliases_of(facts, i)) known.push_back({alias, name});
-    known.push_back({name.substr(0, name.rfind('/')), name, false});
+    const std::string port = name.substr(0, name.rfind('/'));
+    known.push_back({port, name, false});
+    known.push_back({port.substr(port.rfind('/') + 1), name, false});
   }
   return known;
 }

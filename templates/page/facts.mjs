@@ -144,6 +144,7 @@ export function makeFactsView(panel) {
   add(panel, parts);
   if (data.info.why_not_vectorized)
     panel.append(card(
-        "Many environments at once", el("p", {}, `They run one by one, not vectorized: ${data.info.why_not_vectorized}.`)));
+        "Many environments at once",
+        el("p", {}, `They run one by one, not vectorized: ${data.info.why_not_vectorized}.`)));
   return {shown() {}, resized() {}};
 }

@@ -95,7 +95,7 @@ TEST(Nearest, AsASentenceForPeople) {
   EXPECT_EQ(did_you_mean("mass", names), "");
   EXPECT_EQ(suggestion("thta", names), "did you mean `theta`?");
   EXPECT_EQ(suggestion("mass", names), "there is theta, voltage");
-  EXPECT_EQ(suggestion("mass", {}), "");
+  EXPECT_EQ(suggestion("mass", std::vector<std::string>{}), "");
 }
 
 }  // namespace
