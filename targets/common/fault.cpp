@@ -114,7 +114,10 @@ std::optional<Fault> parse_fault(std::string_view text) {
 std::optional<PlacedFault> place_fault(Fault fault, const std::vector<FaultPlace>& places,
                                        FaultProblem& problem) {
   const std::string written = std::exchange(fault.name, spelled(fault.name, places));
-  if (written != fault.name) problem.note = "`" + written + "` is `" + fault.name + "` here";
+  if (written != fault.name) {
+    problem.note = "`" + written + "` is `" + fault.name + "` here";
+    fault.written.replace(0, written.size(), fault.name);  // what a campaign draws by
+  }
   std::optional<PlacedFault> found;
   for (std::size_t i = 0; i < places.size(); ++i) {
     PlacedFault placed;

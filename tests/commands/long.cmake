@@ -28,3 +28,13 @@ if(VALGRIND AND NOT EAGERX_SANITIZE)
 endif()
 # The trace hash of an earlier version.
 add_test(NAME commands_stable_hash COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/stability ${PROJECT_BINARY_DIR} --run)
+# Every spelling of a name, in every command.
+if(NOT EAGERX_SANITIZE) # a library that is opened by programs without sanitizers
+  block()
+  include(${PROJECT_SOURCE_DIR}/tests/support/quick_simd.cmake)
+  eagerx_add_graph(TARGET commands_spelled GRAPH ${CMAKE_CURRENT_LIST_DIR}/spelled.yaml)
+  eagerx_add_graph(TARGET commands_spelled_many GRAPH ${CMAKE_CURRENT_LIST_DIR}/spelled.yaml BOARD environments)
+  endblock()
+  add_test(NAME commands_spellings COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/spellings ${PROJECT_BINARY_DIR}
+                                           $<TARGET_FILE:commands_spelled> $<TARGET_FILE:commands_spelled_many>)
+endif()

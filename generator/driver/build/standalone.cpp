@@ -130,7 +130,8 @@ class Carrier {
     std::vector<fs::path> found;
     for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
       const std::string extension = entry.path().extension();
-      static const std::set<std::string> kKinds = {".cpp", ".hpp", ".h", ".cmake", ".ld", ".yaml"};
+      static const std::set<std::string> kKinds = {".cpp", ".hpp",  ".h",  ".cmake",
+                                                   ".ld",  ".yaml", ".idl"};
       if (entry.is_regular_file(error) && kKinds.contains(extension)) found.push_back(entry.path());
     }
     std::ranges::sort(found);
