@@ -152,11 +152,12 @@ Command table(PlotOptions& options) {
           {required(reads(text("log", options.log,
                                "what a run wrote with --trace, or a campaign with --csv",
                                "LOG|RUNS.csv"))),
-           texts("channel", options.channels,
-                 "channels: their names, or a part such as theta; one element: pose[3]; several in "
-                 "one plot: theta,goal. Of a campaign: the table of another one with the same "
-                 "--seed",
-                 "CHANNEL|RUNS.csv"),
+           reads(texts(
+               "channel", options.channels,
+               "channels: their names, or a part such as theta; one element: pose[3]; several in "
+               "one plot: theta,goal. Of a campaign: the table of another one with the same "
+               "--seed",
+               "CHANNEL|RUNS.csv")),
            std::move(output),
            reads(text("--graph", options.graph.graph,
                       "take units, and names of channels, from this graph", "GRAPH.yaml")),
