@@ -2,7 +2,6 @@
 #pragma once
 
 #include <mujoco/mujoco.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -43,16 +42,16 @@ class Plant {
     return mj_name2id(model, mjOBJ_JOINT, Description::kJoints[joint].name);
   }
   static mjModel* load(const std::string& xml) {
-    char path[] = "/tmp/eagerx_mjcf_XXXXXX";
-    const int file = mkstemp(path);
-    if (file < 0 || write(file, xml.data(), xml.size()) != static_cast<ssize_t>(xml.size())) {
-      std::perror(path);
+    std::FILE* const file = std::tmpfile();  // every version of MuJoCo reads files
+    if (file == nullptr || std::fwrite(xml.data(), 1, xml.size(), file) != xml.size() ||
+        std::fflush(file) != 0) {
+      std::perror("error: cannot write the model of MuJoCo");
       std::exit(2);
     }
-    close(file);
+    const std::string path = "/proc/self/fd/" + std::to_string(fileno(file));
     char error[1000] = "";
-    mjModel* const model = mj_loadXML(path, nullptr, error, sizeof error);
-    unlink(path);
+    mjModel* const model = mj_loadXML(path.c_str(), nullptr, error, sizeof error);
+    std::fclose(file);
     if (model == nullptr) {
       std::fprintf(stderr, "error: MuJoCo refuses the model: %s\n", error);
       std::exit(2);

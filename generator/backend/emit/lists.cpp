@@ -86,10 +86,11 @@ bool has_columns(const Braces& braces) {
 std::string wrapped_list(const Braces& braces, std::size_t indent, std::size_t deeper) {
   const std::size_t aligned = indent + columns_of(braces.head);
   const std::string begin = std::string(indent, ' ') + std::string(braces.head);
-  const Columns aside = best_columns(braces, kColumns - std::min(aligned, kColumns));
-  const Columns below = best_columns(braces, kColumns - deeper);
-  if (aside.lines <= below.lines + 1) return begin + in_columns(braces, aside, aligned);
-  return begin + '\n' + std::string(deeper, ' ') + in_columns(braces, below, deeper);
+  const Columns aligned_list = best_columns(braces, kColumns - std::min(aligned, kColumns));
+  const Columns indented_list = best_columns(braces, kColumns - deeper);
+  if (aligned_list.lines <= indented_list.lines + 1)
+    return begin + in_columns(braces, aligned_list, aligned);
+  return begin + '\n' + std::string(deeper, ' ') + in_columns(braces, indented_list, deeper);
 }
 
 }  // namespace eagerx::gen
