@@ -22,7 +22,7 @@ if(CMAKE_CROSSCOMPILING)
 endif()
 add_custom_command(
   OUTPUT ${made}/words.json
-  DEPENDS eagerx-gen ${shown} ${maker}
+  DEPENDS eagerx-gen eagerx-gen-tools ${shown} ${maker} # the programs themselves: one starts the other
   COMMAND ${CMAKE_CURRENT_LIST_DIR}/make --generator $<TARGET_FILE:eagerx-gen> ${emulator} -o ${made}
   COMMENT "Making the reference"
   VERBATIM)
