@@ -1,4 +1,4 @@
-// The main loop: the sensor's value into the controller, its answer to the motor.
+// The main loop: passes the sensor's value to the controller, and its output to the motor.
 #pragma once
 
 #include <eagerx/trace.hpp>

@@ -1,5 +1,5 @@
-// What stands for your hardware here: a motor with a mass on its shaft, and an encoder that fails
-// now and then.
+// Replaces your hardware: a motor with a mass on its shaft, and an encoder that sometimes
+// fails.
 #pragma once
 
 class Motor {
@@ -15,8 +15,8 @@ class Motor {
 
   float angle() const { return angle_; }
 
-  /// 2 ms with a voltage in V; angle in rad, speed in rad/s. Euler's method. `Real`: float, or what
-  /// a simulation calculates in, such as many motors at once.
+  /// 2 ms with a voltage in V; angle in rad, speed in rad/s. Euler's method. `Real`: float, or the
+  /// type of a simulation, such as one for many motors at once.
   template <class Real>
   static constexpr void move(Real& angle, Real& speed, Real voltage) {
     constexpr auto kPeriod = Real(0.002F);  // s

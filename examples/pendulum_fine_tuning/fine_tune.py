@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Stable-Baselines3's PPO continues to learn on hardware, from the policy that policy_from_stable_baselines ships.
+"""Stable-Baselines3's PPO continues to learn on hardware, from the policy of policy_from_stable_baselines.
 
     ./fine_tune.py [PROGRAM] [--episodes N] [--seed S] [--output FOLDER]
 
-PROGRAM is a program of graph.yaml that is built already, such as build/examples/pendulum_fine_tuning.hardware.emulated on
-the emulated adapter; without it graph.yaml is built, and drives the adapter that is plugged in. Needs eagerx-gen (on PATH,
+PROGRAM is a built program of graph.yaml, such as build/examples/pendulum_fine_tuning.hardware.emulated on
+the emulated adapter; the default is to build graph.yaml and drive the connected adapter. Needs eagerx-gen (on PATH,
 or the variable EAGERX_GEN), its Python package, and stable-baselines3 with torch. Writes into FOLDER (default: fine_tuned):
-fine_tuned.zip, fine_tuned.yaml (for this folder), curve.csv, curve.svg. Exit code 1: it does not succeed more often.
+fine_tuned.zip, fine_tuned.yaml (for this folder), curve.csv, curve.svg. Exit code 1: success is not more frequent.
 """
 import argparse
 import io
@@ -31,9 +31,9 @@ TRIED = 20  # episodes without noise, before and after
 
 
 class BeginWhenTold(gymnasium.Wrapper):
-    """An episode on hardware begins when somebody is there for it.
+    """Begins an episode on hardware only when the agent is ready.
 
-    Stable-Baselines3 resets as soon as an episode has ended, and behind the last one of a rollout it learns, while the robot
+    Stable-Baselines3 resets as soon as an episode ends, and learns after the last one of a rollout, while the robot
     would continue. Such a reset does nothing here, and the robot stands still with its safe action until begin().
     """
 
@@ -62,7 +62,7 @@ class BeginWhenTold(gymnasium.Wrapper):
 
 
 class Episodes(BaseCallback):
-    """Begins each rollout, and keeps what came of its episodes."""
+    """Begins each rollout, and keeps the results of its episodes."""
 
     def __init__(self, robot, envs):
         super().__init__()
@@ -77,7 +77,7 @@ class Episodes(BaseCallback):
 
 
 def tried(model, robot, envs):
-    """[TRIED] returns without noise, and how many episodes succeeded."""
+    """[TRIED] returns without noise, and the number of successful episodes."""
     returns, successes, robot.left = [], 0, 0
     for _ in range(TRIED):
         observation, ended = robot.begin(), False

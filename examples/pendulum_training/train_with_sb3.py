@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Stable-Baselines3 trains on the graph, and the policy that it saves runs on an emulated Cortex-M4F.
+"""Trains on the graph with Stable-Baselines3, and runs the saved policy on an emulated Cortex-M4F.
 
     ./train_with_sb3.py [--algorithm PPO|SAC] [--steps N] [--seed S] [--output FOLDER]
 
@@ -35,7 +35,7 @@ def make_model(algorithm, envs, seed):
 
 def train(algorithm, steps, seed, folder):
     # SAC learns from few steps, PPO from many at once.
-    # SAC keeps old rewards, whose scale must not move meanwhile.
+    # SAC stores rewards, whose scale must not change afterwards.
     envs = VecNormalize(eagerx_gen.make_vec_env(GRAPH, n_envs=4 if algorithm == "SAC" else 256), norm_reward=algorithm != "SAC")
     model = make_model(algorithm, envs, seed)
     envs.seed(seed)
@@ -46,7 +46,7 @@ def train(algorithm, steps, seed, folder):
 
 
 def write_golden(model, envs, folder):
-    """Known answers: observations as the environment gives them, and the model's actions."""
+    """Known answers: observations of the environment, and the model's actions."""
     envs.training = False
     envs.reset()
     raw = []

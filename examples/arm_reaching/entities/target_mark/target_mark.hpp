@@ -1,4 +1,4 @@
-// The point that the hand is to reach, on the drawing of the arm.
+// Marks the hand's target on the drawing of the arm.
 #pragma once
 
 #include <eagerx/rate.hpp>

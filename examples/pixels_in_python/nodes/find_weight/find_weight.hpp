@@ -1,4 +1,4 @@
-// Where the orange weight of a pendulum is in an image: what find_weight.py does.
+// Finds the orange weight of a pendulum in an image, as find_weight.py does.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-"""Where the orange weight of a pendulum is in an image."""
+"""Finds the orange weight of a pendulum in an image."""
 import numpy as np
 
 SIZE = 64

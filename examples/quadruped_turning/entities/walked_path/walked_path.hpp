@@ -1,4 +1,4 @@
-// The path that was walked, on the drawing of the robot.
+// Draws the walked path on the drawing of the robot.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Gym's pendulum is in the library. A model of your own would stand here: see
-// models/engines/gym_engine/gym_model.hpp for what it has.
+// Gym's pendulum is in the library. Write your own model here:
+// models/engines/gym_engine/gym_model.hpp describes its interface.
 #pragma once
 
 #include <models/objects/gym_pendulum/gym_pendulum.hpp>
