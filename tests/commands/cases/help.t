@@ -73,7 +73,7 @@ What codes mean: the list, a page in each spelling, and what is none. (That each
   $ for spelling in e0307 E307 307 0307; do eagerx-gen explain $spelling | diff page -; done
   $ eagerx-gen explain 319
   error: there is no code `E0319`
-  help: next to it are E0318 (a reset could not work like this) and E0320 (an unknown parameter); `eagerx-gen explain` lists all
+  help: next to it are E0318 (an invalid reset routine) and E0320 (an unknown parameter); `eagerx-gen explain` lists all
   [2]
   $ eagerx-gen explain E9999
   error: there is no code `E9999`
