@@ -218,7 +218,7 @@ std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t
 }
 
 /// Whether each element fits in a line from column `indent` on.
-bool fit(const Braces& braces, std::size_t indent) {
+bool all_fit(const Braces& braces, std::size_t indent) {
   for (const auto& element : braces.elements) {
     const bool last = &element == &braces.elements.back();
     if (indent + columns_of(element) + (last ? columns_of(braces.tail) : 1) > kColumns)
@@ -288,8 +288,9 @@ std::string wrapped_code(std::string_view line, std::size_t indent) {
     }
     if (call) {
       const auto arguments = braces_at(rest, *call - indent);
-      if (arguments && rest.starts_with("if (") && !fit(*arguments, *call + 1)) {
-        const std::size_t below = indent + 8;
+      if (arguments && rest.starts_with("if (") && !all_fit(*arguments, *call + 1)) {
+        constexpr std::size_t kInCondition = 8;
+        const std::size_t below = indent + kInCondition;
         const std::string lines = in_lines(*arguments, below, false);
         if (!lines.empty())
           return result + std::string(indent, ' ') + std::string(arguments->head) + '\n' +

@@ -156,9 +156,10 @@ class Program {
     }
     link_->begin_step();
     // actions
-    if (!pipeline_.post(*this, part::kBoard, &Program::take_environment, n10Hz_ - 1,
-        eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_voltage},
-        eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_push})) {
+    if (!pipeline_.post(
+            *this, part::kBoard, &Program::take_environment, n10Hz_ - 1,
+            eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_voltage},
+            eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_push})) {
       return observe();
     }
     if (slot_ >= 12) {
@@ -279,9 +280,9 @@ class Program {
       const eagerx::Seq n = n30Hz_ - 1;
       // fast: ButterworthFilter
       {
-        if (!pipeline_.post(*this, part::kBoard, &Program::take_fast, n,
-                            eagerx::link::Awaited<eagerx::Array<float, 1>>{
-                                channel::fast_filtered})) {
+        if (!pipeline_.post(
+                *this, part::kBoard, &Program::take_fast, n,
+                eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::fast_filtered})) {
           return;
         }
       }
