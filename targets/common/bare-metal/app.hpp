@@ -328,7 +328,7 @@ int run(const char* board) {
   if constexpr (HasTelemetry<Graph>) {
     if (options.pace != target::Pace::free) program.hooks.idle_work.telemetry.start();
   }
-  Watch<Graph> watch(options, program.trace);
+  Watch<Graph> watch(options, program.hooks);
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     return target::act<Graph>(options.agent, key, step, observation, program);
   };
