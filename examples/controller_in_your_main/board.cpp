@@ -25,7 +25,7 @@ int main() {
   console.text("angle in millirad ");
   console.number(static_cast<unsigned long long>(motor.angle() * 1000.0F));
   console.text("\ntrace hash 0x");
-  console.hex(program.trace.hash());
+  console.hex(program.hooks.hash());
   console.text("\n");
   console.flush();
   return 0;

@@ -15,5 +15,5 @@ int main() {
     if (count > 0) std::printf("%s %llu\n", name, count);
   });
   std::printf("angle in millirad %d\n", static_cast<int>(motor.angle() * 1000.0F));
-  std::printf("trace hash 0x%016llx\n", static_cast<unsigned long long>(program.trace.hash()));
+  std::printf("trace hash 0x%016llx\n", static_cast<unsigned long long>(program.hooks.hash()));
 }

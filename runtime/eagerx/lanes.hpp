@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <eagerx/cursor.hpp>
+#include <eagerx/hooks.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/simd.hpp>
@@ -420,24 +421,24 @@ struct HashLanes {
   std::array<HashTrace, N> hashes{};
 
   template <class Message>
-  void operator()(std::uint32_t channel, const LaneClock<N>& seq, const Message& message) {
+  void on_message(std::uint32_t channel, const LaneClock<N>& seq, const Message& message) {
     using One = decltype(lane(element(message, 0), 0));
     for (std::size_t k = 0; k < N; ++k) {
       Array<One, size_of<Message>> one;
       store_message(message, k, one);
-      hashes[k](channel, seq.store(k), one);
+      hashes[k].on_message(channel, seq.store(k), one);
     }
   }
   void load(std::size_t lane, const HashTrace& one) { hashes[lane] = one; }
   void store(std::size_t lane, HashTrace& one) const { one = hashes[lane]; }
 };
 
-/// No trace of vectorized programs.
-struct NoLaneTrace : NoTrace {
-  template <class Trace>
-  void load(std::size_t /*lane*/, const Trace& /*one*/) {}
-  template <class Trace>
-  void store(std::size_t /*lane*/, Trace& /*one*/) const {}
+/// No hooks, of vectorized programs.
+struct NoLaneHooks : NoHooks {
+  template <class Hooks>
+  void load(std::size_t /*lane*/, const Hooks& /*one*/) {}
+  template <class Hooks>
+  void store(std::size_t /*lane*/, Hooks& /*one*/) const {}
 };
 
 }  // namespace eagerx

@@ -6,18 +6,18 @@
 
 namespace eagerx {
 
-/// A trace that can show pictures has `static constexpr bool kDraws = true`, `bool draws() const`,
+/// Hooks that can show pictures have `static constexpr bool kDraws = true`, `bool draws() const`,
 /// which does not change during a run, and `show(Rate<...> rate, Seq tick, const Message& message)`
 /// for a scene or an image. What only pictures need runs while draws() is true.
-template <class Trace>
+template <class Hooks>
 inline constexpr bool can_draw = requires {
-  requires Trace::kDraws;
+  requires Hooks::kDraws;
 };
 
 struct NoDrawing {};
 /// The memory of what only pictures need.
-template <class Trace, class Drawing>
-using DrawingOf = std::conditional_t<can_draw<Trace>, Drawing, NoDrawing>;
+template <class Hooks, class Drawing>
+using DrawingOf = std::conditional_t<can_draw<Hooks>, Drawing, NoDrawing>;
 
 /// The node of `render:`.
 template <class Io>
@@ -25,10 +25,10 @@ class Render {
  public:
   void reset(const typename Io::States& /*states*/) {}
 
-  template <class Trace>
+  template <class Hooks>
   void callback(const Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& /*out*/,
-                Trace& trace) {
-    if (!in.source.empty()) trace.show(typename Io::Rate{}, tick.n, in.source.back());
+                Hooks& hooks) {
+    if (!in.source.empty()) hooks.show(typename Io::Rate{}, tick.n, in.source.back());
   }
 };
 

@@ -9,62 +9,6 @@
 
 namespace eagerx {
 
-/// A trace that also wants to see what every callback is given has
-/// `static constexpr bool kInputs = true` and
-/// `inputs(const char* node, Rate<...> rate, Seq tick, const Inputs& inputs)`, where `rate` is the
-/// node's and `inputs.for_each(f)` calls f(name, window) for each. The engine has no inputs and is
-/// not among them.
-template <class Trace>
-inline constexpr bool traces_inputs = requires {
-  requires Trace::kInputs;
-};
-
-/// A trace that also wants to see the objects has `static constexpr bool kSimulators = true` and
-/// `simulator(const char* object, Seq tick, Simulator& simulator)`, which is called at every tick
-/// of the engine, before anything reads it; at tick 0 it may set the state that the episode begins
-/// in.
-template <class Trace>
-inline constexpr bool traces_simulators = requires {
-  requires Trace::kSimulators;
-};
-
-/// A trace that holds slots to real time has `static constexpr bool kSlots = true` and
-/// `slot(Rate<...> rate, Seq tick)`, which is called before anything of a slot is calculated, once
-/// for every rate that is due; tick/rate is the same for all of them: when the slot should begin.
-template <class Trace>
-inline constexpr bool waits_for_slots = requires {
-  requires Trace::kSlots;
-};
-
-/// A trace that can take the engine's place, because it knows what the engine nodes would publish,
-/// has `bool runs_engine() const`; while that is false, engine and engine states are not called.
-template <class Trace>
-constexpr bool runs_engine(const Trace& trace) {
-  if constexpr (requires { trace.runs_engine(); }) {
-    return trace.runs_engine();
-  } else {
-    return static_cast<void>(trace), true;
-  }
-}
-
-/// A trace that hears when somebody wants the run to end has `bool is_interrupted() const`: a reset
-/// that waits for something waits no longer, so that the run's end can make a robot safe.
-template <class Trace>
-constexpr bool is_interrupted(const Trace& trace) {
-  if constexpr (requires { trace.is_interrupted(); }) {
-    return trace.is_interrupted();
-  } else {
-    return static_cast<void>(trace), false;
-  }
-}
-
-/// Costs nothing.
-struct NoTrace {
-  void episode(std::uint32_t /*index*/) {}
-  template <class Message>
-  void operator()(std::uint32_t /*channel*/, Seq /*seq*/, const Message& /*message*/) {}
-};
-
 /// The bits of a number as the trace sees them: one NaN for all NaNs, integers sign-extended.
 template <class T>
 constexpr std::uint64_t canonical_bits(T value) {
@@ -78,12 +22,13 @@ constexpr std::uint64_t canonical_bits(T value) {
   }
 }
 
-/// 64-bit hash of all episodes so far. Equal on every target for the same graph, seed and agent.
+/// Hooks of a program (hooks.hpp): 64-bit hash of all episodes so far. Equal on every target for
+/// the same graph, seed and agent.
 class HashTrace {
  public:
-  void episode(std::uint32_t index) { fold(0x8000000000000000U | index); }
+  void on_episode(std::uint32_t index) { fold(0x8000000000000000U | index); }
   template <class Message>
-  void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+  void on_message(std::uint32_t channel, Seq seq, const Message& message) {
     fold((std::uint64_t{channel} << 40U) ^ seq);
     for (std::size_t i = 0; i < size_of<Message>; ++i) fold(canonical_bits(element(message, i)));
   }

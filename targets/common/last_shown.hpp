@@ -18,7 +18,7 @@ inline constexpr bool has_render = requires {
 /// Pixels a side.
 inline constexpr std::uint32_t kWidestPicture = 4096;
 
-/// The part of a trace that keeps what was shown last: nothing for a graph without `render:`.
+/// The part of hooks that keeps what was shown last: nothing for a graph without `render:`.
 template <class Graph>
 class LastShown {
  public:

@@ -37,14 +37,14 @@ struct NoIdleWork {
   static constexpr bool kWorks = false;
 };
 
-/// A trace that folds the hash as HashTrace does and, on request, waits for the deadline of each
+/// Hooks that fold the hash as HashTrace does and, on request, wait for the deadline of each
 /// slot. The grid of deadlines stays where it is: lateness does not add up, and a late slot begins
 /// at once. It never sleeps: `wfi` keeps the wrong time under QEMU. `Clock` has static ticks(),
 /// wait_for(ticks) and hz().
 template <class Clock, class IdleWork = NoIdleWork>
-class PacedTrace : public HashTrace {
+class PacedHooks : public HashTrace {
  public:
-  static constexpr bool kSlots = true;
+  static constexpr bool kWaitsForSlots = true;
 
   [[no_unique_address]] IdleWork idle_work{};
 
@@ -57,7 +57,7 @@ class PacedTrace : public HashTrace {
   }
 
   template <class Rate>
-  void slot(Rate /*rate*/, Seq tick) {
+  void wait_for_slot(Rate /*rate*/, Seq tick) {
     if (pace_ == Pace::free) return;
     if (tick == 0) {
       timing_.late_in_a_row = 0;

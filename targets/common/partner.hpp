@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <eagerx/float_environment.hpp>
+#include <eagerx/hooks.hpp>
 #include <eagerx/link/board.hpp>
-#include <eagerx/trace.hpp>
 #include <eagerx/version.hpp>
 #include <new>
 #include <targets/common/run.hpp>
@@ -29,7 +29,7 @@ template <class Graph, class Port>
 using BoardLinkOf =
     link::BoardLink<Port, Graph::Link::kToBoard, Graph::Link::kToHost, Graph::Link::kDepth>;
 template <class Graph, class Port>
-using BoardProgramOf = typename Graph::template Program<NoTrace, BoardLinkOf<Graph, Port>>;
+using BoardProgramOf = typename Graph::template Program<NoHooks, BoardLinkOf<Graph, Port>>;
 
 /// Whether a board knows the agent `random`: one with a policy does without its 600 bytes.
 template <class Graph>

@@ -258,7 +258,7 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
     if (!(is_linked(program) || watch.link_again()) || !watch.go_on()) return;
     const EpisodeKey key = watch.key({plan.seed, plan.environment, episode});
     watch.begin(key);
-    program.trace.episode(episode);
+    program.hooks.on_episode(episode);
     typename Graph::Observation observation = program.reset(watch.states(key));
     if (watch.looks()) settle(program);
     if (!is_linked(program)) continue;

@@ -33,7 +33,7 @@ namespace eagerx::environments {
 template <class Graph>
 class Batch {
  public:
-  using Program = typename Graph::template Program<NoTrace>;
+  using Program = typename Graph::template Program<NoHooks>;
 
   /// `options` are in range; `kernel` has lanes where environments can run vectorized.
   Batch(const eagerx_options& options, const SimdKernel<Graph>& kernel)
@@ -173,8 +173,8 @@ class Batch {
     if (!held_.drawn.any())
       refuse("these environments draw nothing: set `pictures` of eagerx_options to 1");
     held_.with(k, [&](auto& program) {
-      if constexpr (requires { program.trace.paint(held_.drawn.painter(), pixels); })
-        program.trace.paint(held_.drawn.painter(), pixels);
+      if constexpr (requires { program.hooks.paint(held_.drawn.painter(), pixels); })
+        program.hooks.paint(held_.drawn.painter(), pixels);
     });
   }
 

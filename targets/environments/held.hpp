@@ -24,7 +24,7 @@ namespace eagerx::environments {
 /// and any other in a program of its own.
 template <class Graph>
 struct Held {
-  using Program = typename Graph::template Program<NoTrace>;
+  using Program = typename Graph::template Program<NoHooks>;
 
   std::uint32_t size;
   std::unique_ptr<Episode[]> episodes;     // [size]
@@ -97,7 +97,7 @@ struct Held {
       }
     }
     return untraced(k, [&](auto& program) {
-      if constexpr (requires { program.trace.forget(); }) program.trace.forget();
+      if constexpr (requires { program.hooks.forget(); }) program.hooks.forget();
       return program.reset(states);
     });
   }
@@ -132,7 +132,7 @@ struct Held {
   /// 0 without a trace.
   std::uint64_t hash(std::uint32_t k) const {
     const auto found = traces.find(k);
-    return found != traces.end() && found->second.now ? found->second.now->program.trace.hash() : 0;
+    return found != traces.end() && found->second.now ? found->second.now->program.hooks.hash() : 0;
   }
   /// Behind each step.
   void hand_on_traces() {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <eagerx/trace.hpp>
+#include <eagerx/hooks.hpp>
 #include <memory>
 #include <string>
 #include <targets/common/last_shown.hpp>
@@ -33,14 +33,14 @@ template <class Graph>
 requires has_render<Graph>
 class DrawnPrograms<Graph> {
  public:
-  struct Trace : NoTrace, LastShown<Graph> {};
-  using Program = typename Graph::template Program<Trace>;
+  struct Hooks : NoHooks, LastShown<Graph> {};
+  using Program = typename Graph::template Program<Hooks>;
 
   explicit DrawnPrograms(std::uint32_t environments) {
     if (environments == 0) return;
     painter_ = std::make_unique<Painter>();
     programs_ = std::make_unique<Program[]>(environments);
-    for (std::uint32_t k = 0; k < environments; ++k) programs_[k].trace.draw_from_now_on();
+    for (std::uint32_t k = 0; k < environments; ++k) programs_[k].hooks.draw_from_now_on();
   }
 
   bool any() const { return programs_ != nullptr; }

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/hooks.hpp>
 #include <eagerx/random.hpp>
-#include <eagerx/trace.hpp>
 
 namespace eagerx::environments {
 
@@ -37,7 +37,7 @@ struct ActionRows {
 /// vectors. Without lanes there are none.
 template <class Graph>
 struct SimdKernel {
-  using Program = typename Graph::template Program<NoTrace>;
+  using Program = typename Graph::template Program<NoHooks>;
   using Action = typename Graph::Action;
   using States = typename Graph::States;
 

@@ -30,7 +30,7 @@ Action applied_action(Program& program, const Action& action) {
 template <class Graph>
 class SimdMemory {
  public:
-  using Program = typename Graph::template Program<NoTrace>;
+  using Program = typename Graph::template Program<NoHooks>;
   using Action = typename Graph::Action;
 
   SimdMemory(const SimdKernel<Graph>& kernel, std::uint32_t environments)

@@ -17,7 +17,7 @@
 
 namespace eagerx::environments {
 
-/// A trace for generated programs: hash of all messages and, with a file, their text.
+/// Hooks for generated programs: hash of all messages and, with a file, their text.
 template <class Graph>
 class Recorder : public LastShown<Graph> {
  public:
@@ -26,14 +26,14 @@ class Recorder : public LastShown<Graph> {
   void write_to(host::TextFile* file) { file_ = file; }
   std::uint64_t hash() const { return hash_.hash(); }
 
-  void episode(std::uint32_t index) {
+  void on_episode(std::uint32_t index) {
     episode_ = index;
-    hash_.episode(index);
+    hash_.on_episode(index);
   }
   /// Never inlined: a program has a call for each of its messages.
   template <class Message>
-  [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, const Message& message) {
-    hash_(channel, seq, message);
+  [[gnu::noinline]] void on_message(std::uint32_t channel, Seq seq, const Message& message) {
+    hash_.on_message(channel, seq, message);
     if (file_ == nullptr) return;
     ++messages_;
     Text::begin_message(*file_, episode_, Graph::kChannels[channel], seq);
@@ -59,9 +59,9 @@ class Traced {
   /// Throws Problem if `path` cannot be written, or is written as another trace. Empty: only the
   /// hash.
   Traced(const std::string& path, bool draws) : file_(path) {
-    if (draws) program.trace.draw_from_now_on();
+    if (draws) program.hooks.draw_from_now_on();
     target::warm_up(program);
-    if (file_.is_open()) program.trace.write_to(&file_.text());
+    if (file_.is_open()) program.hooks.write_to(&file_.text());
   }
   Traced(const Traced&) = delete;
   Traced& operator=(const Traced&) = delete;
@@ -77,8 +77,8 @@ class Traced {
     if (file_.is_open() && episode_ == 0)
       file_.begin(traced_graph<Graph>(), key.seed, key.environment);
     if (file_.is_open()) write(states, episode_, nullptr);
-    program.trace.episode(episode_++);
-    program.trace.forget();
+    program.hooks.on_episode(episode_++);
+    program.hooks.forget();
     return program.reset(states);
   }
 
@@ -93,17 +93,17 @@ class Traced {
   void end_file() {
     if (!file_.is_open()) return;
     if (has_begun()) {
-      program.trace.write_end();
+      program.hooks.write_end();
     } else {
       file_.discard();
     }
-    program.trace.write_to(nullptr);
+    program.hooks.write_to(nullptr);
     file_.close();
   }
   /// Behind each step: rows are in the file after half a second. Throws Problem.
   void hand_on() {
     if (!file_.is_open()) return;
-    if (file_.text().failed()) program.trace.write_to(nullptr);
+    if (file_.text().failed()) program.hooks.write_to(nullptr);
     file_.hand_on();
   }
 

@@ -13,9 +13,9 @@
 #include <targets/common/csv.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/graph_program.hpp>
+#include <targets/linux-sim/hooks.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/rows.hpp>
-#include <targets/linux-sim/traces.hpp>
 #include <targets/linux-sim/watch.hpp>
 #include <utility>
 
@@ -34,8 +34,8 @@ class LinkOf {
  public:
   static constexpr bool kIsSplit = false;
   static constexpr bool kPartDecides = false;
-  template <class Trace>
-  using Program = typename Graph::template Program<Trace>;
+  template <class Hooks>
+  using Program = typename Graph::template Program<Hooks>;
 
   static void tell(GraphFacts& /*facts*/) {}
   static SplitLink* link(std::size_t /*part*/) { return nullptr; }
@@ -200,11 +200,11 @@ void run_program(Watch& watch, LinkOf<Graph>& link, Program& program) {
 /// Both programs of a graph. All-zero until their first reset, so they take no room in a file.
 template <class Graph>
 struct Programs {
-  template <class Trace>
-  using Of = typename LinkOf<Graph>::template Program<Trace>;
+  template <class Hooks>
+  using Of = typename LinkOf<Graph>::template Program<Hooks>;
 
-  Of<Untraced<Graph>> untraced;
-  Of<Traced<Graph>> traced;
+  Of<UntracedHooks<Graph>> untraced;
+  Of<TracedHooks<Graph>> traced;
 };
 
 template <class Graph>
@@ -212,13 +212,13 @@ class ProgramOf final : public GraphProgram {
  public:
   explicit ProgramOf(Programs<Graph>& programs)
       : untraced_(programs.untraced), traced_(programs.traced) {
-    untraced_.trace.spaces = &spaces;
-    traced_.trace.spaces = &spaces;
-    traced_.trace.recorder = &recorder;
+    untraced_.hooks.spaces = &spaces;
+    traced_.hooks.spaces = &spaces;
+    traced_.hooks.recorder = &recorder;
     if constexpr (requires { Graph::kRenders; }) {
       pictures_ = make_pictures();
-      untraced_.trace.pictures = pictures_.get();
-      traced_.trace.pictures = pictures_.get();
+      untraced_.hooks.pictures = pictures_.get();
+      traced_.hooks.pictures = pictures_.get();
     }
   }
   const GraphFacts& facts() const override {
@@ -245,7 +245,7 @@ class ProgramOf final : public GraphProgram {
     const auto count = [&](const char* name, std::uint64_t n) { listener.count(name, n); };
     is_traced ? target::for_each_fault(traced_, count) : target::for_each_fault(untraced_, count);
   }
-  std::uint64_t hash() const override { return traced_.trace.hash(); }
+  std::uint64_t hash() const override { return traced_.hooks.hash(); }
 
   std::size_t action_bytes() const override { return sizeof(Action); }
   void zero(void* action) const override { *static_cast<Action*>(action) = Graph::zero(); }
@@ -257,7 +257,7 @@ class ProgramOf final : public GraphProgram {
     if constexpr (!LinkOf<Graph>::kIsSplit) {
       typename Graph::States begin;
       take_states<Graph>(states, begin);
-      traced_.trace.episode(episode);
+      traced_.hooks.on_episode(episode);
       observation_.emplace(traced_.reset(begin));
     }
   }

@@ -65,8 +65,8 @@ class LinkOf<Graph> {
  public:
   static constexpr bool kIsSplit = true;
   static constexpr bool kPartDecides = Graph::Link::kPartDecides;
-  template <class Trace>
-  using Program = typename Graph::template Program<Trace, StarOf<Graph>>;
+  template <class Hooks>
+  using Program = typename Graph::template Program<Hooks, StarOf<Graph>>;
 
   static void tell(GraphFacts& facts) {
     facts.parts = Graph::Link::kParts;

@@ -35,11 +35,11 @@ class Recorder : public target::LastShown<Graph> {
     first_ = first;
   }
   std::uint64_t hash() const { return hash_.hash(); }
-  void episode(std::uint32_t index) { hash_.episode(index); }
+  void on_episode(std::uint32_t index) { hash_.on_episode(index); }
   /// Never inlined: a program has a call for each of its messages.
   template <class Message>
-  [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, const Message& message) {
-    hash_(channel, seq, message);
+  [[gnu::noinline]] void on_message(std::uint32_t channel, Seq seq, const Message& message) {
+    hash_.on_message(channel, seq, message);
     if (values_ == nullptr) return;
     double* const to = values_ + first_[channel];
     for (std::size_t i = 0; i < size_of<Message>; ++i)
@@ -121,8 +121,8 @@ class Simulation {
     std::destroy_at(&program_);
     std::construct_at(&program_);
     if (watched) {
-      program_.trace.watch(messages.values.data(), first_of_channel_.data());
-      program_.trace.draw_from_now_on();
+      program_.hooks.watch(messages.values.data(), first_of_channel_.data());
+      program_.hooks.draw_from_now_on();
     }
     target::warm_up(program_);
     key_ = {seed, environment, 0};
@@ -139,8 +139,8 @@ class Simulation {
     ++next_episode_;
     steps_ = 0;
     ended_ = false;
-    program_.trace.forget();
-    program_.trace.episode(key_.episode);
+    program_.hooks.forget();
+    program_.hooks.on_episode(key_.episode);
     observation_.emplace(program_.reset(drawn));
     write(Outcome{});
     return true;
@@ -175,7 +175,7 @@ class Simulation {
   }
 
   bool ended() const { return ended_; }
-  std::uint64_t hash() { return program_.trace.hash(); }
+  std::uint64_t hash() { return program_.hooks.hash(); }
 
   /// [height][width][4], with the last one 255; null if there is no such picture.
   const std::uint8_t* picture(std::uint32_t width, std::uint32_t height) {
@@ -184,7 +184,7 @@ class Simulation {
       if (width == 0 || height == 0 || width > kWidest || height > kWidest) return nullptr;
       const std::size_t count = std::size_t{width} * height;
       pixels_.resize(4 * count);
-      program_.trace.paint(painter,
+      program_.hooks.paint(painter,
                            {pixels_.data(), static_cast<int>(width), static_cast<int>(height), 3});
       // From the end, because four take more room than three.
       for (std::size_t i = count; i-- > 0;) {

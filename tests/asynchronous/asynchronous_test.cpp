@@ -121,7 +121,7 @@ TEST_F(ByTheClock, EpisodesDoNotKnowOfEachOther) {
 }
 
 /// A request to end the run from the start.
-struct Interrupted : eagerx::NoTrace {
+struct Interrupted : eagerx::NoHooks {
   static bool is_interrupted() { return true; }
 };
 

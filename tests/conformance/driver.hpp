@@ -84,23 +84,23 @@ void print_window(const char* name, const Window& window) {
 
 /// Prints what callbacks get, what is sent, and the objects.
 template <class Graph>
-struct PrintingTrace {
-  static constexpr bool kInputs = true;
-  static constexpr bool kSimulators = true;
+struct PrintingHooks {
+  static constexpr bool kSeesInputs = true;
+  static constexpr bool kSeesSimulators = true;
 
   HashTrace hash;
   std::map<std::string, std::vector<double>> begin_in;  // states of objects at the engine's tick 0
 
   template <class Message>
-  void operator()(std::uint32_t channel, Seq seq, const Message& message) {
-    hash(channel, seq, message);
+  void on_message(std::uint32_t channel, Seq seq, const Message& message) {
+    hash.on_message(channel, seq, message);
     std::printf("sent %s %" PRIu64, Graph::kChannels[channel].name, seq);
     print_message(message);
     std::printf("\n");
   }
 
   template <class NodeRate, class Inputs>
-  void inputs(const char* node, NodeRate /*rate*/, Seq tick, const Inputs& inputs) {
+  void on_inputs(const char* node, NodeRate /*rate*/, Seq tick, const Inputs& inputs) {
     std::printf("tick %s %" PRIu64 " %.17g\n", node, tick,
                 NodeRate::template seconds<double>(tick));
     inputs.for_each([](const char* name, const auto& window) {
@@ -112,10 +112,10 @@ struct PrintingTrace {
     });
   }
 
-  void reset_phase(bool begins) { std::printf("phase %d\n", begins ? 1 : 0); }
+  void on_reset_phase(bool begins) { std::printf("phase %d\n", begins ? 1 : 0); }
 
   template <class Simulator>
-  void simulator(const char* object, Seq tick, Simulator& simulator) {
+  void on_simulator(const char* object, Seq tick, Simulator& simulator) {
     const auto begin = begin_in.find(object);
     if constexpr (requires { simulator.state; }) {
       if (tick == 0 && begin != begin_in.end()) set_elements(simulator.state, begin->second);
@@ -198,7 +198,7 @@ void set_action(typename Graph::Action& action, const Line& line) {
 template <class Graph>
 int run() {
   const auto line = std::make_unique<Line>();
-  const auto program = std::make_unique<typename Graph::template Program<PrintingTrace<Graph>>>();
+  const auto program = std::make_unique<typename Graph::template Program<PrintingHooks<Graph>>>();
   typename Graph::States states{};
   typename Graph::Action action{};
   while (line->read()) {
@@ -207,21 +207,21 @@ int run() {
     } else if (line->begins_with("action")) {
       set_action<Graph>(action, *line);
     } else if (line->begins_with("object")) {
-      std::vector<double>& values = program->trace.begin_in[line->text()];
+      std::vector<double>& values = program->hooks.begin_in[line->text()];
       for (std::size_t i = 0; i < line->values(); ++i)
         values.push_back(std::strtod(line->value(i), nullptr));
     } else if (line->begins_with("reset")) {
       std::printf("reset\n");
       print_observation(program->reset(states));
       states = {};
-      program->trace.begin_in.clear();
+      program->hooks.begin_in.clear();
     } else if (line->begins_with("step")) {
       print_observation(program->step(action));
     } else {
       refuse("command", line->text());
     }
   }
-  std::printf("hash %016" PRIx64 "\n", program->trace.hash.hash());
+  std::printf("hash %016" PRIx64 "\n", program->hooks.hash.hash());
   return 0;
 }
 

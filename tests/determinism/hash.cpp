@@ -22,5 +22,5 @@ int main() {
   };
   eagerx::target::Watch<Graph> watch;
   eagerx::target::run_episodes<Graph>(plan, program, agent, watch);
-  std::printf("0x%016" PRIx64 "\n", program.trace.hash());
+  std::printf("0x%016" PRIx64 "\n", program.hooks.hash());
 }

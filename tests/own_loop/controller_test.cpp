@@ -24,8 +24,8 @@ std::map<std::string, std::uint64_t> counts_of(const Program& program) {
   return counts;
 }
 
-using Servo = graphs::servo::Program<own_loop::CountingTrace>;
-using Arm = graphs::arm::Program<own_loop::CountingTrace>;
+using Servo = graphs::servo::Program<own_loop::CountingHooks>;
+using Arm = graphs::arm::Program<own_loop::CountingHooks>;
 
 TEST(ControllerTest, AServoIsSafeInTimeAtTenThousandFaults) {
   Servo program;
@@ -129,11 +129,11 @@ TEST(ControllerTest, TheSafeOutputEndsARun) {
 }
 
 TEST(ControllerTest, NothingRunsBeforeTheFirstResetOfAGraphWithAnEngine) {
-  graphs::wide::Program<own_loop::CountingTrace> program;
+  graphs::wide::Program<own_loop::CountingHooks> program;
   for (int i = 0; i < 100; ++i) program.step({.voltage = {3.0F}});
   program.step_safely();
   program.step_unguarded({.voltage = {3.0F}});
-  EXPECT_EQ(program.trace.messages, 0U);
+  EXPECT_EQ(program.hooks.messages, 0U);
   EXPECT_EQ(program.steps_before_reset(), 102U);
   program.reset({});
   program.step({.voltage = {1.0F}});

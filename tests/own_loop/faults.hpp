@@ -13,12 +13,12 @@
 namespace own_loop {
 
 /// Counts what the nodes send, and makes a hash of what leaves.
-struct CountingTrace {
+struct CountingHooks {
   std::uint64_t messages = 0;
 
-  void episode(std::uint32_t /*index*/) {}
+  void on_episode(std::uint32_t /*index*/) {}
   template <class Message>
-  void operator()(std::uint32_t /*channel*/, eagerx::Seq /*seq*/, const Message& /*message*/) {
+  void on_message(std::uint32_t /*channel*/, eagerx::Seq /*seq*/, const Message& /*message*/) {
     ++messages;
   }
 };
@@ -47,7 +47,7 @@ class Trial {
     for (std::uint32_t i = 0; i < 5; ++i) {
       measure();
       check(1, is_safe_value(program_.step(action_)));
-      check(1, program_.trace.messages == 0);
+      check(1, program_.hooks.messages == 0);
     }
     check(2, program_.steps_before_reset() == 5);
     check(3, is_safe_value(program_.reset({})));
@@ -105,11 +105,11 @@ class Trial {
     if (fault != Fault::frozen) measure();
     if (fault == Fault::not_finite) spoil(std::numeric_limits<float>::quiet_NaN());
     if (fault == Fault::infinite) spoil(-std::numeric_limits<float>::infinity());
-    const std::uint64_t before = program_.trace.messages;
+    const std::uint64_t before = program_.hooks.messages;
     const Observation seen = fault == Fault::missing ? program_.step_without()
                              : fault == Fault::late  ? program_.step(action_, faulty_)
                                                      : program_.step(action_);
-    const bool ran = program_.trace.messages != before;
+    const bool ran = program_.hooks.messages != before;
     right_ = fault == Fault::none ? right_ + 1 : 0;
     const bool must_be_safe = faulty_ > 0 && faulty_ >= deadline(fault);
     safe_ = must_be_safe ? safe_ + 1 : 0;

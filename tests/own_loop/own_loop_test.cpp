@@ -21,16 +21,16 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr eagerx::EpisodeKey kKey{.seed = 1, .environment = 0, .episode = 0};
 
 /// Sees what is sent to the motor.
-struct MotorTrace {
+struct MotorHooks {
   std::uint32_t channel = 0;  // of what the actuator has applied
   float least = kInfinity;
   float most = -kInfinity;
   float last = 0.0F;
   std::uint64_t not_finite = 0;
 
-  void episode(std::uint32_t /*index*/) {}
+  void on_episode(std::uint32_t /*index*/) {}
   template <class Message>
-  void operator()(std::uint32_t of, eagerx::Seq /*seq*/, const Message& message) {
+  void on_message(std::uint32_t of, eagerx::Seq /*seq*/, const Message& message) {
     if (of != channel) return;
     last = static_cast<float>(eagerx::element(message, 0));
     not_finite += std::isfinite(last) ? 0 : 1;
@@ -83,12 +83,12 @@ void run_loop(Program& program, int steps) {
 constexpr int kMillion = 1'000'000;
 
 TEST(OwnLoopTest, NothingLeavesTheActuatorsSpace) {
-  graphs::wide::Program<MotorTrace> program;
-  program.trace.channel = graphs::wide::channel::pendulum_u_action_applied;
+  graphs::wide::Program<MotorHooks> program;
+  program.hooks.channel = graphs::wide::channel::pendulum_u_action_applied;
   run_loop<decltype(program), graphs::wide::Graph>(program, kMillion);
-  EXPECT_EQ(program.trace.not_finite, 0U);
-  EXPECT_EQ(program.trace.least, -2.0F);
-  EXPECT_EQ(program.trace.most, 2.0F);
+  EXPECT_EQ(program.hooks.not_finite, 0U);
+  EXPECT_EQ(program.hooks.least, -2.0F);
+  EXPECT_EQ(program.hooks.most, 2.0F);
   auto counts = counts_of(program);
   EXPECT_GT(counts["safe: action not finite: voltage"], kMillion / 4U);
   EXPECT_GT(counts["safe: action out of limits: voltage"], kMillion / 10U);
@@ -96,31 +96,31 @@ TEST(OwnLoopTest, NothingLeavesTheActuatorsSpace) {
 }
 
 TEST(OwnLoopTest, NorThroughAProcessor) {
-  graphs::converted::Program<MotorTrace> program;
-  program.trace.channel = graphs::converted::channel::pendulum_u_action_applied;
+  graphs::converted::Program<MotorHooks> program;
+  program.hooks.channel = graphs::converted::channel::pendulum_u_action_applied;
   run_loop<decltype(program), graphs::converted::Graph>(program, kMillion);
-  EXPECT_EQ(program.trace.not_finite, 0U);
-  EXPECT_EQ(program.trace.least, -2.0F);
-  EXPECT_EQ(program.trace.most, 2.0F);
+  EXPECT_EQ(program.hooks.not_finite, 0U);
+  EXPECT_EQ(program.hooks.least, -2.0F);
+  EXPECT_EQ(program.hooks.most, 2.0F);
 }
 
 TEST(OwnLoopTest, NorWithSafety) {
-  graphs::taken_over::Program<MotorTrace> program;
-  program.trace.channel = graphs::taken_over::channel::pendulum_u_action_applied;
+  graphs::taken_over::Program<MotorHooks> program;
+  program.hooks.channel = graphs::taken_over::channel::pendulum_u_action_applied;
   run_loop<decltype(program), graphs::taken_over::Graph>(program, kMillion);
-  EXPECT_EQ(program.trace.not_finite, 0U);
-  EXPECT_GE(program.trace.least, -2.0F);
-  EXPECT_LE(program.trace.most, 2.0F);
+  EXPECT_EQ(program.hooks.not_finite, 0U);
+  EXPECT_GE(program.hooks.least, -2.0F);
+  EXPECT_LE(program.hooks.most, 2.0F);
   EXPECT_GT(counts_of(program)["safe: times"], kMillion / 20U);
 }
 
 TEST(OwnLoopTest, SafetyTakesOverAfterLateStepsAndGivesBack) {
-  graphs::taken_over::Program<MotorTrace> program;
-  program.trace.channel = graphs::taken_over::channel::pendulum_u_action_applied;
+  graphs::taken_over::Program<MotorHooks> program;
+  program.hooks.channel = graphs::taken_over::channel::pendulum_u_action_applied;
   program.reset(graphs::taken_over::Graph::draw(kKey));
   const auto applied = [&](float voltage, std::uint64_t late = 0) {
     program.step({.voltage = {voltage}}, late);
-    return program.trace.last;
+    return program.hooks.last;
   };
   EXPECT_EQ(applied(1.0F), 1.0F);
   EXPECT_EQ(applied(1.0F, 1), 1.0F) << "one late step is not yet two";
@@ -134,7 +134,7 @@ TEST(OwnLoopTest, SafetyTakesOverAfterLateStepsAndGivesBack) {
 }
 
 TEST(OwnLoopTest, WhatHasNotComeYetBecauseTheGraphSaysSoIsNoFault) {
-  graphs::skipped::Program<MotorTrace> program;
+  graphs::skipped::Program<MotorHooks> program;
   for (int episode = 0; episode < 3; ++episode) {
     program.reset(graphs::skipped::Graph::draw(kKey));
     for (int i = 0; i < 5; ++i) program.step({.target = {0.1F}});
@@ -145,20 +145,20 @@ TEST(OwnLoopTest, WhatHasNotComeYetBecauseTheGraphSaysSoIsNoFault) {
 }
 
 TEST(OwnLoopTest, TheSafeActionEndsARun) {
-  graphs::taken_over::Program<MotorTrace> program;
-  program.trace.channel = graphs::taken_over::channel::pendulum_u_action_applied;
+  graphs::taken_over::Program<MotorHooks> program;
+  program.hooks.channel = graphs::taken_over::channel::pendulum_u_action_applied;
   program.reset({});
   program.step_safely();
-  EXPECT_EQ(program.trace.last, 0.5F);
+  EXPECT_EQ(program.hooks.last, 0.5F);
   EXPECT_EQ(counts_of(program)["safe: stopped"], 1U);
 }
 
 TEST(OwnLoopTest, TheGuardIsOffForWhoSaysSo) {
-  graphs::wide::Program<MotorTrace> program;
-  program.trace.channel = graphs::wide::channel::pendulum_u_action_applied;
+  graphs::wide::Program<MotorHooks> program;
+  program.hooks.channel = graphs::wide::channel::pendulum_u_action_applied;
   program.reset({});
   program.step_unguarded({.voltage = {3.0F}});
-  EXPECT_EQ(program.trace.last, 3.0F);
+  EXPECT_EQ(program.hooks.last, 3.0F);
   for (const auto& [name, count] : counts_of(program)) EXPECT_EQ(count, 0U) << name;
 }
 

@@ -115,12 +115,12 @@ struct KeepingWatch : target::Watch<Graph> {
   }
 };
 
-struct CountingTrace : HashTrace {
+struct CountingHooks : HashTrace {
   std::uint64_t messages = 0;
   template <class Message>
-  void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+  void on_message(std::uint32_t channel, Seq seq, const Message& message) {
     ++messages;
-    HashTrace::operator()(channel, seq, message);
+    HashTrace::on_message(channel, seq, message);
   }
 };
 
@@ -140,13 +140,13 @@ Result run(const target::RunPlan& plan, Program& program, KeepingWatch<Graph>& w
   };
   target::run_episodes<Graph>(plan, program, agent, watch);
   target::settle(program);
-  return {program.trace.hash(), program.trace.messages, std::move(watch.seen),
+  return {program.hooks.hash(), program.hooks.messages, std::move(watch.seen),
           target::is_linked(program)};
 }
 
 template <class Graph>
 Result run_whole(const target::RunPlan& plan) {
-  auto program = std::make_unique<typename Graph::template Program<CountingTrace>>();
+  auto program = std::make_unique<typename Graph::template Program<CountingHooks>>();
   KeepingWatch<Graph> watch;
   watch.keeps = true;
   return run<Graph>(plan, *program, watch, true);
@@ -203,7 +203,7 @@ class SplitRun {
         (star_.template link<K>().open({Parts::Link::kGraph, target::kRuntimeVersion}, K + 1) &&
          ...);
     if (!open) return {.is_whole = false};
-    auto program = std::make_unique<typename Hub::template Program<CountingTrace, Star>>();
+    auto program = std::make_unique<typename Hub::template Program<CountingHooks, Star>>();
     program->connect(star_);
     KeepingWatch<Hub> watch;
     watch.keeps = looks;

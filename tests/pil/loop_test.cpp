@@ -14,13 +14,13 @@ namespace cut = graphs::motor_control;
 
 /// The hash of the controller's messages, by what they are in both graphs.
 template <std::uint32_t Smooth, std::uint32_t Position, std::uint32_t Ramp>
-struct ControllerTrace {
+struct ControllerHooks {
   eagerx::HashTrace hash;
   std::uint64_t messages = 0;
 
-  void episode(std::uint32_t /*index*/) {}
+  void on_episode(std::uint32_t /*index*/) {}
   template <class Message>
-  void operator()(std::uint32_t channel, eagerx::Seq seq, const Message& message) {
+  void on_message(std::uint32_t channel, eagerx::Seq seq, const Message& message) {
     const std::uint32_t number = channel == Smooth ? 1 : channel == Position ? 2 : 3;
     if (number == 3 && channel != Ramp) return;
     ++messages;
@@ -28,10 +28,10 @@ struct ControllerTrace {
   }
 };
 using TraceOfWhole =
-    ControllerTrace<whole::channel::control_smooth_filtered, whole::channel::control_position_u,
+    ControllerHooks<whole::channel::control_smooth_filtered, whole::channel::control_position_u,
                     whole::channel::control_ramp_limited>;
 using TraceOfCut =
-    ControllerTrace<cut::channel::control_smooth_filtered, cut::channel::control_position_u,
+    ControllerHooks<cut::channel::control_smooth_filtered, cut::channel::control_position_u,
                     cut::channel::control_ramp_limited>;
 
 TEST(CutTest, InALoopWithTheMotorItsMessagesAreThoseOfTheSimulation) {
@@ -47,9 +47,9 @@ TEST(CutTest, InALoopWithTheMotorItsMessagesAreThoseOfTheSimulation) {
     motor.apply(program.step({.angle = {motor.angle()}}).voltage.back()[0]);
 
   EXPECT_GT(motor.angle(), 0.9F);
-  EXPECT_EQ(program.trace.messages, 2U * kSteps + kSteps / 5U);
-  EXPECT_EQ(program.trace.messages, simulation.trace.messages);
-  EXPECT_EQ(program.trace.hash.hash(), simulation.trace.hash.hash());
+  EXPECT_EQ(program.hooks.messages, 2U * kSteps + kSteps / 5U);
+  EXPECT_EQ(program.hooks.messages, simulation.hooks.messages);
+  EXPECT_EQ(program.hooks.hash.hash(), simulation.hooks.hash.hash());
 }
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace {
 struct Interruption {
   static inline int messages = 0;
   static inline int at = 0;
-  void episode(std::uint32_t /*index*/) { messages = 0; }
+  void on_episode(std::uint32_t /*index*/) { messages = 0; }
   template <class Message>
-  void operator()(std::uint32_t /*channel*/, eagerx::Seq /*seq*/, const Message& /*message*/) {
+  void on_message(std::uint32_t /*channel*/, eagerx::Seq /*seq*/, const Message& /*message*/) {
     ++messages;
   }
   static bool is_interrupted() { return messages >= at; }
@@ -24,10 +24,10 @@ class ResetNode : public ::testing::Test {
   /// Messages of the second reset, which cannot reach its goal.
   int second_reset() {
     Interruption::at = INT32_MAX;
-    program.trace.episode(0);
+    program.hooks.on_episode(0);
     program.reset(Graph::draw({1, 0, 0}));
     Interruption::at = at;
-    program.trace.episode(1);
+    program.hooks.on_episode(1);
     program.reset(Graph::draw({1, 0, 1}));
     return Interruption::messages;
   }

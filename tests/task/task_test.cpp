@@ -23,9 +23,9 @@ template <class Graph>
 struct Messages {
   std::map<std::string, std::vector<std::vector<double>>> of;
 
-  void episode(std::uint32_t /*index*/) { of.clear(); }
+  void on_episode(std::uint32_t /*index*/) { of.clear(); }
   template <class Message>
-  void operator()(std::uint32_t channel, eagerx::Seq seq, const Message& message) {
+  void on_message(std::uint32_t channel, eagerx::Seq seq, const Message& message) {
     auto& messages = of[Graph::kChannels[channel].name];
     ASSERT_EQ(messages.size(), seq);
     messages.emplace_back();
@@ -49,7 +49,7 @@ std::vector<std::uint64_t> run(Program& program, std::uint32_t episodes, std::ui
   std::vector<std::uint64_t> lengths;
   for (std::uint32_t episode = 0; episode < episodes; ++episode) {
     const eagerx::EpisodeKey key{.seed = 3, .environment = 0, .episode = episode};
-    program.trace.episode(episode);
+    program.hooks.on_episode(episode);
     program.reset(Graph::draw(key));
     check(0, program.outcome());
     std::uint64_t step = 0;
@@ -77,7 +77,7 @@ TEST(Task, TheCostOfTheTutorials) {
   EXPECT_STREQ(Graph::kTerminationNames[0], "spinning");
   EXPECT_STREQ(Graph::kSuccessNames[0], "hanging");
   graphs::tutorial::Program<Messages<Graph>> program;
-  const auto& trace = program.trace;
+  const auto& sent = program.hooks;
   int hanging = 0;
   bool succeeded = false, terminated = false;
   const auto lengths = run<Graph>(program, 30, 1000, [&](std::uint64_t n, const auto& outcome) {
@@ -85,9 +85,9 @@ TEST(Task, TheCostOfTheTutorials) {
       hanging = 0;
       return expect_nothing(outcome);
     }
-    const double th = wrapped(trace.at("pendulum/theta/observation", n));
-    const double thdot = trace.at("pendulum/theta_dot/observation", n);
-    const double u = trace.at("environment/voltage", n - 1);
+    const double th = wrapped(sent.at("pendulum/theta/observation", n));
+    const double thdot = sent.at("pendulum/theta_dot/observation", n);
+    const double u = sent.at("environment/voltage", n - 1);
     const double reward = -th * th - 0.1 * thdot * thdot - 0.001 * u * u;
     ASSERT_NEAR(outcome.reward, reward, 1e-6 * std::abs(reward) + 1e-6);
     ASSERT_NEAR(outcome.terms[0], -th * th, 2e-5);
@@ -100,9 +100,9 @@ TEST(Task, TheCostOfTheTutorials) {
     ASSERT_EQ(outcome.truncated, n >= 150);
     succeeded = succeeded || outcome.success;
     terminated = terminated || outcome.terminated;
-    ASSERT_EQ(trace.at("task/reward", n), static_cast<double>(outcome.reward));
-    ASSERT_EQ(trace.at("task/effort", n), static_cast<double>(outcome.terms[2]));
-    ASSERT_EQ(trace.at("task/truncated", n) != 0.0, outcome.truncated);
+    ASSERT_EQ(sent.at("task/reward", n), static_cast<double>(outcome.reward));
+    ASSERT_EQ(sent.at("task/effort", n), static_cast<double>(outcome.terms[2]));
+    ASSERT_EQ(sent.at("task/truncated", n) != 0.0, outcome.truncated);
   });
   EXPECT_TRUE(succeeded);
   EXPECT_TRUE(terminated);
@@ -114,14 +114,14 @@ TEST(Task, SeesTheNewestMessagesOfAllRates) {
   using Graph = graphs::many_rates::Graph;
   static_assert(Graph::kEpisodeSteps == 38, "3 s at 12.5 Hz, rounded up");
   graphs::many_rates::Program<Messages<Graph>> program;
-  const auto& trace = program.trace;
+  const auto& sent = program.hooks;
   std::array<double, 2> both_before{};
   double u_before = 0.0;
   int done = 0;
   bool succeeded = false;
   run<Graph>(program, 20, 1000, [&](std::uint64_t n, const auto& outcome) {
     // theta, judge: 25 Hz, of the same instant. theta_dot: 5 Hz. smooth: 25 Hz, behind the action.
-    const double theta = trace.at("pendulum/theta/observation", 2 * n);
+    const double theta = sent.at("pendulum/theta/observation", 2 * n);
     const std::array<double, 2> both = {std::cos(theta), std::sin(theta)};
     if (n == 0) {
       both_before = both;
@@ -129,13 +129,13 @@ TEST(Task, SeesTheNewestMessagesOfAllRates) {
       done = 0;
       return expect_nothing(outcome);
     }
-    const double slow = trace.at("pendulum/theta_dot/observation", 2 * n / 5);
-    const double filtered = trace.at("smooth/filtered", 2 * n - 1);
-    const double u = trace.at("environment/voltage", n - 1);
-    const bool low = trace.at("judge/is_low", 2 * n) != 0.0;
+    const double slow = sent.at("pendulum/theta_dot/observation", 2 * n / 5);
+    const double filtered = sent.at("smooth/filtered", 2 * n - 1);
+    const double u = sent.at("environment/voltage", n - 1);
+    const bool low = sent.at("judge/is_low", 2 * n) != 0.0;
     double worth = -1.0;
     for (std::uint64_t i = 0; i < 4 && i <= 2 * n; ++i)
-      worth = std::max(worth, std::cos(trace.at("pendulum/theta/observation", 2 * n - i)));
+      worth = std::max(worth, std::cos(sent.at("pendulum/theta/observation", 2 * n - i)));
     const double moved = std::hypot(both[0] - both_before[0], both[1] - both_before[1]);
     const double late = static_cast<double>(n) / 12.5 > 2.05 && !low ? 1.0 : -1.0;
     const std::array<double, 5> terms = {
@@ -163,17 +163,17 @@ TEST(Task, TakesTheRewardOfAnEngine) {
   using Graph = graphs::gym::Graph;
   static_assert(Graph::kEpisodeSteps == 0, "the engine says when");
   graphs::gym::Program<Messages<Graph>> program;
-  const auto& trace = program.trace;
+  const auto& sent = program.hooks;
   const auto lengths = run<Graph>(program, 2, 1000, [&](std::uint64_t n, const auto& outcome) {
     if (n == 0) return expect_nothing(outcome);
-    EXPECT_EQ(outcome.reward, static_cast<float>(trace.at("pendulum/reward/reward", n)));
+    EXPECT_EQ(outcome.reward, static_cast<float>(sent.at("pendulum/reward/reward", n)));
     EXPECT_LT(outcome.reward, 0.0F);
     EXPECT_FALSE(outcome.terminated);
     // The step's own reward: of the state before it, and of its torque.
-    const double th = std::atan2(trace.at("pendulum/observation/observation", n - 1, 1),
-                                 trace.at("pendulum/observation/observation", n - 1, 0));
-    const double thdot = trace.at("pendulum/observation/observation", n - 1, 2);
-    const double u = trace.at("environment/torque", n - 1);
+    const double th = std::atan2(sent.at("pendulum/observation/observation", n - 1, 1),
+                                 sent.at("pendulum/observation/observation", n - 1, 0));
+    const double thdot = sent.at("pendulum/observation/observation", n - 1, 2);
+    const double u = sent.at("environment/torque", n - 1);
     EXPECT_NEAR(outcome.reward, -(th * th + 0.1 * thdot * thdot + 0.001 * u * u), 1e-4);
   });
   EXPECT_EQ(lengths, std::vector<std::uint64_t>(2, 200));

@@ -35,7 +35,7 @@ class BlockView {
     view_.set("tick", tick());
     view_.set("is_remote", !names_.runs(n_));
     view_.set("is_drawn", node_.drawn);
-    view_.set("trace_argument", is_render(n_) ? ", trace" : "");
+    view_.set("hooks_argument", is_render(n_) ? ", hooks" : "");
     view_.set("node", node_.name);
     view_.set("alike", "");
     view_.set("label", names_.nodes[n_].label);

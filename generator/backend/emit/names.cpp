@@ -110,7 +110,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_lo
   name_parts();
   for (const char* taken : {"link_", "slot_", "due_", "countdown_", "warm_", "started_",
                             "resetting_", "reset_timeouts_", "refused_delays_", "memory_faults_",
-                            "arrivals_", "drawing_", "pipe_", "taken_"})
+                            "arrivals_", "drawing_", "pipeline_", "taken_"})
     members.unique(taken);
   name_nodes(members, types);
   name_rings(members);
@@ -330,7 +330,7 @@ std::size_t ProgramNames::place_in_taken(std::size_t node) const {
 }
 std::string ProgramNames::awaited(std::size_t node, const std::string& count) const {
   if (!is_pipelined(node)) return count;
-  return fmt::format("pipe_.need(*this, {}taken_[{}], {})",
+  return fmt::format("pipeline_.need(*this, {}taken_[{}], {})",
                      link_argument(plan_.graph->placement->part_of[node]), place_in_taken(node),
                      count);
 }

@@ -68,7 +68,7 @@ ProgramMap program_map(const Plan& plan, const ProgramNames& names, const Marked
 
   map.graph_file = in_comment(graph.file_name);
   map.places = places_of(graph);
-  map.owner_of_member["trace"] = {false, "runtime"};
+  map.owner_of_member["hooks"] = {false, "runtime"};
   for (const std::size_t n : nodes_in_order(plan)) {
     if (names.runs(n) && !graph.nodes[n].drawn)
       map.owner_of_member.try_emplace(names.nodes[n].member.name,

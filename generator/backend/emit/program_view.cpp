@@ -132,7 +132,7 @@ class ProgramView {
   void add_pipelining() {
     const bool is_pipelined = names_.is_pipelined();
     view_.set("link_header", is_pipelined ? "pipeline" : "star");
-    view_.set("tell", is_pipelined ? "pipe_.tell(*this, " : "trace(");
+    view_.set("tell", is_pipelined ? "pipeline_.tell(*this, " : "hooks.on_message(");
     view_["takes"] = takes_view(plan_, names_);
     view_["pipelining"] = View(false);
     if (!is_pipelined) return;
@@ -172,10 +172,10 @@ class ProgramView {
   }
 
   void add_phases() {
-    view_["before"] = phase_view("before", plan_.before);
-    view_["after"] = phase_view("after", plan_.after);
+    view_["before"] = phase_view("run_before_action", plan_.before);
+    view_["after"] = phase_view("run_after_action", plan_.after);
     const bool runs_after = view_["after"].is_object();
-    view_.set("slot", runs_after ? "slot" : "before");
+    view_.set("slot", runs_after ? "run_slot" : "run_before_action");
     const auto& schedule = plan_.schedule;
     view_.set("has_slot", runs_after && (schedule.form == ScheduleForm::kinds ||
                                          (schedule.form == ScheduleForm::constants &&

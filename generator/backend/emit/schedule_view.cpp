@@ -57,6 +57,15 @@ class ScheduleView {
     return fmt::format("eagerx::Constant<{}>{{}}", join(bits, " | "));
   }
 
+  /// The name of a kind of slot: the rates that are due.
+  std::string kind_name(std::uint64_t mask) const {
+    std::string name = "due";
+    for (std::size_t r = 0; r < plan_.rates.size(); ++r) {
+      if ((mask >> r & 1U) != 0) name += "_" + names_.rates[r].due.substr(1);
+    }
+    return name;
+  }
+
   /// Rates that are due in the first slot or, where the compiler does not know it, in that of the
   /// last observation.
   std::string first() const {
@@ -104,7 +113,7 @@ class ScheduleView {
     for (std::size_t i = 0; i < schedule_.kinds.size(); ++i) {
       View item = object();
       // The table has no others, so the last one is what is left.
-      item.set("kind", fmt::format("{}", i));
+      item.set("kind", "Slot::" + kind_name(schedule_.kinds[i]));
       item.set("is_last", i + 1 == schedule_.kinds.size());
       item.set("due", constant(schedule_.kinds[i]));
       item.set("observes", (schedule_.kinds[i] & environment) != 0);
@@ -129,9 +138,17 @@ class ScheduleView {
       values.push_back(fmt::format("{}", kind));
     }
     View view = table(values, "std::uint8_t");
-    view.set("comment", "The kind of every slot");
-    view.set("constant", "kKindAt");
+    view.set("comment", "The kind of every slot, by its number in Slot");
+    view.set("constant", "kSlotAt");
     view.set("is_table", false);
+    View names = list();
+    for (const std::uint64_t kind : schedule_.kinds) {
+      View item = object();
+      item.set("enumerator", kind_name(kind));
+      names.push_back(item);
+    }
+    view.set("has_names", true);
+    view["names"] = std::move(names);
     return view;
   }
 
@@ -148,6 +165,8 @@ class ScheduleView {
     view.set("comment", "The rates that are due, slot by slot");
     view.set("constant", "kDueAt");
     view.set("is_table", true);
+    view.set("has_names", false);
+    view["names"] = list();
     return view;
   }
 

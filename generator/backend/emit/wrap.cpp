@@ -217,6 +217,16 @@ std::string wrapped_braces(const Braces& braces, std::size_t indent, std::size_t
   return result;
 }
 
+/// Whether each element fits in a line from column `indent` on.
+bool all_fit(const Braces& braces, std::size_t indent) {
+  for (const auto& element : braces.elements) {
+    const bool last = &element == &braces.elements.back();
+    if (indent + columns_of(element) + (last ? columns_of(braces.tail) : 1) > kColumns)
+      return false;
+  }
+  return true;
+}
+
 /// The `(` or `<` that the comma before `at` is in; none if it is in another bracket.
 std::optional<std::size_t> call_around(std::string_view line, std::size_t at) {
   std::vector<std::size_t> open;
@@ -278,6 +288,14 @@ std::string wrapped_code(std::string_view line, std::size_t indent) {
     }
     if (call) {
       const auto arguments = braces_at(rest, *call - indent);
+      if (arguments && rest.starts_with("if (") && !all_fit(*arguments, *call + 1)) {
+        constexpr std::size_t kInCondition = 8;
+        const std::size_t below = indent + kInCondition;
+        const std::string lines = in_lines(*arguments, below, false);
+        if (!lines.empty())
+          return result + std::string(indent, ' ') + std::string(arguments->head) + '\n' +
+                 std::string(below, ' ') + lines;
+      }
       const std::string lines = arguments ? in_lines(*arguments, *call + 1, false) : std::string();
       if (!lines.empty())
         return result + std::string(indent, ' ') + std::string(arguments->head) + lines;

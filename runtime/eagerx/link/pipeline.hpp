@@ -17,7 +17,7 @@ namespace eagerx::link {
 
 /// A message of the trace that waits for its turn; its bytes follow.
 struct alignas(16) Record {
-  void (*tell)(void* trace, Record& record);
+  void (*tell)(void* hooks, Record& record);
   std::uint64_t seq;
   std::uint32_t channel;
   std::uint32_t bytes;  // with this header
@@ -32,8 +32,8 @@ struct Awaited {
 
 /// Messages in the order of the trace, from the first that has not come: a ring of bytes, in which
 /// no message is in two pieces. All zero at the start.
-template <class Trace, std::size_t Bytes>
-class LaterTrace {
+template <class Hooks, std::size_t Bytes>
+class LaterMessages {
  public:
   bool empty() const { return first_ == end_; }
 
@@ -67,12 +67,12 @@ class LaterTrace {
   static Record* after(Record* record) {
     return reinterpret_cast<Record*>(reinterpret_cast<unsigned char*>(record) + record->bytes);
   }
-  /// Tells the trace what is there, up to the first that is not.
-  void flush(Trace& trace) {
+  /// Tells the hooks what is there, up to the first that is not.
+  void flush(Hooks& hooks) {
     while (!empty()) {
       auto* const record = reinterpret_cast<Record*>(bytes_ + first_);
       if (!record->is_there) return;
-      record->tell(&trace, *record);
+      record->tell(&hooks, *record);
       const bool wraps = end_ < first_ && first_ + record->bytes == wrap_;
       first_ = wraps ? 0 : first_ + record->bytes;
     }
@@ -86,10 +86,10 @@ class LaterTrace {
                                                 alignof(Record) * alignof(Record);
 
   template <class Message>
-  static void tell(void* trace, Record& record) {
+  static void tell(void* hooks, Record& record) {
     Message message;
     std::memcpy(&message, &record + 1, sizeof message);
-    (*static_cast<Trace*>(trace))(record.channel, record.seq, message);
+    static_cast<Hooks*>(hooks)->on_message(record.channel, record.seq, message);
   }
 
   alignas(Record) unsigned char bytes_[Bytes];
@@ -97,10 +97,10 @@ class LaterTrace {
   std::size_t wrap_;  // where the messages end that are followed by that at the beginning
 };
 
-/// `Owner` is the hub's program, with a member `trace` and a link() that is a Star of `Parts`
+/// `Owner` is the hub's program, with a member `hooks` and a link() that is a Star of `Parts`
 /// links. `Most`: ticks of a part's nodes that may be on their way; `Bytes`: of the trace that
 /// waits. If either is not enough, the hub waits. All zero at the start.
-template <class Owner, class Trace, std::size_t Parts, std::size_t Most, std::size_t Bytes>
+template <class Owner, class Hooks, std::size_t Parts, std::size_t Most, std::size_t Bytes>
 class Pipeline {
  public:
   /// Takes what a node sends at tick `n`; false if the connection is over. `record`: of its first
@@ -176,7 +176,7 @@ class Pipeline {
       }
       if (!settle(owner)) return;
     }
-    owner.trace(channel, seq, message);
+    owner.hooks.on_message(channel, seq, message);
   }
   /// The same of one that has come over a link.
   template <class Message>
@@ -185,7 +185,7 @@ class Pipeline {
     Record* const next = later_.after(record);
     later_.fill(*record, message);
     record = next;
-    later_.flush(owner.trace);
+    later_.flush(owner.hooks);
   }
 
  private:
@@ -220,7 +220,7 @@ class Pipeline {
   }
 
   Queue queues_[Parts];
-  LaterTrace<Trace, Bytes> later_;
+  LaterMessages<Hooks, Bytes> later_;
   bool held_;
 };
 

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/float_environment.hpp>
-#include <eagerx/trace.hpp>
 #include <eagerx/trace_text.hpp>
 #include <string_view>
 #include <targets/common/bare-metal/clock.hpp>
@@ -41,7 +40,7 @@ struct BoardClock {
   static std::uint64_t hz() { return clock_hz(); }
 };
 template <class Graph>
-using PacedTrace = target::PacedTrace<BoardClock, typename IdleWorkOf<Graph>::Type>;
+using PacedHooks = target::PacedHooks<BoardClock, typename IdleWorkOf<Graph>::Type>;
 
 #ifndef EAGERX_TRACE
 #define EAGERX_TRACE 0
@@ -57,20 +56,20 @@ inline constexpr bool kStartsAlone = EAGERX_STARTS_ALONE != 0;
 
 /// Paces, makes the hash and, with --trace, prints every message.
 template <class Graph>
-class PrintingTrace : public PacedTrace<Graph> {
-  using Base = PacedTrace<Graph>;
+class PrintingHooks : public PacedHooks<Graph> {
+  using Base = PacedHooks<Graph>;
 
  public:
   using Text = TraceText<Console>;
 
   void print(bool prints) { prints_ = prints; }
-  void episode(std::uint32_t index) {
+  void on_episode(std::uint32_t index) {
     episode_ = index;
-    Base::episode(index);
+    Base::on_episode(index);
   }
   template <class Message>
-  void operator()(std::uint32_t channel, Seq seq, const Message& message) {
-    Base::operator()(channel, seq, message);
+  void on_message(std::uint32_t channel, Seq seq, const Message& message) {
+    Base::on_message(channel, seq, message);
     if (prints_) print_message(channel, seq, message);
   }
   void print_end() const {
@@ -91,10 +90,10 @@ class PrintingTrace : public PacedTrace<Graph> {
 };
 
 template <class Graph>
-using PlainTrace = std::conditional_t<kTraces, PrintingTrace<Graph>, PacedTrace<Graph>>;
+using PlainHooks = std::conditional_t<kTraces, PrintingHooks<Graph>, PacedHooks<Graph>>;
 template <class Graph>
-using Trace =
-    std::conditional_t<HasTelemetry<Graph>, TelemetryTrace<PlainTrace<Graph>>, PlainTrace<Graph>>;
+using Hooks =
+    std::conditional_t<HasTelemetry<Graph>, TelemetryHooks<PlainHooks<Graph>>, PlainHooks<Graph>>;
 
 /// Reads the words of the command line after the program's name.
 class OptionParser {
@@ -186,13 +185,13 @@ class Watch : public target::Watch<Graph> {
   using typename target::Watch<Graph>::Outcome;
   using Table = target::CsvTable<Graph, Console>;
 
-  Watch(const Options& options, const PacedTrace<Graph>& trace)
-      : trace_(trace), late_limit_(options.late_limit), csv_(options.csv) {}
+  Watch(const Options& options, const PacedHooks<Graph>& hooks)
+      : hooks_(hooks), late_limit_(options.late_limit), csv_(options.csv) {}
 
   bool go_on() const { return !too_late(); }
   /// Only slots with deadlines are ever late.
-  std::uint64_t late_in_a_row() const { return trace_.too_late_in_a_row(typename Graph::Rate{}); }
-  bool too_late() const { return trace_.timing().late_in_a_row >= late_limit_; }
+  std::uint64_t late_in_a_row() const { return hooks_.too_late_in_a_row(typename Graph::Rate{}); }
+  bool too_late() const { return hooks_.timing().late_in_a_row >= late_limit_; }
   void reset(std::uint32_t episode, const Observation& observation) const {
     if (!csv_) return;
     if (episode == 0) Table::header(console, observation);
@@ -208,7 +207,7 @@ class Watch : public target::Watch<Graph> {
   const target::RewardCheck<Outcome>& rewards() const { return rewards_; }
 
  private:
-  const PacedTrace<Graph>& trace_;
+  const PacedHooks<Graph>& hooks_;
   target::RewardCheck<Outcome> rewards_;
   std::uint64_t steps_ = 0;
   std::uint64_t late_limit_;
@@ -316,30 +315,30 @@ int run(const char* board) {
     return console.flush(), kSelfTestFailed;
   }
 
-  using BoardTrace = Trace<Graph>;
-  constinit static typename Graph::template Program<BoardTrace> program{};
+  using BoardHooks = Hooks<Graph>;
+  constinit static typename Graph::template Program<BoardHooks> program{};
   if constexpr (kTraces) {
-    program.trace.print(options.trace);
+    program.hooks.print(options.trace);
     if (options.trace)
-      BoardTrace::Text::head(console, traced_graph<Graph>(), options.plan.seed,
+      BoardHooks::Text::head(console, traced_graph<Graph>(), options.plan.seed,
                              options.plan.environment, target::name_of(options.agent), false);
   }
-  program.trace.set_pace(options.pace, Graph::kSafety.max_lateness_ns);
+  program.hooks.set_pace(options.pace, Graph::kSafety.max_lateness_ns);
   if (options.pace != target::Pace::free) start_clock();
   if constexpr (HasTelemetry<Graph>) {
-    if (options.pace != target::Pace::free) program.trace.idle_work.telemetry.start();
+    if (options.pace != target::Pace::free) program.hooks.idle_work.telemetry.start();
   }
-  Watch<Graph> watch(options, program.trace);
+  Watch<Graph> watch(options, program.hooks);
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     return target::act<Graph>(options.agent, key, step, observation, program);
   };
   target::run_episodes<Graph>(options.plan, program, agent, watch);
   const bool too_late = watch.too_late();
   if (too_late) target::step_safely<Graph>(program);
-  if constexpr (kTraces) program.trace.print_end();
+  if constexpr (kTraces) program.hooks.print_end();
   target::stop(program);
   if constexpr (HasTelemetry<Graph>) {
-    if (options.pace == target::Pace::paced) program.trace.idle_work.finish();
+    if (options.pace == target::Pace::paced) program.hooks.idle_work.finish();
   }
 
   print("graph", Graph::kName);
@@ -356,14 +355,14 @@ int run(const char* board) {
   };
   target::for_each_fault(program, print_count);
   watch.rewards().for_each_count(print_count);
-  if (options.pace != target::Pace::free) print_timing(program.trace.timing(), options.pace);
+  if (options.pace != target::Pace::free) print_timing(program.hooks.timing(), options.pace);
   if constexpr (HasTelemetry<Graph>) {
-    if (options.pace != target::Pace::free) print_telemetry(program.trace.idle_work);
+    if (options.pace != target::Pace::free) print_telemetry(program.hooks.idle_work);
   }
   if (too_late)
     print("error: stopped with the safe action, late slots in a row:", options.late_limit);
   console.text("trace hash 0x");
-  console.hex(program.trace.hash());
+  console.hex(program.hooks.hash());
   console.text("\n");
   console.flush();
   if constexpr (HasTelemetry<Graph>) {

@@ -64,14 +64,14 @@ struct IdleWorkOf<Graph> {
 
 /// `Base`, and every message is also offered to its telemetry.
 template <class Base>
-class TelemetryTrace : public Base {
+class TelemetryHooks : public Base {
  public:
-  void episode(std::uint32_t index) {
+  void on_episode(std::uint32_t index) {
     this->idle_work.telemetry.episode(index);
-    Base::episode(index);
+    Base::on_episode(index);
   }
   template <class Message>
-  [[gnu::always_inline]] void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+  [[gnu::always_inline]] void on_message(std::uint32_t channel, Seq seq, const Message& message) {
     Base::operator()(channel, seq, message);
     this->idle_work.telemetry.take(channel, seq, message);
   }

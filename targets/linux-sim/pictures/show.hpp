@@ -18,7 +18,7 @@ void show(const Message& message, Pictures& pictures) {
   }
 }
 
-/// The part of a trace that shows pictures: nothing for a graph without `render:`.
+/// The part of hooks that shows pictures: nothing for a graph without `render:`.
 template <class Graph>
 struct Shows {};
 template <class Graph>

@@ -8,7 +8,7 @@ namespace eagerx::bench {
 
 Seen run_generated(bool policy, std::uint64_t steps) {
   using graphs::pendulum_swing_up::Graph;
-  constinit static Graph::Program<NoTrace> program{};
+  constinit static Graph::Program<NoHooks> program{};
   const auto agent = policy ? target::Agent::policy : target::Agent::zero;
   Graph::States states;
   states.pendulum_model_state = Array<float, 2>{{kTheta, kThetaDot}};

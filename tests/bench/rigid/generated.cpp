@@ -9,7 +9,7 @@ namespace eagerx::bench {
 
 Seen pendulum_generated(std::uint64_t steps) {
   using graphs::rigid_pendulum::Graph;
-  constinit static Graph::Program<NoTrace> program{};
+  constinit static Graph::Program<NoHooks> program{};
   Graph::States states;
   states.pendulum_model_state = Array<float, 2>{{kTheta, kThetaDot}};
   Graph::Observation observation = program.reset(states);
@@ -20,7 +20,7 @@ Seen pendulum_generated(std::uint64_t steps) {
 
 Seen box_generated(std::uint64_t steps) {
   using graphs::rigid_box::Graph;
-  constinit static Graph::Program<NoTrace> program{};
+  constinit static Graph::Program<NoHooks> program{};
   Graph::States states;
   states.box_pose = Array<float, 7>{{0.0F, 0.0F, 0.05F, 1.0F}};
   states.box_twist = Array<float, 6>{};

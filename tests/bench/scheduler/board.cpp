@@ -52,7 +52,7 @@ template <std::uint32_t Size>
   return hundredths(500, [](std::uint32_t) { call<Size>(); }) / kNodes;
 }
 
-graphs::GRAPH::Program<eagerx::NoTrace> program;
+graphs::GRAPH::Program<eagerx::NoHooks> program;
 
 /// The schedule alone: the guard of an action takes 2 to 3 instructions more.
 [[gnu::noinline]] void step(std::uint32_t drive) {

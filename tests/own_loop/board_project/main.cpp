@@ -20,8 +20,8 @@ static void say(const char* name, unsigned long long value) {
 #endif
 
 static constexpr std::uint32_t kFaults = 10'000;
-static constinit graphs::servo::Program<own_loop::CountingTrace> servo{};
-static constinit graphs::arm::Program<own_loop::CountingTrace> arm{};
+static constinit graphs::servo::Program<own_loop::CountingHooks> servo{};
+static constinit graphs::arm::Program<own_loop::CountingHooks> arm{};
 
 template <class Limits, class Program>
 static bool try_faults(Program& program, std::uint32_t frozen_after) {

@@ -14,9 +14,9 @@ namespace controller = graphs::swing_up_controller;
 struct Watch {
   float theta = 0.0F, theta_dot = 0.0F, voltage = 0.0F;
 
-  void episode(std::uint32_t /*index*/) {}
+  void on_episode(std::uint32_t /*index*/) {}
   template <class Message>
-  void operator()(std::uint32_t channel, eagerx::Seq /*seq*/, const Message& message) {
+  void on_message(std::uint32_t channel, eagerx::Seq /*seq*/, const Message& message) {
     const float value = static_cast<float>(eagerx::element(message, 0));
     if (channel == simulation::channel::pendulum_theta_observation) theta = value;
     if (channel == simulation::channel::pendulum_theta_dot_observation) theta_dot = value;
@@ -30,14 +30,14 @@ int main() {
   simulation::Observation seen = plant.reset(simulation::Graph::draw({1, 0, 0}));
   program.reset({});
   for (int step = 0; step < 450; ++step) {
-    const controller::Action measured{plant.trace.theta, plant.trace.theta_dot};
+    const controller::Action measured{plant.hooks.theta, plant.hooks.theta_dot};
     const float out = program.step(measured).voltage.back()[0];
     seen = plant.step(simulation::Graph::policy(seen));
-    if (std::bit_cast<std::uint32_t>(out) == std::bit_cast<std::uint32_t>(plant.trace.voltage))
+    if (std::bit_cast<std::uint32_t>(out) == std::bit_cast<std::uint32_t>(plant.hooks.voltage))
       continue;
     std::printf("step %d: %a instead of %a\n", step, static_cast<double>(out),
-                static_cast<double>(plant.trace.voltage));
+                static_cast<double>(plant.hooks.voltage));
     return 1;
   }
-  std::printf("theta %.3f rad at the end\n", static_cast<double>(plant.trace.theta));
+  std::printf("theta %.3f rad at the end\n", static_cast<double>(plant.hooks.theta));
 }

@@ -21,9 +21,9 @@ constexpr PartIndex<0> kPart;
 constexpr std::uint32_t kSent = 0, kAnswered = 1;
 
 using Calls = std::vector<std::tuple<std::uint32_t, Seq, std::uint32_t>>;
-struct KeepingTrace {
+struct KeepingHooks {
   Calls lines;
-  void operator()(std::uint32_t channel, Seq seq, std::uint32_t& message) {
+  void on_message(std::uint32_t channel, Seq seq, std::uint32_t& message) {
     lines.emplace_back(channel, seq, message);
   }
 };
@@ -32,7 +32,7 @@ struct KeepingTrace {
 template <std::size_t TraceBytes>
 class Hub {
  public:
-  KeepingTrace trace;
+  KeepingHooks hooks;
   Star<HubEnd> star;
   Star<HubEnd>& link() { return star; }
 
@@ -98,7 +98,7 @@ class Hub {
   Seq taken_ = 0;
   template <class, class, std::size_t, std::size_t, std::size_t>
   friend class Pipeline;
-  Pipeline<Hub, KeepingTrace, 1, 16, TraceBytes> pipeline_{};
+  Pipeline<Hub, KeepingHooks, 1, 16, TraceBytes> pipeline_{};
 };
 
 class LinkPipeline : public ::testing::Test {
@@ -162,7 +162,7 @@ TEST_F(LinkPipeline, ExchangesAreOnTheirWayWhileADelayGivesTime) {
   connect(*hub);
   EXPECT_EQ(hub->run(200, 3), 200U);
   EXPECT_EQ(hub->most_on_way, 4U);
-  EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(200));
+  EXPECT_EQ(hub->hooks.lines, Hub<kEnough>::expected(200));
   EXPECT_EQ(hub->star.link<0>().statistics().exchanges, 200U);
   EXPECT_EQ(hub->star.link<0>().statistics().repeated, 0U);
 }
@@ -172,7 +172,7 @@ TEST_F(LinkPipeline, NeverMoreThanTheLinkHasFramesFor) {
   connect(*hub);
   EXPECT_EQ(hub->run(200, 30), 200U);
   EXPECT_EQ(hub->most_on_way, kDepth);
-  EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(200));
+  EXPECT_EQ(hub->hooks.lines, Hub<kEnough>::expected(200));
 }
 
 TEST_F(LinkPipeline, WithoutADelayEachIsWaitedFor) {
@@ -188,7 +188,7 @@ TEST_F(LinkPipeline, InLockstepNothingIsOnItsWay) {
   hub->star.set_pipelined(false);
   EXPECT_EQ(hub->run(50, 3), 50U);
   EXPECT_EQ(hub->most_on_way, 0U);
-  EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(50));
+  EXPECT_EQ(hub->hooks.lines, Hub<kEnough>::expected(50));
 }
 
 TEST_F(LinkPipeline, WhatIsHeldIsAskedForAndTaken) {
@@ -196,7 +196,7 @@ TEST_F(LinkPipeline, WhatIsHeldIsAskedForAndTaken) {
   connect(*hub);
   EXPECT_EQ(hub->run(3, 3), 3U);
   hub->run_held(3, 20);
-  EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(24));
+  EXPECT_EQ(hub->hooks.lines, Hub<kEnough>::expected(24));
 }
 
 TEST(LinkLate, TheFirstComesAtOnceAndTheOthersInOrder) {
@@ -216,11 +216,11 @@ TEST_F(LinkPipeline, ATraceWithoutRoomWaits) {
     auto small = std::make_unique<Hub<112>>();
     connect(*small);
     EXPECT_EQ(small->run(steps, 3), steps);
-    EXPECT_EQ(small->trace.lines, Hub<112>::expected(steps));
+    EXPECT_EQ(small->hooks.lines, Hub<112>::expected(steps));
     auto odd = std::make_unique<Hub<368>>();
     connect(*odd);
     EXPECT_EQ(odd->run(steps, 3), steps);
-    EXPECT_EQ(odd->trace.lines, Hub<368>::expected(steps));
+    EXPECT_EQ(odd->hooks.lines, Hub<368>::expected(steps));
   }
 }
 
@@ -230,7 +230,7 @@ TEST_F(LinkPipeline, ABadLineChangesNothing) {
     auto hub = std::make_unique<Hub<kEnough>>();
     connect(*hub, {20, 20, 20, 20, 20}, seed);
     EXPECT_EQ(hub->run(60, 3), 60U) << seed;
-    EXPECT_EQ(hub->trace.lines, Hub<kEnough>::expected(60)) << seed;
+    EXPECT_EQ(hub->hooks.lines, Hub<kEnough>::expected(60)) << seed;
     EXPECT_GT(hub->most_on_way, 1U);
     repeated += hub->star.link<0>().statistics().repeated;
   }
@@ -246,7 +246,7 @@ TEST_F(LinkPipeline, NothingBehindWhatDidNotComeIsTold) {
   EXPECT_EQ(hub->star.link<0>().problem(), Problem::no_answer);
   Calls lines = Hub<kEnough>::expected(50);
   lines.emplace_back(kSent, 0, 0);  // before the first that did not come
-  EXPECT_EQ(hub->trace.lines, lines);
+  EXPECT_EQ(hub->hooks.lines, lines);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <eagerx/hooks.hpp>
 #include <eagerx/trace.hpp>
 #include <limits>
 #include <set>
@@ -15,9 +16,9 @@ namespace {
 template <class... Messages>
 std::uint64_t hash_of(const Messages&... messages) {
   HashTrace trace;
-  trace.episode(0);
+  trace.on_episode(0);
   Seq seq = 0;
-  (trace(1, seq++, messages), ...);
+  (trace.on_message(1, seq++, messages), ...);
   return trace.hash();
 }
 
@@ -72,8 +73,8 @@ TEST(HashTrace, NoticesChannelSequenceAndEpisode) {
     for (const std::uint32_t channel : {0U, 1U, 2U}) {
       for (const Seq seq : {Seq{0}, Seq{1}, Seq{1} << 32U}) {
         HashTrace trace;
-        trace.episode(episode);
-        trace(channel, seq, 1.0);
+        trace.on_episode(episode);
+        trace.on_message(channel, seq, 1.0);
         hashes.insert(trace.hash());
       }
     }
@@ -83,14 +84,14 @@ TEST(HashTrace, NoticesChannelSequenceAndEpisode) {
 
 TEST(HashTrace, NoticesWhereEpisodesBegin) {
   HashTrace once;
-  once.episode(0);
-  once(0, 0, 1.0F);
-  once(0, 1, 1.0F);
+  once.on_episode(0);
+  once.on_message(0, 0, 1.0F);
+  once.on_message(0, 1, 1.0F);
   HashTrace twice;
-  twice.episode(0);
-  twice(0, 0, 1.0F);
-  twice.episode(1);
-  twice(0, 1, 1.0F);
+  twice.on_episode(0);
+  twice.on_message(0, 0, 1.0F);
+  twice.on_episode(1);
+  twice.on_message(0, 1, 1.0F);
   EXPECT_NE(once.hash(), twice.hash());
 }
 
@@ -112,20 +113,20 @@ TEST(HashTrace, StartsAsZeroBytes) {
 // A change of this number changes the hash of every recorded run.
 TEST(HashTrace, StaysTheSame) {
   HashTrace trace;
-  trace.episode(3);
-  trace(2, 5, Array<float, 2>{{1.5F, -2.0F}});
-  trace(0, 6, std::int64_t{-7});
+  trace.on_episode(3);
+  trace.on_message(2, 5, Array<float, 2>{{1.5F, -2.0F}});
+  trace.on_message(0, 6, std::int64_t{-7});
   EXPECT_EQ(trace.hash(), 11442126881586188623U);
 }
 
-struct InputTrace {
-  static constexpr bool kInputs = true;
+struct InputHooks {
+  static constexpr bool kSeesInputs = true;
 };
 
-TEST(NoTrace, CostsNothing) {
-  static_assert(std::is_empty_v<NoTrace>);
-  static_assert(!traces_inputs<NoTrace> && !traces_inputs<HashTrace>);
-  static_assert(traces_inputs<InputTrace>);
+TEST(NoHooks, CostsNothing) {
+  static_assert(std::is_empty_v<NoHooks>);
+  static_assert(!sees_inputs<NoHooks> && !sees_inputs<HashTrace>);
+  static_assert(sees_inputs<InputHooks>);
 }
 
 }  // namespace

@@ -20,63 +20,63 @@ struct FakeClock {
 
 constexpr std::int64_t kNsPerMs = 1'000'000;
 
-TEST(PacedTrace, DeadlinesOfAnUnevenRateHoldForYears) {
+TEST(PacedHooks, DeadlinesOfAnUnevenRateHoldForYears) {
   using Uneven = Rate<33'333'333, 1'000'000>;
   FakeClock::now = 1000;
-  PacedTrace<FakeClock> trace;
-  trace.set_pace(Pace::paced, kNsPerMs);
-  trace.slot(Uneven{}, 0);
+  PacedHooks<FakeClock> hooks;
+  hooks.set_pace(Pace::paced, kNsPerMs);
+  hooks.wait_for_slot(Uneven{}, 0);
   std::uint64_t before = FakeClock::now;
   constexpr Seq kYear = 33'333'333ULL * 365 * 24 * 36 / 10;
   for (const Seq tick : {Seq{1}, Seq{109'802}, Seq{109'803}, kYear, kYear + 1}) {
-    trace.slot(Uneven{}, tick);
+    hooks.wait_for_slot(Uneven{}, tick);
     EXPECT_GT(FakeClock::now, before) << tick;
     before = FakeClock::now;
   }
   const auto seconds = static_cast<double>(FakeClock::now - 1000) / FakeClock::hz();
   EXPECT_NEAR(seconds, static_cast<double>(kYear + 1) / 33.333333, 1e-3);
-  EXPECT_EQ(trace.timing().late, 0U);
+  EXPECT_EQ(hooks.timing().late, 0U);
 }
 
-TEST(PacedTrace, AnEpisodeBeginsInTime) {
-  PacedTrace<FakeClock> trace;
-  trace.set_pace(Pace::paced, kNsPerMs);
-  trace.slot(Rate<10>{}, 0);
+TEST(PacedHooks, AnEpisodeBeginsInTime) {
+  PacedHooks<FakeClock> hooks;
+  hooks.set_pace(Pace::paced, kNsPerMs);
+  hooks.wait_for_slot(Rate<10>{}, 0);
   FakeClock::now += FakeClock::hz();
-  trace.slot(Rate<10>{}, 1);
-  EXPECT_EQ(trace.timing().late_in_a_row, 1U);
-  EXPECT_EQ(trace.timing().too_late_in_a_row, 1U);
-  trace.slot(Rate<10>{}, 0);
-  EXPECT_EQ(trace.timing().late_in_a_row, 0U);
-  EXPECT_EQ(trace.timing().too_late_in_a_row, 0U);
-  EXPECT_EQ(trace.timing().late, 1U) << "it is counted";
+  hooks.wait_for_slot(Rate<10>{}, 1);
+  EXPECT_EQ(hooks.timing().late_in_a_row, 1U);
+  EXPECT_EQ(hooks.timing().too_late_in_a_row, 1U);
+  hooks.wait_for_slot(Rate<10>{}, 0);
+  EXPECT_EQ(hooks.timing().late_in_a_row, 0U);
+  EXPECT_EQ(hooks.timing().too_late_in_a_row, 0U);
+  EXPECT_EQ(hooks.timing().late, 1U) << "it is counted";
 }
 
-TEST(PacedTrace, APauseIsSeenBeforeTheAnswerIsApplied) {
+TEST(PacedHooks, APauseIsSeenBeforeTheAnswerIsApplied) {
   for (const bool asleep : {true, false}) {
-    PacedTrace<FakeClock> trace;
-    trace.set_pace(Pace::paced, 100 * kNsPerMs);
-    trace.slot(Rate<10>{}, 0);
+    PacedHooks<FakeClock> hooks;
+    hooks.set_pace(Pace::paced, 100 * kNsPerMs);
+    hooks.wait_for_slot(Rate<10>{}, 0);
     if (asleep) FakeClock::stopped = FakeClock::hz();
-    trace.slot(Rate<10>{}, 1);
+    hooks.wait_for_slot(Rate<10>{}, 1);
     if (!asleep) FakeClock::now += FakeClock::hz();  // while the agent decides
-    EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 10U) << "a second of 100 ms each";
-    trace.slot(Rate<10>{}, 12);
-    EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 0U);
+    EXPECT_EQ(hooks.too_late_in_a_row(Rate<10>{}), 10U) << "a second of 100 ms each";
+    hooks.wait_for_slot(Rate<10>{}, 12);
+    EXPECT_EQ(hooks.too_late_in_a_row(Rate<10>{}), 0U);
   }
 }
 
-TEST(PacedTrace, AnAnswerHasAPeriod) {
-  PacedTrace<FakeClock> trace;
-  trace.set_pace(Pace::paced, kNsPerMs);
-  trace.slot(Rate<10>{}, 0);
-  trace.slot(Rate<10>{}, 1);
+TEST(PacedHooks, AnAnswerHasAPeriod) {
+  PacedHooks<FakeClock> hooks;
+  hooks.set_pace(Pace::paced, kNsPerMs);
+  hooks.wait_for_slot(Rate<10>{}, 0);
+  hooks.wait_for_slot(Rate<10>{}, 1);
   FakeClock::now += FakeClock::hz() / 10;
-  EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 0U);
+  EXPECT_EQ(hooks.too_late_in_a_row(Rate<10>{}), 0U);
   FakeClock::now += 1;
-  EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 1U);
-  trace.set_pace(Pace::measured, kNsPerMs);
-  EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 0U) << "nothing is held to a deadline";
+  EXPECT_EQ(hooks.too_late_in_a_row(Rate<10>{}), 1U);
+  hooks.set_pace(Pace::measured, kNsPerMs);
+  EXPECT_EQ(hooks.too_late_in_a_row(Rate<10>{}), 0U) << "nothing is held to a deadline";
 }
 
 /// The same clock in nanoseconds.

@@ -16,8 +16,8 @@
 namespace graphs::multi_rate {
 
 struct Graph : Limits {
-  template <class Trace>
-  using Program = graphs::multi_rate::Program<Trace>;
+  template <class Hooks>
+  using Program = graphs::multi_rate::Program<Hooks>;
   using States = graphs::multi_rate::States;
   using Rate = eagerx::Rate<10>;  // of the environment
 

@@ -10,9 +10,9 @@
 #include <eagerx/cursor.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
+#include <eagerx/hooks.hpp>
 #include <eagerx/memory_fault.hpp>
 #include <eagerx/schedule.hpp>
-#include <eagerx/trace.hpp>
 
 #include "multi_rate/io.hpp"
 #include "multi_rate/limits.hpp"
@@ -20,10 +20,10 @@
 namespace graphs::multi_rate {
 
 /// The whole graph in one object: no heap, all zero until the first reset. A step is 0.1 s.
-template <class Trace = eagerx::NoTrace>
+template <class Hooks = eagerx::NoHooks>
 class Program {
  public:
-  [[no_unique_address]] Trace trace;
+  [[no_unique_address]] Hooks hooks;
   /// Between the agent and the actuators; step() asks it.
   eagerx::Guard<Limits> guard{};
 
@@ -34,20 +34,20 @@ class Program {
       return;
     }
     warm_ = true;
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       eagerx::start(engine_, left_simulator_, right_simulator_);
     }
   }
   /// At the end of a run: an engine of real hardware lets it come to rest.
   void stop() {
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       eagerx::stop(engine_, left_simulator_, right_simulator_);
     }
   }
   /// Outside of a step, when what decides is silent or about to stop: an engine of real hardware
   /// applies its safe actions.
   void make_safe() {
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       eagerx::make_safe(engine_, left_simulator_, right_simulator_);
     }
   }
@@ -92,7 +92,7 @@ class Program {
       warm_up();
       started_ = true;
     }
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       if (states.left_model_state) {
         LeftModelState::reset(*states.left_model_state, left_simulator_);
       }
@@ -129,7 +129,7 @@ class Program {
     observation_other_cursor_.reset(2);  // 1/15 s
     slow_signal_cursor_.reset(3);        // 0.12 s
     right_u_applied_action_applied_cursor_.reset(0);
-    before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    run_before_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }
   /// Steps that found their place in the schedule to be none: something had written over it.
@@ -151,48 +151,48 @@ class Program {
     // actions.voltage
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_voltage = action.voltage;
-    trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
+    hooks.on_message(channel::environment_voltage, n10Hz_ - 1, new_voltage);
     // actions.push
     auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_push = action.push;
-    trace(channel::environment_push, n10Hz_ - 1, new_push);
+    hooks.on_message(channel::environment_push, n10Hz_ - 1, new_push);
     if (slot_ >= 12) {
       return memory_fault();
     }
     // The slot of the last observation continues, then come those up to the next.
-    switch (kKindAt[slot_]) {
-      case 0:
-        after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    switch (Slot{kSlotAt[slot_]}) {
+      case Slot::due_60Hz_30Hz_20Hz_15Hz_10Hz:
+        run_after_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
         break;
-      case 5:
-        after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+      case Slot::due_60Hz_30Hz_20Hz_10Hz:
+        run_after_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
         break;
       default:
         return memory_fault();
     }
     for (std::uint32_t at = slot_ + 1; at < 12; ++at) {
-      switch (kKindAt[at]) {
-        case 1:
-          slot(eagerx::Constant<k60Hz>{});
+      switch (Slot{kSlotAt[at]}) {
+        case Slot::due_60Hz:
+          run_slot(eagerx::Constant<k60Hz>{});
           break;
-        case 2:
-          slot(eagerx::Constant<k60Hz | k30Hz>{});
+        case Slot::due_60Hz_30Hz:
+          run_slot(eagerx::Constant<k60Hz | k30Hz>{});
           break;
-        case 3:
-          slot(eagerx::Constant<k60Hz | k20Hz>{});
+        case Slot::due_60Hz_20Hz:
+          run_slot(eagerx::Constant<k60Hz | k20Hz>{});
           break;
-        case 4:
-          slot(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
+        case Slot::due_60Hz_30Hz_15Hz:
+          run_slot(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
           break;
-        default:  // 5
+        default:  // Slot::due_60Hz_30Hz_20Hz_10Hz
           slot_ = at;
-          before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+          run_before_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
           return observe();
       }
     }
     // All rates are due again: the first slot.
     slot_ = 0;
-    before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    run_before_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }
 
@@ -221,49 +221,49 @@ class Program {
 
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
-  void before(const Mask due) {
+  void run_before_action(const Mask due) {
     if ((due & k60Hz) != 0) {
       ++n60Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<60>{}, n60Hz_ - 1);
       }
     }
     if ((due & k30Hz) != 0) {
       ++n30Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<30>{}, n30Hz_ - 1);
       }
     }
     if ((due & k20Hz) != 0) {
       ++n20Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<20>{}, n20Hz_ - 1);
       }
     }
     if ((due & k15Hz) != 0) {
       ++n15Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<15>{}, n15Hz_ - 1);
       }
     }
     if ((due & k10Hz) != 0) {
       ++n10Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<10>{}, n10Hz_ - 1);
       }
     }
     if ((due & k60Hz) != 0) {
       const eagerx::Seq n = n60Hz_ - 1;
       // engine: OdeEngine
       {
-        if (n > 0 && eagerx::runs_engine(trace)) {
+        if (n > 0 && eagerx::runs_engine(hooks)) {
           engine_.callback(eagerx::Tick{n}, left_simulator_, right_simulator_);
         }
         engine_tick_[0] = static_cast<std::int64_t>(n);
-        trace(channel::engine_tick, n, engine_tick_[0]);
-        if constexpr (eagerx::traces_simulators<Trace>) {
-          trace.simulator("left", n, left_simulator_);
-          trace.simulator("right", n, right_simulator_);
+        hooks.on_message(channel::engine_tick, n, engine_tick_[0]);
+        if constexpr (eagerx::sees_simulators<Hooks>) {
+          hooks.on_simulator("left", n, left_simulator_);
+          hooks.on_simulator("right", n, right_simulator_);
         }
       }
     }
@@ -275,12 +275,12 @@ class Program {
         auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
         eagerx::Array<float, 1> raw_filtered{};
         FastIo::Outputs out{.filtered = raw_filtered};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("fast", FastIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("fast", FastIo::Rate{}, n, in);
         }
         fast_.callback(eagerx::Tick{n}, in, out);
         new_filtered = FastFilteredProcessor::convert(raw_filtered);
-        trace(channel::fast_filtered, n, new_filtered);
+        hooks.on_message(channel::fast_filtered, n, new_filtered);
         right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
       }
       // right/u_applied: ActionApplied
@@ -290,11 +290,12 @@ class Program {
             .action_applied = {right_u_action_applied_,
                                right_u_applied_action_applied_cursor_.take()}};
         RightUAppliedIo::Outputs out{.action_applied = right_u_applied_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("right/u_applied", RightUAppliedIo::Rate{}, n, in);
         }
         right_u_applied_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        trace(channel::right_u_applied_action_applied, n, right_u_applied_action_applied_[0]);
+        hooks.on_message(channel::right_u_applied_action_applied, n,
+                         right_u_applied_action_applied_[0]);
       }
     }
     if ((due & k20Hz) != 0) {
@@ -303,21 +304,21 @@ class Program {
       {
         const LeftXIo::Inputs in{.tick = {engine_tick_, n60Hz_}};
         LeftXIo::Outputs out{.observation = left_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/x", LeftXIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/x", LeftXIo::Rate{}, n, in);
         }
         left_x_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        trace(channel::left_x_observation, n, left_x_observation_[0]);
+        hooks.on_message(channel::left_x_observation, n, left_x_observation_[0]);
       }
       // left/theta: FloatOutput
       {
         const LeftThetaIo::Inputs in{.observation_array = {left_x_observation_, n20Hz_}};
         LeftThetaIo::Outputs out{.observation = left_theta_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/theta", LeftThetaIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/theta", LeftThetaIo::Rate{}, n, in);
         }
         left_theta_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        trace(channel::left_theta_observation, n, left_theta_observation_[0]);
+        hooks.on_message(channel::left_theta_observation, n, left_theta_observation_[0]);
         observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
       }
@@ -326,11 +327,11 @@ class Program {
         const RightUIo::Inputs in{.tick = {engine_tick_, n60Hz_},
                                   .action = {right_u_action_, n30Hz_}};
         RightUIo::Outputs out{.action_applied = right_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("right/u", RightUIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("right/u", RightUIo::Rate{}, n, in);
         }
         right_u_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        trace(channel::right_u_action_applied, n, right_u_action_applied_[0]);
+        hooks.on_message(channel::right_u_action_applied, n, right_u_action_applied_[0]);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -341,12 +342,12 @@ class Program {
         auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n)];
         float raw_observation{};
         LeftThetaDotIo::Outputs out{.observation = raw_observation};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n, in);
         }
         left_theta_dot_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
-        trace(channel::left_theta_dot_observation, n, new_observation);
+        hooks.on_message(channel::left_theta_dot_observation, n, new_observation);
       }
     }
     if ((due & k15Hz) != 0) {
@@ -355,22 +356,22 @@ class Program {
       {
         const RightXIo::Inputs in{.tick = {engine_tick_, n60Hz_}};
         RightXIo::Outputs out{.observation = right_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("right/x", RightXIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("right/x", RightXIo::Rate{}, n, in);
         }
         right_x_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        trace(channel::right_x_observation, n, right_x_observation_[0]);
+        hooks.on_message(channel::right_x_observation, n, right_x_observation_[0]);
       }
       // right/theta: FloatOutput
       {
         const RightThetaIo::Inputs in{.observation_array = {right_x_observation_, n15Hz_}};
         auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n)];
         RightThetaIo::Outputs out{.observation = new_observation};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("right/theta", RightThetaIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("right/theta", RightThetaIo::Rate{}, n, in);
         }
         right_theta_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        trace(channel::right_theta_observation, n, new_observation);
+        hooks.on_message(channel::right_theta_observation, n, new_observation);
       }
     }
     if ((due & k10Hz) != 0) {
@@ -381,18 +382,18 @@ class Program {
                                         .action_applied = {left_u_action_applied_, n30Hz_ - 1}};
         auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n)];
         LeftUAppliedIo::Outputs out{.action_applied = new_action_applied};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/u_applied", LeftUAppliedIo::Rate{}, n, in);
         }
         left_u_applied_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        trace(channel::left_u_applied_action_applied, n, new_action_applied);
+        hooks.on_message(channel::left_u_applied_action_applied, n, new_action_applied);
       }
     }
   }
 
   // From the environment on: everything that needs its action.
   template <class Mask>
-  void after(const Mask due) {
+  void run_after_action(const Mask due) {
     if ((due & k20Hz) != 0) {
       const eagerx::Seq n = n20Hz_ - 1;
       // slow: ButterworthFilter
@@ -400,11 +401,11 @@ class Program {
         const SlowIo::Inputs in{.signal = {action_voltage_, slow_signal_cursor_.take()}};
         auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n)];
         SlowIo::Outputs out{.filtered = new_filtered};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("slow", SlowIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("slow", SlowIo::Rate{}, n, in);
         }
         slow_.callback(eagerx::Tick{n}, in, out);
-        trace(channel::slow_filtered, n, new_filtered);
+        hooks.on_message(channel::slow_filtered, n, new_filtered);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -414,20 +415,20 @@ class Program {
         const LeftUIo::Inputs in{.tick = {engine_tick_, n60Hz_},
                                  .action = {slow_filtered_, n20Hz_}};
         LeftUIo::Outputs out{.action_applied = left_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/u", LeftUIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/u", LeftUIo::Rate{}, n, in);
         }
         left_u_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        trace(channel::left_u_action_applied, n, left_u_action_applied_[0]);
+        hooks.on_message(channel::left_u_action_applied, n, left_u_action_applied_[0]);
       }
     }
   }
 
   // A slot without the environment.
   template <class Mask>
-  void slot(const Mask due) {
-    before(due);
-    after(due);
+  void run_slot(const Mask due) {
+    run_before_action(due);
+    run_after_action(due);
   }
 
   // What the environment sees.
@@ -439,14 +440,23 @@ class Program {
         .applied = {left_u_applied_action_applied_, n10Hz_ - 1},
         .other = {right_theta_observation_, observation_other_cursor_.take()}};
     guard.see(observation);
-    if constexpr (eagerx::traces_inputs<Trace>) {
-      trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
+    if constexpr (eagerx::sees_inputs<Hooks>) {
+      hooks.on_inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
     }
     return observation;
   }
 
-  // The kind of every slot.
-  static constexpr std::uint8_t kKindAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
+  // The kinds of slots: the rates that are due.
+  enum class Slot : std::uint8_t {
+    due_60Hz_30Hz_20Hz_15Hz_10Hz,
+    due_60Hz,
+    due_60Hz_30Hz,
+    due_60Hz_20Hz,
+    due_60Hz_30Hz_15Hz,
+    due_60Hz_30Hz_20Hz_10Hz,
+  };
+  // The kind of every slot, by its number in Slot.
+  static constexpr std::uint8_t kSlotAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
   std::uint32_t slot_ = 0;  // of the last observation
 
   // The place in the schedule is none: something wrote over it. The engine makes itself safe, and

@@ -17,8 +17,8 @@
 namespace graphs::pendulum_swing_up {
 
 struct Graph : Limits {
-  template <class Trace>
-  using Program = graphs::pendulum_swing_up::Program<Trace>;
+  template <class Hooks>
+  using Program = graphs::pendulum_swing_up::Program<Hooks>;
   using States = graphs::pendulum_swing_up::States;
   using Rate = eagerx::Rate<30>;  // of the environment
 

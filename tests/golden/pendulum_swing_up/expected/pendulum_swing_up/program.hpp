@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
+#include <eagerx/hooks.hpp>
 #include <eagerx/render.hpp>
 #include <eagerx/schedule.hpp>
-#include <eagerx/trace.hpp>
 
 #include "pendulum_swing_up/io.hpp"
 #include "pendulum_swing_up/limits.hpp"
@@ -18,10 +18,10 @@
 namespace graphs::pendulum_swing_up {
 
 /// The whole graph in one object: no heap, all zero until the first reset. A step is 1/30 s.
-template <class Trace = eagerx::NoTrace>
+template <class Hooks = eagerx::NoHooks>
 class Program {
  public:
-  [[no_unique_address]] Trace trace;
+  [[no_unique_address]] Hooks hooks;
   /// Between the agent and the actuators; step() asks it.
   eagerx::Guard<Limits> guard{};
 
@@ -32,20 +32,20 @@ class Program {
       return;
     }
     warm_ = true;
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       eagerx::start(engine_, pendulum_simulator_);
     }
   }
   /// At the end of a run: an engine of real hardware lets it come to rest.
   void stop() {
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       eagerx::stop(engine_, pendulum_simulator_);
     }
   }
   /// Outside of a step, when what decides is silent or about to stop: an engine of real hardware
   /// applies its safe actions.
   void make_safe() {
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       eagerx::make_safe(engine_, pendulum_simulator_);
     }
   }
@@ -78,7 +78,7 @@ class Program {
       warm_up();
       started_ = true;
     }
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       if (states.pendulum_model_state) {
         PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
       }
@@ -96,16 +96,16 @@ class Program {
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
     pendulum_theta_.reset({}, pendulum_simulator_);
-    if constexpr (eagerx::can_draw<Trace>) {
+    if constexpr (eagerx::can_draw<Hooks>) {
       drawing_.pendulum_scene_.reset({}, pendulum_simulator_);
     }
     pendulum_theta_dot_.reset({}, pendulum_simulator_);
-    if constexpr (eagerx::can_draw<Trace>) {
+    if constexpr (eagerx::can_draw<Hooks>) {
       drawing_.render_.reset({});
     }
     smooth_.reset({});
     pendulum_u_.reset({}, pendulum_simulator_);
-    before(eagerx::Constant<k30Hz>{});
+    run_before_action(eagerx::Constant<k30Hz>{});
     return observe();
   }
 
@@ -124,9 +124,9 @@ class Program {
     }
     // actions.voltage
     action_voltage_[0] = action.voltage;
-    trace(channel::environment_voltage, n30Hz_ - 1, action_voltage_[0]);
-    after(eagerx::Constant<k30Hz>{});
-    before(eagerx::Constant<k30Hz>{});
+    hooks.on_message(channel::environment_voltage, n30Hz_ - 1, action_voltage_[0]);
+    run_after_action(eagerx::Constant<k30Hz>{});
+    run_before_action(eagerx::Constant<k30Hz>{});
     return observe();
   }
 
@@ -148,22 +148,22 @@ class Program {
 
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
-  void before([[maybe_unused]] const Mask due) {
+  void run_before_action([[maybe_unused]] const Mask due) {
     ++n30Hz_;
-    if constexpr (eagerx::waits_for_slots<Trace>) {
-      trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+    if constexpr (eagerx::waits_for_slots<Hooks>) {
+      hooks.wait_for_slot(eagerx::Rate<30>{}, n30Hz_ - 1);
     }
     {
       const eagerx::Seq n = n30Hz_ - 1;
       // engine: OdeEngine
       {
-        if (n > 0 && eagerx::runs_engine(trace)) {
+        if (n > 0 && eagerx::runs_engine(hooks)) {
           engine_.callback(eagerx::Tick{n}, pendulum_simulator_);
         }
         engine_tick_[0] = static_cast<std::int64_t>(n);
-        trace(channel::engine_tick, n, engine_tick_[0]);
-        if constexpr (eagerx::traces_simulators<Trace>) {
-          trace.simulator("pendulum", n, pendulum_simulator_);
+        hooks.on_message(channel::engine_tick, n, engine_tick_[0]);
+        if constexpr (eagerx::sees_simulators<Hooks>) {
+          hooks.on_simulator("pendulum", n, pendulum_simulator_);
         }
       }
       // pendulum/u_applied: ActionApplied
@@ -172,40 +172,41 @@ class Program {
             .tick = {engine_tick_, n30Hz_},
             .action_applied = {pendulum_u_action_applied_, n30Hz_ - 1}};
         PendulumUAppliedIo::Outputs out{.action_applied = pendulum_u_applied_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("pendulum/u_applied", PendulumUAppliedIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("pendulum/u_applied", PendulumUAppliedIo::Rate{}, n, in);
         }
         pendulum_u_applied_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_u_applied_action_applied, n, pendulum_u_applied_action_applied_[0]);
+        hooks.on_message(channel::pendulum_u_applied_action_applied, n,
+                         pendulum_u_applied_action_applied_[0]);
       }
       // pendulum/x: OdeOutput
       {
         const PendulumXIo::Inputs in{.tick = {engine_tick_, n30Hz_}};
         PendulumXIo::Outputs out{.observation = pendulum_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("pendulum/x", PendulumXIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("pendulum/x", PendulumXIo::Rate{}, n, in);
         }
         pendulum_x_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_x_observation, n, pendulum_x_observation_[0]);
+        hooks.on_message(channel::pendulum_x_observation, n, pendulum_x_observation_[0]);
       }
       // pendulum/theta: FloatOutput
       {
         const PendulumThetaIo::Inputs in{.observation_array = {pendulum_x_observation_, n30Hz_}};
         PendulumThetaIo::Outputs out{.observation = pendulum_theta_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("pendulum/theta", PendulumThetaIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("pendulum/theta", PendulumThetaIo::Rate{}, n, in);
         }
         pendulum_theta_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_theta_observation, n, pendulum_theta_observation_[0]);
+        hooks.on_message(channel::pendulum_theta_observation, n, pendulum_theta_observation_[0]);
         observation_angle_[0] = ObservationAngleProcessor::convert(pendulum_theta_observation_[0]);
       }
       // pendulum/scene: PendulumDrawing
-      if constexpr (eagerx::can_draw<Trace>) {
-        if (trace.draws()) {
+      if constexpr (eagerx::can_draw<Hooks>) {
+        if (hooks.draws()) {
           const PendulumSceneIo::Inputs in{.angle = {pendulum_theta_observation_, n30Hz_}};
           PendulumSceneIo::Outputs out{.scene = drawing_.pendulum_scene_scene_[0]};
-          if constexpr (eagerx::traces_inputs<Trace>) {
-            trace.inputs("pendulum/scene", PendulumSceneIo::Rate{}, n, in);
+          if constexpr (eagerx::sees_inputs<Hooks>) {
+            hooks.on_inputs("pendulum/scene", PendulumSceneIo::Rate{}, n, in);
           }
           drawing_.pendulum_scene_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         }
@@ -214,21 +215,22 @@ class Program {
       {
         const PendulumThetaDotIo::Inputs in{.observation_array = {pendulum_x_observation_, n30Hz_}};
         PendulumThetaDotIo::Outputs out{.observation = pendulum_theta_dot_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n, in);
         }
         pendulum_theta_dot_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_theta_dot_observation, n, pendulum_theta_dot_observation_[0]);
+        hooks.on_message(channel::pendulum_theta_dot_observation, n,
+                         pendulum_theta_dot_observation_[0]);
       }
       // render: Render
-      if constexpr (eagerx::can_draw<Trace>) {
-        if (trace.draws()) {
+      if constexpr (eagerx::can_draw<Hooks>) {
+        if (hooks.draws()) {
           const RenderIo::Inputs in{.source = {drawing_.pendulum_scene_scene_, n30Hz_}};
           RenderIo::Outputs out{};
-          if constexpr (eagerx::traces_inputs<Trace>) {
-            trace.inputs("render", RenderIo::Rate{}, n, in);
+          if constexpr (eagerx::sees_inputs<Hooks>) {
+            hooks.on_inputs("render", RenderIo::Rate{}, n, in);
           }
-          drawing_.render_.callback(eagerx::Tick{n}, in, out, trace);
+          drawing_.render_.callback(eagerx::Tick{n}, in, out, hooks);
         }
       }
     }
@@ -236,29 +238,29 @@ class Program {
 
   // From the environment on: everything that needs its action.
   template <class Mask>
-  void after([[maybe_unused]] const Mask due) {
+  void run_after_action([[maybe_unused]] const Mask due) {
     {
       const eagerx::Seq n = n30Hz_ - 1;
       // smooth: ButterworthFilter
       {
         const SmoothIo::Inputs in{.signal = {action_voltage_, n30Hz_}};
         SmoothIo::Outputs out{.filtered = smooth_filtered_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("smooth", SmoothIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("smooth", SmoothIo::Rate{}, n, in);
         }
         smooth_.callback(eagerx::Tick{n}, in, out);
-        trace(channel::smooth_filtered, n, smooth_filtered_[0]);
+        hooks.on_message(channel::smooth_filtered, n, smooth_filtered_[0]);
       }
       // pendulum/u: OdeInput
       {
         const PendulumUIo::Inputs in{.tick = {engine_tick_, n30Hz_},
                                      .action = {smooth_filtered_, n30Hz_}};
         PendulumUIo::Outputs out{.action_applied = pendulum_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("pendulum/u", PendulumUIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("pendulum/u", PendulumUIo::Rate{}, n, in);
         }
         pendulum_u_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_u_action_applied, n, pendulum_u_action_applied_[0]);
+        hooks.on_message(channel::pendulum_u_action_applied, n, pendulum_u_action_applied_[0]);
       }
     }
   }
@@ -268,8 +270,8 @@ class Program {
     const Observation observation{.angle = {observation_angle_, n30Hz_},
                                   .theta_dot = {pendulum_theta_dot_observation_, n30Hz_}};
     guard.see(observation);
-    if constexpr (eagerx::traces_inputs<Trace>) {
-      trace.inputs("environment", eagerx::Rate<30>{}, n30Hz_ - 1, observation);
+    if constexpr (eagerx::sees_inputs<Hooks>) {
+      hooks.on_inputs("environment", eagerx::Rate<30>{}, n30Hz_ - 1, observation);
     }
     return observation;
   }
@@ -308,7 +310,7 @@ class Program {
     eagerx::models::PendulumDrawing<PendulumSceneIo> pendulum_scene_{};
     eagerx::Render<RenderIo> render_{};
   };
-  [[no_unique_address]] eagerx::DrawingOf<Trace, Drawing> drawing_{};
+  [[no_unique_address]] eagerx::DrawingOf<Hooks, Drawing> drawing_{};
 };
 
 }  // namespace graphs::pendulum_swing_up

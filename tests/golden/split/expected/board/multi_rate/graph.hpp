@@ -16,8 +16,8 @@
 namespace graphs::multi_rate {
 
 struct Graph : Limits {
-  template <class Trace, class Link>
-  using Program = graphs::multi_rate::Program<Trace, Link>;
+  template <class Hooks, class Link>
+  using Program = graphs::multi_rate::Program<Hooks, Link>;
   /// The link to the hub of this graph.
   struct Link {
     static constexpr const char* kPart = "board";

@@ -10,10 +10,10 @@
 #include <eagerx/cursor.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
+#include <eagerx/hooks.hpp>
 #include <eagerx/link/star.hpp>
 #include <eagerx/memory_fault.hpp>
 #include <eagerx/schedule.hpp>
-#include <eagerx/trace.hpp>
 
 #include "multi_rate/io.hpp"
 #include "multi_rate/limits.hpp"
@@ -22,10 +22,10 @@ namespace graphs::multi_rate {
 
 /// What runs in part `board` of the graph in one object: no heap, all zero until the first reset. A
 /// step is 0.1 s.
-template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
+template <class Hooks = eagerx::NoHooks, class Link = eagerx::link::NoLink>
 class Program {
  public:
-  [[no_unique_address]] Trace trace;
+  [[no_unique_address]] Hooks hooks;
   /// Between the agent and the actuators; step() asks it.
   eagerx::Guard<Limits> guard{};
   /// The link to the hub of this graph; before the first reset.
@@ -45,7 +45,7 @@ class Program {
     observation_speeds_cursor_.reset(2);  // 0.05 s
     observation_recent_new_.reset();
     observation_other_cursor_.reset(2);  // 1/15 s
-    before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    run_before_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }
   /// Steps that found their place in the schedule to be none: something had written over it.
@@ -67,36 +67,36 @@ class Program {
     // actions.voltage
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_voltage = action.voltage;
-    trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
+    hooks.on_message(channel::environment_voltage, n10Hz_ - 1, new_voltage);
     link_->put(new_voltage);
     // actions.push
     auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_push = action.push;
-    trace(channel::environment_push, n10Hz_ - 1, new_push);
+    hooks.on_message(channel::environment_push, n10Hz_ - 1, new_push);
     link_->put(new_push);
     for (std::uint32_t at = slot_ + 1; at < 12; ++at) {
-      switch (kKindAt[at]) {
-        case 1:
-          before(eagerx::Constant<k60Hz>{});
+      switch (Slot{kSlotAt[at]}) {
+        case Slot::due_60Hz:
+          run_before_action(eagerx::Constant<k60Hz>{});
           break;
-        case 2:
-          before(eagerx::Constant<k60Hz | k30Hz>{});
+        case Slot::due_60Hz_30Hz:
+          run_before_action(eagerx::Constant<k60Hz | k30Hz>{});
           break;
-        case 3:
-          before(eagerx::Constant<k60Hz | k20Hz>{});
+        case Slot::due_60Hz_20Hz:
+          run_before_action(eagerx::Constant<k60Hz | k20Hz>{});
           break;
-        case 4:
-          before(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
+        case Slot::due_60Hz_30Hz_15Hz:
+          run_before_action(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
           break;
-        default:  // 5
+        default:  // Slot::due_60Hz_30Hz_20Hz_10Hz
           slot_ = at;
-          before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+          run_before_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
           return observe();
       }
     }
     // All rates are due again: the first slot.
     slot_ = 0;
-    before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    run_before_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }
 
@@ -125,35 +125,35 @@ class Program {
 
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
-  void before(const Mask due) {
+  void run_before_action(const Mask due) {
     if ((due & k60Hz) != 0) {
       ++n60Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<60>{}, n60Hz_ - 1);
       }
     }
     if ((due & k30Hz) != 0) {
       ++n30Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<30>{}, n30Hz_ - 1);
       }
     }
     if ((due & k20Hz) != 0) {
       ++n20Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<20>{}, n20Hz_ - 1);
       }
     }
     if ((due & k15Hz) != 0) {
       ++n15Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<15>{}, n15Hz_ - 1);
       }
     }
     if ((due & k10Hz) != 0) {
       ++n10Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<10>{}, n10Hz_ - 1);
       }
     }
     if (!link_->ok()) {
@@ -167,12 +167,12 @@ class Program {
         auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
         eagerx::Array<float, 1> raw_filtered{};
         FastIo::Outputs out{.filtered = raw_filtered};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("fast", FastIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("fast", FastIo::Rate{}, n, in);
         }
         fast_.callback(eagerx::Tick{n}, in, out);
         new_filtered = FastFilteredProcessor::convert(raw_filtered);
-        trace(channel::fast_filtered, n, new_filtered);
+        hooks.on_message(channel::fast_filtered, n, new_filtered);
         link_->put(new_filtered);
       }
     }
@@ -183,7 +183,7 @@ class Program {
         if (!link_->get(left_theta_observation_[0])) {
           return;
         }
-        trace(channel::left_theta_observation, n, left_theta_observation_[0]);
+        hooks.on_message(channel::left_theta_observation, n, left_theta_observation_[0]);
         observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
       }
@@ -196,7 +196,7 @@ class Program {
         if (!link_->get(new_observation)) {
           return;
         }
-        trace(channel::left_theta_dot_observation, n, new_observation);
+        hooks.on_message(channel::left_theta_dot_observation, n, new_observation);
       }
     }
     if ((due & k15Hz) != 0) {
@@ -207,7 +207,7 @@ class Program {
         if (!link_->get(new_observation)) {
           return;
         }
-        trace(channel::right_theta_observation, n, new_observation);
+        hooks.on_message(channel::right_theta_observation, n, new_observation);
       }
     }
     if ((due & k10Hz) != 0) {
@@ -218,7 +218,7 @@ class Program {
         if (!link_->get(new_action_applied)) {
           return;
         }
-        trace(channel::left_u_applied_action_applied, n, new_action_applied);
+        hooks.on_message(channel::left_u_applied_action_applied, n, new_action_applied);
       }
     }
   }
@@ -232,14 +232,23 @@ class Program {
         .applied = {left_u_applied_action_applied_, n10Hz_ - 1},
         .other = {right_theta_observation_, observation_other_cursor_.take()}};
     guard.see(observation);
-    if constexpr (eagerx::traces_inputs<Trace>) {
-      trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
+    if constexpr (eagerx::sees_inputs<Hooks>) {
+      hooks.on_inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
     }
     return observation;
   }
 
-  // The kind of every slot.
-  static constexpr std::uint8_t kKindAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
+  // The kinds of slots: the rates that are due.
+  enum class Slot : std::uint8_t {
+    due_60Hz_30Hz_20Hz_15Hz_10Hz,
+    due_60Hz,
+    due_60Hz_30Hz,
+    due_60Hz_20Hz,
+    due_60Hz_30Hz_15Hz,
+    due_60Hz_30Hz_20Hz_10Hz,
+  };
+  // The kind of every slot, by its number in Slot.
+  static constexpr std::uint8_t kSlotAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
   std::uint32_t slot_ = 0;  // of the last observation
 
   // The place in the schedule is none: something wrote over it. The engine makes itself safe, and

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <eagerx/cursor.hpp>
 #include <eagerx/engine.hpp>
+#include <eagerx/hooks.hpp>
 #include <eagerx/link/pipeline.hpp>
 #include <eagerx/memory_fault.hpp>
 #include <eagerx/schedule.hpp>
-#include <eagerx/trace.hpp>
 
 #include "multi_rate/io.hpp"
 
@@ -25,15 +25,15 @@ inline constexpr eagerx::link::PartIndex<0> kBoard;
 
 /// What runs in the hub of the graph in one object: no heap, all zero until the first reset. A step
 /// is 0.1 s.
-template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
+template <class Hooks = eagerx::NoHooks, class Link = eagerx::link::NoLink>
 class Program {
  public:
-  [[no_unique_address]] Trace trace;
+  [[no_unique_address]] Hooks hooks;
   /// The links to the parts of this graph; before the first reset.
   void connect(Link& link) { link_ = &link; }
   [[nodiscard]] Link& link() const { return *link_; }
   /// At the end of an episode, and where messages are looked at: waits for those on their way.
-  void settle() { pipe_.settle(*this); }
+  void settle() { pipeline_.settle(*this); }
   /// The action that the part with the agent has sent in the last step, once it is there.
   [[nodiscard]] Action applied() const {
     return {.voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1 - 1)],
@@ -47,20 +47,20 @@ class Program {
       return;
     }
     warm_ = true;
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       eagerx::start(engine_, left_simulator_, right_simulator_);
     }
   }
   /// At the end of a run: an engine of real hardware lets it come to rest.
   void stop() {
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       eagerx::stop(engine_, left_simulator_, right_simulator_);
     }
   }
   /// Outside of a step, when what decides is silent or about to stop: an engine of real hardware
   /// applies its safe actions.
   void make_safe() {
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       eagerx::make_safe(engine_, left_simulator_, right_simulator_);
     }
   }
@@ -107,7 +107,7 @@ class Program {
       warm_up();
       started_ = true;
     }
-    if (eagerx::runs_engine(trace)) {
+    if (eagerx::runs_engine(hooks)) {
       if (states.left_model_state) {
         LeftModelState::reset(*states.left_model_state, left_simulator_);
       }
@@ -143,7 +143,7 @@ class Program {
     observation_other_cursor_.reset(2);  // 1/15 s
     slow_signal_cursor_.reset(3);        // 0.12 s
     right_u_applied_action_applied_cursor_.reset(0);
-    before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    run_before_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }
   /// Steps that found their place in the schedule to be none: something had written over it.
@@ -156,48 +156,49 @@ class Program {
     }
     link_->begin_step();
     // actions
-    if (!pipe_.post(*this, part::kBoard, &Program::take_environment, n10Hz_ - 1,
-                    eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_voltage},
-                    eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_push})) {
+    if (!pipeline_.post(
+            *this, part::kBoard, &Program::take_environment, n10Hz_ - 1,
+            eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_voltage},
+            eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_push})) {
       return observe();
     }
     if (slot_ >= 12) {
       return memory_fault();
     }
     // The slot of the last observation continues, then come those up to the next.
-    switch (kKindAt[slot_]) {
-      case 0:
-        after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    switch (Slot{kSlotAt[slot_]}) {
+      case Slot::due_60Hz_30Hz_20Hz_15Hz_10Hz:
+        run_after_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
         break;
-      case 5:
-        after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+      case Slot::due_60Hz_30Hz_20Hz_10Hz:
+        run_after_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
         break;
       default:
         return memory_fault();
     }
     for (std::uint32_t at = slot_ + 1; at < 12; ++at) {
-      switch (kKindAt[at]) {
-        case 1:
-          slot(eagerx::Constant<k60Hz>{});
+      switch (Slot{kSlotAt[at]}) {
+        case Slot::due_60Hz:
+          run_slot(eagerx::Constant<k60Hz>{});
           break;
-        case 2:
-          slot(eagerx::Constant<k60Hz | k30Hz>{});
+        case Slot::due_60Hz_30Hz:
+          run_slot(eagerx::Constant<k60Hz | k30Hz>{});
           break;
-        case 3:
-          slot(eagerx::Constant<k60Hz | k20Hz>{});
+        case Slot::due_60Hz_20Hz:
+          run_slot(eagerx::Constant<k60Hz | k20Hz>{});
           break;
-        case 4:
-          slot(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
+        case Slot::due_60Hz_30Hz_15Hz:
+          run_slot(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
           break;
-        default:  // 5
+        default:  // Slot::due_60Hz_30Hz_20Hz_10Hz
           slot_ = at;
-          before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+          run_before_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
           return observe();
       }
     }
     // All rates are due again: the first slot.
     slot_ = 0;
-    before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    run_before_action(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }
 
@@ -226,35 +227,35 @@ class Program {
 
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
-  void before(const Mask due) {
+  void run_before_action(const Mask due) {
     if ((due & k60Hz) != 0) {
       ++n60Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<60>{}, n60Hz_ - 1);
       }
     }
     if ((due & k30Hz) != 0) {
       ++n30Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<30>{}, n30Hz_ - 1);
       }
     }
     if ((due & k20Hz) != 0) {
       ++n20Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<20>{}, n20Hz_ - 1);
       }
     }
     if ((due & k15Hz) != 0) {
       ++n15Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<15>{}, n15Hz_ - 1);
       }
     }
     if ((due & k10Hz) != 0) {
       ++n10Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) {
-        trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Hooks>) {
+        hooks.wait_for_slot(eagerx::Rate<10>{}, n10Hz_ - 1);
       }
     }
     if (!link_->ok()) {
@@ -264,14 +265,14 @@ class Program {
       const eagerx::Seq n = n60Hz_ - 1;
       // engine: OdeEngine
       {
-        if (n > 0 && eagerx::runs_engine(trace)) {
+        if (n > 0 && eagerx::runs_engine(hooks)) {
           engine_.callback(eagerx::Tick{n}, left_simulator_, right_simulator_);
         }
         engine_tick_[0] = static_cast<std::int64_t>(n);
-        pipe_.tell(*this, channel::engine_tick, n, engine_tick_[0]);
-        if constexpr (eagerx::traces_simulators<Trace>) {
-          trace.simulator("left", n, left_simulator_);
-          trace.simulator("right", n, right_simulator_);
+        pipeline_.tell(*this, channel::engine_tick, n, engine_tick_[0]);
+        if constexpr (eagerx::sees_simulators<Hooks>) {
+          hooks.on_simulator("left", n, left_simulator_);
+          hooks.on_simulator("right", n, right_simulator_);
         }
       }
     }
@@ -279,8 +280,9 @@ class Program {
       const eagerx::Seq n = n30Hz_ - 1;
       // fast: ButterworthFilter
       {
-        if (!pipe_.post(*this, part::kBoard, &Program::take_fast, n,
-                        eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::fast_filtered})) {
+        if (!pipeline_.post(
+                *this, part::kBoard, &Program::take_fast, n,
+                eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::fast_filtered})) {
           return;
         }
       }
@@ -291,12 +293,12 @@ class Program {
             .action_applied = {right_u_action_applied_,
                                right_u_applied_action_applied_cursor_.take()}};
         RightUAppliedIo::Outputs out{.action_applied = right_u_applied_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("right/u_applied", RightUAppliedIo::Rate{}, n, in);
         }
         right_u_applied_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        pipe_.tell(*this, channel::right_u_applied_action_applied, n,
-                   right_u_applied_action_applied_[0]);
+        pipeline_.tell(*this, channel::right_u_applied_action_applied, n,
+                       right_u_applied_action_applied_[0]);
       }
     }
     if ((due & k20Hz) != 0) {
@@ -305,21 +307,21 @@ class Program {
       {
         const LeftXIo::Inputs in{.tick = {engine_tick_, n60Hz_}};
         LeftXIo::Outputs out{.observation = left_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/x", LeftXIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/x", LeftXIo::Rate{}, n, in);
         }
         left_x_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        pipe_.tell(*this, channel::left_x_observation, n, left_x_observation_[0]);
+        pipeline_.tell(*this, channel::left_x_observation, n, left_x_observation_[0]);
       }
       // left/theta: FloatOutput
       {
         const LeftThetaIo::Inputs in{.observation_array = {left_x_observation_, n20Hz_}};
         LeftThetaIo::Outputs out{.observation = left_theta_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/theta", LeftThetaIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/theta", LeftThetaIo::Rate{}, n, in);
         }
         left_theta_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        pipe_.tell(*this, channel::left_theta_observation, n, left_theta_observation_[0]);
+        pipeline_.tell(*this, channel::left_theta_observation, n, left_theta_observation_[0]);
         observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
         link_->put(part::kBoard, left_theta_observation_[0]);
@@ -328,16 +330,16 @@ class Program {
       {
         const RightUIo::Inputs in{
             .tick = {engine_tick_, n60Hz_},
-            .action = {right_u_action_, pipe_.need(*this, part::kBoard, taken_[1], n30Hz_)}};
+            .action = {right_u_action_, pipeline_.need(*this, part::kBoard, taken_[1], n30Hz_)}};
         if (!link_->ok()) {
           return;
         }
         RightUIo::Outputs out{.action_applied = right_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("right/u", RightUIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("right/u", RightUIo::Rate{}, n, in);
         }
         right_u_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        pipe_.tell(*this, channel::right_u_action_applied, n, right_u_action_applied_[0]);
+        pipeline_.tell(*this, channel::right_u_action_applied, n, right_u_action_applied_[0]);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -348,12 +350,12 @@ class Program {
         auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n)];
         float raw_observation{};
         LeftThetaDotIo::Outputs out{.observation = raw_observation};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n, in);
         }
         left_theta_dot_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
-        pipe_.tell(*this, channel::left_theta_dot_observation, n, new_observation);
+        pipeline_.tell(*this, channel::left_theta_dot_observation, n, new_observation);
         link_->put(part::kBoard, new_observation);
       }
     }
@@ -363,22 +365,22 @@ class Program {
       {
         const RightXIo::Inputs in{.tick = {engine_tick_, n60Hz_}};
         RightXIo::Outputs out{.observation = right_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("right/x", RightXIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("right/x", RightXIo::Rate{}, n, in);
         }
         right_x_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        pipe_.tell(*this, channel::right_x_observation, n, right_x_observation_[0]);
+        pipeline_.tell(*this, channel::right_x_observation, n, right_x_observation_[0]);
       }
       // right/theta: FloatOutput
       {
         const RightThetaIo::Inputs in{.observation_array = {right_x_observation_, n15Hz_}};
         auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n)];
         RightThetaIo::Outputs out{.observation = new_observation};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("right/theta", RightThetaIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("right/theta", RightThetaIo::Rate{}, n, in);
         }
         right_theta_.callback(eagerx::Tick{n}, in, out, right_simulator_);
-        pipe_.tell(*this, channel::right_theta_observation, n, new_observation);
+        pipeline_.tell(*this, channel::right_theta_observation, n, new_observation);
         link_->put(part::kBoard, new_observation);
       }
     }
@@ -390,11 +392,11 @@ class Program {
                                         .action_applied = {left_u_action_applied_, n30Hz_ - 1}};
         auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n)];
         LeftUAppliedIo::Outputs out{.action_applied = new_action_applied};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/u_applied", LeftUAppliedIo::Rate{}, n, in);
         }
         left_u_applied_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        pipe_.tell(*this, channel::left_u_applied_action_applied, n, new_action_applied);
+        pipeline_.tell(*this, channel::left_u_applied_action_applied, n, new_action_applied);
         link_->put(part::kBoard, new_action_applied);
       }
     }
@@ -402,7 +404,7 @@ class Program {
 
   // From the environment on: everything that needs its action.
   template <class Mask>
-  void after(const Mask due) {
+  void run_after_action(const Mask due) {
     if (!link_->ok()) {
       return;
     }
@@ -412,17 +414,17 @@ class Program {
       {
         const SlowIo::Inputs in{
             .signal = {action_voltage_,
-                       pipe_.need(*this, part::kBoard, taken_[0], slow_signal_cursor_.take())}};
+                       pipeline_.need(*this, part::kBoard, taken_[0], slow_signal_cursor_.take())}};
         if (!link_->ok()) {
           return;
         }
         auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n)];
         SlowIo::Outputs out{.filtered = new_filtered};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("slow", SlowIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("slow", SlowIo::Rate{}, n, in);
         }
         slow_.callback(eagerx::Tick{n}, in, out);
-        pipe_.tell(*this, channel::slow_filtered, n, new_filtered);
+        pipeline_.tell(*this, channel::slow_filtered, n, new_filtered);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -432,11 +434,11 @@ class Program {
         const LeftUIo::Inputs in{.tick = {engine_tick_, n60Hz_},
                                  .action = {slow_filtered_, n20Hz_}};
         LeftUIo::Outputs out{.action_applied = left_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) {
-          trace.inputs("left/u", LeftUIo::Rate{}, n, in);
+        if constexpr (eagerx::sees_inputs<Hooks>) {
+          hooks.on_inputs("left/u", LeftUIo::Rate{}, n, in);
         }
         left_u_.callback(eagerx::Tick{n}, in, out, left_simulator_);
-        pipe_.tell(*this, channel::left_u_action_applied, n, left_u_action_applied_[0]);
+        pipeline_.tell(*this, channel::left_u_action_applied, n, left_u_action_applied_[0]);
       }
     }
   }
@@ -448,11 +450,11 @@ class Program {
     if (!link_->get(part::kBoard, channel::environment_voltage, new_voltage)) {
       return false;
     }
-    pipe_.came(*this, record, channel::environment_voltage, n, new_voltage);
+    pipeline_.came(*this, record, channel::environment_voltage, n, new_voltage);
     if (!link_->get(part::kBoard, channel::environment_push, new_push)) {
       return false;
     }
-    pipe_.came(*this, record, channel::environment_push, n, new_push);
+    pipeline_.came(*this, record, channel::environment_push, n, new_push);
     ++taken_[0];
     return true;
   }
@@ -463,7 +465,7 @@ class Program {
     if (!link_->get(part::kBoard, channel::fast_filtered, new_filtered)) {
       return false;
     }
-    pipe_.came(*this, record, channel::fast_filtered, n, new_filtered);
+    pipeline_.came(*this, record, channel::fast_filtered, n, new_filtered);
     right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
     ++taken_[1];
     return true;
@@ -471,9 +473,9 @@ class Program {
 
   // A slot without the environment.
   template <class Mask>
-  void slot(const Mask due) {
-    before(due);
-    after(due);
+  void run_slot(const Mask due) {
+    run_before_action(due);
+    run_after_action(due);
   }
 
   // What the environment sees.
@@ -484,15 +486,24 @@ class Program {
         .recent = {fast_filtered_, observation_recent_new_.take(n30Hz_ - 1)},
         .applied = {left_u_applied_action_applied_, n10Hz_ - 1},
         .other = {right_theta_observation_, observation_other_cursor_.take()}};
-    if constexpr (eagerx::traces_inputs<Trace>) {
+    if constexpr (eagerx::sees_inputs<Hooks>) {
       settle();
-      trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
+      hooks.on_inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
     }
     return observation;
   }
 
-  // The kind of every slot.
-  static constexpr std::uint8_t kKindAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
+  // The kinds of slots: the rates that are due.
+  enum class Slot : std::uint8_t {
+    due_60Hz_30Hz_20Hz_15Hz_10Hz,
+    due_60Hz,
+    due_60Hz_30Hz,
+    due_60Hz_20Hz,
+    due_60Hz_30Hz_15Hz,
+    due_60Hz_30Hz_20Hz_10Hz,
+  };
+  // The kind of every slot, by its number in Slot.
+  static constexpr std::uint8_t kSlotAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
   std::uint32_t slot_ = 0;  // of the last observation
 
   // The place in the schedule is none: something wrote over it. The engine makes itself safe, and
@@ -510,7 +521,7 @@ class Program {
   Link* link_ = nullptr;
   // What parts are asked for and is not read yet, and how many messages of each of their nodes are
   // there.
-  eagerx::link::Pipeline<Program, Trace, 1, 10, 4096> pipe_{};
+  eagerx::link::Pipeline<Program, Hooks, 1, 10, 4096> pipeline_{};
   template <class, class, std::size_t, std::size_t, std::size_t>
   friend class eagerx::link::Pipeline;
   eagerx::Seq taken_[2]{};

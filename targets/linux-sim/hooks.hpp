@@ -1,7 +1,8 @@
-// The traces of programs: what happens to a message besides being sent.
+// The hooks of programs: what happens to a message besides being sent.
 #pragma once
 
 #include <cstdint>
+#include <eagerx/hooks.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
 #include <runtime/host/base/interrupt.hpp>
@@ -14,12 +15,12 @@ namespace eagerx::linux_sim {
 /// No trace, but messages out of their spaces are counted, and a reset that waits ends when there
 /// was a signal, or a stop.
 template <class Graph>
-struct Untraced : NoTrace, Shows<Graph> {
+struct UntracedHooks : NoHooks, Shows<Graph> {
   SpaceCounts* spaces = nullptr;
 
   static bool is_interrupted() { return host::stop_if_requested(), host::ends_reset(); }
   template <class Message>
-  void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+  void on_message(std::uint32_t channel, Seq seq, const Message& message) {
     spaces->see<Graph>(channel, seq, message);
   }
 };
@@ -50,9 +51,9 @@ struct ShowsAndKeeps<Graph> : Shows<Graph> {
 
 /// Folds messages into the hash and shows them to the recorder.
 template <class Graph>
-class Traced : public ShowsAndKeeps<Graph> {
+class TracedHooks : public ShowsAndKeeps<Graph> {
  public:
-  static constexpr bool kSimulators = true;
+  static constexpr bool kSeesSimulators = true;
   using ShowsAndKeeps<Graph>::recorder;
   SpaceCounts* spaces = nullptr;
 
@@ -60,23 +61,23 @@ class Traced : public ShowsAndKeeps<Graph> {
   bool runs_engine() const { return recorder->runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 
-  void episode(std::uint32_t index) {
+  void on_episode(std::uint32_t index) {
     recorder->episode(index);
-    hash_.episode(index);
+    hash_.on_episode(index);
   }
 
   /// Never inlined: a program has a call for each of its messages, and a thousand nodes take 15 %
   /// (g++) to 29 % (clang++) more text when all of them are expanded.
   template <class Message>
-  [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, Message& message) {
+  [[gnu::noinline]] void on_message(std::uint32_t channel, Seq seq, Message& message) {
     if (recorder->takes_part() && !recorder->before(channel, seq, MessageView::of(message))) return;
     spaces->see<Graph>(channel, seq, message);
-    hash_(channel, seq, message);
+    hash_.on_message(channel, seq, message);
     if (recorder->keeps()) recorder->keep(channel, seq, MessageView::of(message));
   }
 
   template <class Simulator>
-  void simulator(const char* object, Seq tick, Simulator& simulator) {
+  void on_simulator(const char* object, Seq tick, Simulator& simulator) {
     if constexpr (identification::HasDynamics<Simulator>) {
       if (recorder->experiments())
         recorder->simulator(object, tick, identification::view_of(simulator));
