@@ -72,7 +72,7 @@ class TelemetryHooks : public Base {
   }
   template <class Message>
   [[gnu::always_inline]] void on_message(std::uint32_t channel, Seq seq, const Message& message) {
-    Base::operator()(channel, seq, message);
+    Base::on_message(channel, seq, message);
     this->idle_work.telemetry.take(channel, seq, message);
   }
 };
