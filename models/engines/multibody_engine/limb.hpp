@@ -1,10 +1,8 @@
-// The links of a limb: how they move, their equations, and the equations without them.
+// The equations of a limb, and the base's equations without it.
 //
-// Composite rigid bodies and Newton-Euler's equations (Featherstone, Rigid Body Dynamics
-// Algorithms, 2008, chapters 5 and 6), in the world's axes. Everything of a link is about its own
-// joint, so that numbers stay small where float is used. The mass matrix is factored as LᵀDL from
-// the tips on, which keeps the zeros of a tree (section 6.5); a limb is eliminated into the base's
-// six equations.
+// Composite rigid bodies (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 6), in the
+// world's axes. The mass matrix is factored as LᵀDL from the tips on, which keeps the zeros of a
+// tree (section 6.5); a limb is eliminated into the base's six equations.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +11,7 @@
 #include <models/engines/multibody_engine/constants.hpp>
 #include <models/engines/multibody_engine/contact.hpp>
 #include <models/engines/multibody_engine/joint_torques.hpp>
+#include <models/engines/multibody_engine/limb_links.hpp>
 #include <models/engines/multibody_engine/moving.hpp>
 #include <models/engines/multibody_engine/spatial.hpp>
 #include <type_traits>
@@ -31,21 +30,39 @@ struct LimbRecord {
   PointRecord<Real, n> points[P == 0 ? 1 : P];
 };
 
+/// f(j) for n links, from the tips on.
+template <std::size_t n, class F>
+[[gnu::always_inline]] inline void each_back(const F& f) {
+  unrolled<n>([&](auto back) __attribute__((always_inline)) {
+    f(std::integral_constant<std::size_t, n - 1 - back>{});
+  });
+}
+
+/// f(i) for link j of a limb and all that carry it, from the base on; each_above() without j.
+template <class Group, std::size_t j, class F>
+[[gnu::always_inline]] inline void each_carrier(const F& f) {
+  unrolled<j + 1>([&](auto i) __attribute__((always_inline)) {
+    if constexpr (Group::carries(i, j)) f(i);
+  });
+}
+template <class Group, std::size_t j, class F>
+[[gnu::always_inline]] inline void each_above(const F& f) {
+  unrolled<j>([&](auto i) __attribute__((always_inline)) {
+    if constexpr (Group::carries(i, j)) f(i);
+  });
+}
+
 /// Limb k of group g while its equations are made.
 template <class Model, std::size_t g, bool kFloating>
-class Limb {
- public:
-  using Real = typename Model::Real;
-  using Lane = LaneOf<Real>;
-  using Group = GroupOf<Model, g>;
-  static constexpr std::size_t n = Group::kSize;
-  using Record = LimbRecord<Real, n, Group::kPoints>;
+class Limb : public LimbLinks<Model, g> {
+  using Links = LimbLinks<Model, g>;
 
-  /// Where links are and how they move, from the base to the tips.
-  template <class State>
-  [[gnu::always_inline]] void move(std::size_t k, const Moving<Real>& base, const State& state) {
-    unrolled<n>([&](auto j) __attribute__((always_inline)) { move_link<j>(k, base, state); });
-  }
+ public:
+  using Links::n;
+  using typename Links::Group;
+  using typename Links::Lane;
+  using typename Links::Real;
+  using Record = LimbRecord<Real, n, Group::kPoints>;
 
   /// Mass matrix and right-hand side, from the tips to the base.
   template <class State>
@@ -56,64 +73,11 @@ class Limb {
       set_masses<j>();
       add_torques<j>(k, state, dt, record);
       if constexpr (constexpr std::size_t up = Group::parent(j); up != kNone) {
-        hand_on(link_[j], link_[up]);
+        hand_on(this->link_[j], this->link_[up]);
       } else if constexpr (kFloating) {
-        hand_on(link_[j], base);
+        hand_on(this->link_[j], base);
       }
     });
-  }
-
-  /// f(link, first point, end): for each link with points.
-  template <class F>
-  [[gnu::always_inline]] static void each_link_with_points(const F& f) {
-    unrolled<n>([&](auto j) __attribute__((always_inline)) {
-      constexpr std::size_t first = Group::points_before(j);
-      constexpr std::size_t end = Group::points_before(j + 1);
-      if constexpr (first < end) f(j, first, end);
-    });
-  }
-
-  /// How a point of link j moves that is at offset(axes of the link).
-  template <std::size_t j, class Offset>
-  [[gnu::always_inline]] PointMotion<Real> point_motion(const Offset& offset, const Real& height,
-                                                        const Vec<Real>& gravity) const {
-    const Moving<Real>& link = link_[j];
-    const Vec<Real> d = offset(link.axes);
-    PointMotion<Real> motion;
-    motion.at = link.at + d;
-    motion.depth = -(height + motion.at.z);
-    motion.velocity = link.velocity + cross(link.spin, d);
-    motion.bias = bias<j>(d, gravity);
-    return motion;
-  }
-  /// The same of a point that touches as `touch` says; velocity and bias in the frame's axes. The
-  /// point stays at the ground while its sphere or rim turns, so the bias is that of the center.
-  template <std::size_t j>
-  [[gnu::always_inline]] PointMotion<Real> point_motion(const Touch<Real>& touch,
-                                                        const Vec<Real>& gravity) const {
-    const Moving<Real>& link = link_[j];
-    return {
-        .at = link.at + touch.at,
-        .velocity = in_axes_of(touch.frame, link.velocity + cross(link.spin, touch.at)),
-        .bias = in_axes_of(touch.frame, bias<j>(touch.center, gravity)),
-        .depth = touch.depth,
-    };
-  }
-  template <std::size_t j>
-  [[nodiscard]] const Moving<Real>& link() const {
-    return link_[j];
-  }
-  template <std::size_t j>
-  [[gnu::always_inline]] Vec<Real> bias(const Vec<Real>& d, const Vec<Real>& gravity) const {
-    const Moving<Real>& link = link_[j];
-    return link.acceleration + gravity + cross(link.spin_acceleration, d) +
-           cross(link.spin, cross(link.spin, d));
-  }
-  /// The velocity of a point of link j for each rad/s of link i, which carries it.
-  template <std::size_t i>
-  [[gnu::always_inline]] Vec<Real> jacobian(const Vec<Real>& at) const {
-    if constexpr (Group::link(0, i).slides) return link_[i].axis;
-    return cross(link_[i].axis, at - link_[i].at);
   }
 
   /// A compliant point of link j, whose force and impedance are known. `axes` are those of the
@@ -123,12 +87,12 @@ class Limb {
                                             BaseEquation<Real>& base, Record& record) {
     const Vec<Real>& c = point.impedance;
     const Vec<Real> force = point.force - scaled(c, point.motion.bias);
-    each_carrier<j>([&](auto i) __attribute__((always_inline)) {
-      point.jacobian[i] = axes.from_world(jacobian<i>(point.motion.at));
+    each_carrier<Group, j>([&](auto i) __attribute__((always_inline)) {
+      point.jacobian[i] = axes.from_world(this->template jacobian<i>(point.motion.at));
     });
-    each_carrier<j>([&](auto i) __attribute__((always_inline)) {
+    each_carrier<Group, j>([&](auto i) __attribute__((always_inline)) {
       const Vec<Real> push = scaled(c, point.jacobian[i]);
-      each_carrier<i>([&](auto up) __attribute__((always_inline)) {
+      each_carrier<Group, i>([&](auto up) __attribute__((always_inline)) {
         mass_[i][up] += dot(push, point.jacobian[up]);
       });
       if constexpr (kFloating) {
@@ -156,11 +120,12 @@ class Limb {
           record.to_base[j][b] = coupling_[j][b] * inverse;
         });
       }
-      each_above<j>([&](auto i) __attribute__((always_inline)) {
+      each_above<Group, j>([&](auto i) __attribute__((always_inline)) {
         const Real l = mass_[j][i] * inverse;
         record.lower[j][i] = l;
-        each_carrier<i>([&](auto up)
-                            __attribute__((always_inline)) { mass_[i][up] -= l * mass_[j][up]; });
+        each_carrier<Group, i>([&](auto up) __attribute__((always_inline)) {
+          mass_[i][up] -= l * mass_[j][up];
+        });
         if constexpr (kFloating) {
           unrolled<6>([&](auto b) __attribute__((always_inline)) {
             coupling_[i][b] -= l * coupling_[j][b];
@@ -173,13 +138,13 @@ class Limb {
       unrolled<6>([&](auto b) __attribute__((always_inline)) {
         unrolled<b + 1>([&](auto c) __attribute__((always_inline)) {
           Real sum = base.a[b][c];
-          each_back([&](auto j) __attribute__((always_inline)) {
+          each_back<n>([&](auto j) __attribute__((always_inline)) {
             sum -= record.to_base[j][b] * coupling_[j][c];
           });
           base.a[b][c] = sum;
         });
         Real sum = base.rhs[b];
-        each_back([&](auto j) __attribute__((always_inline)) {
+        each_back<n>([&](auto j) __attribute__((always_inline)) {
           sum -= record.to_base[j][b] * record.rhs[j];
         });
         base.rhs[b] = sum;
@@ -195,8 +160,8 @@ class Limb {
     unrolled<3>([&](auto d) __attribute__((always_inline)) {
       unrolled<n>([&](auto i) __attribute__((always_inline)) { point.row[d][i] = zero; });
     });
-    each_carrier<j>([&](auto i) __attribute__((always_inline)) {
-      const Vec<Real> along = axes.from_world(jacobian<i>(point.motion.at));
+    each_carrier<Group, j>([&](auto i) __attribute__((always_inline)) {
+      const Vec<Real> along = axes.from_world(this->template jacobian<i>(point.motion.at));
       point.row[0][i] = along.x, point.row[1][i] = along.y, point.row[2][i] = along.z;
     });
     set_base_rows(point.motion.at, point.row_base);
@@ -209,7 +174,7 @@ class Limb {
       unrolled<n>([&](auto back) __attribute__((always_inline)) {
         constexpr std::size_t i = n - 1 - back;
         if constexpr (Group::carries(i, j)) {
-          each_above<i>([&](auto up) __attribute__((always_inline)) {
+          each_above<Group, i>([&](auto up) __attribute__((always_inline)) {
             row[up] -= record.lower[i][up] * row[i];
           });
           if constexpr (kFloating) {
@@ -228,7 +193,7 @@ class Limb {
   [[gnu::always_inline]] static void reduce(const Record& record, Real* row, Real (&row_base)[6]) {
     unrolled<n>([&](auto back) __attribute__((always_inline)) {
       constexpr std::size_t i = n - 1 - back;
-      each_above<i>([&](auto up) __attribute__((always_inline)) {
+      each_above<Group, i>([&](auto up) __attribute__((always_inline)) {
         row[up] -= record.lower[i][up] * row[i];
       });
       if constexpr (kFloating) {
@@ -248,127 +213,21 @@ class Limb {
           along[j] -= record.to_base[j][b] * base[b];
         });
       }
-      each_above<j>([&](auto i) __attribute__((always_inline)) {
+      each_above<Group, j>([&](auto i) __attribute__((always_inline)) {
         along[j] -= record.lower[j][i] * along[i];
       });
     });
   }
 
-  /// f(j) from the tips on.
-  template <class F>
-  [[gnu::always_inline]] static void each_back(const F& f) {
-    unrolled<n>([&](auto back) __attribute__((always_inline)) {
-      f(std::integral_constant<std::size_t, n - 1 - back>{});
-    });
-  }
-
-  /// f(i) for j and all that carry it, from the base on; each_above() without j.
-  template <std::size_t j, class F>
-  [[gnu::always_inline]] static void each_carrier(const F& f) {
-    unrolled<j + 1>([&](auto i) __attribute__((always_inline)) {
-      if constexpr (Group::carries(i, j)) f(i);
-    });
-  }
-  template <std::size_t j, class F>
-  [[gnu::always_inline]] static void each_above(const F& f) {
-    unrolled<j>([&](auto i) __attribute__((always_inline)) {
-      if constexpr (Group::carries(i, j)) f(i);
-    });
-  }
-
  private:
   template <std::size_t j>
-  static constexpr bool kSlides = Group::link(0, j).slides;
-  template <std::size_t j>
-  static constexpr std::size_t kAxis = Group::link(0, j).axis;
-
-  template <std::size_t j, class State>
-  [[gnu::always_inline]] void move_link(std::size_t k, const Moving<Real>& base,
-                                        const State& state) {
-    constexpr std::size_t kUp = Group::parent(j);
-    const Moving<Real>& up = *(kUp == kNone ? &base : &link_[kUp == kNone ? 0 : kUp]);
-    const std::size_t index = Group::index(k, j);
-    const Real &q = state.q[index], &v = state.v[index];
-    Moving<Real>& link = link_[j];
-    link.arm =
-        turned_by<typename Group::template Position<j, 0>, typename Group::template Position<j, 1>,
-                  typename Group::template Position<j, 2>>(k, up.axes);
-    set_axes<j>(k, up, q, link);
-    const Vec<Real> along = link.axis * v;
-    if constexpr (kSlides<j>) link.arm = link.arm + link.axis * q;
-    const Vec<Real>&w = up.spin, &r = link.arm;
-    link.at = kUp == kNone ? r : up.at + r;
-    link.velocity = up.velocity + cross(w, r);
-    link.acceleration = up.acceleration + cross(w, cross(w, r));
-    if constexpr (kUp != kNone)
-      link.acceleration = link.acceleration + cross(up.spin_acceleration, r);
-    if constexpr (kSlides<j>) {
-      link.velocity = link.velocity + along;
-      link.acceleration = link.acceleration + cross(w, along) * Real(Lane(2));
-      link.spin = w;
-      link.spin_acceleration = up.spin_acceleration;
-    } else {
-      link.spin = w + along;
-      link.spin_acceleration =
-          kUp == kNone ? cross(w, along) : up.spin_acceleration + cross(w, along);
-    }
-    forget_mass(link);
-    unrolled<bodies_on<Model>(Group::index(0, j))>([&](auto part) __attribute__((always_inline)) {
-      using Part = typename Group::template Part<j, part>;
-      add_body<Part>(k, state.mass_scale[Part::body(k)], link);
-    });
-    set_forces(link);
-    add_outer_forces<j>(k, state, link);
-  }
-
-  /// Forces on bodies from outside, which nearly never are.
-  template <std::size_t j, class State>
-  [[gnu::always_inline]] void add_outer_forces(std::size_t k, const State& state,
-                                               Moving<Real>& link) {
-    if (!state.is_pushed()) return;
-    unrolled<bodies_on<Model>(Group::index(0, j))>([&](auto part) __attribute__((always_inline)) {
-      state.push_body(Group::template Part<j, part>::body(k), link);
-    });
-  }
-
-  template <std::size_t j>
-  [[gnu::always_inline]] static void set_axes(std::size_t k, const Moving<Real>& up, const Real& q,
-                                              Moving<Real>& link) {
-    using X = typename Group::template Direction<j, 0>;
-    using Y = typename Group::template Direction<j, 1>;
-    using Z = typename Group::template Direction<j, 2>;
-    constexpr std::size_t kAxis = Limb::kAxis<j>;
-    const Mat<Real>& from = up.axes;
-    if constexpr (kAxis == kTurned) {
-      link.axis = turned_by<X, Y, Z>(k, from);
-    } else {
-      link.axis = from.column[kAxis];
-    }
-    if constexpr (kSlides<j>) {
-      link.axes = from;
-    } else if constexpr (kAxis == kTurned) {  // Rodrigues' formula
-      const auto turn = eagerx::sincos(q);
-      const Real rest = Real(Lane(1)) - turn.cos;
-      const Real along[3] = {value<Real, X>(k), value<Real, Y>(k), value<Real, Z>(k)};
-      unrolled<3>([&](auto i) __attribute__((always_inline)) {
-        link.axes.column[i] = from.column[i] * turn.cos +
-                              cross(link.axis, from.column[i]) * turn.sin +
-                              link.axis * (rest * along[i]);
-      });
-    } else {
-      const auto turn = eagerx::sincos(q);
-      constexpr std::size_t b = (kAxis + 1) % 3, c = (kAxis + 2) % 3;
-      link.axes.column[kAxis] = from.column[kAxis];
-      link.axes.column[b] = from.column[b] * turn.cos + from.column[c] * turn.sin;
-      link.axes.column[c] = from.column[c] * turn.cos - from.column[b] * turn.sin;
-    }
-  }
+  static constexpr bool kSlides = Links::template kSlides<j>;
 
   /// Row j of the mass matrix: momentum of what hangs on joint j at unit speed, along each joint
   /// that carries it and along the base.
   template <std::size_t j>
   [[gnu::always_inline]] void set_masses() {
-    const Moving<Real>& link = link_[j];
+    const Moving<Real>& link = this->link_[j];
     Vec<Real> linear, angular;
     if constexpr (kSlides<j>) {
       linear = link.axis * link.mass;
@@ -383,9 +242,10 @@ class Limb {
     unrolled<j>([&](auto back) __attribute__((always_inline)) {
       constexpr std::size_t i = j - 1 - back;
       if constexpr (Group::carries(i, j)) {
-        mass_[j][i] = kSlides<i> ? dot(link_[i].axis, linear) : dot(link_[i].axis, angular);
+        mass_[j][i] =
+            kSlides<i> ? dot(this->link_[i].axis, linear) : dot(this->link_[i].axis, angular);
         if constexpr (kFloating || Group::parent(i) != kNone)
-          angular = angular + cross(link_[i].arm, linear);
+          angular = angular + cross(this->link_[i].arm, linear);
       }
     });
     if constexpr (kFloating) {
@@ -401,7 +261,7 @@ class Limb {
     const std::size_t index = Group::index(k, j);
     const Real &q = state.q[index], &v = state.v[index];
     const JointDrive<Real>& drive = state.drive[index];
-    const Moving<Real>& link = link_[j];
+    const Moving<Real>& link = this->link_[j];
     const Real inertia = mass_[j][j] + value<Real, typename Group::template Armature<j>>(k);
     const Real zero(Lane(0));
     const JointTorque<Real> servo = servo_torque(drive, q, v, dt);
@@ -436,7 +296,6 @@ class Limb {
     mass_[j][j] = inertia + Real(dt) * sum.slope;
   }
 
-  Moving<Real> link_[n];
   Real mass_[n][n];      // lower triangle
   Real coupling_[n][6];  // with the base
 };

@@ -344,7 +344,7 @@ class Step : public PairContacts<Model> {
             sum -= record.to_base[j][b] * this->base_acceleration[b];
           });
         }
-        LimbOf<g>::template each_above<j>([&](auto i) __attribute__((always_inline)) {
+        each_above<typename LimbOf<g>::Group, j>([&](auto i) __attribute__((always_inline)) {
           sum -= record.lower[j][i] * along[i];
         });
         along[j] = sum;
@@ -369,7 +369,7 @@ class Step : public PairContacts<Model> {
           Vec<Real> a = point.motion.bias;
           const std::size_t index = GroupOf<Model, g>::point(k, p);
           if constexpr (kFloating) a = a + axes_of(index).from_world(of_base(point.motion.at));
-          LimbOf<g>::template each_carrier<j>([&](auto i) __attribute__((always_inline)) {
+          each_carrier<typename LimbOf<g>::Group, j>([&](auto i) __attribute__((always_inline)) {
             a = a + point.jacobian[i] * along[i];
           });
           keep_force(point, axes_of(index), a, this->state_.force[index]);
