@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "generator/frontend/read/rational.hpp"
@@ -168,10 +169,10 @@ const Format& graph_format(GraphForm form = GraphForm::written);
 FormatPtr object_format();
 FormatPtr node_format();
 
-/// Keys of `safety:` that have a default, and the text of it.
+/// Keys of `safety:` that have a default, and the number or the word that it is.
 struct SafetyDefault {
   const char* key;
-  const char* value;
+  std::variant<ComputedNumber, const char*> value;
 };
 const std::vector<SafetyDefault>& safety_defaults();
 

@@ -4,15 +4,16 @@
 namespace eagerx::gen {
 
 const std::vector<SafetyDefault>& safety_defaults() {
-  static const std::vector<SafetyDefault> kDefaults = {{"late", "1"},
-                                                       {"max_lateness", "0"},
-                                                       {"missed", "2"},
-                                                       {"recover", "3"},
-                                                       {"limits", "clip"},
-                                                       {"not_finite", "safe"},
-                                                       {"link_timeout", "0.01"},
-                                                       {"heartbeat_timeout", "0.5"},
-                                                       {"nodes", "reset"}};
+  static const std::vector<SafetyDefault> kDefaults = {
+      {"late", ComputedNumber(std::int64_t{1})},
+      {"max_lateness", ComputedNumber(std::int64_t{0})},
+      {"missed", ComputedNumber(std::int64_t{2})},
+      {"recover", ComputedNumber(std::int64_t{3})},
+      {"limits", "clip"},
+      {"not_finite", "safe"},
+      {"link_timeout", ComputedNumber(0.01)},
+      {"heartbeat_timeout", ComputedNumber(0.5)},
+      {"nodes", "reset"}};
   return kDefaults;
 }
 

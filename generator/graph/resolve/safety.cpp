@@ -78,7 +78,7 @@ std::optional<std::vector<std::string>> names_of_actuators(const UnresolvedGraph
 
 void check_time(const std::string& key, const YamlValue& yaml, Diagnostics& diagnostics) {
   constexpr double kLongestS = 3600.0;
-  if (Rational::parse(yaml.text).value_or(Rational()).to_double() <= kLongestS) return;
+  if (exact_of(yaml).value_or(Rational()).to_double() <= kLongestS) return;
   diagnostics.error("E0323", yaml.span, fmt::format("`{}` is out of range", key)).label =
       "must be at most 3600 s";
 }
@@ -89,8 +89,11 @@ References safety_references(const GraphSpec& spec) {
   References result;
   for (const auto& [key, value] : safety_defaults()) {
     const Setting* setting = spec.safety ? find_named(spec.safety->settings, key) : nullptr;
-    result[{"safety", key}] =
-        setting != nullptr ? setting->value : made_scalar(value, spec.name.span);
+    const auto* const number = std::get_if<ComputedNumber>(&value);
+    result[{"safety", key}] = setting != nullptr ? setting->value
+                              : number != nullptr
+                                  ? made_number(*number, spec.name.span)
+                                  : made_scalar(std::get<const char*>(value), spec.name.span);
   }
   return result;
 }
@@ -144,20 +147,21 @@ void resolve_safety(UnresolvedGraph& draft) {
   if (draft.graph.nodes.empty()) return;  // something was wrong before
   const GraphNode& environment = draft.graph.environment();
   Safety& safety = draft.graph.safety;
-  const auto text = [&](const char* key) { return draft.safety.at({"safety", key}).text; };
+  const auto value = [&](const char* key) { return draft.safety.at({"safety", key}); };
   const auto count = [&](const char* key) {
-    return static_cast<std::uint32_t>(parse_int(text(key)).value_or(1));
+    return static_cast<std::uint32_t>(whole_of(value(key)).value_or(1));
   };
+  const auto time_s = [&](const char* key) { return exact_of(value(key)).value_or(Rational()); };
   safety.late = count("late");
   safety.missed = count("missed");
   safety.recover = count("recover");
-  safety.clips = text("limits") == "clip";
-  safety.holds = text("not_finite") == "hold";
-  safety.resets_nodes = text("nodes") == "reset";
-  const Rational lateness = Rational::parse(text("max_lateness")).value_or(Rational());
+  safety.clips = value("limits").text == "clip";
+  safety.holds = value("not_finite").text == "hold";
+  safety.resets_nodes = value("nodes").text == "reset";
+  const Rational lateness = time_s("max_lateness");
   safety.max_lateness_s = lateness == Rational() ? Rational(1) / environment.rate_hz : lateness;
-  safety.link_timeout_s = Rational::parse(text("link_timeout")).value_or(Rational());
-  safety.heartbeat_timeout_s = Rational::parse(text("heartbeat_timeout")).value_or(Rational());
+  safety.link_timeout_s = time_s("link_timeout");
+  safety.heartbeat_timeout_s = time_s("heartbeat_timeout");
   for (const auto& action : environment.outputs) safety.actions.push_back(zero_in(action.space));
   resolve_safe_outputs(draft);
   if (!draft.spec.safety) return;
@@ -167,9 +171,9 @@ void resolve_safety(UnresolvedGraph& draft) {
     const Output& action = environment.outputs[i];
     const Setting* setting = find_named(draft.spec.safety->actions, action.name);
     if (setting == nullptr) continue;
-    auto value =
+    auto safe =
         safe_value("actions." + action.name, action.space, setting->value, draft.diagnostics);
-    if (value) safety.actions[i] = std::move(*value);
+    if (safe) safety.actions[i] = std::move(*safe);
   }
 }
 

@@ -45,7 +45,8 @@ bool Replay::is_another_engine(std::uint32_t channel) const {
 }
 
 bool Replay::prepare(std::string_view given, bool engine_is_real, std::string& problem) {
-  if (!fits(problem) || !choose(given, problem)) return false;
+  if (!fits(problem)) return false;
+  choose(given);
   runs_engine_ = !engine_is_real;
   for (std::uint32_t i = 0; i < facts_.size(); ++i) {
     const bool of_engine = facts_[i].publisher == Publisher::engine_node;
@@ -86,28 +87,18 @@ bool Replay::fits(std::string& problem) const {
   return true;
 }
 
-bool Replay::choose(std::string_view given, std::string& problem) {
+void Replay::choose(std::string_view given) {
   while (!given.empty()) {
     const std::size_t comma = std::min(given.find(','), given.size());
     const std::string_view word = given.substr(0, comma);
     given.remove_prefix(std::min(comma + 1, given.size()));
-    bool found = word == "none" || word == "actions" || word == "sensors";
     for (std::uint32_t i = 0; i < facts_.size(); ++i) {
       const Publisher publisher = facts_[i].publisher;
-      const bool meant = word == facts_[i].name ||
-                         (word == "actions" && publisher == Publisher::environment) ||
-                         (word == "sensors" && publisher == Publisher::engine_node);
-      if (meant) channels_[i].given = true;
-      found = found || meant;
-    }
-    if (!found) {
-      problem = "error: this program has no channel " + quoted(word) +
-                "\nhelp: the lines `# channel` of a trace name them; `actions`, `sensors` and "
-                "`none` are understood, too";
-      return false;
+      if (word == facts_[i].name || (word == "actions" && publisher == Publisher::environment) ||
+          (word == "sensors" && publisher == Publisher::engine_node))
+        channels_[i].given = true;
     }
   }
-  return true;
 }
 
 const Row* Replay::next_row(std::uint32_t channel) const {

@@ -96,7 +96,7 @@ class Replay {
   void differ(std::uint32_t channel, std::size_t element, std::uint64_t here,
               std::uint64_t recorded);
   bool is_another_engine(std::uint32_t channel) const;
-  bool choose(std::string_view given, std::string& problem);
+  void choose(std::string_view given);
   std::string names(bool given) const;
 
   const Log& log_;
