@@ -28,6 +28,8 @@ View draw_lines(const Random& random, const Space& space, const std::string& fie
                 const std::string& constant) {
   const std::string type = message_type(space);
   std::vector<std::string> text;
+  std::vector<std::string> choices;
+  for (const auto& choice : random.choices) choices.push_back(message_literal(choice, space));
   switch (random.kind) {
     case RandomSpec::Kind::value:
       text = {fmt::format("states.{} = {}{};", field, type, initializer(random.first, space))};
@@ -46,11 +48,8 @@ View draw_lines(const Random& random, const Space& space, const std::string& fie
                           field, constant)};
       break;
     case RandomSpec::Kind::choice:
-      text = {fmt::format("constexpr {} kChoices[] = {{", type)};
-      for (const auto& choice : random.choices)
-        text.push_back(fmt::format("    {},", message_literal(choice, space)));
-      text.push_back("};");
-      text.push_back(fmt::format("states.{} = eagerx::draw_choice(random, kChoices);", field));
+      text = {fmt::format("constexpr {} kChoices[] = {};", type, braced(choices)),
+              fmt::format("states.{} = eagerx::draw_choice(random, kChoices);", field)};
       break;
   }
   View lines = list();

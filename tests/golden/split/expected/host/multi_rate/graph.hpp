@@ -123,11 +123,7 @@ struct Graph : Limits {
     }
     {  // left/length
       eagerx::Random random(key, eagerx::entity_id("left/length"));
-      constexpr float kChoices[] = {
-          0.05F,
-          0.1F,
-          0.2F,
-      };
+      constexpr float kChoices[] = {0.05F, 0.1F, 0.2F};
       states.left_length = eagerx::draw_choice(random, kChoices);
     }
     {  // right/model_state
