@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <eagerx/message.hpp>
 #include <string>
+#include <targets/common/dtype.hpp>
 #include <targets/environments/base/description.hpp>
 #include <targets/environments/base/fields.hpp>
 #include <targets/environments/critic.hpp>
@@ -31,23 +32,13 @@ constexpr const char* instruction_set() {
 #endif
 }
 
-/// As graphs and numpy write it: "float32", "bool".
-template <class T>
-std::string dtype_of() {
-  if constexpr (std::is_same_v<T, bool>) return "bool";
-  constexpr std::size_t kBitsPerByte = 8;
-  const std::string bits = std::to_string(sizeof(T) * kBitsPerByte);
-  if constexpr (std::is_floating_point_v<T>) return "float" + bits;
-  return (std::is_signed_v<T> ? "int" : "uint") + bits;
-}
-
 template <class Message>
 struct TypeOf {
-  static MessageType get() { return {{}, dtype_of<ScalarOf<Message>>()}; }
+  static MessageType get() { return {{}, target::dtype_of<ScalarOf<Message>>()}; }
 };
 template <class T, std::size_t... Shape>
 struct TypeOf<Array<T, Shape...>> {
-  static MessageType get() { return {{Shape...}, dtype_of<T>()}; }
+  static MessageType get() { return {{Shape...}, target::dtype_of<T>()}; }
 };
 
 template <class Message, class Space>

@@ -7,7 +7,7 @@
 #include <eagerx/message.hpp>
 #include <string>
 #include <string_view>
-#include <type_traits>
+#include <targets/common/dtype.hpp>
 #include <vector>
 
 namespace eagerx::wasm {
@@ -23,16 +23,6 @@ inline std::string quoted(std::string_view text) {
   return result + "\"";
 }
 
-/// As graphs write it: "float32", "bool".
-template <class T>
-std::string dtype_of() {
-  if constexpr (std::is_same_v<T, bool>) return "bool";
-  constexpr std::size_t kBitsPerByte = 8;
-  const std::string bits = std::to_string(sizeof(T) * kBitsPerByte);
-  if constexpr (std::is_floating_point_v<T>) return "float" + bits;
-  return (std::is_signed_v<T> ? "int" : "uint") + bits;
-}
-
 /// Fields in a row of numbers, in the graph's order. `low` and `high` are the bounds of each
 /// number, where all fields have a space.
 class Fields {
@@ -41,7 +31,7 @@ class Fields {
 
   template <class Message, class Space>
   void add(std::string_view name, const Space& space, std::size_t messages = 1) {
-    add(name, dtype_of<ScalarOf<Message>>(), messages * size_of<Message>, messages);
+    add(name, target::dtype_of<ScalarOf<Message>>(), messages * size_of<Message>, messages);
     for (std::size_t m = 0; m < messages; ++m) {
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
         low.push_back(static_cast<double>(element(space.low, i)));
