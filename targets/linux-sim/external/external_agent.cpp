@@ -61,14 +61,11 @@ std::size_t terms_of(const Fields& fields) {
 }
 
 struct Counted final : CountListener {
-  explicit Counted(std::string& to) : text(to) {}
+  explicit Counted(host::Json& to) : json(to) {}
   void count(const char* name, std::uint64_t count) override {
-    if (count == 0) return;
-    text += text.size() > 1 ? ", " : "";
-    host::append_json_string(text, name);
-    text += ": " + std::to_string(count);
+    if (count > 0) json.key(name).whole(count);
   }
-  std::string& text;
+  host::Json& json;
 };
 
 }  // namespace
@@ -362,46 +359,55 @@ void ExternalAgent::lose(std::string why) {
 }
 
 std::string ExternalAgent::description() const {
-  const auto quoted = [](const char* text) {
-    std::string result;
-    host::append_json_string(result, text);
-    return result;
-  };
-  std::string tunable;
+  host::Json json;
+  json.begin_object().key("version").whole(kExternalVersion);
+  json.key("generator").text(std::to_string(kVersionMajor) + "." + std::to_string(kVersionMinor));
+  json.key("graph").text(facts_.name).key("engine").text(facts_.engine);
+  json.key("rate_hz").number(1.0 / facts_.period_s()).key("real").boolean(is_real_);
+  json.key("patience_s");
+  patience_ns_ > 0 ? json.number(static_cast<double>(patience_ns_) / kNsInSecond) : json.null();
+  rows_.describe_observations(json.key("observations"));
+  rows_.describe_actions(json.key("actions"));
+  rows_.describe_states(json.key("states"));
+  json.key("tunable").begin_list();
   for (const Field& state : fields_.states)
-    if (state.tunable) tunable += (tunable.empty() ? "" : ", ") + quoted(state.name);
-  std::string terms;
-  bool is_first = true;
-  for (const Fields::Outcome& each : fields_.outcomes) {
-    if (each.is_flag) continue;
-    if (!std::exchange(is_first, false))
-      terms += (terms.empty() ? "" : ", ") + quoted(each.name.c_str());
+    if (state.tunable) json.text(state.name);
+  json.end_list();
+  describe_task(json.key("task"));
+  describe_render(json.key("render"));
+  return json.end_object().str();
+}
+
+/// The terms of the reward, which is the first number itself.
+void ExternalAgent::describe_task(host::Json& json) const {
+  const auto is_number = [](const Fields::Outcome& each) { return !each.is_flag; };
+  if (std::ranges::none_of(fields_.outcomes, is_number)) {
+    json.null();
+    return;
   }
-  const std::string render = facts_.is_shown
-                                 ? "{\"rate_hz\": " +
-                                       host::number_text(static_cast<double>(facts_.render_num) /
-                                                         static_cast<double>(facts_.render_den)) +
-                                       "}"
-                                 : "null";
-  return "{\"version\": " + std::to_string(kExternalVersion) + ", \"generator\": \"" +
-         std::to_string(kVersionMajor) + "." + std::to_string(kVersionMinor) +
-         "\", \"graph\": " + quoted(facts_.name) + ", \"engine\": " + quoted(facts_.engine) +
-         ", \"rate_hz\": " + host::number_text(1.0 / facts_.period_s()) +
-         ", \"real\": " + (is_real_ ? "true" : "false") + ", \"patience_s\": " +
-         (patience_ns_ > 0 ? host::number_text(static_cast<double>(patience_ns_) / kNsInSecond)
-                           : "null") +
-         ", \"observations\": " + rows_.describe_observations() +
-         ", \"actions\": " + rows_.describe_actions() + ", \"states\": " + rows_.describe_states() +
-         ", \"tunable\": [" + tunable + "]" +
-         ", \"task\": " + (is_first ? "null" : "{\"terms\": [" + terms + "]}") +
-         ", \"render\": " + render + "}";
+  json.begin_object().key("terms").begin_list();
+  bool is_first = true;
+  for (const Fields::Outcome& each : fields_.outcomes)
+    if (is_number(each) && !std::exchange(is_first, false)) json.text(each.name);
+  json.end_list().end_object();
+}
+
+void ExternalAgent::describe_render(host::Json& json) const {
+  if (!facts_.is_shown) {
+    json.null();
+    return;
+  }
+  const double rate_hz =
+      static_cast<double>(facts_.render_num) / static_cast<double>(facts_.render_den);
+  json.begin_object().key("rate_hz").number(rate_hz).end_object();
 }
 
 std::string ExternalAgent::counts() const {
-  std::string text = "{";
-  Counted counted(text);
+  host::Json json;
+  json.begin_object();
+  Counted counted(json);
   program_.list_counts(is_traced_, counted);
-  return text + "}";
+  return json.end_object().str();
 }
 
 }  // namespace eagerx::linux_sim

@@ -74,6 +74,8 @@ class ExternalAgent {
   void answer_piece(const void* data, std::size_t bytes);
   void say(Answer answer, const void* data, std::size_t bytes);
   std::string description() const;
+  void describe_task(host::Json& json) const;
+  void describe_render(host::Json& json) const;
   std::string counts() const;
   void lose(std::string why);
 

@@ -24,38 +24,31 @@ T state_from_row(float x) {
   return target::from_number<T>(x);
 }
 
-void append_bounds(std::string& text, const Field& field, const void* bounds) {
-  text += '[';
+void write_bounds(host::Json& json, const Field& field, const void* bounds) {
+  json.begin_list();
   for (std::size_t i = 0; i < numbers_of(field); ++i) {
-    if (i > 0) text += ", ";
     const std::size_t element = i % field.type.size;
-    const double bound = bounds != nullptr ? number_of(field.type.scalar, bounds, element)
-                                           : std::numeric_limits<double>::quiet_NaN();
-    if (!std::isfinite(bound)) {
-      text += "null";
-    } else if (field.type.scalar == Scalar::f32) {
-      text += host::number_text(static_cast<float>(bound));
+    if (bounds == nullptr) {
+      json.null();
+    } else if (const double bound = number_of(field.type.scalar, bounds, element);
+               field.type.scalar == Scalar::f32) {
+      json.number(static_cast<float>(bound));
     } else {
-      text += host::number_text(bound);
+      json.number(bound);
     }
   }
-  text += ']';
+  json.end_list();
 }
 
-void append_field(std::string& text, const Field& field, std::size_t first) {
-  text += R"({"name": )";
-  host::append_json_string(text, field.name);
-  text += R"(, "shape": [)";
-  if (field.most > 1) text += std::to_string(field.most);
-  for (std::size_t i = 0; i < field.type.dimensions; ++i)
-    text += (i > 0 || field.most > 1 ? ", " : "") + std::to_string(field.type.shape[i]);
-  text += R"(], "dtype": ")";
-  text += dtype_name(field.type.scalar);
-  text += R"(", "window": )" + std::to_string(field.most) + R"(, "low": )";
-  append_bounds(text, field, field.low);
-  text += R"(, "high": )";
-  append_bounds(text, field, field.high);
-  text += R"(, "first": )" + std::to_string(first) + "}";
+void write_field(host::Json& json, const Field& field, std::size_t first) {
+  json.begin_object().key("name").text(field.name).key("shape").begin_list();
+  if (field.most > 1) json.whole(field.most);
+  for (std::size_t i = 0; i < field.type.dimensions; ++i) json.whole(field.type.shape[i]);
+  json.end_list().key("dtype").text(dtype_name(field.type.scalar));
+  json.key("window").whole(field.most);
+  write_bounds(json.key("low"), field, field.low);
+  write_bounds(json.key("high"), field, field.high);
+  json.key("first").whole(first).end_object();
 }
 
 }  // namespace
@@ -165,14 +158,11 @@ void ExternalRows::read_states(const float* row, StateRow states) const {
   }
 }
 
-std::string ExternalRows::describe(const std::vector<Field>& fields,
-                                   const ExternalColumns& columns) {
-  std::string text = "[";
-  for (const std::size_t field : columns.order()) {
-    if (text.size() > 1) text += ", ";
-    append_field(text, fields[field], columns.first(field));
-  }
-  return text + "]";
+void ExternalRows::describe(host::Json& json, const std::vector<Field>& fields,
+                            const ExternalColumns& columns) {
+  json.begin_list();
+  for (const std::size_t f : columns.order()) write_field(json, fields[f], columns.first(f));
+  json.end_list();
 }
 
 }  // namespace eagerx::linux_sim

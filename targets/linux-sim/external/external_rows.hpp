@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <runtime/host/base/json.hpp>
 #include <string>
 #include <targets/linux-sim/fields.hpp>
 #include <vector>
@@ -46,14 +47,15 @@ class ExternalRows {
   void read_states(const float* row, StateRow states) const;
 
   /// Lists of JSON, as eagerx_describe() of target environments has them.
-  std::string describe_actions() const { return describe(fields_.actions, actions_); }
-  std::string describe_observations() const {
-    return describe(fields_.observations, observations_);
+  void describe_actions(host::Json& json) const { describe(json, fields_.actions, actions_); }
+  void describe_observations(host::Json& json) const {
+    describe(json, fields_.observations, observations_);
   }
-  std::string describe_states() const { return describe(fields_.states, states_); }
+  void describe_states(host::Json& json) const { describe(json, fields_.states, states_); }
 
  private:
-  static std::string describe(const std::vector<Field>& fields, const ExternalColumns& columns);
+  static void describe(host::Json& json, const std::vector<Field>& fields,
+                       const ExternalColumns& columns);
 
   const Fields& fields_;
   ExternalColumns actions_, observations_, states_;

@@ -31,8 +31,10 @@ TEST(ExternalRows, ColumnsAreInTheOrderOfNames) {
   std::array<float, 4> again{};
   rows.write_action(&action, again.data());
   EXPECT_EQ(again, (std::array<float, 4>{7.0F, 1.0F, 0.5F, -0.5F}));
+  host::Json json;
+  rows.describe_actions(json);
   EXPECT_EQ(
-      rows.describe_actions(),
+      json.str(),
       R"([{"name": "choice", "shape": [], "dtype": "int64", "window": 1, "low": [null], "high": [null], "first": 0}, )"
       R"({"name": "on", "shape": [], "dtype": "bool", "window": 1, "low": [null], "high": [null], "first": 1}, )"
       R"({"name": "push", "shape": [2], "dtype": "float32", "window": 1, "low": [-1, -2], "high": [1, 2], "first": 2}])");
