@@ -37,12 +37,15 @@ bool opens_function(std::string_view line, std::size_t indent) {
 }
 
 /// Headers of which templates do not know whether they are needed, and names of what is in them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kNamesOf = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kNamesOf = {
     {{"<array>", "std::array"},
+     {"<cstdint>", "std::int"},
+     {"<cstdint>", "std::uint"},
      {"<limits>", "std::numeric_limits"},
      {"<optional>", "std::optional"},
      {"<optional>", "std::nullopt"},
      {"<eagerx/delay.hpp>", "DelayQuanta"},
+     {"<eagerx/draw.hpp>", "eagerx::draw_"},
      {"<eagerx/cursor.hpp>", "DelayCursor"},
      {"<eagerx/cursor.hpp>", "SkipCursor"},
      {"<eagerx/cursor.hpp>", "NewMessages"},

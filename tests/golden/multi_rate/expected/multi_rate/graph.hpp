@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <eagerx/agent.hpp>
 #include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
 #include <eagerx/float_environment.hpp>

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <eagerx/agent.hpp>
 #include <eagerx/channel.hpp>
-#include <eagerx/draw.hpp>
 #include <eagerx/float_environment.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/space.hpp>

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <eagerx/agent.hpp>
 #include <eagerx/channel.hpp>
-#include <eagerx/draw.hpp>
 #include <eagerx/float_environment.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/space.hpp>
