@@ -27,8 +27,17 @@ def _split(keywords):
             {name: value for name, value in keywords.items() if name not in _BUILDING})
 
 
+# Arguments of Gymnasium's make() and make_vec(), and of Stable-Baselines3's make_vec_env().
+_THEIRS = {"env_kwargs": "give its arguments themselves", "max_episode_steps": "longest is how many steps an episode has at most",
+           "wrappers": "wrap what it returns", "wrapper_class": "wrap what it returns"}
 _INSTEAD = {"n_envs": "make(graph, num_envs=…) makes a Gymnasium VectorEnv, make_vec_env(graph, n_envs=…) Stable-Baselines3's VecEnv",
-            "env_kwargs": "give its arguments themselves"}
+            "seed": "give it to reset(seed=…) of what it returns",
+            "vectorization_mode": "environments of a VectorEnv step in one process; threads is how many step at once",
+            "vector_kwargs": "give its arguments themselves", **_THEIRS}
+_INSTEAD_OF_VEC = {"num_envs": "n_envs is how many environments there are", "seed": "call seed(…) of what it returns",
+                   "monitor_dir": "its infos have what Monitor gives; wrap what it returns in VecMonitor for a file",
+                   "vec_env_cls": "its environments step in one process; threads is how many step at once",
+                   "vec_env_kwargs": "give its arguments themselves", **_THEIRS}
 
 
 _said = set()
@@ -107,5 +116,5 @@ def make_vec_env(graph, n_envs=1, **keywords):
     from .stable_baselines3_vec_env import VecEnv
 
     building, rest = _split(keywords)
-    checks.keywords("make_vec_env", rest, VecEnv, _BUILDING, {"num_envs": "n_envs is how many environments there are"})
+    checks.keywords("make_vec_env", rest, VecEnv, _BUILDING, _INSTEAD_OF_VEC)
     return _say_stepping(VecEnv(load(graph, **building), n_envs, **rest), **building)

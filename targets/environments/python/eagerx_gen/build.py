@@ -185,6 +185,7 @@ def checked(graph, engine, paths, variant=None):
     return graph, [os.fsdecode(checks.path("a folder of `paths`", path)) for path in paths]
 
 
+@checks.arguments("load", path="paths is a list of folders", variants="variant is the name of one")
 def load(graph, engine=None, paths=(), progress=True, variant=None):
     """The Library of a graph's file, or of one that is built already (`*.so`).
 

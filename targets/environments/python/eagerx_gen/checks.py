@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import difflib
+import functools
 import inspect
 import operator
 import os
@@ -98,12 +99,35 @@ def _meant(name, known):
 
 def keywords(what, given, kind, others=(), instead=None):
     """A TypeError for a keyword that neither `kind` nor `others` take; `instead`: what to write for some."""
-    known = [name for name, parameter in inspect.signature(kind).parameters.items() if parameter.kind is parameter.KEYWORD_ONLY]
+    own = [name for name, parameter in inspect.signature(kind).parameters.items() if parameter.kind is parameter.KEYWORD_ONLY]
+    refuse_others(what, given, [*own, *others], instead or {})
+
+
+def refuse_others(what, given, known, instead):
     for name in given:
-        if name in known or name in others:
-            continue
-        hint = (instead or {}).get(name) or f"{_meant(name, [*known, *others])}it has {', '.join([*known, *others])}"
-        raise TypeError(f"{what}() has no argument {name!r}: {hint}")
+        if name not in known:
+            hint = instead.get(name) or f"{_meant(name, known)}it has {', '.join(known)}"
+            raise TypeError(f"{what}() has no argument {name!r}: {hint}")
+
+
+OPTIONS = {"states": "give options={'states': {…}}", "stage": "give options={'stage': …}", "option": "did you mean 'options'?"}
+"""What to write instead of keywords of reset() that are options of it."""
+
+
+def arguments(what, **instead):
+    """A decorator: a keyword that the function `what` does not take is a TypeError that names what it takes. `instead`: what to
+    write for some."""
+    def of(function):
+        known = [name for name, parameter in inspect.signature(function).parameters.items() if name != "self"]
+
+        @functools.wraps(function)
+        def checked(*given, **keywords):
+            refuse_others(what, keywords, known, instead)
+            return function(*given, **keywords)
+
+        return checked
+
+    return of
 
 
 class Single:

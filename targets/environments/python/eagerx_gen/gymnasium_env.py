@@ -35,6 +35,7 @@ class Env(checks.Single, gymnasium.Env):
 
     metadata = {"render_modes": ["rgb_array"]}
 
+    @checks.arguments("Env")
     def __init__(self, library, *, flatten=False, longest=0, normalize_actions=False, number=0, render_mode=None,
                  render_size=(480, 480), stage=None):
         library.check_render_mode(render_mode)
@@ -57,6 +58,7 @@ class Env(checks.Single, gymnasium.Env):
     def _observation(self):
         return conversion.one_of(self._observations.from_row(self.environments.observation.copy()), 0)
 
+    @checks.arguments("reset", **checks.OPTIONS)
     def reset(self, *, seed=None, options=None):
         self.environments.check_open()
         seed = None if seed is None else checks.whole("seed", seed, 0, 2**64 - 1)

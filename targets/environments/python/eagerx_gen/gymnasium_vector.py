@@ -31,6 +31,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
     others          as for Env
     """
 
+    @checks.arguments("VectorEnv", n_envs="num_envs is how many environments there are")
     def __init__(self, library, num_envs, *, flatten=False, longest=0, normalize_actions=False, autoreset_mode=None,
                  threads=0, copy=True, numbers=None, render_mode=None, render_size=(480, 480), stage=None):
         library.check_render_mode(render_mode)
@@ -76,6 +77,7 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
         new = np.array([s is not None for s in given]) | ~self._begun
         return [0 if d is None else int(d) if s is None else s for s, d in zip(given, drawn)], new & mask
 
+    @checks.arguments("reset", reset_mask="give options={'reset_mask': …}", **checks.OPTIONS)
     def reset(self, *, seed=None, options=None):
         self.environments.check_open()
         given, options = self._given(seed), checks.options(options, ("states", "stage", "reset_mask"))

@@ -117,6 +117,7 @@ class Environments(checks.Single):
     observation, final_observation, reward = (_fixed(name) for name in ("observation", "final_observation", "reward"))
     terminated, truncated, success, terms = (_fixed(name) for name in ("terminated", "truncated", "success", "terms"))
 
+    @checks.arguments("Environments", num_envs="count is how many environments there are", n_envs="count is how many environments there are")
     def __init__(self, library, count, *, seed=0, numbers=None, longest=0, autoreset="next_step", threads=0, pictures=False):
         if self._handle is not None:
             raise Error("these environments are made already")

@@ -91,6 +91,7 @@ class RunningProgram(checks.Single):
 
     count = 1
 
+    @checks.arguments("RunningProgram")
     def __init__(self, path, *, number=0, longest=0, real_time_factor=1.0, publish=(), publish_only=(), publish_rate=None,
                  trace=None, render_mode=None, render_size=(480, 480), variables=None):
         options = ["--environment", str(checks.whole("number", number, 0, 2**32 - 1))]

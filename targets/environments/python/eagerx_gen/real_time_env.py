@@ -1,6 +1,7 @@
 """Gymnasium's interface of one environment in real time."""
 from __future__ import annotations
 
+from . import checks
 from .errors import Error
 from .gymnasium_env import Env
 from .program import RunningProgram
@@ -23,6 +24,7 @@ class RealTimeEnv(Env):
     metadata = {"render_modes": ["human", "rgb_array"]}
 
     def __init__(self, path, *, flatten=False, normalize_actions=False, render_mode=None, render_size=(480, 480), **running):
+        checks.keywords("RealTimeEnv", running, RunningProgram, ("flatten", "normalize_actions"))
         if render_mode not in (None, "human", "rgb_array"):
             raise ValueError(f"render_mode is {render_mode!r}; it is None, 'human' or 'rgb_array'")
         self.environments = RunningProgram(path, render_mode=render_mode, render_size=render_size, **running)

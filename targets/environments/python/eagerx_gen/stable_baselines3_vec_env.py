@@ -25,6 +25,7 @@ class VecEnv(checks.Single, _base.VecEnv):
     as reset(options=…) of Env. Episodes that begin by themselves draw their states again; a stage stays.
     """
 
+    @checks.arguments("VecEnv", num_envs="n_envs is how many environments there are")
     def __init__(self, library, n_envs=1, *, flatten=True, longest=0, threads=0, normalize_actions=False, numbers=None,
                  render_mode=None, render_size=(480, 480), stage=None):
         library.check_render_mode(render_mode)
@@ -74,6 +75,7 @@ class VecEnv(checks.Single, _base.VecEnv):
         for stage in {own["stage"] for own in given if "stage" in own}:
             self.environments.set_stage(stage, np.array(["stage" in own and own["stage"] == stage for own in given]))
 
+    @checks.arguments("reset", seed="call seed(…) before", options="call set_options({…}) before")
     def reset(self):
         self.environments.check_open()
         self._set_options()
