@@ -11,6 +11,7 @@
 #include "generator/driver/build/library_project.hpp"
 #include "generator/driver/build/targets.hpp"
 #include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/commands/check_targets.hpp"
 #include "generator/support/files/paths.hpp"
 #include "generator/support/process/process.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
@@ -68,6 +69,15 @@ bool check_pil_target(Run& run, const Target& target) {
   return false;
 }
 
+/// Whether the library can be made, before the simulation is built. What is wrong has been said.
+bool can_be_made(const PilOptions& options, int& code) {
+  Run run;
+  const auto targets = make(run, options) ? check_targets(run, options) : std::nullopt;
+  const bool good = targets && check_pil_target(run, *targets->front());
+  if (!good) code = finish(run, options);
+  return good;  // then warnings are said with the library
+}
+
 std::optional<BuiltProgram> build_pil(Run& run, const PilOptions& options,
                                       const std::string& folder, const std::string& log,
                                       int& code) {
@@ -76,7 +86,6 @@ std::optional<BuiltProgram> build_pil(Run& run, const PilOptions& options,
   const auto generated = make(run, library) ? generate_graph(run, library, code) : std::nullopt;
   if (!generated) return std::nullopt;
   const Target& target = *run.library.find_target(wanted_targets(options).front());
-  if (!check_pil_target(run, target)) return std::nullopt;
   std::string why;
   const auto recording = recording_of(log, *run.graph, why);
   if (!recording || recording->steps == 0) {
@@ -89,6 +98,7 @@ std::optional<BuiltProgram> build_pil(Run& run, const PilOptions& options,
 
 int perform(const PilOptions& options) {
   int code = kDone;
+  if (!can_be_made(options, code)) return code;
   std::string folder = options.output;
   if (folder.empty())
     folder = folder_for_options("generated/" + fs::path(options.graph).stem().string() + "-pil",
