@@ -164,9 +164,12 @@ Help help_with_target(const Run& run, const std::string& wanted,
     if (system == package || names(package))
       return fmt::format("it is a package: `eagerx-gen generate GRAPH.yaml --package {}`", package);
   }
+  const bool is_raspberry =
+      wanted.starts_with("raspberry") || wanted == "rpi" || wanted == "jetson";
+  const std::string prefix = is_raspberry ? "linux-a" : wanted;
   std::vector<std::string> family;
   for (const std::string& id : known)
-    if (names(id)) family.push_back(fmt::format("`{}`", id));
+    if (names(id) || id.starts_with(prefix)) family.push_back(fmt::format("`{}`", id));
   if (family.empty()) return suggestion(wanted, known);
   return fmt::format("did you mean {}? A board of your own: `eagerx-gen new board NAME`",
                      join(family, " or "));

@@ -73,9 +73,9 @@ int not_there(const Json& words, const std::string& word) {
   const std::string near = nearest(word, known);
   const std::string other = meant_by_other_name(word, known);
   complain("error: the reference has no page for `{}`\nhelp: {}\n", word,
-           !near.empty()    ? fmt::format("did you mean `{}`?", near)
-           : !other.empty() ? other
-                            : "`eagerx-gen docs` opens it at its beginning, with a search");
+           !other.empty()  ? other
+           : !near.empty() ? fmt::format("did you mean `{}`?", near)
+                           : "`eagerx-gen docs` opens it at its beginning, with a search");
   return kWrongUsage;
 }
 

@@ -13,6 +13,7 @@
 #include "generator/graph/resolve/limits.hpp"
 #include "generator/graph/resolve/processors.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -111,15 +112,39 @@ class SpaceResolver {
     return names;
   }
 
+  /// The port of a composite that leads to `port`, as a user writes it; empty: none does.
+  [[nodiscard]] std::string port_of_composite(const std::string& port) const {
+    for (const CompositeSpec& composite : draft_.spec.composites)
+      for (const auto& [name, ports] : composite.inputs)
+        if (ranges::contains(ports, port)) return composite.name + "." + name;
+    return {};
+  }
+  /// Actuators of objects, also of those in composites, whose spaces are complete.
+  [[nodiscard]] std::vector<std::string> known_actuators() const {
+    std::vector<std::string> names;
+    for (const std::string& name : input_names(draft_)) {
+      const bool is_of_object = draft_.find_object(parse_port(name).owner) != nullptr;
+      const auto space = is_of_object ? declared_space(draft_, name) : std::nullopt;
+      if (space && space->dtype && space->shape) names.push_back(name);
+    }
+    return names;
+  }
+
   /// Inputs of most nodes take any space, and so does a composite's port that leads to one.
   void report_no_space(const std::string& action, const std::string& port, Span like) {
-    diagnostics()
-        .error("E0312", like,
-               fmt::format("`{}` takes any space, so `{}` gets none from it", port, action))
-        .help = fmt::format(
-        "write it: `{}: {{space: {{dtype: float32, shape: [1], low: …, high: …}}}}`, or `like:` "
-        "with an actuator of an object",
-        action);
+    const std::string written = port_of_composite(port);
+    const std::vector<std::string> actuators = known_actuators();
+    auto& problem = diagnostics().error(
+        "E0312", like,
+        written.empty()
+            ? fmt::format("`{}` takes any space, so `{}` gets none from it", port, action)
+            : fmt::format("`{}` leads to `{}`, which takes any space, so `{}` gets none from it",
+                          written, port, action));
+    problem.help = fmt::format(
+        "write it: `{}: {{space: {{dtype: float32, shape: [1], low: …, high: …}}}}`{}", action,
+        actuators.empty() ? ""
+                          : fmt::format(", or take that of an actuator: `like: {}`",
+                                        join(actuators, "`, `like: ")));
   }
 
   const UnresolvedInput* first_sink(std::size_t action) const {

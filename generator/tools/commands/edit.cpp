@@ -25,6 +25,7 @@
 #include "generator/support/diagnostics/search.hpp"
 #include "generator/support/quote/quote.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
+#include "generator/tools/edit/structure.hpp"
 #include "generator/tools/serve/graph_file.hpp"
 
 namespace eagerx::gen {
@@ -151,32 +152,78 @@ int perform_fix(const EditOptions& options) {
   return code;
 }
 
-/// That nothing is called `options.from`, and what was probably meant.
-void say_no_such_name(const EditOptions& options, const std::string& text) {
-  complain("error: `{}` has no object and no node `{}`\n", options.graph, options.from);
-  const std::string owner = options.from.substr(0, options.from.find_first_of("./["));
-  if (owner != options.from && !uses_of(text, owner).empty()) {
-    complain(
-        "help: what is inside of `{}` has its name in the manifest of its type; `eagerx-gen rename "
-        "{} {} NEW` renames `{}`\n",
-        owner, shell_word(options.graph), owner, owner);
-    return;
+/// What `from` names among actions and observations, alone or as `actions.voltage`.
+std::optional<OutlinePath> entry_of(const std::string& text, const std::string& from) {
+  const OutlineNode top = outline_of(text);
+  std::vector<OutlinePath> found;
+  for (const char* const section : {"actions", "observations"}) {
+    const OutlineNode* const all = top.find(section);
+    if (all == nullptr) continue;
+    for (const OutlineEntry& entry : all->entries) {
+      const std::string& name = entry.key.empty() ? entry.value.text : entry.key;
+      if (from == name || from == fmt::format("{}.{}", section, name) ||
+          from == fmt::format("{}/{}", section, name))
+        found.push_back({section, name});
+    }
   }
-  const std::string help = host::suggestion(options.from, owners_of(text));
-  if (!help.empty()) complain("help: {}\n", help);
+  return found.size() == 1 ? std::optional(found.front()) : std::nullopt;
+}
+
+/// The section of the graph that has this key, of those whose names `rename` does not change.
+std::string section_of(const std::string& text, const std::string& name) {
+  const OutlineNode top = outline_of(text);
+  for (const OutlineEntry& section : top.entries) {
+    if (!section.key.empty() && section.value.find(name) != nullptr) return section.key;
+  }
+  return {};
+}
+
+/// That nothing is called `options.from`, and what was probably meant.
+Change no_such_name(const EditOptions& options, const std::string& text) {
+  const std::string problem = fmt::format("`{}` has no object, node, action or observation `{}`",
+                                          options.graph, options.from);
+  const std::string owner = options.from.substr(0, options.from.find_first_of("./["));
+  if (owner != options.from && !uses_of(text, owner).empty())
+    return {{},
+            problem,
+            fmt::format("what is inside of `{0}` has its name in the manifest of its type; "
+                        "`eagerx-gen rename {1} {0} NEW` renames `{0}`",
+                        owner, shell_word(options.graph))};
+  if (const std::string section = section_of(text, options.from); !section.empty())
+    return {
+        {},
+        problem,
+        fmt::format("it is the name of one of `{}:`: change it where the graph has it", section)};
+  return {{}, problem, host::suggestion(options.from, owners_of(text))};
+}
+
+/// Why an object or a node cannot be called `options.to`.
+Change no_free_name(const EditOptions& options, const std::string& text) {
+  if (options.to == options.from) return {{}, fmt::format("`{}` has this name", options.from), {}};
+  if (ranges::contains(owners_of(text), options.to))
+    return {{}, fmt::format("there is `{}` already", options.to), "choose another name"};
+  return {{},
+          fmt::format("`{}` cannot be the name of an object or a node", options.to),
+          "a name has letters, digits and `_`, begins with a letter, and is not `actions`, "
+          "`observations`, `engine` or `environment`"};
+}
+
+Change renamed(const EditOptions& options, const std::string& text) {
+  if (auto edit = rename(text, options.from, options.to)) return {std::move(edit)};
+  if (!uses_of(text, options.from).empty()) return no_free_name(options, text);
+  const auto entry = entry_of(text, options.from);
+  return entry ? rename_entry(text, *entry, options.to) : no_such_name(options, text);
 }
 
 int perform_rename(const EditOptions& options) {
   Run run;
   const auto file = text_of_file(run, options.graph);
   if (!file) return finish(run, options);
-  const auto edit = rename(*file, options.from, options.to);
+  const Change change = renamed(options, *file);
+  const auto& edit = change.edit;
   if (!edit) {
-    if (uses_of(*file, options.from).empty()) {
-      say_no_such_name(options, *file);
-    } else {
-      complain("error: `{}` is taken, or cannot be the name of an object or a node\n", options.to);
-    }
+    complain("error: {}\n", change.problem);
+    if (!change.help.empty()) complain("help: {}\n", change.help);
     return kProblems;
   }
   const std::string text = applied(*file, edit->splices);
@@ -213,12 +260,17 @@ Command fix_table(EditOptions& options) {
 
 Command rename_table(EditOptions& options) {
   Arguments arguments = common(options);
-  arguments.insert(arguments.begin() + 1,
-                   {required(text("old", options.from, "an object or a node of the graph", "OLD")),
-                    required(text("new", options.to, "its new name", "NEW"))});
+  arguments.insert(
+      arguments.begin() + 1,
+      {required(text("old", options.from,
+                     "an object, a node, an action or an observation of the graph", "OLD")),
+       required(text("new", options.to, "its new name", "NEW"))});
   return {.name = "rename",
-          .about = "give an object or a node another name, wherever the graph has it",
-          .examples = {{"in all of a graph", "eagerx-gen rename pendulum.yaml smooth filter"}},
+          .about =
+              "give an object, a node, an action or an observation another name, wherever the "
+              "graph has it",
+          .examples = {{"in all of a graph", "eagerx-gen rename pendulum.yaml smooth filter"},
+                       {"an action", "eagerx-gen rename pendulum.yaml actions.voltage u"}},
           .arguments = joined({std::move(arguments), diagnostics(options)}),
           .run = [&options] { return perform_rename(options); }};
 }

@@ -59,8 +59,9 @@ struct Expression {
 /// port: `node.port` and `engine/node.port`, with any number of parts.
 enum class NameForm : std::uint8_t { plain, dollar, port };
 
-/// The whole text as a tree; nullopt after a problem.
-std::optional<Expression> parse(Text& text, NameForm names);
+/// The whole text as a tree; nullopt after a problem. `has_where`: what reads the tree knows
+/// `where(condition, a, b)`, for those who write a choice as other languages do.
+std::optional<Expression> parse(Text& text, NameForm names, bool has_where = false);
 
 /// Digits with an optional point and exponent, as the grammar takes them; nullopt beyond a double.
 std::optional<double> parse_digits(std::string_view digits);

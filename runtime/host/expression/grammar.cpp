@@ -11,7 +11,8 @@ using Tree = Expression::Op;
 
 class Grammar {
  public:
-  Grammar(Text& text, NameForm names) : text_(text), names_(names) {}
+  Grammar(Text& text, NameForm names, bool has_where)
+      : text_(text), names_(names), has_where_(has_where) {}
 
   std::optional<Expression> read() {
     Expression all = disjunction();
@@ -27,6 +28,8 @@ class Grammar {
     if (text_.peek('&')) return "write `and`: `x > 0 and y > 0`";
     if (text_.peek('|')) return "write `or`: `x > 0 or y > 0`";
     if (text_.peek('!')) return "write `not`: `not x > 0`";
+    const bool chooses = text_.peek('?') || text_.next() == "`if`";
+    if (chooses && has_where_) return "write `where(x > 0, a, b)`";
     return {};
   }
 
@@ -73,7 +76,7 @@ class Grammar {
     Expression result = joined(*op, std::move(left), sum());
     const std::size_t after = text_.place();
     if (text_.take_comparison())
-      text_.fail(after, "comparisons cannot be chained: join them with `and`");
+      text_.fail(after, "comparisons cannot be chained", "join them: `0 < x and x < 1`");
     return result;
   }
 
@@ -135,7 +138,8 @@ class Grammar {
     result.count = digits == "3" ? 3 : 2;
     result.operands.push_back(std::move(base));
     const std::size_t after = text_.place();
-    if (text_.take('^')) text_.fail(after, "powers cannot be chained: use parentheses");
+    if (text_.take('^'))
+      text_.fail(after, "powers cannot be chained", "write `(x^2)^3`, or `pow(x, 6)`");
     return result;
   }
 
@@ -227,6 +231,7 @@ class Grammar {
 
   Text& text_;
   NameForm names_;
+  bool has_where_;
   int depth_ = 0;  // of `$(`
 };
 
@@ -243,8 +248,8 @@ std::optional<double> parse_digits(std::string_view digits) {
   return error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
 }
 
-std::optional<Expression> parse(Text& text, NameForm names) {
-  return Grammar(text, names).read();
+std::optional<Expression> parse(Text& text, NameForm names, bool has_where) {
+  return Grammar(text, names, has_where).read();
 }
 
 }  // namespace eagerx::expression

@@ -27,6 +27,39 @@ struct Reduction {
 constexpr std::array kReductions = {Reduction{"sum", Op::sum}, Reduction{"mean", Op::mean},
                                     Reduction{"norm", Op::norm}};
 
+/// What Python, NumPy, torch, MATLAB and C call some functions.
+constexpr auto kOtherNames =
+    std::to_array<std::array<std::string_view, 2>>({{"square", "x^2"},
+                                                    {"sq", "x^2"},
+                                                    {"power", "pow(x, y)"},
+                                                    {"absolute", "abs(x)"},
+                                                    {"ln", "log(x)"},
+                                                    {"clip", "clamp(x, low, high)"},
+                                                    {"maximum", "max(x, y)"},
+                                                    {"minimum", "min(x, y)"},
+                                                    {"mod", "fmod(x, y)"},
+                                                    {"arctan2", "atan2(y, x)"},
+                                                    {"arcsin", "asin(x)"},
+                                                    {"arccos", "acos(x)"},
+                                                    {"arctan", "atan(x)"},
+                                                    {"average", "mean(x)"},
+                                                    {"select", "where(x > 0, a, b)"},
+                                                    {"if", "where(x > 0, a, b)"},
+                                                    {"hypot", "sqrt(x^2 + y^2)"},
+                                                    {"sign", "where(x > 0, 1, -1)"}});
+
+/// What to write for a function of another language or library, `np.exp` or `square`; empty if it
+/// is none.
+std::string of_other_language(std::string_view name, const std::vector<std::string>& known) {
+  const auto dot = name.rfind('.');
+  const std::string_view last = dot == std::string_view::npos ? name : name.substr(dot + 1);
+  for (const auto& [theirs, ours] : kOtherNames)
+    if (theirs == last) return "write `" + std::string(ours) + "`";
+  const bool is_known = std::ranges::find(known, last) != known.end();
+  return dot != std::string_view::npos && is_known ? "write `" + std::string(last) + "`"
+                                                   : std::string();
+}
+
 std::string list_text(const std::vector<std::uint64_t>& shape) {
   std::string text;
   for (const std::uint64_t each : shape) text += (text.empty() ? "" : ", ") + std::to_string(each);
@@ -42,7 +75,7 @@ class Typer {
   Typer(Text& text, const Names& names) : text_(text), names_(names) {}
 
   std::optional<Typed> read(Type wanted) {
-    const auto tree = parse(text_, names_.form);
+    const auto tree = parse(text_, names_.form, true);
     if (!tree) return std::nullopt;
     Typed all = make(*tree);
     if (wanted == Type::condition) {
@@ -180,7 +213,8 @@ class Typer {
     result.is_condition = list.is_condition;
     if (!text_.good()) return result;
     if (!list.is_list()) {
-      fail(tree.begin, "this is no list, so it has no elements");
+      fail(tree.begin, "this is no list, so it has no elements",
+           "write it without `[" + std::to_string(tree.count) + "]`");
     } else if (tree.count >= list.size()) {
       fail(tree.begin, list_text(list.shape) + " has no element " + std::to_string(tree.count),
            "elements are counted from 0, row by row: 0 to " + std::to_string(list.size() - 1));
@@ -298,6 +332,10 @@ class Typer {
     std::vector<std::string> known = {"sum", "norm",     "mean",   "min",
                                       "max", "angle_of", "before", "where"};
     for (const Function& each : kFunctions) known.emplace_back(each.name);
+    if (const std::string theirs = of_other_language(name, known); !theirs.empty()) {
+      text_.fail(tree.begin, "unknown function " + quoted(name), theirs);
+      return {};
+    }
     text_.fail_unknown(tree.begin, "unknown function " + quoted(name), name, known);
     return {};
   }

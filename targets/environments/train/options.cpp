@@ -27,9 +27,9 @@ void set_named(Settings& settings, const std::string& text) {
   try {
     set(settings, name, text.substr(equals + 1));
   } catch (const Problem& problem) {
-    throw Problem(problem.code,
-                  problem.help.empty() ? name + ": " + problem.what() : problem.what(),
-                  problem.help);
+    if (!problem.help.empty()) throw;
+    throw Problem(problem.code, name + ": " + problem.what(),
+                  "`eagerx-gen help train-settings` lists settings and ranges");
   }
 }
 

@@ -188,11 +188,26 @@ constexpr auto kOtherNames = std::to_array<std::array<std::string_view, 2>>({
     {"target_entropy", "target_entropy_per_action"},
 });
 
+/// Names of what has an option of its own.
+constexpr auto kOptions = std::to_array<std::array<std::string_view, 2>>({
+    {"seed", "seed N"},
+    {"algo", "algorithm NAME"},
+    {"algorithm", "algorithm NAME"},
+    {"preset", "preset NAME"},
+    {"steps", "steps N"},
+    {"total_timesteps", "steps N"},
+    {"num_threads", "threads N"},
+    {"n_threads", "threads N"},
+    {"tensorboard_log", "tensorboard DIR"},
+});
+
 std::string help_with(std::string_view name) {
   constexpr const char* kAll = "`eagerx-gen help train-settings` lists them";
   if (const std::string renamed = host::help_for_renamed(host::kTrainSettings, name);
       !renamed.empty())
     return renamed;
+  for (const auto& [theirs, option] : kOptions)
+    if (theirs == name) return fmt::format("it is an option: `--{}`", option);
   for (const auto& [theirs, ours] : kOtherNames)
     if (theirs == name) return fmt::format("it is `{}` here; {}", ours, kAll);
   std::vector<std::string> known;

@@ -11,6 +11,14 @@ The reference: of the build folder here, opened where there are a display and a 
   error: the reference has no page for `ButerworthFilter`
   help: did you mean `ButterworthFilter`?
   [2]
+  $ eagerx-gen docs pid
+  error: the reference has no page for `pid`
+  help: did you mean `PidController`?
+  [2]
+  $ eagerx-gen docs lqr
+  error: the reference has no page for `lqr`
+  help: did you mean `StateFeedback`?
+  [2]
   $ printf '#!/bin/sh\necho "shows $1"\n' >browser && chmod +x browser
   $ DISPLAY=:0 BROWSER=$PWD/browser eagerx-gen docs budget
   file://<build>/site/keys.html#budget

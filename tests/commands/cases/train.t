@@ -25,6 +25,23 @@ Nothing is built for a training that cannot be.
   error: --algorithm: there is no algorithm `es`, only ppo and sac
   help: `eagerx-gen train --help` lists the options
   [2]
+Settings by the names that other libraries use, and options.
+  $ eagerx-gen train "$graph" --setting lr=0.001
+  error: --setting: there is no setting `lr`
+  help: it is `learning_rate` here; `eagerx-gen help train-settings` lists them
+  [2]
+  $ eagerx-gen train "$graph" --setting total_timesteps=1000
+  error: --setting: there is no setting `total_timesteps`
+  help: it is an option: `--steps N`
+  [2]
+  $ eagerx-gen train "$graph" --setting seed=2
+  error: --setting: there is no setting `seed`
+  help: it is an option: `--seed N`
+  [2]
+  $ eagerx-gen train "$graph" --setting n_envs=4
+  error: --setting: n_envs: `4` is not a number from 8 to 65536
+  help: `eagerx-gen help train-settings` lists settings and ranges
+  [2]
 Sweeps, before anything is built.
   $ trained=$root/examples/pendulum_training/graph.yaml
   $ sweep() {

@@ -173,12 +173,30 @@ TEST(TaskExpression, Conditions) {
   EXPECT_EQ(condition("true"), "true");
 }
 
+/// Each help is an expression that is right, with the variables that it names.
+TEST(TaskExpression, WordsOfOtherLanguagesAreTranslated) {
+  const auto chosen = std::string("(write `where(x > 0, a, b)`)");
+  EXPECT_EQ(number("x if x > 0 else 1"), "2: expected the end, found `if` " + chosen);
+  EXPECT_EQ(number("x > 0 ? 1 : 0"), "6: expected the end, found `?` " + chosen);
+  EXPECT_EQ(number("square(x)"), "0: unknown function `square` (write `x^2`)");
+  EXPECT_EQ(number("np.exp(x)"), "0: unknown function `np.exp` (write `exp`)");
+  EXPECT_EQ(number("np.square(x)"), "0: unknown function `np.square` (write `x^2`)");
+  EXPECT_EQ(number("torch.clip(x, 0, 1)"),
+            "0: unknown function `torch.clip` (write `clamp(x, low, high)`)");
+  EXPECT_EQ(number("fabs(x)"), "0: unknown function `fabs` (did you mean `abs`?)");
+  for (const char* right :
+       {"x^2", "pow(x, y)", "abs(x)", "log(x)", "max(x, y)", "min(x, y)", "fmod(x, y)",
+        "atan2(y, x)", "asin(x)", "acos(x)", "atan(x)", "mean(v)", "sqrt(x^2 + y^2)",
+        "where(x > 0, 1, -1)", "where(x > 0, x, y)", "clamp(x, 0, 1)", "(x^2)^3"})
+    EXPECT_EQ(number(right).find('`'), std::string::npos) << number(right);
+}
+
 TEST(TaskExpression, MistakesHaveTheirPlaceAndHelp) {
   EXPECT_EQ(number("x +"), "3: expected a value, found the end");
   EXPECT_EQ(number("(x"), "2: expected `)`, found the end");
   EXPECT_EQ(number("x y"), "2: expected the end, found `y`");
   EXPECT_EQ(number("x^4"), "2: an exponent is 2 or 3 (write others as `pow(x, y)`)");
-  EXPECT_EQ(number("x^2^3"), "3: powers cannot be chained: use parentheses");
+  EXPECT_EQ(number("x^2^3"), "3: powers cannot be chained (write `(x^2)^3`, or `pow(x, 6)`)");
   EXPECT_EQ(number("2 * xx"), "4: unknown name `xx` (there is x, y, u, v, m, hit, time, pi)");
   EXPECT_EQ(number("tme"), "0: unknown name `tme` (did you mean `time`?)");
   EXPECT_EQ(number("pendulum.theta"),
@@ -194,7 +212,7 @@ TEST(TaskExpression, MistakesHaveTheirPlaceAndHelp) {
   EXPECT_EQ(number("v[3]"),
             "0: a list of shape [3] has no element 3 (elements are counted from 0, row by row: 0 "
             "to 2)");
-  EXPECT_EQ(number("x[0]"), "0: this is no list, so it has no elements");
+  EXPECT_EQ(number("x[0]"), "0: this is no list, so it has no elements (write it without `[0]`)");
   EXPECT_EQ(number("v[x]"), "2: expected the number of an element, from 0");
   EXPECT_EQ(number("hit"),
             "0: expected a number, found true or false (make a number of it: `where(x < 1, 1, "
@@ -211,7 +229,8 @@ TEST(TaskExpression, MistakesHaveTheirPlaceAndHelp) {
   EXPECT_EQ(number("atan2(x)"), "0: `atan2` takes 2 arguments, not 1 (write `atan2(y, x)`)");
   EXPECT_EQ(number("abs(x, y)"), "0: `abs` takes 1 argument, not 2 (write `abs(x)`)");
   EXPECT_EQ(condition("x"), "0: expected true or false, found a number (compare it: `x > 0`)");
-  EXPECT_EQ(condition("x < 1 < 2"), "6: comparisons cannot be chained: join them with `and`");
+  EXPECT_EQ(condition("x < 1 < 2"),
+            "6: comparisons cannot be chained (join them: `0 < x and x < 1`)");
   EXPECT_EQ(condition("x and hit"),
             "0: expected true or false, found a number (compare it: `x > 0`)");
   EXPECT_EQ(condition("abs(v) < 1"),

@@ -130,7 +130,7 @@ TEST(Calculation, WrongOnesHaveAPlace) {
   EXPECT_EQ(problem("(1"), "3: expected `)`, found the end");
   EXPECT_EQ(problem("1 2"), "3: expected the end, found `2`");
   EXPECT_EQ(problem("1 < 2 < 3", Type::condition),
-            "7: comparisons cannot be chained: join them with `and`");
+            "7: comparisons cannot be chained (join them: `0 < x and x < 1`)");
   EXPECT_EQ(problem("1 and 2", Type::condition),
             "1: expected true or false, found a number (compare it: `x > 0`)");
   EXPECT_EQ(

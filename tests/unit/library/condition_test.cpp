@@ -171,7 +171,7 @@ TEST(Condition, TellsOfAProblemAtItsPlace) {
            {"kind == bnad", 19, "`bnad` is not one of its choices"},
            {"kind in (low, bnad)", 25, "`bnad` is not one of its choices"},
            {"dtype(signal) == float", 28, "`float` is not one of its choices"},
-           {"n < 3 < 4", 17, "comparisons cannot be chained: join them with `and`"},
+           {"n < 3 < 4", 17, "comparisons cannot be chained"},
            {"len(n) == 1", 15, "expected a list, found a number"},
            {"lne(list) == 1", 11, "unknown function `lne`"},
            {"size(sginal) == 1", 16, "there is no input, output or state `sginal`"},
