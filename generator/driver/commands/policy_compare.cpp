@@ -193,6 +193,8 @@ Arguments two_policies(PolicyCompareOptions& options) {
                    flag("--int8", options.int8,
                         "round the weights of the second to eight bits, as `weights: int8` does")};
   for (const Saying& saying : sayings()) all.push_back(for_both(options, saying));
+  all.push_back(flag("--state-dependent-std", options.policy.state_dependent_std,
+                     std::string("of the first file: ") + kDeviations));
   return joined({std::move(all), diagnostics(options)});
 }
 

@@ -36,6 +36,7 @@ std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& dia
   request.normalize_path = request.normalize_name = file.normalize;
   request.context.output_name = file.output_name;
   request.context.actor = file.actor;
+  request.context.state_dependent_std = file.state_dependent_std;
   request.context.has_answers = has_answers;
   request.context.layers = parts_of(file.layers);
   for (const std::string& size : parts_of(file.input_sizes)) {

@@ -33,6 +33,7 @@ Arguments one_policy(PolicyOptions& options) {
     all.push_back(text(saying.names, options.policy.*saying.member, saying.about, saying.type));
     all.back().use = saying.use;
   }
+  all.push_back(flag("--state-dependent-std", options.policy.state_dependent_std, kDeviations));
   return gen::joined({std::move(all), diagnostics(options)});
 }
 

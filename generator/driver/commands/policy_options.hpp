@@ -13,6 +13,7 @@ namespace eagerx::gen {
 struct PolicyFile {
   std::string file;  // as the user wrote it
   std::string normalize, activation, output_activation, output_name, actor, layers, input_sizes;
+  bool state_dependent_std = false;
 };
 
 struct PolicyOptions : MessageOptions {
@@ -34,6 +35,9 @@ struct Saying {
   FileUse use = FileUse::none;
 };
 const std::vector<Saying>& sayings();
+inline constexpr const char* kDeviations =
+    "the second half of the outputs are deviations, as of rsl_rl's state_dependent_std: leave them "
+    "out";
 
 /// A weight file, with what is said of it.
 Arguments one_policy(PolicyOptions& options);

@@ -73,6 +73,7 @@ void read_policy_settings(const YamlValue& yaml, AgentSpec& spec) {
   spec.normalize = optional_of<std::string>(yaml, "normalize", text);
   spec.activation = optional_of<std::string>(yaml, "activation", text);
   spec.output_activation = optional_of<std::string>(yaml, "output_activation", text);
+  spec.state_dependent_std = optional_of<bool>(yaml, "state_dependent_std", bool_of);
   if (const YamlValue* layers = yaml.find("layers")) {
     for (const auto& item : layers->items) spec.layers.push_back(spanned_text(item));
   }
@@ -106,9 +107,10 @@ AgentSpec read_agent(const YamlValue* yaml, Diagnostics& diagnostics) {
   }
   spec.kind = policy != nullptr ? AgentSpec::Kind::policy : AgentSpec::Kind::csv;
   spec.file = spanned_text(policy != nullptr ? *policy : *csv);
-  for (const char* key : {"observations", "output", "trained_at", "normalize_actions", "normalize",
-                          "activation", "output_activation", "layers", "input_sizes", "actor",
-                          "output_name", "golden", "weights", "max_error", "profile"}) {
+  for (const char* key :
+       {"observations", "output", "trained_at", "normalize_actions", "normalize", "activation",
+        "output_activation", "state_dependent_std", "layers", "input_sizes", "actor", "output_name",
+        "golden", "weights", "max_error", "profile"}) {
     if (csv == nullptr || yaml->find(key) == nullptr) continue;
     diagnostics.error("E0206", yaml->find(key)->span,
                       fmt::format("`{}` goes with a `policy`, not with a `csv`", key));

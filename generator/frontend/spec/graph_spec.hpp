@@ -57,6 +57,7 @@ struct AgentSpec {
   std::optional<Spanned<std::string>> normalize;   // file of statistics
   std::optional<Spanned<std::string>> activation;  // of hidden layers
   std::optional<Spanned<std::string>> output_activation;  // after the last layer
+  std::optional<Spanned<bool>> state_dependent_std;       // half of the outputs are deviations
   std::vector<Spanned<std::string>> layers;               // of a table, in order, activations too
   std::vector<Spanned<std::int64_t>> input_sizes;         // of TorchScript
   std::optional<Spanned<std::string>> actor;              // how names of its tensors begin

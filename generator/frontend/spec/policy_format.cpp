@@ -29,6 +29,9 @@ std::vector<Field> policy_settings() {
        false,
        "what follows the last layer, for files that do not say it: state dicts of modules that no "
        "known library made"},
+      {"state_dependent_std", format::boolean(), false,
+       "true: the first half of the outputs are means, which act, and the second half deviations, "
+       "which do not: rsl_rl's `state_dependent_std` and HeteroscedasticGaussianDistribution"},
       {"layers", format::list("a list of layers", format::text("a name"), 1), false,
        "of a table of tensors whose names tell no order: its layers in their order (`[fc1, fc2, "
        "mu]`), or with what follows each (`[fc1, relu, fc2, relu, mu, tanh]`)"},

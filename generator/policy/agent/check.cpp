@@ -106,9 +106,8 @@ bool bounded(const Space& space) {
 void suggest_means(const Network& network, const Sum& given, Diagnostic& problem) {
   if (given.total == 0 || network.outputs() != 2 * given.total) return;
   problem.help +=
-      "; if the second half are deviations (rsl_rl's `state_dependent_std`), keep the first half "
-      "of "
-      "the rows of the last layer's weight and bias in the file, which gives the means";
+      "; if the second half are deviations, as rsl_rl's, say `state_dependent_std: true` with "
+      "the policy";
 }
 
 }  // namespace

@@ -130,6 +130,7 @@ std::optional<Network> read_weights(const AgentSpec& policy, const std::string& 
   if (policy.output_activation) {
     said.output_activation = activation_of(policy.output_activation->value);
   }
+  said.state_dependent_std = policy.state_dependent_std && policy.state_dependent_std->value;
   if (policy.actor) said.actor = policy.actor->value;
   for (const auto& layer : policy.layers) said.layers.push_back(layer.value);
   for (const auto& size : policy.input_sizes) said.input_sizes.push_back(size.value);

@@ -86,6 +86,30 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
   return network;
 }
 
+/// Leaves the deviations out, which are the second half of the outputs: rsl_rl's MLP gives
+/// [2, actions], and its policy acts by the first row (rsl_rl/modules/distribution.py,
+/// HeteroscedasticGaussianDistribution.deterministic_output).
+bool keep_means(Network& network, PolicyProblem& problem) {
+  const std::uint32_t outputs = network.outputs();
+  if (outputs % 2 != 0)
+    return refuse(problem, "E0626",
+                  fmt::format("gives {}, which are not means and as many deviations",
+                              counted(outputs, "number")),
+                  "leave the graph's `state_dependent_std` out");
+  Layer& last = network.layers.back();
+  const std::uint32_t means = outputs / 2;
+  if (last.is_dense() && !last.norm) {
+    last.weights.resize(std::size_t{means} * last.inputs);
+    last.bias.resize(std::min<std::size_t>(last.bias.size(), means));
+    last.outputs = means;
+    return true;
+  }
+  Reorder first;
+  for (std::uint32_t i = 0; i < means; ++i) first.from.push_back(i);
+  network.layers.push_back(layer_of(std::move(first), outputs, means));
+  return true;
+}
+
 /// "`angle` (2), `speed` (1)"
 std::string listed(const std::vector<NamedPart>& parts) {
   std::string text;
@@ -163,6 +187,7 @@ std::optional<Network> read_policy_bytes(std::string_view bytes, const std::stri
                                          const ReadContext& context) {
   PolicyProblem problem;
   std::optional<Network> network = read_any(bytes, context, problem);
+  if (network && context.state_dependent_std && !keep_means(*network, problem)) network.reset();
   if (!network) {
     report_problem(problem, "policy", name, mention, diagnostics);
     return std::nullopt;

@@ -5,6 +5,8 @@
 
 #include "generator/policy/formats/golden.hpp"
 #include "generator/policy/formats/read.hpp"
+#include "generator/policy/network/evaluate.hpp"
+#include "tests/unit/formats/table_builder.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -122,6 +124,46 @@ TEST(SaidLayers, ThatAreNotThereAreRefused) {
                       "leave the graph's `layers` out");
   expect_said_refused("torchscript/joined_scripted.pt", with_layers({"actor"}), "E0626",
                       "is TorchScript", "leave the graph's `layers` out");
+}
+
+/// rsl_rl's MLP with `state_dependent_std`: the last layer gives [2, actions], row by row, and
+/// `deterministic_output` is the first row (rsl_rl 5.4, modules/distribution.py). Names are those
+/// of rsl_rl 3 (`actor.`) and from 4 on (`mlp.`). `rows` of the last layer are in the file.
+std::string means_and_deviations(const std::string& prefix, int rows) {
+  const std::vector<float> first = {0.5F, -1.0F, 0.25F, 2.0F, 1.0F, -0.5F};  // [3, 2]
+  const std::vector<float> last = {1.0F, 2.0F, 3.0F, -1.0F, 0.5F, 0.25F,     // means
+                                   9.0F, 9.0F, 9.0F, 8.0F,  8.0F, 8.0F};     // deviations
+  const std::vector<float> bias = {0.125F, -0.5F, 7.0F, 6.0F};
+  const auto begin = [rows](const std::vector<float>& all, int width) {
+    return std::vector<float>(all.begin(), all.begin() + std::ptrdiff_t{rows} * width);
+  };
+  return test::safetensors({{prefix + "0.weight", {3, 2}, first},
+                            {prefix + "0.bias", {3}, {0.0F, 0.5F, -0.25F}},
+                            {prefix + "2.weight", {rows, 3}, begin(last, 3)},
+                            {prefix + "2.bias", {rows}, begin(bias, 1)}});
+}
+
+TEST(SaidDeviations, AreLeftOut) {
+  ReadContext context;
+  context.activation = Activation::relu;
+  context.output_activation = Activation::identity;
+  for (const char* prefix : {"actor.", "mlp."}) {
+    Diagnostics diagnostics;
+    context.state_dependent_std = true;
+    const auto means =
+        read_policy_bytes(means_and_deviations(prefix, 4), "p", {}, diagnostics, context);
+    EXPECT_FALSE(read_policy_bytes(means_and_deviations(prefix, 3), "p", {}, diagnostics, context));
+    EXPECT_EQ(diagnostics.all().back().code, "E0626");
+    EXPECT_THAT(diagnostics.all().back().message, HasSubstr("gives 3 numbers"));
+    context.state_dependent_std = false;
+    const auto all =
+        read_policy_bytes(means_and_deviations(prefix, 4), "p", {}, diagnostics, context);
+    ASSERT_TRUE(means && all) << prefix;
+    EXPECT_EQ(all->outputs(), 4U);
+    // hidden = relu([x0 / 2 - x1, x0 / 4 + 2 x1 + 0.5, x0 - x1 / 2 - 0.25]) = [1.5, 0, 2]
+    EXPECT_THAT(evaluate(*means, {2.0F, -0.5F}), testing::ElementsAre(7.625F, -1.5F));
+    EXPECT_THAT(evaluate(*all, {2.0F, -0.5F}), testing::ElementsAre(7.625F, -1.5F, 38.5F, 34.0F));
+  }
 }
 
 }  // namespace

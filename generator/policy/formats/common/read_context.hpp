@@ -21,6 +21,7 @@ struct ReadContext {
   std::string actor{};                     // of tables: how the names of its tensors begin
   std::string output_name{};               // of ONNX and TorchScript: which output is the action
   std::optional<Activation> output_activation{};  // after the last layer, as the graph says
+  bool state_dependent_std = false;               // outputs are means, then as many deviations
   std::vector<std::int64_t> input_sizes{};  // of TorchScript: numbers of each argument of forward
   /// Of tables: modules in the order of evaluation, "fc1"; activations between them, if any is
   /// named, else `activation` follows all but the last.
