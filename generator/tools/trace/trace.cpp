@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/support/diagnostics/join.hpp"
+#include "generator/support/diagnostics/search.hpp"
 #include "generator/tools/trace/convert.hpp"
 #include "generator/tools/trace/plot.hpp"
 
@@ -23,15 +24,27 @@ TraceResult with_log(const std::string& path, F&& f) {
   return result;
 }
 
-/// The unit that all channels of a panel have; empty if they have none, or different ones.
-std::string unit_of(const PlotPanel& panel, const std::map<std::string, std::string>& units) {
-  std::string found;
-  for (const std::string& channel : panel.channels) {
-    const auto unit = units.find(channel);
-    if (unit == units.end() || (!found.empty() && found != unit->second)) return {};
-    found = unit->second;
+using Units = std::map<std::string, std::string>;
+
+std::string unit_of(const std::string& channel, const Units& units) {
+  const auto unit = units.find(channel);
+  return unit == units.end() ? std::string() : unit->second;
+}
+
+/// The unit that all channels of a panel have is that of its axis; different ones are in the
+/// legend.
+void add_units(PlotPanel& panel, const Units& units) {
+  const std::string first = unit_of(panel.channels.front(), units);
+  if (ranges::all_of(panel.channels,
+                     [&](const auto& channel) { return unit_of(channel, units) == first; })) {
+    panel.unit = first;
+    return;
   }
-  return found;
+  for (std::string& name : panel.names) {
+    const std::string channel = name.substr(0, name.ends_with(']') ? name.rfind('[') : name.size());
+    if (const std::string unit = unit_of(channel, units); !unit.empty())
+      name += fmt::format(" [{}]", unit);
+  }
 }
 
 std::vector<PlotPanel> panels_of(const Log& log, const PlotRequest& request, Naming& naming) {
@@ -46,7 +59,7 @@ std::vector<PlotPanel> panels_of(const Log& log, const PlotRequest& request, Nam
   std::string problems;
   for (const auto& name : request.channels) {
     if (auto panel = panel_named(log, name, request.episode, naming)) {
-      panel->unit = unit_of(*panel, request.units);
+      add_units(*panel, request.units);
       panels.push_back(std::move(*panel));
     } else {
       problems += (problems.empty() ? "error: " : "\nerror: ") + problem;

@@ -175,6 +175,31 @@ TEST_F(LogsTest, PlotsSayWhatIsNotThere) {
   EXPECT_FALSE(plot_log_as_text({path, {"u"}, 0}, 60, false).bytes.empty());
 }
 
+/// The axis has a unit only if all channels of the plot have it.
+TEST_F(LogsTest, UnitsThatDifferAreInTheLegend) {
+  const std::string path = folder_.file("a.log", kWhole);
+  const auto svg = [&](const char* channels, const char* theta, const char* u) {
+    const auto whole = [&](const std::string& part) {
+      trace_log::Log all = log();
+      Naming naming;
+      return all.channels[*channel_named(all, part, naming)].name;
+    };
+    PlotRequest request{path, {channels}, {}};
+    request.units = {{whole("theta"), theta}, {whole("u"), u}};
+    return plot_log_as_svg(request).bytes;
+  };
+  EXPECT_NE(svg("theta", "rad", "").find(">[rad]<"), std::string::npos);
+  EXPECT_NE(svg("theta,u", "V", "V").find(">[V]<"), std::string::npos);
+  for (const auto& [theta, u] : {std::pair{"", "V"}, std::pair{"rad", ""}, std::pair{"rad", "V"}}) {
+    const std::string both = svg("theta,u", theta, u);
+    for (const std::string unit : {theta, u}) {
+      if (unit.empty()) continue;
+      EXPECT_EQ(both.find(">[" + unit + "]<"), std::string::npos) << "the axis would be wrong";
+      EXPECT_NE(both.find(" [" + unit + "]<"), std::string::npos) << "the legend has it";
+    }
+  }
+}
+
 TEST_F(LogsTest, ThinnedLinesKeepEveryPeak) {
   PlotLine line;
   for (int i = 0; i < 10'000; ++i) {
