@@ -64,6 +64,11 @@ std::string item(const BodyJoint& joint) {
   result.limit("max_torque", joint.limits.effort);
   if (joint.limits.damping > 0.0) result.member("damping", literal(joint.limits.damping));
   if (joint.limits.friction > 0.0) result.member("friction", literal(joint.limits.friction));
+  if (joint.limits.stiffness > 0.0) {
+    result.member("stiffness", literal(joint.limits.stiffness));
+    if (joint.limits.rest != 0.0) result.member("rest", literal(joint.limits.rest));
+  }
+  if (joint.limits.armature > 0.0) result.member("armature", literal(joint.limits.armature));
   result.limit("max_velocity", joint.limits.velocity);
   if (!joint.mimics.empty()) {
     result.name("mimics", joint.mimics);
@@ -98,7 +103,9 @@ std::string item(const Shape& shape) {
   if (!is_plane) result.member("size", literal(shape.size));
   result.member("position", literal(shape.position));
   if (is_plane) result.member("axis", literal(shape.normal));
-  result.member("friction", "Io::Config::friction");
+  result.member("friction", shape.friction == 1.0
+                                ? "Io::Config::friction"
+                                : literal(shape.friction) + " * Io::Config::friction");
   result.member("bounce", "Io::Config::bounce");
   if (!is_plane && shape.rotation != models::kNoRotation)
     result.member("rotation", literal(shape.rotation));
@@ -120,6 +127,16 @@ std::string list(const char* type, const char* name, const Items& items, const c
     return fmt::format("  static constexpr std::array<{}, 0> {} = {{}};\n", type, name);
   return fmt::format("  static constexpr std::array<{}, {}> {} = {{{{{}}}}};\n", type, count, name,
                      text);
+}
+
+std::string pairs(const Robot& robot) {
+  std::string text;
+  for (const auto& [first, second] : robot.pairs)
+    text += fmt::format("{}\n      {{{}, {}}}", text.empty() ? "" : ",", gen::cpp_string(first),
+                        gen::cpp_string(second));
+  return fmt::format(
+      "  static constexpr std::array<std::array<const char*, 2>, {}> kPairs = {{{{{}}}}};\n",
+      robot.pairs.size(), text);
 }
 
 }  // namespace
@@ -148,6 +165,7 @@ struct {2} {{
   text += list("RigidBody", "kBodies", robot.bodies);
   text += list("RigidJoint", "kJoints", robot.joints);
   text += list("RigidGeometry", "kGeometries", robot.shapes, robot.ground ? kGround : "");
+  if (!robot.pairs.empty()) text += pairs(robot);
   return text + "};\n\n}  // namespace eagerx::models\n";
 }
 

@@ -39,6 +39,15 @@ Axes axes_of(const Joint& joint) {
 
 }  // namespace
 
+void set_base(Description& description, bool is_free) {
+  if (!description.has_world) return;
+  for (Joint& joint : description.joints) {
+    if (joint.parent != description.links[0].name) continue;
+    if (is_free && joint.type == JointType::fixed) joint.type = JointType::floating;
+    if (!is_free && joint.type == JointType::floating) joint.type = JointType::fixed;
+  }
+}
+
 void expand_joints(Description& description) {
   std::vector<Joint> joints;
   for (Joint& joint : description.joints) {
@@ -61,6 +70,7 @@ void expand_joints(Description& description) {
         made.name = one.name;
         made.place = joint.place;
         made.is_made = true;
+        if (description.has_world) made.share = kSmallShare;
         description.links.push_back(std::move(made));
       }
       parent = one.child;

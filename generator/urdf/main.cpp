@@ -43,7 +43,7 @@ constexpr double kUsualStep = 1e-3;  // [s]
 /// Notes on what the description leaves open.
 void say_more(const Options& options, const eagerx::urdf::Robot& robot) {
   // A robot that was meant to stand on something falls.
-  if (options.robot.base == Base::by_mass && !robot.bodies.empty()) {
+  if (options.robot.base == Base::by_mass && !robot.bodies.empty() && !robot.has_world) {
     if (robot.bodies[0].is_free)
       eagerx::gen::say("`{}` is free to move, as it has a mass: `--base fixed` fixes it\n",
                        robot.base);
@@ -65,7 +65,7 @@ void say_more(const Options& options, const eagerx::urdf::Robot& robot) {
   if (!can_use_multibody(robot))
     eagerx::gen::say(
         "for OpenDynamicsEngine alone: MultibodyEngine has one free body, or joints on the "
-        "world, in each object\n");
+        "world, and one plane, in each object\n");
 }
 
 void write(const Options& options, const eagerx::urdf::Robot& robot,
@@ -90,7 +90,12 @@ int convert(const Options& options) {
   if (auto description = eagerx::urdf::read_file(options.file, sources, diagnostics)) {
     resolve_meshes(*description, fs::path(options.file).parent_path().string(), options.meshes,
                    diagnostics);
-    const auto robot = eagerx::urdf::make_robot(*description, options.robot, diagnostics);
+    eagerx::urdf::RobotOptions robot_options = options.robot;
+    if (description->has_world && options.robot.base != Base::by_mass) {
+      set_base(*description, options.robot.base == Base::free);
+      robot_options.base = Base::by_mass;
+    }
+    const auto robot = eagerx::urdf::make_robot(*description, robot_options, diagnostics);
     if (robot) write(options, *robot, diagnostics);
   }
   if (options.quiet) diagnostics.drop_notes();

@@ -25,6 +25,11 @@ std::string numbers(const std::vector<BodyJoint>& joints, F&& number) {
   return text;
 }
 
+std::string vector_text(const Vector3& v) {
+  return fmt::format("[{}, {}, {}]", gen::double_literal(v[0] + 0.0),
+                     gen::double_literal(v[1] + 0.0), gen::double_literal(v[2] + 0.0));
+}
+
 double or_else(double value, double fallback) {
   return std::isfinite(value) ? value : fallback;
 }
@@ -40,13 +45,17 @@ class Manifest {
  public:
   explicit Manifest(const Robot& robot) : robot_(robot) {
     for (const BodyJoint& joint : robot.joints) {
-      if (joint.mimics.empty() && !joint.is_fixed) joints_.push_back(joint);
+      if (!joint.mimics.empty() || joint.is_fixed) continue;
+      joints_.push_back(joint);
+      if (joint.limits.drive.exists) driven_.push_back(joint);
     }
   }
 
   std::string text() {
     if (!joints_.empty()) add_joints();
-    for (const Body& body : robot_.bodies) add_body(body);
+    for (const Body& body : robot_.bodies) {
+      if (!body.is_made) add_body(body);
+    }
     for (const Shape& shape : robot_.shapes) {
       if (!shape.body.empty()) add_contact(shape.name);
     }
@@ -54,8 +63,8 @@ class Manifest {
       state("ground_friction", "{dtype: float32, shape: [], low: 0.2, high: 1.0}",
             "factor on the friction of everything that touches the ground",
             "GeometryFriction, config: {geometry: ground_plane}");
-    state("gravity",
-          "{dtype: float32, shape: [3], low: [0.0, 0.0, -9.81], high: [0.0, 0.0, -9.81]}",
+    const std::string gravity = vector_text(robot_.gravity);
+    state("gravity", fmt::format("{{dtype: float32, shape: [3], low: {0}, high: {0}}}", gravity),
           "of the whole world, in m/s^2", "Gravity");
     return head() + config() + "sensors:\n" + sensors_ +
            (actuators_.empty() ? "" : "actuators:\n" + actuators_) + "states:\n" + states_ +
@@ -64,14 +73,16 @@ class Manifest {
   }
 
  private:
-  std::string names() const {
+  static std::string names(const std::vector<BodyJoint>& joints) {
     std::string result;
-    for (const BodyJoint& joint : joints_) result += (result.empty() ? "" : " ") + joint.name;
+    for (const BodyJoint& joint : joints) result += (result.empty() ? "" : " ") + joint.name;
     return result;
   }
 
   /// A list in one text. With a blank in it, it is one without quotes, too.
-  std::string yaml_names() const { return joints_.size() == 1 ? gen::yaml_text(names()) : names(); }
+  static std::string yaml_names(const std::vector<BodyJoint>& joints) {
+    return joints.size() == 1 ? gen::yaml_text(names(joints)) : names(joints);
+  }
 
   std::string head() const {
     return fmt::format(
@@ -87,8 +98,8 @@ description: |
 {6})",
         gen::in_json_string(robot_.file), robot_.id,
         gen::counted(robot_.bodies.size(), "body", "bodies"),
-        gen::counted(joints_.size(), "joint", "joints"), joints_.empty() ? "none" : names(),
-        gen::in_comment(robot_.file), followers());
+        gen::counted(joints_.size(), "joint", "joints"), joints_.empty() ? "none" : names(joints_),
+        gen::in_comment(robot_.file), followers() + driven() + keyframes());
   }
 
   std::string followers() const {
@@ -102,6 +113,26 @@ description: |
     return text;
   }
 
+  /// Which joints have actuators, where not all have.
+  std::string driven() const {
+    if (driven_.size() == joints_.size()) return {};
+    if (driven_.empty()) return "  No joint has an actuator.\n";
+    return fmt::format("  Actuators are those of {}.\n", names(driven_));
+  }
+
+  std::string keyframes() const {
+    std::string text;
+    for (const Keyframe& frame : robot_.keyframes) {
+      const auto value = [&](const BodyJoint& joint) {
+        const auto known = frame.positions.find(joint.name);
+        return known != frame.positions.end() ? known->second : 0.0;
+      };
+      text += fmt::format("  Positions `{}` of the description: [{}].\n", frame.name,
+                          numbers(joints_, value));
+    }
+    return text;
+  }
+
   std::string config() const {
     std::string text = R"(config:
   origin: {type: floats, unit: m, default: [0.0, 0.0, 0.0], about: "where the frame of the first link is in the world"}
@@ -109,9 +140,9 @@ description: |
   friction: {type: float, default: 1.0, low: 0.0, about: "coefficient of friction of all its shapes; that of a contact is the product of both"}
   bounce: {type: float, default: 0.0, low: 0.0, high: 1.0, about: share of the normal speed that is left after a contact}
 )";
-    if (joints_.empty()) return text;
+    if (driven_.empty()) return text;
     double most = 0.0;
-    for (const BodyJoint& joint : joints_)
+    for (const BodyJoint& joint : driven_)
       most = std::max(most, or_else(joint.limits.effort, kAnything));
     return text +
            fmt::format(
@@ -140,14 +171,16 @@ description: |
     engine_states_ += fmt::format("      {}: {{type: {}}}\n", name, type);
   }
 
-  std::string joint_space(const std::string& low, const std::string& high) const {
-    return fmt::format("{{dtype: float32, shape: [{}], low: {}, high: {}}}", joints_.size(), low,
+  static std::string space_of(const std::vector<BodyJoint>& joints, const std::string& low,
+                              const std::string& high) {
+    return fmt::format("{{dtype: float32, shape: [{}], low: {}, high: {}}}", joints.size(), low,
                        high);
   }
 
   void add_joints() {
-    const std::string anything = joint_space("-999.0", "999.0");
-    const std::string config = fmt::format("joints: {}, size: {}", yaml_names(), joints_.size());
+    const std::string anything = space_of(joints_, "-999.0", "999.0");
+    const std::string config =
+        fmt::format("joints: {}, size: {}", yaml_names(joints_), joints_.size());
     sensor("position", anything, "of all joints, in rad and m; not wrapped", "JointPositionSensor");
     configured(config);
     sensor("velocity", anything, "of all joints, in rad/s and m/s", "JointVelocitySensor");
@@ -155,23 +188,7 @@ description: |
     sensor("torque", anything, "of all joints in the engine's last step, in N*m and N",
            "JointTorqueSensor");
     configured(config);
-    const auto bounds = [&](auto&& number) {
-      return joint_space(
-          fmt::format("[{}]", numbers(joints_, [&](const BodyJoint& j) { return -number(j); })),
-          fmt::format("[{}]", numbers(joints_, number)));
-    };
-    actuator("torque", "JointTorqueActuator", "",
-             bounds([](const BodyJoint& j) { return or_else(j.limits.effort, kAnything); }),
-             "of all joints, in N*m and N");
-    actuator("velocity", "JointMotorActuator", ", max_torque: $(config max_torque)",
-             bounds([](const BodyJoint& j) { return or_else(j.limits.velocity, kAnything); }),
-             "of all joints, in rad/s and m/s");
-    actuator("position", "JointPositionActuator",
-             ", stiffness: $(config stiffness), damping: $(config damping), "
-             "max_torque: $(config max_torque)",
-             joint_space(fmt::format("[{}]", numbers(joints_, low)),
-                         fmt::format("[{}]", numbers(joints_, high))),
-             "of all joints, in rad and m");
+    if (!driven_.empty()) add_actuators();
     const auto slow = [](const BodyJoint& j) { return std::min(j.limits.velocity, 1.0); };
     const auto slow_back = [](const BodyJoint& j) { return -std::min(j.limits.velocity, 1.0); };
     state("model_state",
@@ -179,17 +196,41 @@ description: |
                       2 * joints_.size(), numbers(joints_, low), numbers(joints_, slow_back),
                       numbers(joints_, high), numbers(joints_, slow)),
           "positions of all joints in rad and m, then their velocities",
-          fmt::format("JointState, config: {{joints: {}}}", yaml_names()));
+          fmt::format("JointState, config: {{joints: {}}}", yaml_names(joints_)));
   }
 
-  void actuator(const char* name, const char* type, const char* config, const std::string& space,
-                const char* about) {
-    actuators_ +=
-        fmt::format("  {}: {{rate: {}, space: {}, about: \"{}\"}}\n", name, kRate, space, about);
+  void add_actuators() {
+    const auto most = [](const BodyJoint& j) { return or_else(j.limits.effort, kAnything); };
+    actuator(
+        "torque", "JointTorqueActuator", "",
+        [&](const BodyJoint& j) { return or_else(j.limits.drive.torque_low, -most(j)); },
+        [&](const BodyJoint& j) { return or_else(j.limits.drive.torque_high, most(j)); },
+        "of all joints, in N*m and N");
+    const auto fast = [](const BodyJoint& j) { return or_else(j.limits.velocity, kAnything); };
+    actuator(
+        "velocity", "JointMotorActuator", ", max_torque: $(config max_torque)",
+        [&](const BodyJoint& j) { return -fast(j); }, fast, "of all joints, in rad/s and m/s");
+    actuator(
+        "position", "JointPositionActuator",
+        ", stiffness: $(config stiffness), damping: $(config damping), "
+        "max_torque: $(config max_torque)",
+        [](const BodyJoint& j) { return or_else(j.limits.drive.position_low, low(j)); },
+        [](const BodyJoint& j) { return or_else(j.limits.drive.position_high, high(j)); },
+        "of all joints, in rad and m");
+  }
+
+  template <class Low, class High>
+  void actuator(const char* name, const char* type, const char* config, const Low& low,
+                const High& high, const char* about) {
+    actuators_ += fmt::format("  {}: {{rate: {}, space: {}, about: \"{}\"}}\n", name, kRate,
+                              space_of(driven_, fmt::format("[{}]", numbers(driven_, low)),
+                                       fmt::format("[{}]", numbers(driven_, high))),
+                              about);
     nodes_ += fmt::format(
         "      {0}_actuator: {{type: {1}, rate: $(actuators {0} rate), config: {{joints: {2}, "
         "default_action: [{3}]{4}}}}}\n",
-        name, type, yaml_names(), numbers(joints_, [](const BodyJoint&) { return 0.0; }), config);
+        name, type, yaml_names(driven_), numbers(driven_, [](const BodyJoint&) { return 0.0; }),
+        config);
     connections_ += fmt::format("      - {{from: actuators.{0}, to: {0}_actuator.action}}\n", name);
   }
 
@@ -237,12 +278,15 @@ description: |
 
   const Robot& robot_;
   std::vector<BodyJoint> joints_;  // that move, without those that follow another one
+  std::vector<BodyJoint> driven_;  // that have actuators
   std::string sensors_, actuators_, states_, nodes_, connections_, engine_states_;
 };
 
 }  // namespace
 
 bool can_use_multibody(const Robot& robot) {
+  const auto planes = std::ranges::count(robot.shapes, models::ShapeKind::plane, &Shape::kind);
+  if (planes + (robot.ground ? 1 : 0) > 1) return false;
   const auto free = std::ranges::count_if(robot.bodies, &Body::is_free);
   const bool on_world = std::ranges::any_of(
       robot.joints, [](const BodyJoint& joint) { return joint.parent.empty(); });

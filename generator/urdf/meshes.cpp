@@ -106,9 +106,7 @@ class Resolver {
       one.mesh.reset();
       one.kind = shape.kind;
       one.size = shape.size;
-      const Frame& in = collision.origin;
-      one.origin = {in.position + rotate(in.rotation, shape.origin.position),
-                    models::normalised(product(in.rotation, shape.origin.rotation))};
+      one.origin = collision.origin * shape.origin;
       ++kinds_[name_of(shape.kind)];
       result.push_back(std::move(one));
     }

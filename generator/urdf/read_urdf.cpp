@@ -7,6 +7,7 @@
 
 #include "generator/frontend/read/text.hpp"
 #include "generator/support/files/missing_file.hpp"
+#include "generator/urdf/mjcf/mjcf.hpp"
 #include "generator/urdf/urdf.hpp"
 #include "generator/urdf/xml.hpp"
 
@@ -45,14 +46,10 @@ std::string name_without(const std::string& path) {
 
 class Reader {
  public:
-  Reader(gen::FileId file, std::string_view text, gen::Diagnostics& diagnostics)
-      : xml_(file, text, diagnostics) {}
+  explicit Reader(Xml& xml) : xml_(xml) {}
 
-  Description read() {
+  Description read(pugi::xml_node robot) {
     Description result;
-    pugi::xml_document document;
-    const pugi::xml_node robot = xml_.parse(document);
-    if (!robot) return result;
     xml_.check(
         robot,
         {.attributes = {"name", "version"}, .many = {"link", "joint"}, .unseen = {"material"}});
@@ -275,7 +272,7 @@ class Reader {
     if (upper < kNoStop) result.upper = upper;
   }
 
-  Xml xml_;
+  Xml& xml_;
 };
 
 }  // namespace
@@ -284,13 +281,20 @@ std::optional<Description> read_text(const std::string& name, std::string text,
                                      gen::SourceMap& sources, gen::Diagnostics& diagnostics) {
   const gen::FileId file = sources.add(name, gen::normalize_text(std::move(text)));
   if (!gen::check_text(sources.text(file), file, diagnostics)) return std::nullopt;
-  Description result = Reader(file, sources.text(file), diagnostics).read();
+  Xml xml(file, sources.text(file), diagnostics);
+  pugi::xml_document document;
+  const pugi::xml_node root = xml.parse(document, {"robot", "mujoco"});
+  if (!root) return std::nullopt;
+  const bool is_mjcf = std::string_view(root.name()) == "mujoco";
+  Description result =
+      is_mjcf ? read_mjcf(name, xml, root, sources, diagnostics) : Reader(xml).read(root);
   result.file = std::filesystem::path(name).filename().string();
   if (diagnostics.has_errors()) return std::nullopt;
   if (result.name.empty()) {
     result.name = name_without(name);
-    diagnostics.warning("E0852", result.place,
-                        fmt::format("`robot` has no `name`: it is called `{}`", result.name));
+    if (!is_mjcf)
+      diagnostics.warning("E0852", result.place,
+                          fmt::format("`robot` has no `name`: it is called `{}`", result.name));
   }
   expand_joints(result);
   return result;

@@ -11,6 +11,7 @@
 #include "generator/backend/emit/namer.hpp"
 #include "generator/frontend/spec/format.hpp"
 #include "generator/urdf/inertia.hpp"
+#include "generator/urdf/masses.hpp"
 
 namespace eagerx::urdf {
 namespace {
@@ -35,12 +36,6 @@ std::string identifier(std::string_view name) {
   return result;
 }
 
-/// `inner` is given in `outer`.
-Frame operator*(const Frame& outer, const Frame& inner) {
-  return {outer.position + rotate(outer.rotation, inner.position),
-          models::normalised(product(outer.rotation, inner.rotation))};
-}
-
 class Maker {
  public:
   Maker(const Description& from, const RobotOptions& options, gen::Diagnostics& diagnostics)
@@ -56,6 +51,7 @@ class Maker {
     place_links(root);
     share_stops();
     finish_bodies();
+    pair_shapes();
     if (diagnostics_.error_count() > before) return std::nullopt;
     robot_.ground = options_.ground;
     return std::move(robot_);
@@ -166,11 +162,30 @@ class Maker {
     robot_.file = from_.file;
     robot_.links = static_cast<std::size_t>(
         std::ranges::count_if(from_.links, [](const Link& item) { return !item.is_made; }));
+    if (from_.has_world) --robot_.links;
     robot_.id = options_.id.empty() ? gen::camel(identifier(from_.name)) : options_.id;
     if (robot_.id.empty() || (robot_.id[0] >= '0' && robot_.id[0] <= '9') || robot_.id == "Io")
       robot_.id.insert(0, "Robot");
     robot_.name = gen::snake(identifier(from_.name));
     if (robot_.name.empty()) robot_.name = "robot";
+    robot_.has_world = from_.has_world;
+    robot_.gravity = from_.gravity.value_or(robot_.gravity);
+    for (const Keyframe& frame : from_.keyframes) {
+      Keyframe& named = robot_.keyframes.emplace_back();
+      named.name = identifier(frame.name);
+      for (const auto& [joint, value] : frame.positions)
+        named.positions[joint_names_.at(joint)] = value;
+    }
+  }
+
+  /// Pairs that the description names by its own names.
+  void pair_shapes() {
+    for (const TouchingPair& pair : from_.pairs) {
+      const auto first = names_of_collisions_.find(pair.first);
+      const auto second = names_of_collisions_.find(pair.second);
+      if (first != names_of_collisions_.end() && second != names_of_collisions_.end())
+        robot_.pairs.push_back({first->second, second->second});
+    }
   }
 
   /// A link and what it belongs to: a body, or kNone for the world.
@@ -219,6 +234,8 @@ class Maker {
   std::size_t new_body(const Link& link, const Vector3& place, bool is_free) {
     robot_.bodies.push_back({.name = link_names_.at(link.name), .place = link.place});
     robot_.bodies.back().is_free = is_free;
+    robot_.bodies.back().is_made = link.is_made;
+    robot_.bodies.back().share = link.share;
     parts_.emplace_back();
     places_.push_back(place);
     return robot_.bodies.size() - 1;
@@ -246,9 +263,10 @@ class Maker {
       if (name.empty())
         name = link_names_.at(link.name) + (count > 1 ? fmt::format("_{}", count) : "");
       name = unique(std::move(name), shape_names_);
+      if (!collision.name.empty()) names_of_collisions_.emplace(collision.name, name);
       robot_.shapes.push_back({std::move(name), collision.kind, body_name(now.body), collision.size,
                                frame.position, frame.rotation,
-                               rotate(frame.rotation, collision.normal)});
+                               rotate(frame.rotation, collision.normal), collision.friction});
       if (collision.kind == models::ShapeKind::plane && now.body != kNone)
         error("E0851", collision.place, "a plane is part of the world: it cannot move");
       bodies_of_shapes_.push_back(now.body);
@@ -343,8 +361,8 @@ class Maker {
       body.products = all.products;
     }
     if (robot_.bodies.empty()) add_scenery();
-    give_masses();
-    for (Body& body : robot_.bodies) check(body);
+    give_masses(robot_.bodies, diagnostics_);
+    for (Body& body : robot_.bodies) check_inertia(body, diagnostics_);
     // Shapes of a body are placed from its centre of mass.
     for (std::size_t g = 0; g < robot_.shapes.size(); ++g) {
       const std::size_t body = bodies_of_shapes_[g];
@@ -371,59 +389,6 @@ class Maker {
     diagnostics_.note(from_.place, "nothing of it can move: its shapes are part of the world");
   }
 
-  /// Bodies without mass, such as frames on a joint, get a little of it.
-  void give_masses() {
-    constexpr double kShare = 1e-3;
-    double total = 0.0;
-    for (const Body& body : robot_.bodies) total += body.mass;
-    std::string names;
-    std::size_t count = 0;
-    gen::Span place;
-    for (Body& body : robot_.bodies) {
-      if (body.mass > 0.0) continue;
-      if (!(total > 0.0)) {
-        error("E0856", body.place, "nothing of the robot that can move has a mass").help =
-            "give links an `inertial`";
-        return;
-      }
-      body.mass = kShare * total;
-      const double moment = std::max(ball_of_water(body.mass), body.mass * 0.05 * 0.05);
-      body.inertia = {{moment, moment, moment}};
-      body.products = {};
-      if (count++ == 0) place = body.place;
-      names += fmt::format("{}`{}`", names.empty() ? "" : ", ", body.name);
-    }
-    if (count == 0) return;
-    diagnostics_
-        .warning(
-            "E0856", place,
-            fmt::format("can move, but {} no mass: {}; {} {:.3g} kg, 1/1000 of the robot's mass",
-                        count == 1 ? "has" : "have", names, count == 1 ? "it gets" : "each gets",
-                        kShare * total))
-        .help = "give the link an `inertial`, or make its joint `fixed`";
-  }
-
-  void check(Body& body) {
-    if (!(body.mass > 0.0)) return;
-    if (!is_positive(body.inertia, body.products)) {
-      const double moment = ball_of_water(body.mass);
-      body.inertia = {{moment, moment, moment}};
-      body.products = {};
-      diagnostics_
-          .warning("E0856", body.place,
-                   fmt::format(
-                       "no body has the inertia of `{}`: it is not positive definite; it gets that "
-                       "of a ball of water of its mass, {:.3g} kg·m²",
-                       body.name, moment))
-          .help = "its principal moments are larger than 0; check the signs of ixy, ixz, iyz";
-    } else if (!is_of_a_body(body.inertia, body.products)) {
-      diagnostics_.warning("E0856", body.place,
-                           fmt::format("no body has the inertia of `{}`: one moment is larger than "
-                                       "both others; it is used as it is",
-                                       body.name));
-    }
-  }
-
   const Description& from_;
   const RobotOptions& options_;
   gen::Diagnostics& diagnostics_;
@@ -436,6 +401,7 @@ class Maker {
   std::vector<Vector3> places_;  // of the first link of each body
   std::vector<std::size_t> bodies_of_shapes_;
   std::set<std::string> shape_names_;
+  std::map<std::string, std::string> names_of_collisions_;  // in the description: here
 };
 
 }  // namespace

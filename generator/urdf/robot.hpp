@@ -1,6 +1,7 @@
 // A description as OpenDynamicsEngine wants it: bodies, joints, shapes in one frame.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct Body {
   Vector3 position{};
   Vector3 inertia{}, products{};
   bool is_free = false;  // no joint holds it
+  bool is_made = false;  // it stands between two axes of one joint, and has nothing of its own
+  double share = 1e-3;   // of the robot's mass, if it has none
 };
 
 /// Fields as in RigidJoint.
@@ -47,7 +50,8 @@ struct Shape {
   std::string body;  // empty: the world
   Vector3 size{}, position{};
   Quaternion rotation{};
-  Vector3 normal{};  // of a plane
+  Vector3 normal{};       // of a plane
+  double friction = 1.0;  // times that of the object
 };
 
 /// All names are made of letters, digits and `_`.
@@ -60,7 +64,11 @@ struct Robot {
   std::vector<Body> bodies;
   std::vector<BodyJoint> joints;  // parents first
   std::vector<Shape> shapes;
+  std::vector<std::array<std::string, 2>> pairs;  // of shapes that touch each other
   bool ground = false;
+  bool has_world = false;  // the description says itself what is free
+  Vector3 gravity{{0.0, 0.0, -9.81}};
+  std::vector<Keyframe> keyframes;  // by the names of `joints`
 };
 
 /// Problems: E0854 (names), E0855 (the links are no tree), E0856 (masses that no body has), E0859
@@ -68,7 +76,7 @@ struct Robot {
 std::optional<Robot> make_robot(const Description& description, const RobotOptions& options,
                                 gen::Diagnostics& diagnostics);
 
-/// One tree, on the world or of a free body.
+/// One tree, on the world or of a free body, and one plane at most.
 bool can_use_multibody(const Robot& robot);
 /// No joint follows another one.
 bool can_use_open_dynamics(const Robot& robot);

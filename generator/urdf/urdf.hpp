@@ -1,7 +1,8 @@
-// A robot as its URDF file describes it, typed.
+// A robot as its URDF or MJCF file describes it, typed.
 #pragma once
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,12 +28,21 @@ struct Frame {
   Quaternion rotation{{1.0, 0.0, 0.0, 0.0}};  // of length 1
 };
 
+/// `inner` is given in `outer`.
+inline Frame operator*(const Frame& outer, const Frame& inner) {
+  return {outer.position + rotate(outer.rotation, inner.position),
+          models::normalised(product(outer.rotation, inner.rotation))};
+}
+
 struct Inertial {
   Frame origin;        // of the centre of mass, in the link's frame
   double mass = 0.0;   // [kg]
   Vector3 inertia{};   // Ixx, Iyy, Izz about the axes of `origin` [kg·m²]
   Vector3 products{};  // Ixy, Ixz, Iyz
 };
+
+/// Of the robot's mass, what a link between two axes of one body gets: it has none of its own.
+inline constexpr double kSmallShare = 1e-6;
 
 /// A file of triangles.
 struct Mesh {
@@ -49,6 +59,7 @@ struct Collision {
   Vector3 size{};            // as RigidGeometry has it
   Vector3 normal{};          // of a plane
   std::optional<Mesh> mesh;  // until resolve_meshes()
+  double friction = 1.0;     // times that of the object
 };
 
 struct Link {
@@ -58,7 +69,8 @@ struct Link {
   gen::Span inertial_place;
   std::vector<Collision> collisions;
   std::vector<Mesh> visuals;
-  bool is_made = false;  // by expand_joints()
+  bool is_made = false;  // between two axes of what the description has as one joint or body
+  double share = 1e-3;   // of the robot's mass, if it can move and has no mass
 };
 
 enum class JointType : std::uint8_t {
@@ -79,6 +91,17 @@ struct Mimic {
   double offset = 0.0;  // [rad, m]
 };
 
+/// What the description says of the actuators of a joint. Torques in N·m or N.
+struct Drive {
+  bool exists = true;
+  double torque_low = -std::numeric_limits<double>::infinity();
+  double torque_high = std::numeric_limits<double>::infinity();
+  double position_low = -std::numeric_limits<double>::infinity();
+  double position_high = std::numeric_limits<double>::infinity();
+  std::optional<double> stiffness;  // of a servo [N·m/rad, N/m]
+  double damping = 0.0;             // of the servo [N·m·s/rad, N·s/m]
+};
+
 /// Angles in rad, lengths in m, torques in N·m (revolute, continuous) or N (prismatic).
 struct Joint {
   std::string name;
@@ -92,8 +115,22 @@ struct Joint {
   double upper = std::numeric_limits<double>::infinity();
   double effort = std::numeric_limits<double>::infinity();    // largest torque
   double velocity = std::numeric_limits<double>::infinity();  // largest, in magnitude
-  double damping = 0.0, friction = 0.0;
+  double damping = 0.0, friction = 0.0, armature = 0.0;
+  double stiffness = 0.0, rest = 0.0;  // of a spring
   std::optional<Mimic> mimic;
+  Drive drive;
+};
+
+/// A configuration that the description names, by the names of joints.
+struct Keyframe {
+  std::string name;
+  std::map<std::string, double> positions;
+};
+
+/// Two collisions that touch each other, by their names.
+struct TouchingPair {
+  std::string first, second;
+  gen::Span place;
 };
 
 struct Description {
@@ -102,18 +139,26 @@ struct Description {
   gen::Span place;
   std::vector<Link> links;
   std::vector<Joint> joints;
+  // Of MJCF alone.
+  bool has_world = false;  // the first link is the world
+  std::optional<Vector3> gravity;
+  std::vector<Keyframe> keyframes;
+  std::vector<TouchingPair> pairs;
 };
 
-/// Reads what this library can simulate of URDF (http://wiki.ros.org/urdf/XML), by its own rules:
-/// an element that would change the motion and is not known is an error, those of other tools are
-/// left out with a note. Files of xacro are expanded by the program `xacro`. Problems: E0101 to
-/// E0103, E0850 (no XML), E0851 (not supported), E0852 (missing), E0853 (not the number it should
-/// be), E0854 (names).
+/// Reads what this library can simulate of URDF (http://wiki.ros.org/urdf/XML), or of MJCF where
+/// the first element is `mujoco`, by its own rules: an element that would change the motion and is
+/// not known is an error, those of other tools are left out with a note. Files of xacro are
+/// expanded by the program `xacro`. Problems: E0101 to E0103, E0850 (no XML), E0851 (not
+/// supported), E0852 (missing), E0853 (not the number it should be), E0854 (names).
 std::optional<Description> read_file(const std::string& path, gen::SourceMap& sources,
                                      gen::Diagnostics& diagnostics);
 /// The same of a text.
 std::optional<Description> read_text(const std::string& name, std::string text,
                                      gen::SourceMap& sources, gen::Diagnostics& diagnostics);
+
+/// Fixes the robot to the world or frees it, in a description that has a world.
+void set_base(Description& description, bool is_free);
 
 /// Planar and spherical joints become sliders and hinges, with links between them that have no
 /// mass.

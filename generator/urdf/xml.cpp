@@ -100,7 +100,7 @@ gen::Help help_for(std::string_view name, const Contents& contents) {
 
 }  // namespace
 
-pugi::xml_node Xml::parse(pugi::xml_document& document) {
+pugi::xml_node Xml::parse(pugi::xml_document& document, Names names) {
   const std::string_view text = locator_.text();
   const auto result =
       document.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
@@ -112,9 +112,9 @@ pugi::xml_node Xml::parse(pugi::xml_document& document) {
     return {};
   }
   const pugi::xml_node root = document.document_element();
-  if (std::string_view(root.name()) != "robot") {
-    error("E0850", root ? span(root) : locator_.whole(), "this is no URDF file").help =
-        "its first element is `robot`";
+  if (!contains(names, root.name())) {
+    error("E0850", root ? span(root) : locator_.whole(), "this is no URDF or MJCF file").help =
+        "its first element is `robot` or `mujoco`";
     return {};
   }
   for (pugi::xml_node other = root.next_sibling(); other; other = other.next_sibling()) {
@@ -162,7 +162,10 @@ void Xml::check_attributes(pugi::xml_node element, const Contents& contents) {
   for (const pugi::xml_attribute attribute : element.attributes()) {
     const std::string_view name = attribute.name();
     if (name.starts_with("xmlns")) continue;
-    if (!contains(contents.attributes, name)) {
+    if (contains(contents.ignored_attributes, name)) {
+      leave_out(fmt::format("`{}` of `{}`", name, element.name()), span(element, attribute.name()),
+                true);
+    } else if (!contains(contents.attributes, name)) {
       const std::vector<std::string> known{contents.attributes.begin(), contents.attributes.end()};
       if (gen::nearest(name, known).empty()) {
         leave_out(fmt::format("`{}` of `{}`", name, element.name()),
@@ -188,6 +191,8 @@ void Xml::check_child(pugi::xml_node element, pugi::xml_node child, const Conten
       error("E0854", span(child), fmt::format("`{}` has `{}` twice", element.name(), name));
     return;
   }
+  if (contains(contents.ignored, name))
+    return leave_out(fmt::format("`{}`", name), span(child), true);
   std::vector<std::string> known;
   for (const Names names : {contents.once, contents.many})
     known.insert(known.end(), names.begin(), names.end());
@@ -224,6 +229,16 @@ void Xml::report_left_out() {
   if (!unknown_.empty())
     diagnostics_.warning("E0851", unknown_.begin()->second.first,
                          "unknown, and left out: " + list(unknown_));
+}
+
+void Xml::report_with(const Xml& other) {
+  for (const bool harmless : {true, false}) {
+    for (const auto& [name, item] : harmless ? other.harmless_ : other.unknown_) {
+      LeftOut& mine = (harmless ? harmless_ : unknown_)[name];
+      if (mine.count == 0) mine.first = item.first;
+      mine.count += item.count;
+    }
+  }
 }
 
 pugi::xml_node Xml::child(pugi::xml_node element, const char* name) {
@@ -280,6 +295,23 @@ models::Vector3 Xml::vector(pugi::xml_node element, const char* attribute,
     error("E0853", span(element, attribute),
           fmt::format("`{}` has to be three numbers, not `{}`", attribute, written));
   return result;
+}
+
+std::vector<double> Xml::numbers(pugi::xml_node element, const char* attribute, std::size_t most) {
+  std::vector<double> result;
+  const std::string_view written = element.attribute(attribute).value();
+  const auto list = words(written);
+  for (const std::string_view word : list) {
+    const auto value = finite_number(word);
+    if (!value || result.size() == most) break;
+    result.push_back(*value);
+  }
+  if (result.size() == list.size()) return result;
+  error("E0853", span(element, attribute),
+        most == 1
+            ? fmt::format("`{}` has to be a number, not `{}`", attribute, written)
+            : fmt::format("`{}` has to be at most {} numbers, not `{}`", attribute, most, written));
+  return {};
 }
 
 models::Vector3 Xml::direction(pugi::xml_node element, const char* attribute) {

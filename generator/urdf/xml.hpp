@@ -8,6 +8,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "generator/frontend/read/locator.hpp"
 #include "models/engines/open_dynamics_engine/rotation.hpp"
@@ -22,6 +23,9 @@ struct Contents {
   Names once = {};    // elements
   Names many = {};    // elements that may be there several times
   Names unseen = {};  // elements that do not change the motion
+  // With a note of what is left out:
+  Names ignored_attributes = {};
+  Names ignored = {};  // elements
 };
 
 /// Reads one file. Everything that is wrong becomes a diagnostic with its place. Elements and
@@ -31,8 +35,8 @@ class Xml {
   Xml(gen::FileId file, std::string_view text, gen::Diagnostics& diagnostics)
       : locator_(file, text), diagnostics_(diagnostics) {}
 
-  /// The only element at the top. Without a parent if there is no such thing (E0850).
-  pugi::xml_node parse(pugi::xml_document& document);
+  /// The only element at the top, if its name is one of these; else nothing (E0850).
+  pugi::xml_node parse(pugi::xml_document& document, Names names);
 
   [[nodiscard]] gen::Span span(pugi::xml_node element) const;
   [[nodiscard]] gen::Span span(pugi::xml_node element, const char* attribute) const;
@@ -42,6 +46,8 @@ class Xml {
   /// Reports what check() left out: one note of what is known not to change the motion, one warning
   /// (E0851) of the rest.
   void report_left_out();
+  /// Of another file of the same robot.
+  void report_with(const Xml& other);
 
   /// An element inside that has to be there (E0852).
   pugi::xml_node child(pugi::xml_node element, const char* name);
@@ -57,6 +63,8 @@ class Xml {
   models::Vector3 direction(pugi::xml_node element, const char* attribute);
   /// Three numbers, or one for all three; 1 without the attribute.
   models::Vector3 scale(pugi::xml_node element, const char* attribute);
+  /// As many numbers as there are, at most `most` (E0853).
+  std::vector<double> numbers(pugi::xml_node element, const char* attribute, std::size_t most);
   /// A number that has to be positive (E0853), or at least not negative.
   double positive(pugi::xml_node element, const char* attribute);
   double not_negative(pugi::xml_node element, const char* attribute, double fallback);

@@ -179,6 +179,16 @@ struct GroupOf {
     static constexpr double of(std::size_t k) { return joint(k, j).damping; }
   };
   template <std::size_t j>
+  struct Stiffness {
+    static constexpr std::size_t kCount = GroupOf::kCount;
+    static constexpr double of(std::size_t k) { return joint(k, j).stiffness; }
+  };
+  template <std::size_t j>
+  struct Rest {
+    static constexpr std::size_t kCount = GroupOf::kCount;
+    static constexpr double of(std::size_t k) { return link(k, j).sign * joint(k, j).rest; }
+  };
+  template <std::size_t j>
   struct Armature {
     static constexpr std::size_t kCount = GroupOf::kCount;
     static constexpr double of(std::size_t k) { return joint(k, j).armature; }

@@ -102,6 +102,15 @@ template <class Real>
   return {-(damping * v), damping};
 }
 
+/// A spring of the joint itself, at the position of the end of the step.
+template <class Real>
+[[gnu::always_inline]] inline JointTorque<Real> spring_torque(const Real& stiffness,
+                                                              const Real& rest, const Real& q,
+                                                              const Real& v, LaneOf<Real> dt) {
+  const Real slope = Real(dt) * stiffness;
+  return {stiffness * (rest - q) - slope * v, slope};
+}
+
 /// A stop at `end` in the direction `side`, +1 or −1. It acts where the joint would be beyond it at
 /// the end of the step, and lets it come as far as the stop. What is beyond comes back by
 /// `kStopCorrection` a step.

@@ -274,6 +274,10 @@ class Limb : public LimbLinks<Model, g> {
     using Damping = typename Group::template Damping<j>;
     if constexpr (!Constant<Damping, Lane>::is(Lane(0)))
       sum = sum + damping_torque(value<Real, Damping>(k), v);
+    using Stiffness = typename Group::template Stiffness<j>;
+    if constexpr (!Constant<Stiffness, Lane>::is(Lane(0)))
+      sum = sum + spring_torque(value<Real, Stiffness>(k),
+                                value<Real, typename Group::template Rest<j>>(k), q, v, dt);
     const FreeJoint<Real> free = free_joint(v, inertia, sum, needed, dt);
     // Two divisions that nearly no joint needs; lane by lane, so that others change no sign of a 0.
     if (const auto has_motor = drive.motor_torque > zero; any(has_motor)) {

@@ -260,6 +260,7 @@ class OpenDynamicsSimulator {
     for (std::size_t j = 0; j < kJoints; ++j) {
       if (HingeStops::are_switched(Model::kJoints[j]))
         HingeStops::update(joint_[j], Model::kJoints[j], joint_position(j));
+      pull_spring(j);
       if (hold_by_constraint(j)) continue;
       const double applied = actuator_torque(j);
       const double torque = applied - damping_torque(j, applied);
@@ -357,6 +358,11 @@ class OpenDynamicsSimulator {
     if (has_motor_[j]) return of.damping * v;
     set_joint_parameter(joint_[j], of.kind, dParamFMax, of.friction + of.damping * eagerx::abs(v));
     return 0.0;
+  }
+
+  void pull_spring(std::size_t j) {
+    const RigidJoint& of = Model::kJoints[j];
+    if (of.stiffness > 0.0) apply_torque(j, of.stiffness * (of.rest - joint_position(j)));
   }
 
   bool hold_by_constraint(std::size_t j) {

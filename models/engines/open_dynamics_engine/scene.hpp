@@ -46,6 +46,9 @@ struct RigidJoint {
   double max_torque = std::numeric_limits<double>::infinity();  // of all actuators [N·m, N]
   double damping = 0.0;   // torque against each rad/s [N·m·s/rad, N·s/m]
   double friction = 0.0;  // torque that holds the joint, and brakes it when it moves [N·m, N]
+  // A spring: no torque at the position `rest` [rad, m].
+  double stiffness = 0.0;  // torque against each rad [N·m/rad, N/m]
+  double rest = 0.0;
   // Of hinge and slider on MultibodyEngine; OpenDynamicsEngine has neither.
   double armature = 0.0;  // inertia of the motor, times the square of its gear ratio [kg·m², kg]
   double max_velocity = std::numeric_limits<double>::infinity();  // [rad/s, m/s]

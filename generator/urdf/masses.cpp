@@ -1,0 +1,64 @@
+#include "generator/urdf/masses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "generator/urdf/inertia.hpp"
+
+namespace eagerx::urdf {
+
+void give_masses(std::vector<Body>& bodies, gen::Diagnostics& diagnostics) {
+  constexpr double kShare = Link{}.share;
+  double total = 0.0;
+  for (const Body& body : bodies) total += body.mass;
+  std::string names;
+  std::size_t count = 0;
+  gen::Span place;
+  for (Body& body : bodies) {
+    if (body.mass > 0.0) continue;
+    if (!(total > 0.0)) {
+      diagnostics.error("E0856", body.place, "nothing of the robot that can move has a mass").help =
+          "give links an `inertial`";
+      return;
+    }
+    body.mass = body.share * total;
+    const double moment = std::max(ball_of_water(body.mass), body.mass * 0.05 * 0.05);
+    body.inertia = {{moment, moment, moment}};
+    body.products = {};
+    if (body.share != kShare) continue;
+    if (count++ == 0) place = body.place;
+    names += fmt::format("{}`{}`", names.empty() ? "" : ", ", body.name);
+  }
+  if (count == 0) return;
+  diagnostics
+      .warning("E0856", place,
+               fmt::format("can move, but {} no mass: {}; {} {:.3g} kg, 1/1000 of the robot's mass",
+                           count == 1 ? "has" : "have", names, count == 1 ? "it gets" : "each gets",
+                           kShare * total))
+      .help = "give the link an `inertial`, or make its joint `fixed`";
+}
+
+void check_inertia(Body& body, gen::Diagnostics& diagnostics) {
+  if (!(body.mass > 0.0)) return;
+  if (!is_positive(body.inertia, body.products)) {
+    const double moment = ball_of_water(body.mass);
+    body.inertia = {{moment, moment, moment}};
+    body.products = {};
+    diagnostics
+        .warning("E0856", body.place,
+                 fmt::format(
+                     "no body has the inertia of `{}`: it is not positive definite; it gets that "
+                     "of a ball of water of its mass, {:.3g} kg·m²",
+                     body.name, moment))
+        .help = "its principal moments are larger than 0; check the signs of ixy, ixz, iyz";
+  } else if (!is_of_a_body(body.inertia, body.products)) {
+    diagnostics.warning("E0856", body.place,
+                        fmt::format("no body has the inertia of `{}`: one moment is larger than "
+                                    "both others; it is used as it is",
+                                    body.name));
+  }
+}
+
+}  // namespace eagerx::urdf
