@@ -42,7 +42,7 @@ struct Inertial {
 };
 
 /// Of the robot's mass, what a link between two axes of one body gets: it has none of its own.
-inline constexpr double kSmallShare = 1e-6;
+inline constexpr double kSmallShare = 1e-9;
 
 /// A file of triangles.
 struct Mesh {
