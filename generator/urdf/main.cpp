@@ -99,6 +99,7 @@ int convert(const Options& options) {
     if (robot) write(options, *robot, diagnostics);
   }
   if (options.quiet) diagnostics.drop_notes();
+  diagnostics.drop_repeats();
   diagnostics.sort_by_place();
   if (options.json) {
     static_cast<void>(std::fputs(render_json(diagnostics, sources).c_str(), stderr));

@@ -144,13 +144,38 @@ description: |
     double most = 0.0;
     for (const BodyJoint& joint : driven_)
       most = std::max(most, or_else(joint.limits.effort, kAnything));
-    return text +
+    return text + gains() +
            fmt::format(
-               R"(  stiffness: {{type: float, default: 100.0, low: 0.0, about: "of the actuator `position`, for each rad or m [N*m/rad, N/m]"}}
-  damping: {{type: float, default: 5.0, low: 0.0, about: "of the actuator `position`, for each rad/s or m/s [N*m*s/rad, N*s/m]"}}
-  max_torque: {{type: float, default: {}, low: 0.0, about: "of the actuators `velocity` and `position`; a joint's own limit holds besides [N*m, N]"}}
+               R"(  max_torque: {{type: float, default: {}, low: 0.0, about: "of the actuators `velocity` and `position`; a joint's own limit holds besides [N*m, N]"}}
 )",
                gen::double_literal(most));
+  }
+
+  /// Whether the description says what a servo of a joint is.
+  bool has_servos() const {
+    return std::ranges::any_of(
+        driven_, [](const BodyJoint& j) { return j.limits.drive.stiffness.has_value(); });
+  }
+
+  std::string gains() const {
+    constexpr double kStiffness = 100.0, kDamping = 5.0;
+    if (!has_servos())
+      return fmt::format(
+          R"(  stiffness: {{type: float, default: {}, low: 0.0, about: "of the actuator `position`, for each rad or m [N*m/rad, N/m]"}}
+  damping: {{type: float, default: {}, low: 0.0, about: "of the actuator `position`, for each rad/s or m/s [N*m*s/rad, N*s/m]"}}
+)",
+          gen::double_literal(kStiffness), gen::double_literal(kDamping));
+    const auto stiffness = [&](const BodyJoint& j) {
+      return j.limits.drive.stiffness.value_or(kStiffness);
+    };
+    const auto damping = [&](const BodyJoint& j) {
+      return j.limits.drive.stiffness ? j.limits.drive.damping : kDamping;
+    };
+    return fmt::format(
+        R"(  stiffnesses: {{type: floats, default: [{}], about: "of the actuator `position`, of each joint [N*m/rad, N/m]"}}
+  dampings: {{type: floats, default: [{}], about: "of the actuator `position`, of each joint [N*m*s/rad, N*s/m]"}}
+)",
+        numbers(driven_, stiffness), numbers(driven_, damping));
   }
 
   void sensor(const std::string& name, const std::string& space, const std::string& about,
@@ -212,8 +237,10 @@ description: |
         [&](const BodyJoint& j) { return -fast(j); }, fast, "of all joints, in rad/s and m/s");
     actuator(
         "position", "JointPositionActuator",
-        ", stiffness: $(config stiffness), damping: $(config damping), "
-        "max_torque: $(config max_torque)",
+        has_servos() ? ", stiffness: 0.0, damping: 0.0, stiffnesses: $(config stiffnesses), "
+                       "dampings: $(config dampings), max_torque: $(config max_torque)"
+                     : ", stiffness: $(config stiffness), damping: $(config damping), "
+                       "max_torque: $(config max_torque)",
         [](const BodyJoint& j) { return or_else(j.limits.drive.position_low, low(j)); },
         [](const BodyJoint& j) { return or_else(j.limits.drive.position_high, high(j)); },
         "of all joints, in rad and m");

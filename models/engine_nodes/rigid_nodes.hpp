@@ -72,7 +72,8 @@ constexpr typename Simulator::Number number_for(double value) {
   return Number(static_cast<LaneOf<Number>>(value));
 }
 
-/// Derived::command(simulator, joint, value) for each of `joints`, hinges and sliders.
+/// Derived::command(simulator, joint, place, value) for each of `joints`, hinges and sliders;
+/// `place` counts them.
 template <class Io, class Derived>
 class JointActuator : public Actuator<Io, JointActuator<Io, Derived>> {
  public:
@@ -86,7 +87,7 @@ class JointActuator : public Actuator<Io, JointActuator<Io, Derived>> {
     static_assert(Joints::kCount == size_of<Message>,
                   "actuator of joints: the action must have one value for each joint");
     for (std::size_t i = 0; i < Joints::kCount; ++i)
-      Derived::command(simulator, Joints::kJoints[i],
+      Derived::command(simulator, Joints::kJoints[i], i,
                        static_cast<typename Simulator::Number>(element(action, i)));
   }
 };

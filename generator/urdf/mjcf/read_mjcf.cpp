@@ -40,12 +40,13 @@ class MjcfReader {
     result_.has_world = true;
     document_.read_defaults();
     geoms_.read_meshes();
-    const bool touches = read_options(document_, result_);
+    const Disabled off = read_options(document_, result_);
     find_ground();
-    if (!touches) ground_type_ = ground_affinity_ = 0;
+    if (off.contact) ground_type_ = ground_affinity_ = 0;
     read_world();
     scale_masses();
-    read_equalities(document_, result_);
+    disable(off, result_);
+    if (!off.equality) read_equalities(document_, result_);
     subtract_references();
     read_actuators(document_, result_);
     read_contacts(document_, result_);

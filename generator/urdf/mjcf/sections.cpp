@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace eagerx::urdf {
 namespace {
@@ -12,25 +13,25 @@ gen::Diagnostic& unsupported(Document& document, pugi::xml_node at, std::string 
   return xml.error("E0851", xml.span(at), std::move(message));
 }
 
-/// Whether anything touches.
-bool read_flags(Document& document, pugi::xml_node flag, Description& description) {
-  bool touches = true;
-  if (std::string_view(flag.name()) != "flag") return true;
+void read_flags(Document& document, pugi::xml_node flag, Description& description, Disabled& off) {
+  if (std::string_view(flag.name()) != "flag") return;
   for (const pugi::xml_attribute attribute : flag.attributes()) {
     const std::string_view name = attribute.name(), word = attribute.value();
     if (word != "disable") continue;
-    if (name == "gravity") description.gravity = Vector3{};
-    if (name == "contact") touches = false;
-    for (const char* const changing : {"constraint", "equality", "frictionloss", "limit", "passive",
-                                       "actuation", "spring", "damper"}) {
-      if (name == changing)
-        document.xml(flag)
-            .error("E0851", document.xml(flag).span(flag, attribute.name()),
-                   fmt::format("a robot without `{}` is not supported", name))
-            .help = "leave out of the description what is disabled";
-    }
+    const auto is = [&](std::initializer_list<std::string_view> names) {
+      return std::ranges::find(names, name) != names.end();
+    };
+    if (is({"gravity"})) description.gravity = Vector3{};
+    if (is({"contact", "constraint"})) off.contact = true;
+    if (is({"limit", "constraint"})) off.limit = true;
+    if (is({"frictionloss", "constraint"})) off.friction = true;
+    if (is({"equality", "constraint"})) off.equality = true;
+    if (is({"spring", "passive"})) off.spring = true;
+    if (is({"damper", "passive"})) off.damper = true;
+    if (!is({"actuation", "clampctrl"})) continue;
+    document.xml(flag).error("E0851", document.xml(flag).span(flag, attribute.name()),
+                             fmt::format("a robot without `{}` is not supported", name));
   }
-  return touches;
 }
 
 /// Spheres and capsules touch each other; what is of the world touches as all else does.
@@ -73,8 +74,8 @@ void check_tendon(const Element& tendon, const Compiler& compiler) {
 
 }  // namespace
 
-bool read_options(Document& document, Description& description) {
-  bool touches = true;
+Disabled read_options(Document& document, Description& description) {
+  Disabled off;
   for (const pugi::xml_node one : document.sections()) {
     if (std::string_view(one.name()) != "option") continue;
     Xml& xml = document.xml(one);
@@ -114,9 +115,19 @@ bool read_options(Document& document, Description& description) {
             .help = "leave out `density` and `viscosity` of `option`";
     }
     for (const pugi::xml_node flag : document.children(one))
-      touches = read_flags(document, flag, description) && touches;
+      read_flags(document, flag, description, off);
   }
-  return touches;
+  return off;
+}
+
+void disable(const Disabled& disabled, Description& description) {
+  for (Joint& joint : description.joints) {
+    if (disabled.limit) joint.lower = -std::numeric_limits<double>::infinity();
+    if (disabled.limit) joint.upper = std::numeric_limits<double>::infinity();
+    if (disabled.friction) joint.friction = 0.0;
+    if (disabled.spring) joint.stiffness = 0.0;
+    if (disabled.damper) joint.damping = 0.0;
+  }
 }
 
 void read_contacts(Document& document, Description& description) {

@@ -5,8 +5,15 @@
 
 namespace eagerx::urdf {
 
-/// `option`; whether anything touches.
-bool read_options(Document& document, Description& description);
+/// What `flag` in `option` disables, but for gravity.
+struct Disabled {
+  bool contact = false, limit = false, friction = false, equality = false, spring = false,
+       damper = false;
+};
+/// `option`.
+Disabled read_options(Document& document, Description& description);
+/// Takes from the joints what is disabled.
+void disable(const Disabled& disabled, Description& description);
 /// `contact`: the pairs that can be simulated; of the others there is a warning.
 void read_contacts(Document& document, Description& description);
 /// `keyframe`: positions of hinges and slides.

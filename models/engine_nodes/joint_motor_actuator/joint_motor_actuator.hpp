@@ -10,7 +10,7 @@ namespace eagerx::models {
 template <class Io>
 class JointMotorActuator : public JointActuator<Io, JointMotorActuator<Io>> {
  public:
-  static void command(typename Io::Simulator& simulator, std::size_t joint,
+  static void command(typename Io::Simulator& simulator, std::size_t joint, std::size_t /*place*/,
                       const typename Io::Simulator::Number& value) {
     simulator.set_joint_motor(joint, value,
                               number_for<typename Io::Simulator>(Io::Config::max_torque));

@@ -10,13 +10,30 @@ namespace eagerx::models {
 template <class Io>
 class JointPositionActuator : public JointActuator<Io, JointPositionActuator<Io>> {
  public:
-  static void command(typename Io::Simulator& simulator, std::size_t joint,
+  static void command(typename Io::Simulator& simulator, std::size_t joint, std::size_t place,
                       const typename Io::Simulator::Number& value) {
     using Simulator = typename Io::Simulator;
     simulator.set_joint_servo(joint, {.position = value,
-                                      .stiffness = number_for<Simulator>(Io::Config::stiffness),
-                                      .damping = number_for<Simulator>(Io::Config::damping),
-                                      .max_torque = number_for<Simulator>(Io::Config::max_torque)});
+                                      .stiffness = number_for<Simulator>(stiffness(place)),
+                                      .damping = number_for<Simulator>(damping(place)),
+                                      .max_torque = number_for<Simulator>(Config::max_torque)});
+  }
+
+ private:
+  using Config = typename Io::Config;
+
+  // Of the joint at this place in `joints`.
+  static constexpr double stiffness(std::size_t place) {
+    if constexpr (requires { Config::stiffnesses[0]; }) {
+      if (place < Config::stiffnesses.size()) return Config::stiffnesses[place];
+    }
+    return Config::stiffness;
+  }
+  static constexpr double damping(std::size_t place) {
+    if constexpr (requires { Config::dampings[0]; }) {
+      if (place < Config::dampings.size()) return Config::dampings[place];
+    }
+    return Config::damping;
   }
 };
 

@@ -10,7 +10,7 @@ namespace eagerx::models {
 template <class Io>
 class JointTorqueActuator : public JointActuator<Io, JointTorqueActuator<Io>> {
  public:
-  static void command(typename Io::Simulator& simulator, std::size_t joint,
+  static void command(typename Io::Simulator& simulator, std::size_t joint, std::size_t /*place*/,
                       const typename Io::Simulator::Number& value) {
     simulator.set_joint_torque(joint, value);
   }
