@@ -34,6 +34,20 @@ void read_flags(Document& document, pugi::xml_node flag, Description& descriptio
   }
 }
 
+/// Air hardly changes the motion of a robot, a liquid does.
+void check_medium(const Element& option) {
+  constexpr double kAirDensity = 2.0, kAirViscosity = 1e-4;  // [kg/m³], [Pa·s], more than air has
+  const double density = option.number("density", 0.0), viscosity = option.number("viscosity", 0.0);
+  if (!(density > 0.0) && !(viscosity > 0.0)) return;
+  const gen::Span place = option.span(density > 0.0 ? "density" : "viscosity");
+  if (density <= kAirDensity && viscosity <= kAirViscosity) {
+    option.warning("E0851", place, "the drag of air is left out");
+    return;
+  }
+  option.error("E0851", place, "no engine simulates a fluid around a robot").help =
+      "leave out `density` and `viscosity` of `option`";
+}
+
 /// Spheres and capsules touch each other; what is of the world touches as all else does.
 void add_pair(const Element& element, const std::string& first, const std::string& second,
               Description& description) {
@@ -109,11 +123,7 @@ Disabled read_options(Document& document, Description& description) {
                                            "sleep_tolerance"}});
     const Element element(document, one, nullptr);
     if (element.has("gravity")) description.gravity = element.vector("gravity", {});
-    for (const char* const fluid : {"density", "viscosity"}) {
-      if (element.number(fluid, 0.0) > 0.0)
-        element.error("E0851", element.span(fluid), "no engine simulates what is around a robot")
-            .help = "leave out `density` and `viscosity` of `option`";
-    }
+    check_medium(element);
     for (const pugi::xml_node flag : document.children(one))
       read_flags(document, flag, description, off);
   }
