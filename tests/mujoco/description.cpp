@@ -32,6 +32,7 @@ struct Io {
 /// Without contacts, stops, limits and dry friction.
 struct Model : Robot<Io> {
   static constexpr std::array<RigidGeometry, 0> kGeometries = {};
+  static constexpr std::array<std::array<const char*, 2>, 0> kPairs = {};
   static constexpr auto kJoints = [] {
     auto joints = Robot<Io>::kJoints;
     for (RigidJoint& joint : joints) {

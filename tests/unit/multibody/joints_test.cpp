@@ -87,6 +87,29 @@ TEST(MultibodyJoints, DampingFarAboveInertiaPerStepIsStable) {
   EXPECT_NEAR(scene.simulator.joint_velocity(0), 0.05, 1e-6);  // torque/damping
 }
 
+template <int kStiffness>
+struct Sprung {
+  static constexpr double kCentre = 0.0;
+  static constexpr RigidJoint joint() {
+    return {.name = "j",
+            .child = "rod",
+            .axis = {{0.0, -1.0, 0.0}},
+            .damping = 1.0,
+            .stiffness = kStiffness,
+            .rest = 0.3};
+  }
+};
+
+TEST(MultibodyJoints, SpringsPullToWhereTheyRest) {
+  RodScene<Sprung<10>> scene;
+  scene.simulator.set_joint_torque(0, 1.0);
+  scene.run(5.0);
+  EXPECT_NEAR(scene.simulator.joint_position(0), 0.4, 1e-6);  // torque/stiffness further
+  RodScene<Sprung<10'000'000>> firm;                          // inertia/step² is 100,000 N·m/rad
+  firm.run(5.0);
+  EXPECT_NEAR(firm.simulator.joint_position(0), 0.3, 1e-6);
+}
+
 struct Rubbing {
   static constexpr double kCentre = 0.0;
   static constexpr RigidJoint joint() { return {.name = "j", .child = "rod", .friction = 2.0}; }
