@@ -145,30 +145,31 @@ eagerx::gen::CommandLine command_line(Options& options) {
   return {
       .top = {.name = "eagerx-urdf",
               .about = "Makes an object for OpenDynamicsEngine and MultibodyEngine from a robot's "
-                       "URDF file.",
-              .arguments = {required(reads(text("robot", options.file,
-                                                "the description of the robot", "ROBOT.urdf"))),
-                            folder(text("-o,--output", options.output,
-                                        "folder to write (default: entities/<robot>)", "DIR")),
-                            std::move(id),
-                            choice(
-                                "--base", {"fixed", "free"},
-                                "fix the first link to the world or let it move (default: free if "
-                                "it, or what is fixed to it, has a mass)",
-                                set_base),
-                            choice("--collision", {"none", "boxes", "spheres"},
-                                   "nothing touches; boxes, or up to 16 spheres, around meshes "
-                                   "(default: the smallest of box, sphere, cylinder and capsule)",
-                                   set_shapes),
-                            std::move(distance),
-                            texts("--package", options.meshes.packages,
-                                  "where `package://` is looked for, besides the folders above the "
-                                  "file; several times",
-                                  "DIR"),
-                            flag("--ground", options.robot.ground, "add the plane z = 0"),
-                            choice("--diagnostics", {"text", "json"},
-                                   "form of messages (default: text)", set_form),
-                            flag("-q,--quiet", options.quiet, "print problems only")},
+                       "URDF or MJCF (MuJoCo) file.",
+              .arguments =
+                  {required(reads(text("robot", options.file,
+                                       "the description of the robot: URDF, xacro or MJCF",
+                                       "ROBOT.urdf"))),
+                   folder(text("-o,--output", options.output,
+                               "folder to write (default: entities/<robot>)", "DIR")),
+                   std::move(id),
+                   choice("--base", {"fixed", "free"},
+                          "fix the first link to the world or let it move (default: free if "
+                          "it, or what is fixed to it, has a mass; of MJCF, as the file says)",
+                          set_base),
+                   choice("--collision", {"none", "boxes", "spheres"},
+                          "nothing touches; boxes, or up to 16 spheres, around meshes "
+                          "(default: the smallest of box, sphere, cylinder and capsule)",
+                          set_shapes),
+                   std::move(distance),
+                   texts("--package", options.meshes.packages,
+                         "where `package://` is looked for, besides the folders above the "
+                         "file; several times",
+                         "DIR"),
+                   flag("--ground", options.robot.ground, "add the plane z = 0"),
+                   choice("--diagnostics", {"text", "json"}, "form of messages (default: text)",
+                          set_form),
+                   flag("-q,--quiet", options.quiet, "print problems only")},
               .run = [&options] { return convert(options); }},
       .footer =
           "Exit codes: 0 done, 1 problems found, 2 wrong usage, 3 cannot read or write, 4 a bug."};

@@ -45,7 +45,7 @@ struct Model : Robot<Io> {
 };
 constexpr int kStates = 1000;
 
-/// Of joints that MuJoCo calls the same; the names of others are made here.
+/// Accelerations of the joints, which have the same names in MuJoCo.
 std::vector<double> of_mujoco(const mjModel& model, mjData& data, const DrawnState<Model>& at) {
   mj_resetData(&model, &data);
   for (int j = 0; j < model.njnt; ++j) {

@@ -26,7 +26,7 @@ constexpr std::array kGroups = {
     Group{"E05", "templates, packages, code of entities"},
     Group{"E06", "weight files"},
     Group{"E07", "policy against graph; E075x: what a weight file does not say"},
-    Group{"E08", "files of EAGERx and of robots (URDF)"},
+    Group{"E08", "files of EAGERx and of robots (URDF, MJCF)"},
     Group{"E09", "writing, images"},
     Group{"W01", "warnings: allowed, but hardly meant"},
 };

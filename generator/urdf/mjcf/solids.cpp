@@ -31,7 +31,7 @@ Inertial solid_capsule(double radius, double length) {
   return result;
 }
 
-/// Integrals over the tetrahedron of a triangle and the origin, added to those of others.
+/// Sums of integrals over the tetrahedra of triangles and the origin.
 struct Moments {
   double volume = 0.0;
   Vector3 first{};     // of x, y, z
