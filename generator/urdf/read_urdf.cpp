@@ -7,7 +7,7 @@
 
 #include "generator/frontend/read/text.hpp"
 #include "generator/support/files/missing_file.hpp"
-#include "generator/urdf/mjcf/mjcf.hpp"
+#include "generator/urdf/mjcf.hpp"
 #include "generator/urdf/urdf.hpp"
 #include "generator/urdf/xml.hpp"
 

@@ -1,4 +1,4 @@
-#include "generator/urdf/mjcf/sections.hpp"
+#include "generator/urdf/mjcf_sections.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Joints and actuators of MJCF.
 #pragma once
 
-#include "generator/urdf/mjcf/frames.hpp"
+#include "generator/urdf/mjcf_frames.hpp"
 
 namespace eagerx::urdf {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "generator/urdf/mjcf/document.hpp"
+#include "generator/urdf/mjcf_document.hpp"
 
 namespace eagerx::urdf {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "generator/urdf/mjcf/document.hpp"
+#include "generator/urdf/mjcf_document.hpp"
 
 namespace eagerx::urdf {
 namespace {

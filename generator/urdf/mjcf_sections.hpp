@@ -1,7 +1,7 @@
 // Sections of MJCF about a robot as a whole.
 #pragma once
 
-#include "generator/urdf/mjcf/frames.hpp"
+#include "generator/urdf/mjcf_frames.hpp"
 
 namespace eagerx::urdf {
 

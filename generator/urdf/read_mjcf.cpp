@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "generator/support/diagnostics/join.hpp"
-#include "generator/urdf/mjcf/geoms.hpp"
-#include "generator/urdf/mjcf/joints.hpp"
-#include "generator/urdf/mjcf/mjcf.hpp"
-#include "generator/urdf/mjcf/sections.hpp"
+#include "generator/urdf/mjcf.hpp"
+#include "generator/urdf/mjcf_geoms.hpp"
+#include "generator/urdf/mjcf_joints.hpp"
+#include "generator/urdf/mjcf_sections.hpp"
 
 namespace eagerx::urdf {
 namespace {

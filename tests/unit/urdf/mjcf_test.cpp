@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-std::optional<Robot> robot_of(const std::string& text) {
+std::optional<Robot> mjcf_robot(const std::string& text) {
   gen::SourceMap sources;
   gen::Diagnostics diagnostics;
   const auto description =
@@ -30,7 +30,7 @@ void expect_near(const Vector3& a, const Vector3& b, double by = 1e-12) {
 }
 
 TEST(Mjcf, PendulumHangsOnTheWorld) {
-  const auto made = robot_of(
+  const auto made = mjcf_robot(
       "<worldbody><body name='rod' pos='0 0 2'>"
       "<joint name='swing' axis='0 2 0' range='-90 45' damping='0.1' frictionloss='0.2' "
       "armature='0.3'/>"
@@ -59,7 +59,7 @@ std::string ball(const std::string& inside, const std::string& more = "") {
 
 /// The same robot in both formats gives the same bytes.
 TEST(Mjcf, IsTheSameRobotAsItsUrdf) {
-  const auto mjcf = robot_of(
+  const auto mjcf = mjcf_robot(
       "<compiler angle='radian'/><worldbody><body name='a' pos='0 0 1' euler='0.1 0 0'>"
       "<joint name='first' axis='0 1 0' range='-1 2' damping='0.1' frictionloss='0.2'/>"
       "<inertial pos='0 0 0.5' mass='2' fullinertia='1 2 2.5 0.1 0.2 0.3'/>"
@@ -90,8 +90,8 @@ TEST(Mjcf, IsTheSameRobotAsItsUrdf) {
 
 TEST(Mjcf, OrientationsAreThoseOfMuJoCo) {
   const auto axis = [](const std::string& turn, const std::string& compiler = "") {
-    const auto made = robot_of("<compiler " + compiler + "/><worldbody><body " + turn +
-                               "><joint axis='1 0 0'/><geom size='0.1'/></body></worldbody>");
+    const auto made = mjcf_robot("<compiler " + compiler + "/><worldbody><body " + turn +
+                                 "><joint axis='1 0 0'/><geom size='0.1'/></body></worldbody>");
     return made ? made->joints[0].axis : Vector3{};
   };
   const double h = std::sqrt(0.5);
@@ -109,7 +109,7 @@ TEST(Mjcf, OrientationsAreThoseOfMuJoCo) {
 }
 
 TEST(Mjcf, SeveralJointsOfABodyAreAChain) {
-  const auto made = robot_of(
+  const auto made = mjcf_robot(
       ball("<joint name='x' type='slide' axis='1 0 0'/><joint name='z' type='slide'/>"
            "<joint name='turn' axis='0 1 0' pos='0 0 0.5'/><geom pos='0 0 0.1' size='0.1'/>"));
   ASSERT_TRUE(made);
@@ -126,7 +126,7 @@ TEST(Mjcf, SeveralJointsOfABodyAreAChain) {
 
 /// At position 0 the joint is turned back by its reference.
 TEST(Mjcf, ReferencesAreWhatTheDrawingShows) {
-  const auto made = robot_of(ball(
+  const auto made = mjcf_robot(ball(
       "<joint name='turn' axis='0 1 0' ref='90'/><body name='b' pos='0 0 1'><joint name='slide' "
       "type='slide' axis='0 0 1' ref='0.25'/><geom size='0.1' mass='1'/></body>",
       "<equality><joint joint1='slide' joint2='turn' polycoef='0.5 2 0 0 0'/></equality>"));
@@ -140,8 +140,8 @@ TEST(Mjcf, ReferencesAreWhatTheDrawingShows) {
 
 TEST(Mjcf, GeomsHaveMassesOfTheirShapes) {
   const auto body = [](const std::string& geoms, const std::string& compiler = "") {
-    const auto made = robot_of("<compiler " + compiler + "/><worldbody><body><joint/>" + geoms +
-                               "</body></worldbody>");
+    const auto made = mjcf_robot("<compiler " + compiler + "/><worldbody><body><joint/>" + geoms +
+                                 "</body></worldbody>");
     return made ? made->bodies[0] : Body{};
   };
   EXPECT_NEAR(body("<geom size='0.1'/>").mass, 4.0 / 3.0 * std::numbers::pi, 1e-12);  // of water
@@ -170,8 +170,8 @@ TEST(Mjcf, GeomsHaveMassesOfTheirShapes) {
 
 TEST(Mjcf, ShapesThatEnclose) {
   const auto made =
-      robot_of(ball("<joint/><geom type='ellipsoid' size='0.3 0.1 0.05'/>"
-                    "<geom type='cylinder' fromto='0 0 0 0 1 0' size='0.1'/>"));
+      mjcf_robot(ball("<joint/><geom type='ellipsoid' size='0.3 0.1 0.05'/>"
+                      "<geom type='cylinder' fromto='0 0 0 0 1 0' size='0.1'/>"));
   ASSERT_TRUE(made);
   EXPECT_EQ(made->shapes[0].kind, models::ShapeKind::capsule);
   expect_near(made->shapes[0].size, {{0.1, 0.4, 0}});
@@ -186,7 +186,7 @@ TEST(Mjcf, GeomsTouchByTheirBits) {
       "<geom name='c' size='1' contype='2' conaffinity='0' friction='0.5 0 0'/>";
   const auto names = [&](const std::string& plane) {
     std::string result;
-    const auto made = robot_of("<worldbody>" + plane + "</worldbody>" + ball(geoms));
+    const auto made = mjcf_robot("<worldbody>" + plane + "</worldbody>" + ball(geoms));
     for (const Shape& shape : made ? made->shapes : std::vector<Shape>{}) {
       if (!shape.body.empty()) result += shape.name;
     }
@@ -198,7 +198,7 @@ TEST(Mjcf, GeomsTouchByTheirBits) {
 }
 
 TEST(Mjcf, DefaultsComeFromTheNearestClass) {
-  const auto made = robot_of(
+  const auto made = mjcf_robot(
       "<default><joint damping='1' armature='2'/><default class='leg'><joint damping='3'/>"
       "<default class='knee'><joint frictionloss='4'/></default></default></default>"
       "<worldbody><body name='a' childclass='leg'><joint name='j'/><geom size='1'/>"
@@ -220,7 +220,7 @@ TEST(Mjcf, ActuatorsSayWhatJointsCanDo) {
   const std::string joints =
       "<joint name='p'/><joint name='q' range='-90 90'/><joint name='r' stiffness='7' "
       "springref='90'/><joint name='s'/>";
-  const auto made = robot_of(
+  const auto made = mjcf_robot(
       "<default><motor group='1'/></default>" +
       ball(joints,
            "<actuator><motor joint='p' gear='5' ctrlrange='0 1'/><position joint='q' "
@@ -252,18 +252,18 @@ TEST(Mjcf, ActuatorsSayWhatJointsCanDo) {
 
 /// As in a gripper whose fingers follow each other.
 TEST(Mjcf, ATendonOfJointsThatFollowEachOtherIsOneActuator) {
-  const auto made =
-      robot_of(ball("<joint name='l' type='slide'/><joint name='r' type='slide' axis='0 1 0'/>",
-                    "<equality><joint joint1='r' joint2='l'/></equality><tendon><fixed name='both'>"
-                    "<joint joint='l' coef='0.5'/><joint joint='r' coef='0.25'/></fixed></tendon>"
-                    "<actuator><motor tendon='both' ctrlrange='-4 4'/></actuator>"));
+  const auto made = mjcf_robot(
+      ball("<joint name='l' type='slide'/><joint name='r' type='slide' axis='0 1 0'/>",
+           "<equality><joint joint1='r' joint2='l'/></equality><tendon><fixed name='both'>"
+           "<joint joint='l' coef='0.5'/><joint joint='r' coef='0.25'/></fixed></tendon>"
+           "<actuator><motor tendon='both' ctrlrange='-4 4'/></actuator>"));
   ASSERT_TRUE(made);
   EXPECT_EQ(made->joints[0].limits.drive.torque_high, 3.0);
   EXPECT_EQ(made->joints[1].mimics, "l");
 }
 
 TEST(Mjcf, SpheresThatAreAPairTouch) {
-  const auto made = robot_of(
+  const auto made = mjcf_robot(
       "<worldbody><body name='a'><joint/><geom name='x' size='0.1'/></body>"
       "<body name='b'><joint/><geom name='y' size='0.1'/></body></worldbody>"
       "<contact><pair geom1='y' geom2='x'/></contact>");
@@ -273,7 +273,7 @@ TEST(Mjcf, SpheresThatAreAPairTouch) {
 }
 
 TEST(Mjcf, WhatFlagsDisableIsLeftOut) {
-  const auto made = robot_of(
+  const auto made = mjcf_robot(
       "<option gravity='0 0 -1'><flag constraint='disable' "
       "passive='disable'/></option>" +
       ball("<joint range='-1 1' damping='1' frictionloss='1'/>"

@@ -1,4 +1,4 @@
-#include "generator/urdf/mjcf/geoms.hpp"
+#include "generator/urdf/mjcf_geoms.hpp"
 
 #include <fmt/format.h>
 

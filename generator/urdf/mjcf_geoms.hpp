@@ -6,7 +6,7 @@
 #include <string>
 
 #include "generator/urdf/inertia.hpp"
-#include "generator/urdf/mjcf/frames.hpp"
+#include "generator/urdf/mjcf_frames.hpp"
 
 namespace eagerx::urdf {
 

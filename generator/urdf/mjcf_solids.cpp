@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "generator/urdf/meshes.hpp"
-#include "generator/urdf/mjcf/geoms.hpp"
+#include "generator/urdf/mjcf_geoms.hpp"
 
 namespace eagerx::urdf {
 namespace {

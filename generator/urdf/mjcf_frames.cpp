@@ -1,4 +1,4 @@
-#include "generator/urdf/mjcf/frames.hpp"
+#include "generator/urdf/mjcf_frames.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "generator/urdf/mjcf/joints.hpp"
+#include "generator/urdf/mjcf_joints.hpp"
 
 namespace eagerx::urdf {
 namespace {

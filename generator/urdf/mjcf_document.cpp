@@ -1,4 +1,4 @@
-#include "generator/urdf/mjcf/document.hpp"
+#include "generator/urdf/mjcf_document.hpp"
 
 #include <fmt/format.h>
 

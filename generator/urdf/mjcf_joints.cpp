@@ -1,4 +1,4 @@
-#include "generator/urdf/mjcf/joints.hpp"
+#include "generator/urdf/mjcf_joints.hpp"
 
 #include <fmt/format.h>
 

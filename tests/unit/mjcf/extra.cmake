@@ -1,1 +1,0 @@
-target_link_libraries(test_mjcf PRIVATE eagerx_gen_urdf eagerx_models)
