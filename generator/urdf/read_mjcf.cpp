@@ -50,6 +50,7 @@ class MjcfReader {
     subtract_references();
     read_actuators(document_, result_);
     read_contacts(document_, result_);
+    add_drawn();
     read_keyframes(document_, result_);
     refuse_rest(document_, compiler_);
     report();
@@ -341,6 +342,15 @@ class MjcfReader {
         joint.mimic->offset +=
             references_[joint.name] - joint.mimic->ratio * references_[joint.mimic->joint];
     }
+  }
+
+  /// Where joints begin in MuJoCo, if they do not begin at 0.
+  void add_drawn() {
+    Keyframe drawn{"drawn", {}};
+    for (const auto& [name, reference] : references_) {
+      if (reference != 0.0) drawn.positions[name] = reference;
+    }
+    if (!drawn.positions.empty()) result_.keyframes.push_back(std::move(drawn));
   }
 
   void report() {
