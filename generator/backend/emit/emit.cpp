@@ -21,6 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of tables of a policy: what is more makes compilers slow, as text.
+constexpr std::size_t kLargePolicy = 100'000;
+
 constexpr const char* kEqualsHash = " = 0x";  // what is between the name of a hash and its digits
 
 class Emitter {
@@ -64,12 +67,13 @@ class Emitter {
     }
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
     const std::size_t first_policy = files_.size();
-    if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", agent_view());
+    if (network_) add_policy(folder, "policy", *network_, nullptr);
     for (const NodePolicy& policy : node_policies_) {
-      add(fmt::format("{}{}.hpp", folder, policy_namespace(plan_.graph->nodes[policy.node].name)),
-          "cpp/policy.hpp.mustache", node_view(policy));
+      add_policy(folder, policy_namespace(plan_.graph->nodes[policy.node].name), *policy.network,
+                 &policy);
     }
     if (!failed_) add_hashes(first_policy);
+    if (!failed_) finish_stored();
     if (plan_.telemetry && !failed_) add_telemetry(folder);
     if (options_.targets.empty()) {
       add(options_.header_folder + plan_.graph->name + ".hpp", "library/library.hpp.mustache",
@@ -154,7 +158,8 @@ class Emitter {
   bool acts_vectorized() const { return is_vectorized_ && network_ && !network_->has_memory(); }
 
   static View vectorized_policy_view(const Network& network, const std::string& name) {
-    View view = policy_view(network, "F32");
+    PolicyTables tables(PolicyTables::Kind::none);
+    View view = policy_view(network, tables, "F32");
     view.set("policy", name);
     view.set("by_lane", needs_lane_by_lane(network));
     view.set("node", View(false));
@@ -222,20 +227,44 @@ class Emitter {
     return view;
   }
 
-  /// The weights of the agent's policy.
-  View agent_view() const {
-    View view = policy_view(*network_);
-    view.set("policy", "policy");
-    view.set("node", View(false));
-    return view;
+  /// The layers of the agent's policy, or of a node's with the class that runs them. Large tables
+  /// are a file next to the header.
+  void add_policy(const std::string& folder, const std::string& name, const Network& network,
+                  const NodePolicy* node) {
+    const bool is_large = flash_bytes(network) >= kLargePolicy;
+    PolicyTables tables(is_large ? PolicyTables::Kind::stored : PolicyTables::Kind::text,
+                        fmt::format("graphs::{}::{}", plan_.graph->name, name));
+    const std::string header = fmt::format("{}{}.hpp", folder, name);
+    add_header(header, name, network, node, tables);
+    if (is_large && !failed_)
+      stored_.push_back({header, name, &network, node, tables.take_bytes()});
   }
 
-  /// Those of a node's, with the class that runs them.
-  View node_view(const NodePolicy& policy) {
-    View view = policy_view(*policy.network);
-    view.set("policy", policy_namespace(plan_.graph->nodes[policy.node].name));
-    view["node"] = policy_node_view(plan_, policy);
-    return view;
+  void add_header(const std::string& path, const std::string& name, const Network& network,
+                  const NodePolicy* node, PolicyTables& tables) {
+    View view = policy_view(network, tables);
+    view.set("policy", name);
+    view["node"] = node == nullptr ? View(false) : policy_node_view(plan_, *node);
+    add(path, "cpp/policy.hpp.mustache", std::move(view));
+  }
+
+  /// The files of large tables; or, in trees that compilers of any kind read, headers with these
+  /// tables as text instead. The hashes are those of the former in both cases.
+  void finish_stored() {
+    for (StoredPolicy& each : stored_) {
+      const std::string file = each.header.substr(0, each.header.rfind('.')) + ".weights";
+      if (!options_.tables_as_text) {
+        files_.push_back({file, std::move(each.bytes)});
+        continue;
+      }
+      each.bytes.clear();
+      PolicyTables tables(PolicyTables::Kind::blocks);
+      add_header(each.header, each.name, *each.network, each.node, tables);
+      if (failed_) return;
+      const std::string text = tables.put_blocks(files_.back().text);
+      files_.pop_back();
+      ranges::find(files_, each.header, &GeneratedFile::path)->text = text;
+    }
   }
 
   View cmake_view() const {
@@ -284,6 +313,14 @@ class Emitter {
     }
   }
 
+  /// A policy whose tables are not in its header.
+  struct StoredPolicy {
+    std::string header, name;
+    const Network* network;
+    const NodePolicy* node;  // of a node
+    std::string bytes;
+  };
+
   const Plan& plan_;
   std::optional<Network> network_;
   std::vector<NodePolicy> node_policies_;
@@ -294,6 +331,7 @@ class Emitter {
   std::string why_not_vectorized_;
   std::string program_alone_;  // program.hpp without what `vectorized/` needs of it
   std::vector<GeneratedFile> files_;
+  std::vector<StoredPolicy> stored_;
   std::uint64_t hash_ = 0;  // of the graph
   bool failed_ = false;
 };

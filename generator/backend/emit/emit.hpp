@@ -36,6 +36,7 @@ struct EmitOptions {
   std::string header_folder;           // of the graph's headers in it: empty, or such as `src/`
   std::vector<ExtraTemplate> extra;    // of packages
   bool cmake = true;                   // with a CMakeLists.txt and program.map
+  bool tables_as_text = false;         // also those of large policies, for any compiler
   Part part = Part::whole;             // of a placed graph: which of its programs
   std::uint64_t graph_hash = 0;        // of a placed graph: what its programs tell each other;
                                        // otherwise 0, and it is made of this program's headers

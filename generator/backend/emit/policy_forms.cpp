@@ -36,15 +36,18 @@ Layer rows_of(const Rows& rows, std::size_t first, std::size_t last) {
   return part;
 }
 
-void add_part(const Layer& part, data& parts) {
+void add_part(const Layer& part, PolicyTables& tables, data& parts) {
   const bool int8 = !part.rounded.empty();
+  tables.add(part);
   data item{data::type::object};
-  item.set("weights", int8 ? int8_table(part) : weight_table(part));
-  item.set("biases", int8 ? "      " + list_of(part.bias) : bias_table(part));
+  item.set("weights", tables.text([&] { return int8 ? int8_table(part) : weight_table(part); }));
+  item.set("biases", tables.text([&] {
+    return int8 ? "      " + list_of(part.bias) : bias_table(part);
+  }));
   data scales{false};
   if (int8) {
     scales = data{data::type::object};
-    scales.set("values", list_of(part.scales));
+    scales.set("values", tables.text([&] { return list_of(part.scales); }));
   }
   item["scales"] = std::move(scales);
   parts.push_back(item);
@@ -63,8 +66,10 @@ std::string kernel_literal(const KernelShape& kernel) {
 /// The statements of one layer, and the constants that they name.
 class Form {
  public:
-  Form(const Layer& layer, const LayerText& text, data& view)
+  Form(const Layer& layer, const LayerText& text, PolicyTables& tables, data& view)
       : layer_(layer),
+        tables_(tables),
+        begin_(tables.bytes().size()),
         number_(text.number),
         branches_(text.branches),
         real_(text.real),
@@ -73,7 +78,7 @@ class Form {
         view_(view) {}
 
   void write() {
-    for (const char* key : {"kernel", "weighted", "constants", "indices", "memory"}) {
+    for (const char* key : {"kernel", "weighted", "constants", "indices", "memory", "stored"}) {
       view_.set(key, data{false});
     }
     std::visit([this](const auto& form) { write(form); }, layer_.form);
@@ -95,7 +100,7 @@ class Form {
     data parts{data::type::list};
     const std::size_t rows = form.channels / form.groups;
     for (std::size_t first = 0; first < form.channels; first += rows) {
-      add_part(rows_of(own_rows(), first, first + rows), parts);
+      add_part(rows_of(own_rows(), first, first + rows), tables_, parts);
     }
     set_weights(fmt::format("eagerx::ConvolutionWeights<kKernel{}, {}, {}{}>", number_,
                             form.channels, form.groups, storage()),
@@ -121,11 +126,11 @@ class Form {
   void write(const Recurrence& cell) {
     data parts{data::type::list};
     const std::size_t rows = layer_.bias.size();
-    add_part(rows_of(own_rows(), 0, rows), parts);
+    add_part(rows_of(own_rows(), 0, rows), tables_, parts);
     add_part(
         rows_of({cell.hidden_weights, cell.hidden_bias, cell.hidden_rounded, cell.hidden_scales}, 0,
                 rows),
-        parts);
+        tables_, parts);
     const char* name = cell.is_lstm ? "Lstm" : "Gru";
     set_weights(
         fmt::format("eagerx::{}Weights<{}, {}{}>", name, layer_.inputs, layer_.outputs, storage()),
@@ -146,10 +151,12 @@ class Form {
                                    y_, fused_ ? slope_argument(layer_) : ""));
       return;
     }
+    tables_.add(layer_.bias);
     data constants{data::type::object};
     constants.set("count", std::to_string(layer_.bias.size()));
-    constants.set("values", list_of(layer_.bias));
-    view_["constants"] = std::move(constants);
+    constants.set("values", tables_.text([&] { return list_of(layer_.bias); }));
+    set_table("constants", std::move(constants), "float", "kConstants",
+              fmt::format("[{}]", layer_.bias.size()));
     lines_.push_back(fmt::format("eagerx::policy::{}(kConstants{}, {}, {});",
                                  to_string(form.operation), number_, x_, y_));
   }
@@ -172,11 +179,15 @@ class Form {
       }
       return;
     }
+    const bool are_wide = layer_.inputs > 0xffff;
+    const char* type = are_wide ? "std::uint32_t" : "std::uint16_t";
+    tables_.add(form.from, are_wide);
     data indices{data::type::object};
-    indices.set("type", layer_.inputs > 0xffff ? "std::uint32_t" : "std::uint16_t");
+    indices.set("type", type);
     indices.set("count", std::to_string(form.from.size()));
-    indices.set("values", fmt::format("{}", join(form.from, ", ")));
-    view_["indices"] = std::move(indices);
+    indices.set("values", tables_.text([&] { return fmt::format("{}", join(form.from, ", ")); }));
+    set_table("indices", std::move(indices), type, "kFrom",
+              fmt::format("[{}]", form.from.size()));
     lines_.push_back(fmt::format("eagerx::policy::reorder(kFrom{}, {}, {});", number_, x_, y_));
   }
 
@@ -203,10 +214,22 @@ class Form {
     item.set("open", open);
     item.set("close", close);
     item["parts"] = std::move(parts);
-    view_["weighted"] = std::move(item);
+    set_table("weighted", std::move(item), type, "kLayer", "");
+  }
+  /// The section `key`, which writes a table into the header; or its declaration.
+  void set_table(const char* key, data item, const std::string& type, const char* constant,
+                 const std::string& extent) {
+    if (tables_.is_stored()) {
+      view_["stored"] =
+          tables_.declaration(begin_, type, fmt::format("{}{}", constant, number_), extent);
+    } else {
+      view_[key] = std::move(item);
+    }
   }
 
   const Layer& layer_;
+  PolicyTables& tables_;
+  std::size_t begin_;  // of its table in them
   std::size_t number_;
   bool branches_;
   std::string real_, x_, y_;
@@ -222,8 +245,8 @@ std::string slice_expression(const Layer& layer, const std::string& input) {
                      layer.outputs, input);
 }
 
-void add_form(const Layer& layer, const LayerText& text, data& view) {
-  Form(layer, text, view).write();
+void add_form(const Layer& layer, const LayerText& text, PolicyTables& tables, data& view) {
+  Form(layer, text, tables, view).write();
 }
 
 void add_headers(const Network& network, data& view) {

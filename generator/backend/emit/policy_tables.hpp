@@ -1,10 +1,11 @@
-// Tables of weights as text, and layers other than dense ones as generated code.
+// Tables of weights, and layers other than dense ones as generated code.
 #pragma once
 
 #include <kainjow/mustache.hpp>
 #include <string>
 #include <vector>
 
+#include "generator/backend/emit/policy_view.hpp"
 #include "generator/policy/network/network.hpp"
 
 namespace eagerx::gen {
@@ -30,7 +31,8 @@ struct LayerText {
 };
 /// Constants and statements of a layer, if it is not dense; "input" and "output" of the view are
 /// their variables.
-void add_form(const Layer& layer, const LayerText& text, kainjow::mustache::data& view);
+void add_form(const Layer& layer, const LayerText& text, PolicyTables& tables,
+              kainjow::mustache::data& view);
 
 /// A slice of `input` as an expression.
 std::string slice_expression(const Layer& layer, const std::string& input);

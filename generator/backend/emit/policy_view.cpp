@@ -1,10 +1,12 @@
 #include "generator/backend/emit/policy_view.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <runtime/host/base/hash.hpp>
 #include <string>
 #include <string_view>
 
@@ -29,7 +31,7 @@ class Table {
   void add(float value) {
     if (in_line_ == 0) text_ += text_.empty() ? "     " : "\n     ";
     text_ += ' ';
-    text_ += float_literal(value);
+    add_literal(value);
     if (--left_ > 0) text_ += ',';
     in_line_ = (in_line_ + 1) % kInLine;
   }
@@ -41,7 +43,21 @@ class Table {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
+  /// float_literal(value), without a string for each: networks have millions.
+  void add_literal(float value) {
+    if (!std::isfinite(value)) {
+      text_ += float_literal(value);
+      return;
+    }
+    char digits[kLongestLiteral];
+    const char* const end = fmt::format_to(digits, FMT_COMPILE("{}"), value);
+    const std::string_view literal(digits, static_cast<std::size_t>(end - digits));
+    text_ += literal;
+    text_ += literal.find_first_of(".e") == std::string_view::npos ? ".0F" : "F";
+  }
+
   static constexpr std::size_t kTypicalLiteral = 16;
+  static constexpr std::size_t kLongestLiteral = 32;
   static constexpr std::size_t kInLine = 8;
   std::string text_;
   std::size_t left_;
@@ -132,9 +148,21 @@ std::string declaration_of(const Network& network, const BufferPlan& plan, std::
                      slice_expression(layer, inputs_of(network, i)));
 }
 
-data layer_view(const Network& network, const BufferPlan* plan, std::size_t i,
+/// Weights and biases of a dense layer.
+void add_dense(const Layer& layer, PolicyTables& tables, data& view) {
+  const bool int8 = !layer.rounded.empty();
+  tables.add(layer);
+  view.set("int8", data{int8 && !tables.is_stored()});
+  view.set("float32", data{!int8 && !tables.is_stored()});
+  view.set("weights", tables.text([&] { return int8 ? int8_table(layer) : weight_table(layer); }));
+  view.set("biases", tables.text([&] { return int8 ? list_of(layer.bias) : bias_table(layer); }));
+  if (int8) view.set("scales", tables.text([&] { return list_of(layer.scales); }));
+}
+
+data layer_view(const Network& network, const BufferPlan* plan, std::size_t i, PolicyTables& tables,
                 const std::string& real) {
   const Layer& layer = network.layers[i];
+  const std::size_t begin = tables.begin();
   const bool last = i + 1 == network.layers.size();
   data view{data::type::object};
   view.set("number", std::to_string(i + 1));
@@ -144,18 +172,11 @@ data layer_view(const Network& network, const BufferPlan* plan, std::size_t i,
   view.set("slope", slope_argument(layer));
   const bool int8 = layer.is_dense() && !layer.rounded.empty();
   view.set("is_dense", layer.is_dense());
-  view.set("int8", data{int8});
-  view.set("float32", data{layer.is_dense() && !int8});
+  view.set("int8", data{false});
+  view.set("float32", data{false});
   view.set("weights", "");
   view.set("biases", "");
-  if (int8) {
-    view.set("weights", int8_table(layer));
-    view.set("scales", list_of(layer.scales));
-    view.set("biases", list_of(layer.bias));
-  } else if (layer.is_dense()) {
-    view.set("weights", weight_table(layer));
-    view.set("biases", bias_table(layer));
-  }
+  if (layer.is_dense()) add_dense(layer, tables, view);
   view.set("dense", network.profile == Profile::fast && !int8 ? "fast_dense" : "dense");
   view.set("input", inputs_of(network, i));
   view.set("output", variable_of(network, static_cast<std::int32_t>(i)));
@@ -170,7 +191,13 @@ data layer_view(const Network& network, const BufferPlan* plan, std::size_t i,
     view.set("beta", list_of(layer.norm->beta));
     view.set("epsilon", float_literal(layer.norm->epsilon));
   }
-  add_form(layer, {i + 1, plan != nullptr, real}, view);
+  add_form(layer, {i + 1, plan != nullptr, real}, tables, view);
+  if (layer.is_dense())
+    view["stored"] = tables.declaration(
+        begin,
+        fmt::format("eagerx::{}Weights<{}, {}>", int8 ? "Int8" : "Dense", layer.inputs,
+                    layer.outputs),
+        fmt::format("kLayer{}", i + 1), "");
   return view;
 }
 
@@ -218,21 +245,35 @@ void add_buffers(const std::optional<BufferPlan>& plan, data& view) {
   view.set("buffers", buffers);
 }
 
+/// The file of the tables, if they have one.
+void add_stored(const PolicyTables& tables, data& view) {
+  view["stored"] = data{false};
+  if (!tables.is_stored()) return;
+  data item{data::type::object};
+  item.set("size", std::to_string(tables.bytes().size()));
+  item.set("hash", host::hex_text(host::fnv1a(tables.bytes())));
+  view["stored"] = std::move(item);
+}
+
 }  // namespace
 
-data policy_view(const Network& network, const std::string& real) {
+std::size_t flash_bytes(const Network& network) {
+  std::size_t sum = 0;
+  for (const Layer& layer : network.layers)
+    sum += layer.rounded.empty() ? cost_of(layer).bytes : int8_bytes(layer);
+  return sum;
+}
+
+data policy_view(const Network& network, PolicyTables& tables, const std::string& real) {
   data layers{data::type::list};
   std::size_t parameters = 0;
-  std::size_t stored = 0;
   bool int8 = false;
   const auto plan = network.is_chain() ? std::nullopt : std::optional(plan_buffers(network));
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     const Layer& layer = network.layers[i];
-    const LayerCost cost = cost_of(layer);
-    parameters += cost.parameters;
-    stored += layer.rounded.empty() ? cost.bytes : int8_bytes(layer);
+    parameters += cost_of(layer).parameters;
     int8 = int8 || !layer.rounded.empty();
-    layers.push_back(layer_view(network, plan ? &*plan : nullptr, i, real));
+    layers.push_back(layer_view(network, plan ? &*plan : nullptr, i, tables, real));
   }
   data view{data::type::object};
   view.set("file", network.file);
@@ -241,7 +282,7 @@ data policy_view(const Network& network, const std::string& real) {
   view.set("inputs", std::to_string(network.inputs()));
   view.set("outputs", std::to_string(network.outputs()));
   view.set("parameters", std::to_string(parameters));
-  view.set("bytes", std::to_string(stored));
+  view.set("bytes", std::to_string(flash_bytes(network)));
   view.set("has_int8", data{int8});
   view.set("fast", data{network.profile == Profile::fast});
   view.set("tolerance", network.profile == Profile::fast ? ", 1e-4F" : "");
@@ -251,6 +292,7 @@ data policy_view(const Network& network, const std::string& real) {
   add_headers(network, view);
   add_statistics(network, view);
   add_self_test(network, view);
+  add_stored(tables, view);
   return view;
 }
 

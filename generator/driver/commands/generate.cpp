@@ -80,6 +80,7 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
   const bool standalone = is_standalone(options);
   const bool bare = is_bare(options);
   if (standalone) emit_options.header_folder = kHeaderFolder;
+  emit_options.tables_as_text = standalone;
   const std::vector<Package> packages =
       is_part ? std::vector<Package>() : read_packages(run, options);
   check_names(run, packages);

@@ -30,7 +30,8 @@ Network small_network() {
 }
 
 std::string render(const Network& network) {
-  kainjow::mustache::data view = policy_view(network);
+  PolicyTables tables(PolicyTables::Kind::text);
+  kainjow::mustache::data view = policy_view(network, tables);
   view.set("name", "pendulum");
   view.set("namespace", "pendulum");
   view.set("node", false);
