@@ -252,9 +252,8 @@ class Emitter {
   /// tables as text instead. The hashes are those of the former in both cases.
   void finish_stored() {
     for (StoredPolicy& each : stored_) {
-      const std::string file = each.header.substr(0, each.header.rfind('.')) + ".weights";
       if (!options_.tables_as_text) {
-        files_.push_back({file, std::move(each.bytes)});
+        files_.push_back({each.header + ".weights", std::move(each.bytes)});
         continue;
       }
       each.bytes.clear();

@@ -41,9 +41,8 @@ void add_part(const Layer& part, PolicyTables& tables, data& parts) {
   tables.add(part);
   data item{data::type::object};
   item.set("weights", tables.text([&] { return int8 ? int8_table(part) : weight_table(part); }));
-  item.set("biases", tables.text([&] {
-    return int8 ? "      " + list_of(part.bias) : bias_table(part);
-  }));
+  item.set("biases",
+           tables.text([&] { return int8 ? "      " + list_of(part.bias) : bias_table(part); }));
   data scales{false};
   if (int8) {
     scales = data{data::type::object};
@@ -186,8 +185,7 @@ class Form {
     indices.set("type", type);
     indices.set("count", std::to_string(form.from.size()));
     indices.set("values", tables_.text([&] { return fmt::format("{}", join(form.from, ", ")); }));
-    set_table("indices", std::move(indices), type, "kFrom",
-              fmt::format("[{}]", form.from.size()));
+    set_table("indices", std::move(indices), type, "kFrom", fmt::format("[{}]", form.from.size()));
     lines_.push_back(fmt::format("eagerx::policy::reorder(kFrom{}, {}, {});", number_, x_, y_));
   }
 

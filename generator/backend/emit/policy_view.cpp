@@ -193,11 +193,11 @@ data layer_view(const Network& network, const BufferPlan* plan, std::size_t i, P
   }
   add_form(layer, {i + 1, plan != nullptr, real}, tables, view);
   if (layer.is_dense())
-    view["stored"] = tables.declaration(
-        begin,
-        fmt::format("eagerx::{}Weights<{}, {}>", int8 ? "Int8" : "Dense", layer.inputs,
-                    layer.outputs),
-        fmt::format("kLayer{}", i + 1), "");
+    view["stored"] =
+        tables.declaration(begin,
+                           fmt::format("eagerx::{}Weights<{}, {}>", int8 ? "Int8" : "Dense",
+                                       layer.inputs, layer.outputs),
+                           fmt::format("kLayer{}", i + 1), "");
   return view;
 }
 
