@@ -66,6 +66,7 @@ class Batch {
   void reset(const std::uint8_t* mask, const std::uint64_t* seeds, float* observation) {
     eagerx_rows rows{};
     rows.observation = observation;
+    leave_single();
     each_block(resetting_, [&](std::uint32_t first, std::uint32_t end, unsigned /*member*/) {
       Step step(rows);
       for (std::uint32_t k = first; k < end; ++k) {
@@ -85,20 +86,17 @@ class Batch {
       all_begun_ = std::all_of(held_.episodes.get(), held_.episodes.get() + held_.size,
                                [](const Episode& episode) { return episode.begun; });
     }
+    find_single();
   }
 
-  /// The problem of a reward that was not finite, or nothing.
-  std::string step(const float* actions, const eagerx_rows& rows) {
-    require_begun();
-    not_finite_.begin_step();
-    each_block(stepping_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
-      Step step(rows);
-      step_block(first, end, member, actions, step);
-      resets_.begin_all(held_, step);
-    });
-    held_.hand_on_traces();
-    return not_finite_.is_any() ? not_finite_.text() : std::string();
+  /// False if a reward is not finite: problem() says which.
+  [[gnu::always_inline]] inline bool step(const float* actions, const eagerx_rows& rows) {
+    if (!runs_single_) return step_all(actions, rows);
+    Step step(rows);
+    step_one(0, held_.programs[0], actions, step);
+    return runs_single_ || finish(step);
   }
+  std::string problem() const { return not_finite_.text(); }
 
   /// The next action of the graph's agent, for environments whose episode has not ended.
   void act(const float* observations, float* actions) {
@@ -156,7 +154,10 @@ class Batch {
   }
 
   /// Null: ends the file. Empty: only the hash. What cannot be written leaves the old trace.
-  void trace(std::uint32_t k, const char* path) { held_.trace(k, path); }
+  void trace(std::uint32_t k, const char* path) {
+    leave_single();
+    held_.trace(k, path);
+  }
   std::uint64_t hash(std::uint32_t k) const { return held_.hash(k); }
 
   /// Sums over all environments of what is not 0.
@@ -192,19 +193,48 @@ class Batch {
     workload.run(pool_, held_.size, block(), BlockWork(f));
   }
 
+  [[gnu::noinline]] bool step_all(const float* actions, const eagerx_rows& rows) {
+    require_begun();
+    not_finite_.begin_step();
+    each_block(stepping_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
+      Step step(rows);
+      step_block(first, end, member, actions, step);
+      resets_.begin_all(held_, step);
+    });
+    held_.hand_on_traces();
+    find_single();
+    return !not_finite_.is_any();
+  }
+
+  /// Where the step of the single environment was more than a step.
+  [[gnu::noinline]] bool finish(Step& step) {
+    resets_.begin_all(held_, step);
+    find_single();
+    return !not_finite_.is_any();
+  }
+  void find_single() {
+    runs_single_ = held_.size == 1 && held_.simd.lanes() == 0 && !held_.drawn.any() &&
+                   held_.traces.empty() && held_.episodes[0].begun && !held_.episodes[0].ended &&
+                   !not_finite_.is_any();
+  }
+  /// (Threads have blocks of several environments, and only read this.)
+  void leave_single() {
+    if (runs_single_) runs_single_ = false;
+  }
+
   void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
-                  Step& rows) {
+                  Step& step) {
     const std::uint32_t lanes = held_.simd.lanes();
     if (lanes == 0) {
-      for (std::uint32_t k = first; k < end; ++k) step_alone(k, actions, rows);
+      for (std::uint32_t k = first; k < end; ++k) step_alone(k, actions, step);
     } else {
       for (; first < end; first += lanes)
-        step_group(first, std::min(end, first + lanes), member, actions, rows);
+        step_group(first, std::min(end, first + lanes), member, actions, step);
     }
   }
 
   void step_group(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
-                  Step& rows) {
+                  Step& step) {
     const std::uint64_t all = ~std::uint64_t{0} >> (64 - (end - first));
     const std::uint64_t vectorized = held_.simd.vectorized(first);
     if (vectorized != 0) take_actions(first, end, member, actions);
@@ -212,21 +242,21 @@ class Batch {
     // Where an episode has ended its row stays as it is, if nothing begins there.
     if (vectorized != 0 && held_.simd.writes_rows(end - first) &&
         (alone == 0 || autoreset_ != EAGERX_DISABLED)) {
-      step_whole_group(first, alone, member, actions, rows);
+      step_whole_group(first, alone, member, actions, step);
       return;
     }
     if (vectorized != 0) held_.simd.step(member, first, nullptr);
     for (std::uint32_t k = first; k < end; ++k) {
       if (!held_.episodes[k].vectorized) {
-        step_alone(k, actions, rows);
+        step_alone(k, actions, step);
         continue;
       }
       const SimdColumn column = held_.simd.column(member, k, k - first);
       held_.simd.show_guard(column, held_.programs[k]);
-      write_outcome<Graph>(column, k, rows);
-      weigh(k, column, rows);
+      write_outcome<Graph>(column, k, step.rows);
+      weigh(k, column, step.rows);
       held_.critic.step(k, column);
-      end_group_step(k, column, ends_of<Graph>(column), rows,
+      end_group_step(k, column, ends_of<Graph>(column), step,
                      [&](float* row) { held_.simd.write(column, layout_, row); });
     }
   }
@@ -245,8 +275,8 @@ class Batch {
 
   /// The rows of all lanes at once; then what is not the same for all.
   void step_whole_group(std::uint32_t first, std::uint64_t alone, unsigned member,
-                        const float* actions, Step& rows) {
-    const SimdRows simd_rows = held_.simd.rows_from(first, rows, held_.steps.get(), longest_);
+                        const float* actions, Step& step) {
+    const SimdRows simd_rows = held_.simd.rows_from(first, step.rows, held_.steps.get(), longest_);
     std::uint64_t notable = held_.simd.step(member, first, &simd_rows) | alone;
     if constexpr (SimdMemory<Graph>::shows_guard()) {
       for (std::uint32_t lane = 0; lane < held_.simd.lanes(); ++lane) {
@@ -260,22 +290,22 @@ class Batch {
       if ((alone >> lane & 1U) != 0) continue;
       const SimdColumn column = held_.simd.column(member, first, lane);
       held_.critic.step(first + lane, column);
-      weigh(first + lane, column, rows);
+      weigh(first + lane, column, step.rows);
     }
     for (; notable != 0; notable &= notable - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(notable));
       const std::uint32_t k = first + lane;
       --held_.steps[k];
       if ((alone >> lane & 1U) != 0) {
-        step_alone(k, actions, rows);
+        step_alone(k, actions, step);
       } else {
         const SimdColumn column = held_.simd.column(member, first, lane);
-        const Ends ends =
-            simd_rows.have_ends() ? ends_in_rows<Graph>(column, k, rows) : ends_of<Graph>(column);
-        end_group_step(k, column, ends, rows, [&](float* row) {
-          if (rows.observation == nullptr) return held_.simd.write(column, layout_, row);
+        const Ends ends = simd_rows.have_ends() ? ends_in_rows<Graph>(column, k, step.rows)
+                                                : ends_of<Graph>(column);
+        end_group_step(k, column, ends, step, [&](float* row) {
+          if (step.rows.observation == nullptr) return held_.simd.write(column, layout_, row);
           const std::size_t observed = layout_.observations.numbers();
-          const float* const written = rows.observation + k * observed;
+          const float* const written = step.rows.observation + k * observed;
           if (row != written) std::copy_n(written, observed, row);
         });
       }
@@ -284,13 +314,13 @@ class Batch {
 
   /// write(row) writes the observation of the step.
   template <class Write>
-  void end_group_step(std::uint32_t k, const SimdColumn& column, Ends ends, Step& rows,
+  void end_group_step(std::uint32_t k, const SimdColumn& column, Ends ends, Step& step,
                       Write&& write) {
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
         not_finite_.note(held_.episodes[k].place(k, held_.steps[k]), outcome_of<Graph>(column));
     }
-    end_step(k, ends, rows, std::forward<Write>(write));
+    end_step(k, ends, step, std::forward<Write>(write));
     if (held_.steps[k] >= held_.simd.most_steps()) held_.take_out(k);
   }
 
@@ -298,50 +328,62 @@ class Batch {
     resets_.staging.weigh(k, rows, [&](std::size_t i) { return column.end(kTerms + i); });
   }
 
-  void step_alone(std::uint32_t k, const float* actions, Step& rows) {
+  [[gnu::noinline]] void step_alone(std::uint32_t k, const float* actions, Step& step) {
     if (held_.episodes[k].ended) {
-      stay_or_begin(k, rows);
+      stay_or_begin(k, step);
     } else {
-      held_.with(k, [&](auto& program) { step_one(k, program, actions, rows); });
+      held_.with(k, [&](auto& program) { step_one(k, program, actions, step); });
     }
   }
 
   template <class AnyProgram>
-  void step_one(std::uint32_t k, AnyProgram& program, const float* actions, Step& rows) {
+  [[gnu::always_inline]] inline void step_one(std::uint32_t k, AnyProgram& program,
+                                              const float* actions, Step& step) {
     const std::size_t acted = layout_.actions.numbers();
     const auto observation = program.step(layout_.action(actions + k * acted));
-    const Ends ends = write_outcome<Graph>(program, k, rows);
+    const Ends ends = write_outcome<Graph>(program, k, step.rows);
     held_.critic.step(k, program);
     if constexpr (Staging<Graph>::kStages > 0) {
-      resets_.staging.weigh(k, rows, [&](std::size_t i) {
+      resets_.staging.weigh(k, step.rows, [&](std::size_t i) {
         return static_cast<float>(element(program.outcome().terms, i));
       });
     }
     if constexpr (has_task<Graph>) {
-      if (!ends.is_finite) [[unlikely]]
+      if (!ends.is_finite) [[unlikely]] {
+        leave_single();
         not_finite_.note(held_.episodes[k].place(k, held_.steps[k]), program.outcome());
+      }
     }
-    end_step(k, ends, rows, [&](float* row) { layout_.write(observation, row); });
+    end_step(k, ends, step, [&](float* row) { layout_.write(observation, row); });
   }
 
   /// write(row) writes the observation of the step.
   template <class Write>
-  void end_step(std::uint32_t k, Ends ends, Step& rows, Write&& write) {
-    Episode& episode = held_.episodes[k];
-    const std::size_t observed = layout_.observations.numbers();
+  [[gnu::always_inline]] inline void end_step(std::uint32_t k, Ends ends, Step& step,
+                                              Write&& write) {
+    const eagerx_rows& rows = step.rows;
     ++held_.steps[k];
     ends.truncated = ends.truncated || (longest_ != 0 && held_.steps[k] >= longest_);
     if (rows.terminated != nullptr) rows.terminated[k] = ends.terminated ? 1 : 0;
     if (rows.truncated != nullptr) rows.truncated[k] = ends.truncated ? 1 : 0;
-    if (!ends.terminated && !ends.truncated) {
-      if (rows.observation != nullptr) write(rows.observation + k * observed);
-      return;
+    if (ends.terminated || ends.truncated) [[unlikely]] {
+      end_episode(k, step, write);
+    } else if (rows.observation != nullptr) {
+      write(rows.observation + k * layout_.observations.numbers());
     }
+  }
+
+  template <class Write>
+  [[gnu::noinline]] void end_episode(std::uint32_t k, Step& step, Write& write) {
+    leave_single();
+    const eagerx_rows& rows = step.rows;
+    Episode& episode = held_.episodes[k];
+    const std::size_t observed = layout_.observations.numbers();
     if (autoreset_ == EAGERX_SAME_STEP) {
       if (rows.final_observation != nullptr) write(rows.final_observation + k * observed);
       held_.critic.end(k);
       ++episode.index;
-      resets_.begin_later(held_, k, rows);
+      resets_.begin_later(held_, k, step);
     } else {
       if (rows.observation != nullptr) write(rows.observation + k * observed);
       episode.ended = true;
@@ -350,15 +392,17 @@ class Batch {
   }
 
   /// Replaces a step of an environment whose episode has ended.
-  void stay_or_begin(std::uint32_t k, Step& rows) {
-    write_no_outcome<Graph>(k, rows);
+  void stay_or_begin(std::uint32_t k, Step& step) {
+    write_no_outcome<Graph>(k, step.rows);
     if (autoreset_ != EAGERX_NEXT_STEP) return;
     ++held_.episodes[k].index;
-    resets_.begin_later(held_, k, rows);
+    resets_.begin_later(held_, k, step);
   }
 
   void require_begun() const {
-    if (all_begun_) return;
+    if (!all_begun_) refuse_before_reset();
+  }
+  [[noreturn, gnu::noinline]] void refuse_before_reset() const {
     std::uint32_t k = 0;
     while (held_.episodes[k].begun) ++k;
     refuse("environment " + std::to_string(k) + " has not begun: reset it first");
@@ -368,6 +412,9 @@ class Batch {
   std::uint32_t longest_;
   std::uint32_t autoreset_;
   bool all_begun_ = false;
+  /// One environment in its own program, within an episode: a step is its program's and writes
+  /// rows.
+  bool runs_single_ = false;
   Held<Graph> held_;
   Resets<Graph> resets_;
   Agents<Graph> agents_;

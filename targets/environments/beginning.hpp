@@ -12,13 +12,14 @@ namespace eagerx::environments {
 
 /// The rows of a step, and the environments of which an episode begins at its end. These wait for
 /// each other, because what they begin with is drawn for several at once.
-struct Step : eagerx_rows {
+struct Step {
   static constexpr std::uint32_t kMost = 16;
 
-  explicit Step(const eagerx_rows& rows) : eagerx_rows(rows) {}
+  explicit Step(const eagerx_rows& of_caller) : rows(of_caller) {}
 
+  const eagerx_rows& rows;
   std::uint32_t waiting = 0;
-  std::array<std::uint32_t, kMost> environments{};
+  std::array<std::uint32_t, kMost> environments;  // the first `waiting`; not zeroed
 };
 
 /// draw() of the graph for several episodes at once, where environments run vectorized.

@@ -86,7 +86,9 @@ class Layout {
     std::size_t field = 0;
     Graph::for_each_action(result, [&](const char*, auto& message, const auto&) {
       using Message = std::remove_cvref_t<decltype(message)>;
-      const float* const from = row + actions.first(field++);
+      // The only one begins the row: a step of one environment notices what it takes to ask.
+      const float* const from =
+          sizeof(Message) == sizeof(Action) ? row : row + actions.first(field++);
       for (std::size_t i = 0; i < size_of<Message>; ++i)
         element(message, i) = from_row<ScalarOf<Message>>(from[i]);
     });
@@ -99,7 +101,7 @@ class Layout {
     Graph::for_each_observation(observation, [&](const char*, const auto& window, const auto&) {
       using Observed = std::remove_cvref_t<decltype(window)>;
       using Message = typename Observed::value_type;
-      float* to = row + observations.first(field++);
+      float* to = sizeof(Observed) == sizeof(Observation) ? row : row + observations.first(field++);
       for (std::uint32_t w = 0; w < window.size(); ++w) {
         const Message& message = window[w];
         for (std::size_t i = 0; i < size_of<Message>; ++i)

@@ -70,9 +70,9 @@ class Library {
     const int result = call(environments, [&](Batch<Graph>& batch) {
       if (action == nullptr) check_rows("action", action, Layout<Graph>::get().actions.numbers());
       if (rows != nullptr) check_size("eagerx_rows", rows->size, sizeof(eagerx_rows));
-      const std::string problem = batch.step(action, rows != nullptr ? *rows : eagerx_rows{});
-      is_finite = problem.empty();
-      if (!is_finite) set_error(problem);
+      static constexpr eagerx_rows kNothing{};
+      is_finite = batch.step(action, rows != nullptr ? *rows : kNothing);
+      if (!is_finite) set_error(batch.problem());
     });
     return is_finite ? result : kRewardNotFinite;
   }

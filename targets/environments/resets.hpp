@@ -32,15 +32,7 @@ class Resets {
     if (step.waiting == draws_.most()) begin_all(held, step);
   }
   void begin_all(Held<Graph>& held, Step& step) {
-    if (step.waiting == 0) return;
-    EpisodeKey keys[Step::kMost];
-    States states[Step::kMost];
-    for (std::uint32_t i = 0; i < step.waiting; ++i)
-      keys[i] = held.episodes[step.environments[i]].key();
-    draws_.draw(keys, step.waiting, states);
-    for (std::uint32_t i = 0; i < step.waiting; ++i)
-      begin(held, step.environments[i], states[i], step.observation);
-    step.waiting = 0;
+    if (step.waiting != 0) begin_waiting(held, step);
   }
 
   /// That the current episode of environment `k` begins with.
@@ -51,6 +43,17 @@ class Resets {
   }
 
  private:
+  [[gnu::noinline]] void begin_waiting(Held<Graph>& held, Step& step) {
+    EpisodeKey keys[Step::kMost];
+    States states[Step::kMost];
+    for (std::uint32_t i = 0; i < step.waiting; ++i)
+      keys[i] = held.episodes[step.environments[i]].key();
+    draws_.draw(keys, step.waiting, states);
+    for (std::uint32_t i = 0; i < step.waiting; ++i)
+      begin(held, step.environments[i], states[i], step.rows.observation);
+    step.waiting = 0;
+  }
+
   /// `states`: as the graph draws them.
   void begin(Held<Graph>& held, std::uint32_t k, States& states, float* observations) {
     Episode& episode = held.episodes[k];

@@ -59,8 +59,8 @@ ThreadPool::~ThreadPool() {
   stop();
 }
 
-bool ThreadPool::is_complete() const {
-  return threads_.empty() || getpid() == process_;
+bool ThreadPool::is_in_its_process() const {
+  return getpid() == process_;
 }
 
 void ThreadPool::run_parts(std::size_t parts, const std::function<void(std::size_t)>& work) {

@@ -31,7 +31,7 @@ class ThreadPool {
 
   unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }
   /// False in a process that fork() made, where only the caller lives.
-  bool is_complete() const;
+  bool is_complete() const { return threads_.empty() || is_in_its_process(); }
 
   /// job(i) for each i < `members`, at once; returns when all have returned, and throws what one of
   /// them has thrown. 1 <= members <= size().
@@ -62,6 +62,7 @@ class ThreadPool {
   void run_parts(std::size_t parts, const std::function<void(std::size_t)>& work);
 
  private:
+  bool is_in_its_process() const;
   template <class Job>
   void begin(unsigned members, Job& job) {
     call_ = [](void* what, unsigned i) { (*static_cast<Job*>(what))(i); };

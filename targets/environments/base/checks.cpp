@@ -41,8 +41,7 @@ void check_options(const eagerx_options* options) {
   if (options->threads > kMostThreads) refuse(is_not("threads", options->threads, 0, kMostThreads));
 }
 
-void check_size(const char* name, std::size_t given, std::size_t wanted) {
-  if (given == wanted) return;
+void refuse_size(const char* name, std::size_t given, std::size_t wanted) {
   refuse(std::string(name) + " is of another version: its size is " + std::to_string(given) +
          ", not " + std::to_string(wanted));
 }

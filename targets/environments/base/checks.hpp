@@ -35,13 +35,16 @@ class RightFloats {
   }
   void set_right();
 
-  std::fenv_t callers_{};
+  std::fenv_t callers_;  // if changed
   bool changed_ = false;
 };
 
 /// Each throws Problem.
 void check_options(const eagerx_options* options);
-void check_size(const char* name, std::size_t given, std::size_t wanted);
+[[noreturn]] void refuse_size(const char* name, std::size_t given, std::size_t wanted);
+inline void check_size(const char* name, std::size_t given, std::size_t wanted) {
+  if (given != wanted) refuse_size(name, given, wanted);
+}
 /// Of a picture, in pixels, 1 to `most`.
 void check_side(const char* name, std::uint32_t pixels, std::uint32_t most);
 /// One of `size` environments.
