@@ -66,7 +66,7 @@ class Batch {
   void reset(const std::uint8_t* mask, const std::uint64_t* seeds, float* observation) {
     eagerx_rows rows{};
     rows.observation = observation;
-    leave_single();
+    runs_single_ = false;
     each_block(resetting_, [&](std::uint32_t first, std::uint32_t end, unsigned /*member*/) {
       Step step(rows);
       for (std::uint32_t k = first; k < end; ++k) {
@@ -93,7 +93,7 @@ class Batch {
   [[gnu::always_inline]] inline bool step(const float* actions, const eagerx_rows& rows) {
     if (!runs_single_) return step_all(actions, rows);
     Step step(rows);
-    step_one(0, held_.programs[0], actions, step);
+    step_single(actions, step);
     return runs_single_ || finish(step);
   }
   std::string problem() const { return not_finite_.text(); }
@@ -155,7 +155,7 @@ class Batch {
 
   /// Null: ends the file. Empty: only the hash. What cannot be written leaves the old trace.
   void trace(std::uint32_t k, const char* path) {
-    leave_single();
+    runs_single_ = false;
     held_.trace(k, path);
   }
   std::uint64_t hash(std::uint32_t k) const { return held_.hash(k); }
@@ -217,11 +217,6 @@ class Batch {
                    held_.traces.empty() && held_.episodes[0].begun && !held_.episodes[0].ended &&
                    !not_finite_.is_any();
   }
-  /// (Threads have blocks of several environments, and only read this.)
-  void leave_single() {
-    if (runs_single_) runs_single_ = false;
-  }
-
   void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
                   Step& step) {
     const std::uint32_t lanes = held_.simd.lanes();
@@ -328,7 +323,7 @@ class Batch {
     resets_.staging.weigh(k, rows, [&](std::size_t i) { return column.end(kTerms + i); });
   }
 
-  [[gnu::noinline]] void step_alone(std::uint32_t k, const float* actions, Step& step) {
+  void step_alone(std::uint32_t k, const float* actions, Step& step) {
     if (held_.episodes[k].ended) {
       stay_or_begin(k, step);
     } else {
@@ -337,10 +332,29 @@ class Batch {
   }
 
   template <class AnyProgram>
-  [[gnu::always_inline]] inline void step_one(std::uint32_t k, AnyProgram& program,
-                                              const float* actions, Step& step) {
+  void step_one(std::uint32_t k, AnyProgram& program, const float* actions, Step& step) {
     const std::size_t acted = layout_.actions.numbers();
     const auto observation = program.step(layout_.action(actions + k * acted));
+    end_step(k, write_step(k, program, step), step,
+             [&](float* row) { layout_.write(observation, row); });
+  }
+
+  /// step_one() of the only environment, within its caller: no place in a row is calculated.
+  [[gnu::always_inline]] inline void step_single(const float* actions, Step& step) {
+    Program& program = held_.programs[0];
+    const auto observation = program.step(layout_.action(actions));
+    const auto write = [&](float* row) { layout_.write(observation, row); };
+    if (!write_ends(0, write_step(0, program, step), step.rows)) [[unlikely]] {
+      runs_single_ = false;
+      end_episode(0, step, write);
+    } else if (step.rows.observation != nullptr) {
+      write(step.rows.observation);
+    }
+  }
+
+  /// What a step gives besides the observation.
+  template <class AnyProgram>
+  [[gnu::always_inline]] inline Ends write_step(std::uint32_t k, AnyProgram& program, Step& step) {
     const Ends ends = write_outcome<Graph>(program, k, step.rows);
     held_.critic.step(k, program);
     if constexpr (Staging<Graph>::kStages > 0) {
@@ -350,32 +364,35 @@ class Batch {
     }
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]] {
-        leave_single();
+        if (runs_single_) runs_single_ = false;  // threads of several environments only read it
         not_finite_.note(held_.episodes[k].place(k, held_.steps[k]), program.outcome());
       }
     }
-    end_step(k, ends, step, [&](float* row) { layout_.write(observation, row); });
+    return ends;
   }
 
-  /// write(row) writes the observation of the step.
-  template <class Write>
-  [[gnu::always_inline]] inline void end_step(std::uint32_t k, Ends ends, Step& step,
-                                              Write&& write) {
-    const eagerx_rows& rows = step.rows;
+  /// False: the episode ends.
+  [[gnu::always_inline]] inline bool write_ends(std::uint32_t k, Ends ends,
+                                                const eagerx_rows& rows) {
     ++held_.steps[k];
     ends.truncated = ends.truncated || (longest_ != 0 && held_.steps[k] >= longest_);
     if (rows.terminated != nullptr) rows.terminated[k] = ends.terminated ? 1 : 0;
     if (rows.truncated != nullptr) rows.truncated[k] = ends.truncated ? 1 : 0;
-    if (ends.terminated || ends.truncated) [[unlikely]] {
+    return !ends.terminated && !ends.truncated;
+  }
+
+  /// write(row) writes the observation of the step.
+  template <class Write>
+  void end_step(std::uint32_t k, Ends ends, Step& step, Write&& write) {
+    if (!write_ends(k, ends, step.rows)) {
       end_episode(k, step, write);
-    } else if (rows.observation != nullptr) {
-      write(rows.observation + k * layout_.observations.numbers());
+    } else if (step.rows.observation != nullptr) {
+      write(step.rows.observation + k * layout_.observations.numbers());
     }
   }
 
   template <class Write>
-  [[gnu::noinline]] void end_episode(std::uint32_t k, Step& step, Write& write) {
-    leave_single();
+  void end_episode(std::uint32_t k, Step& step, Write&& write) {
     const eagerx_rows& rows = step.rows;
     Episode& episode = held_.episodes[k];
     const std::size_t observed = layout_.observations.numbers();
