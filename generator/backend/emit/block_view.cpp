@@ -401,7 +401,7 @@ View conversions_view(const Plan& plan, const ProgramNames& names, const Written
                                source)
                  : source);
     view.set("bounds", names.runs(Graph::kEnvironment) ? "guard" : "actuators");
-    view.set("space", text_or_false(is_kept_within(plan, ring)
+    view.set("space", text_or_false(is_kept_within(plan, ring) && !names.has_derivatives()
                                         ? "eagerx::Space<" + names.message(input.space) + ">" +
                                               space_literal(input.space)
                                         : ""));

@@ -57,6 +57,7 @@ class Emitter {
       add(folder + "task.hpp", "cpp/task.hpp.mustache", task_view(plan_));
     add(folder + "limits.hpp", "cpp/limits.hpp.mustache", limits_view(plan_, names_));
     if (is_vectorized_) add_vectorized(folder, here);
+    if (ranges::any_of(options_.targets, &Target::derivatives)) add_derivatives(folder, here);
     const std::size_t at = files_.size();
     add_program(folder, names_, false);
     if (is_vectorized_ && !failed_) {
@@ -154,6 +155,25 @@ class Emitter {
     }
   }
 
+  /// The program once more, over numbers with derivatives: without guards, pictures and policy.
+  void add_derivatives(const std::string& folder, const fs::path& here) {
+    const ProgramNames names(plan_, Part::whole, Numbers::dual);
+    const auto add_one = [&](const std::string& file, View view) {
+      view.set("namespace", "graphs::" + plan_.graph->name + "::derivatives");
+      view.set("headers", plan_.graph->name + "/derivatives/");
+      add(folder + "derivatives/" + file, "cpp/" + file + ".mustache", std::move(view));
+    };
+    add_one("messages.hpp", messages_view(plan_, names));
+    add_one("io.hpp",
+            io_view(plan_, names, {options_.builtin_root, (here / "derivatives").string()}));
+    View program = program_view(plan_, names);
+    program.set("has_memory", false);
+    program.set("indented", indented());
+    program.set("with_vectorized", false);
+    add_one("program.hpp", std::move(program));
+    if (!failed_) files_.back().text = take_marks(files_.back().text).text;
+  }
+
   /// The agent's memory is in each environment's own program.
   bool acts_vectorized() const { return is_vectorized_ && network_ && !network_->has_memory(); }
 
@@ -191,7 +211,9 @@ class Emitter {
       file.path.erase(0, options_.header_folder.size());
       if (is_vectorized_ && file.path.ends_with("/program.hpp")) file.text = program_alone_;
       if (i >= first_policy) policies.push_back(file);
-      if (file.path.find("/vectorized/") == std::string::npos) headers.push_back(std::move(file));
+      if (file.path.find("/vectorized/") == std::string::npos &&
+          file.path.find("/derivatives/") == std::string::npos)
+        headers.push_back(std::move(file));
     }
     hash_ = options_.graph_hash != 0 ? options_.graph_hash : hash_of(headers);
     put_hash("kGraphHash", hash_);

@@ -61,12 +61,12 @@ std::string rate_type(const Rational& rate_hz) {
 }
 
 std::string_view element_type(Dtype dtype, Numbers numbers) {
-  const bool simd = numbers == Numbers::simd;
+  const bool simd = numbers == Numbers::simd, dual = numbers == Numbers::dual;
   switch (dtype) {
     case Dtype::float32:
-      return simd ? "F32" : "float";
+      return dual ? "eagerx::Number" : simd ? "F32" : "float";
     case Dtype::float64:
-      return simd ? "F64" : "double";
+      return dual ? "eagerx::Number" : simd ? "F64" : "double";
     case Dtype::boolean:
       return simd ? "Bool" : "bool";
     case Dtype::int8:

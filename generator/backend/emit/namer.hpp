@@ -31,8 +31,9 @@ std::string rate_suffix(const Rational& rate_hz);
 
 /// "eagerx::Rate<30>", "eagerx::Rate<30, 7>"
 std::string rate_type(const Rational& rate_hz);
-/// The names of numbers: by their C++ types, or as SIMD vectors of them, "F32".
-enum class Numbers : std::uint8_t { plain, simd };
+/// The names of numbers: by their C++ types, as SIMD vectors of them, "F32", or with derivatives,
+/// which integers have not.
+enum class Numbers : std::uint8_t { plain, simd, dual };
 
 /// "float", "std::int8_t"
 std::string_view element_type(Dtype dtype, Numbers numbers = Numbers::plain);

@@ -56,6 +56,7 @@ struct ProgramNames {
     return !left_out(node) && receives_here(*plan_.graph, part_, node);
   }
   [[nodiscard]] bool is_vectorized() const { return numbers == Numbers::simd; }
+  [[nodiscard]] bool has_derivatives() const { return numbers == Numbers::dual; }
   /// Whether the vectorized program runs a node one lane after the other, compiled for the
   /// environment's own program.
   [[nodiscard]] bool by_lane(std::size_t node) const {
@@ -122,9 +123,9 @@ struct ProgramNames {
   /// The type of a processor and those of its stages; empty without one.
   std::string processor_type(const std::optional<Processor>& processor, const std::string& wanted,
                              Names& types);
-  /// Vectorized programs show no pictures.
+  /// Vectorized programs, and those of derivatives, show no pictures.
   [[nodiscard]] bool left_out(std::size_t node) const {
-    return is_vectorized() && plan_.graph->nodes[node].drawn;
+    return numbers != Numbers::plain && plan_.graph->nodes[node].drawn;
   }
 
   const Plan& plan_;

@@ -32,6 +32,7 @@ class ProgramView {
     view_.set("period", (Rational(1) / graph_.environment().rate_hz).to_string());
     view_.set("environment_due", names_.rates[rate].due);
     view_.set("vectorized", names_.is_vectorized());
+    view_.set("derivatives", names_.has_derivatives());
     const Rational ticks = plan_.rates.front().rate_hz / graph_.environment().rate_hz;
     view_.set("ticks", fmt::format("{}", ticks.ceil()));
     view_.set("phases", fmt::format("{}", steps_in_hyperperiod(plan_)));
@@ -80,18 +81,20 @@ class ProgramView {
     const bool acts = !graph_.environment().outputs.empty();
     view_.set("step_parameter",
               decides && acts ? "const Action& action" : "const Action& /*action*/");
-    view_.set("guards", decides && acts);
+    // With derivatives, what moves an action into its space is left out.
+    const bool guarded = decides && acts && !names_.has_derivatives();
+    view_.set("guards", guarded);
     const bool has_actuators =
         !decides && names_.is_hub() &&
         ranges::any_of(plan_.rings, [&](const Ring& ring) { return is_kept_within(plan_, ring); });
     view_.set("has_actuators", has_actuators);
-    view_.set("needs_limits", (decides && acts) || has_actuators);
-    const bool outputs = guards_outputs(plan_, names_);
+    view_.set("needs_limits", guarded || has_actuators);
+    const bool outputs = guards_outputs(plan_, names_) && guarded;
     view_.set("guards_outputs", outputs);
     view_.set("guard_type", outputs ? "OutputGuard" : "Guard");
     view_.set("guard_header", outputs ? "output_guard" : "guard");
     // Without an engine, actions are what a main loop measures: no answer to what it is given.
-    view_.set("answers", decides && graph_.has_engine() && acts);
+    view_.set("answers", guarded && graph_.has_engine());
     add_applied(!decides && names_.is_hub() && acts);
   }
 
@@ -226,6 +229,20 @@ class ProgramView {
     view_.set("observation_asks", asks);
   }
 
+  /// What the messages of a ring are: "motor.u", "motor.u for filter.signal".
+  [[nodiscard]] std::string label_of(const Ring& ring) const {
+    const auto channel = ranges::find_if(plan_.channels, [&](const Channel& each) {
+      return each.node == ring.node && each.output == ring.output;
+    });
+    const GraphNode& node = graph_.nodes[ring.node];
+    const std::string sent = channel != plan_.channels.end()
+                                 ? channel->port
+                                 : fmt::format("{}.{}", node.name, node.outputs[ring.output].name);
+    if (!ring.reader_node) return sent;
+    const Input& input = graph_.nodes[*ring.reader_node].inputs[*ring.reader_input];
+    return fmt::format("{} for {}", sent, input.written);
+  }
+
   void add_memory() {
     View rings = list(), members = list(), counters = list();
     View drawn_rings = list(), drawn_members = list(), by_lane = list(), passing = list(),
@@ -240,6 +257,7 @@ class ProgramView {
       if (member.empty()) continue;
       const bool passes = names_.rings[r].owner == EmitMember::Owner::one_step;
       item.set("member", member);
+      item.set("label", label_of(ring));
       item.set("clock", names_.rates[plan_.nodes[ring.node].rate].counter);
       item.set("capacity", fmt::format("{}", ring.capacity));
       item.set(
@@ -251,32 +269,35 @@ class ProgramView {
         ticks.push_back(item);
       }
     }
-    const auto add = [](View& to, const std::string& type, const std::string& member) {
+    const auto add = [](View& to, const std::string& type, const std::string& member,
+                        const std::string& label) {
       View item = object();
+      item.set("label", label);
       item.set("type", type);
       item.set("member", member);
       to.push_back(item);
     };
     for (std::size_t i = 0; names_.has_engine() && i < graph_.objects.size(); ++i)
-      add(members, names_.objects[i].simulator_type, names_.objects[i].simulator_member);
+      add(members, names_.objects[i].simulator_type, names_.objects[i].simulator_member,
+          graph_.objects[i].name);
     for (const std::size_t n : nodes_in_order(plan_)) {
       if (!names_.runs(n)) continue;
       const Entity& entity = *graph_.nodes[n].entity;
       const std::string type = fmt::format(
           "{}<{}>", from_global_namespace(names_.class_of(entity).name), names_.nodes[n].io);
       if (graph_.nodes[n].drawn) {
-        add(drawn_members, type, names_.nodes[n].member.declaration());
+        add(drawn_members, type, names_.nodes[n].member.declaration(), graph_.nodes[n].name);
         continue;
       }
       // Resets are of the environment's own program.
       if (names_.is_vectorized() && !graph_.nodes[n].reset_targets.empty()) continue;
       if (names_.by_lane(n)) {
         add(by_lane, fmt::format("{}<{}>", from_global_namespace(entity.cpp.name), names_.one(n)),
-            names_.nodes[n].member.expression());
+            names_.nodes[n].member.expression(), graph_.nodes[n].name);
         continue;
       }
       if (const std::string member = names_.nodes[n].member.declaration(); !member.empty())
-        add(members, type, member);
+        add(members, type, member, graph_.nodes[n].name);
       if (entity.counts.empty()) continue;
       View item = object();
       item.set("node", graph_.nodes[n].name);

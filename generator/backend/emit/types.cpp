@@ -13,7 +13,7 @@ std::string window_type(const Plan& plan, std::size_t node, std::size_t input, N
       fmt::format("<{}, {}, {}, {}, {}>", message_type(ring.space, numbers),
                   rate_type(plan.graph->nodes[port.source_node].rate_hz), ring.capacity,
                   reception.max_size, reception.always_full);
-  if (numbers == Numbers::plain)
+  if (numbers != Numbers::simd)
     return fmt::format("eagerx::{}{}", padded ? "PaddedWindow" : "Window", arguments);
   const bool scattered =
       reception.count == Reception::Count::delayed || reception.count == Reception::Count::skipped;

@@ -162,6 +162,7 @@ struct Target {
   std::vector<std::pair<std::string, std::string>> yours;  // as `partner`, written once
   std::string cmake, toolchain;
   bool vectorized = false;                 // whether it also takes the program over SIMD vectors
+  bool derivatives = false;                // whether over numbers with derivatives (eagerx::Number)
   std::string system;                      // its operating system; empty: none
   std::string family;                      // the family of boards it is of; empty: none
   std::optional<std::uint32_t> baud;       // of its serial port, if that can send telemetry

@@ -354,6 +354,7 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   if (target.language.empty() && root.find("cmake") == nullptr)
     diagnostics.error("E0202", target.id.span, "missing key `cmake` in a target");
   target.vectorized = text_at(root, "vectorized") == "true";
+  target.derivatives = text_at(root, "derivatives") == "true";
   target.cmake = text_at(root, "cmake");
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");

@@ -248,6 +248,9 @@ FormatPtr target_format() {
                "with `language`: files that are written once, and then the user's"},
               {"vectorized", format::boolean(), false,
                "whether the vectorized program is generated, too (default: false)"},
+              {"derivatives", format::boolean(), false,
+               "whether the program over numbers with derivatives is generated, too (default: "
+               "false)"},
               {"cmake", format::path("a CMake file", true), false,
                "the CMake file that defines eagerx_configure_target"},
               {"toolchain", format::file_name("a toolchain file"), false, "in toolchains/"},

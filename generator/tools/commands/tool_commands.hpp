@@ -8,6 +8,8 @@ namespace eagerx::gen {
 
 /// Steps a library that is cut out of a graph with what a simulation recorded, and compares.
 Command pil_command();
+/// Prints the sampled loop of a graph as matrices, poles and margins.
+Command linearize_command();
 /// Writes a picture of the graph.
 Command graph_command();
 /// Writes a page for a browser.

@@ -23,10 +23,16 @@
 
 namespace eagerx {
 
+/// What else a Dual does when it begins to exist: nothing. A program specializes it to find all
+/// numbers of an object (targets/linearize).
+template <class R, std::size_t N>
+struct DualBirth {};
+
 /// A number (or SIMD vector) `value` and its N derivatives. Comparisons look at the value only,
 /// so at a kink the derivative is that of the branch which is taken.
 template <class R, std::size_t N>
 struct Dual {
+  [[no_unique_address]] DualBirth<R, N> birth;
   R value;
   R derivative[N];
 

@@ -1,0 +1,105 @@
+// An integrator with proportional control: its poles and margins have closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "generator/tools/linear/modes.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kPeriod = 0.01;
+constexpr double kGain = 20.0;  // 1/s
+
+/// x' = x + k·h·u and y = −x, `messages` times in a hyperperiod: y is sent, and u is what comes of
+/// it.
+SampledSystem integrator(std::size_t messages) {
+  const double step = kGain * kPeriod;
+  SampledSystem system;
+  system.period_s = kPeriod * static_cast<double>(messages);
+  system.state = {{"x", 0.0}};
+  system.opened = messages;
+  system.a = {{1.0}};
+  system.b = {std::vector<double>(messages, step)};
+  for (std::size_t i = 0; i < messages; ++i) {
+    system.inputs.push_back({"y", "", 0, 0});
+    system.outputs.push_back({"y", "", 0, 0});
+    system.c.push_back({-1.0});
+    auto& row = system.d.emplace_back(messages, 0.0);
+    for (std::size_t k = 0; k < i; ++k) row[k] = -step;
+  }
+  return system;
+}
+
+// L = k·h/(z − 1): |L| = k·h/(2·sin(ω·h/2)), its phase −90° − ω·h/2.
+void expect_margins_of_integrator(const Margins& margins) {
+  const double half = std::asin(kGain * kPeriod / 2.0);  // ω·h/2 at the crossover
+  const double w = 2.0 * half / kPeriod;
+  EXPECT_TRUE(margins.is_stable);
+  EXPECT_NEAR(*margins.crossover_hz, w / (2.0 * kPi), 1e-9);
+  EXPECT_NEAR(*margins.phase_deg, 90.0 - half * 180.0 / kPi, 1e-9);
+  EXPECT_NEAR(*margins.delay_s, (kPi / 2.0 - half) / w, 1e-12);
+  // At half of the rate of the messages the phase is −180° and the gain k·h/2.
+  ASSERT_TRUE(margins.stable_messages);
+  EXPECT_EQ(*margins.stable_messages, static_cast<std::size_t>(*margins.delay_s / kPeriod));
+  EXPECT_LT(margins.other_frequencies, 1e-9);
+}
+
+TEST(Margins, OfAnIntegrator) {
+  const Margins margins = margins_of(integrator(1));
+  EXPECT_DOUBLE_EQ(margins.spectral_radius, 1.0 - kGain * kPeriod);
+  EXPECT_DOUBLE_EQ(margins.port_period_s, kPeriod);
+  expect_margins_of_integrator(margins);
+}
+
+TEST(Margins, SeveralMessagesOfAHyperperiodAreOneLoop) {
+  const Margins margins = margins_of(integrator(3));
+  EXPECT_NEAR(margins.spectral_radius, std::pow(1.0 - kGain * kPeriod, 3), 1e-12);
+  EXPECT_NEAR(margins.port_period_s, kPeriod, 1e-15);
+  expect_margins_of_integrator(margins);
+}
+
+TEST(Margins, GainOfALoopWithADelay) {
+  // L = k·h/(z·(z − 1)): −90° − 3·ω·h/2 is −180° at ω·h = π/3, where |L| = k·h.
+  SampledSystem system = integrator(1);
+  system.state.push_back({"sent", 0.0});
+  system.a = {{1.0, kGain * kPeriod}, {0.0, 0.0}};
+  system.b = {{0.0}, {1.0}};
+  system.c = {{-1.0, 0.0}};
+  const Margins margins = margins_of(system);
+  EXPECT_NEAR(*margins.gain, 1.0 / (kGain * kPeriod), 1e-9);
+  EXPECT_NEAR(*margins.gain_frequency_hz, 1.0 / (6.0 * kPeriod), 1e-9);
+}
+
+TEST(Margins, ResponsesAreThoseOfTheLoop) {
+  for (const Response& each : responses_of(integrator(3), 50)) {
+    const double half = kPi * each.frequency_hz * kPeriod;
+    EXPECT_NEAR(std::abs(each.loop) * 2.0 * std::sin(half) / (kGain * kPeriod), 1.0, 1e-9);
+  }
+}
+
+TEST(Modes, OfAnOscillator) {
+  // A turn by ω·h that shrinks by exp(−σ·h).
+  constexpr double kSigma = 2.0, kOmega = 30.0;
+  const double r = std::exp(-kSigma * kPeriod), angle = kOmega * kPeriod;
+  SampledSystem system;
+  system.period_s = kPeriod;
+  system.state = {{"position", 0.0}, {"speed", 0.0}, {"message", 0.0}};
+  system.a = {{r * std::cos(angle), -r * std::sin(angle), 0.0},
+              {r * std::sin(angle), r * std::cos(angle), 0.0},
+              {1.0, 0.0, 0.0}};
+  const Modes modes = modes_of(system);
+  EXPECT_NEAR(modes.spectral_radius, r, 1e-14);
+  ASSERT_EQ(modes.poles.size(), 1U);
+  EXPECT_EQ(modes.at_zero, 1U);
+  EXPECT_NEAR(modes.poles[0].frequency_hz, std::hypot(kSigma, kOmega) / (2.0 * kPi), 1e-12);
+  EXPECT_NEAR(modes.poles[0].damping, kSigma / std::hypot(kSigma, kOmega), 1e-12);
+  EXPECT_NEAR(modes.poles[0].time_constant_s, 1.0 / kSigma, 1e-12);
+  ASSERT_EQ(modes.poles[0].participation.size(), 2U);
+  EXPECT_NEAR(modes.poles[0].participation[0].share, 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace eagerx::gen
