@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <eagerx/channel.hpp>
+#include <eagerx/number.hpp>
 #include <eagerx/random.hpp>
 #include <memory>
 #include <new>
@@ -18,7 +19,6 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <targets/linearize/number.hpp>
 #include <targets/linearize/probe.hpp>
 #include <targets/linearize/words.hpp>
 #include <vector>
@@ -146,8 +146,8 @@ class Linearization {
  public:
   explicit Linearization(const Request& request)
       : request_(request), memory_(static_cast<unsigned char*>(std::calloc(1, sizeof(Program)))) {
-    std::vector<const void*> places;
-    born = &places;
+    static std::vector<const void*> places;
+    born = [](const void* number) { places.push_back(number); };
     program_ = new (memory_) Program();
     born = nullptr;
     WordList list(program_, sizeof(Program), places);
@@ -192,7 +192,8 @@ class Linearization {
     copy->trace.record = &record_;
     for (std::uint32_t i = 0; i < Program::kPhases; ++i) copy->step(action(seeds, i));
     copy->trace.record = nullptr;
-    for (const std::uint32_t channel : record_.losing) losing_.insert(channel);
+    losing_.insert(record_.losing.begin(), record_.losing.end());
+    smoothing_.insert(record_.smoothing.begin(), record_.smoothing.end());
     return copy;
   }
 
@@ -300,6 +301,16 @@ class Linearization {
     std::printf("]");
   }
 
+  static void print_channels(const char* name, const std::set<std::uint32_t>& channels) {
+    std::printf(",\n\"%s\": [", name);
+    const char* separator = "";
+    for (const std::uint32_t channel : channels) {
+      std::printf("%s%" PRIu32, separator, channel);
+      separator = ", ";
+    }
+    std::printf("]");
+  }
+
   void print(const Matrix& a, const Matrix& b, const Matrix& c, const Matrix& d) {
     using Rate = typename Graph::Rate;
     std::printf("{\"period_s\": %.17g,\n\"steps\": %" PRIu32 ",\n\"state\": [",
@@ -310,13 +321,9 @@ class Linearization {
     std::printf("]");
     print_ports("inputs", inputs_);
     print_ports("outputs", outputs_);
-    std::printf(",\n\"opened\": %zu,\n\"losing\": [", request_.open ? opened_ : outputs_.size());
-    const char* separator = "";
-    for (const std::uint32_t channel : losing_) {
-      std::printf("%s%" PRIu32, separator, channel);
-      separator = ", ";
-    }
-    std::printf("]");
+    std::printf(",\n\"opened\": %zu", request_.open ? opened_ : outputs_.size());
+    print_channels("losing", losing_);
+    print_channels("smoothing", smoothing_);
     print_matrix("A", a);
     print_matrix("B", b);
     print_matrix("C", c);
@@ -331,7 +338,7 @@ class Linearization {
   std::vector<Port> inputs_, outputs_;
   std::size_t opened_ = 0;
   std::vector<std::vector<Sent>> values_;
-  std::set<std::uint32_t> losing_;
+  std::set<std::uint32_t> losing_, smoothing_;
   Record record_;
 };
 

@@ -5,9 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/message.hpp>
+#include <eagerx/number.hpp>
 #include <eagerx/rate.hpp>
 #include <optional>
-#include <targets/linearize/number.hpp>
+#include <set>
 #include <type_traits>
 #include <vector>
 
@@ -34,8 +35,8 @@ struct Record {
   std::vector<std::vector<Sent>> channels;  // by channel
   std::optional<std::uint32_t> opened;  // a channel: readers get what is sent without derivatives
   std::size_t opened_element = 0;
-  std::vector<const Seed*> seeds;     // by derivative; null: none
-  std::vector<std::uint32_t> losing;  // channels of nodes that lose derivatives
+  std::vector<const Seed*> seeds;             // by derivative; null: none
+  std::set<std::uint32_t> losing, smoothing;  // channels of nodes that do that to derivatives
 };
 
 /// The trace of the program.
@@ -57,8 +58,9 @@ struct Probe {
         move(channel, i, all.size(), x);
       }
     }
-    if (lost) record->losing.push_back(channel);
-    lost = false;
+    if (doings.lost) record->losing.insert(channel);
+    if (doings.smoothed) record->smoothing.insert(channel);
+    doings = {};
     all.push_back(std::move(sent));
   }
 

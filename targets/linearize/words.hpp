@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <eagerx/number.hpp>
 #include <eagerx/rate.hpp>
 #include <string>
-#include <targets/linearize/number.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>

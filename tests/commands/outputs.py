@@ -18,6 +18,7 @@ OUTPUTS = {
     ("generate", "--depfile"): [*GENERATOR, "generate", SWING, "--quiet", "--output", "elsewhere"],
     ("build", "--output"): [*GENERATOR, "build", SWING, "--quiet"],
     ("run", "--output"): [*GENERATOR, "run", SWING, "--quiet"],
+    ("linearize", "--output"): [*GENERATOR, "linearize", GRAPH, "--quiet"],
     ("pil", "--output"): [*GENERATOR, "pil", ROOT + "/examples/controller_in_your_main/graph.yaml", "--of", "control", "--quiet"],
     ("train", "--output"): TRAIN,
     ("train", "--checkpoint"): TRAIN,
@@ -59,7 +60,7 @@ NO_OUTPUTS = {"--path", ("report", "--build"), ("size", "--build")}
 STREAMS = {("program", "--csv"), ("program", "--trace"), ("program", "--render"), ("campaign", "--checkpoint"),
            ("monitor", "--record"), ("train", "--csv"), ("train", "--tensorboard"), ("train", "--record"),
            ("train", "--results")}
-FOLDERS = {("build", "--output"), ("pil", "--output"), ("run", "--output"), ("train", "--build"), ("campaign", "--build"), ("generate", "--output"),
+FOLDERS = {("build", "--output"), ("linearize", "--output"), ("pil", "--output"), ("run", "--output"), ("train", "--build"), ("campaign", "--build"), ("generate", "--output"),
            ("new", "--output"), ("train", "--tensorboard")}
 # Where nothing may be before.
 NEW = FOLDERS | {("campaign", "--checkpoint"), ("key new", "file"), ("train", "--results")}

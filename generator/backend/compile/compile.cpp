@@ -52,6 +52,7 @@ class CompileCheck {
     if (!compile_program()) return;
     look_for_calls();
     compile_vectorized();
+    compile_derivatives();
   }
 
  private:
@@ -252,6 +253,32 @@ class CompileCheck {
         "its manifest says `vectorized: true`: then `Io::Real` is a SIMD vector, one lane of each "
         "environment. `eagerx::select(a > b, x, y)` is for `if` and `? :`. Without "
         "`vectorized: true` environments run one by one";
+  }
+
+  /// The program over numbers with derivatives, if the target has one.
+  void compile_derivatives() {
+    const std::string header = plan_.graph->name + "/derivatives/program.hpp";
+    if (!ranges::contains(files_, header, &GeneratedFile::path)) return;
+    if (!write("derivatives.cpp",
+               fmt::format("#include \"{}\"\ntemplate class graphs::{}::derivatives::Program<>;\n",
+                           header, plan_.graph->name)))
+      return;
+    const std::string said = compile("derivatives.cpp", {"-fsyntax-only"});
+    const auto messages = messages_in(said);
+    const auto error = ranges::find_if(messages, &CompilerMessage::error);
+    if (error == messages.end()) return;
+    CompilerMessage message = *error;
+    // What is refused is in the runtime, and the code that asks for it is what the user can change.
+    for (const CompilerMessage& asking : instantiations_in(said)) {
+      if (is_of_entity(message.file) || !is_of_entity(asking.file)) continue;
+      message.file = asking.file;
+      message.line = asking.line;
+      message.column = asking.column;
+    }
+    report(message).help =
+        "`eagerx-gen linearize` computes it over numbers with derivatives: then `Io::Real` and the "
+        "elements of messages are `eagerx::Number`. Write `Real` for `float` and `double`, and "
+        "`element(out.y, i) = value` without a cast";
   }
 
   void look_for_calls() {

@@ -83,4 +83,20 @@ std::vector<CompilerMessage> messages_in(std::string_view output) {
   return messages;
 }
 
+std::vector<CompilerMessage> instantiations_in(std::string_view output) {
+  std::vector<CompilerMessage> places;
+  while (!output.empty()) {
+    const std::size_t end = std::min(output.find('\n'), output.size());
+    const std::string_view line = output.substr(0, end);
+    output.remove_prefix(std::min(end + 1, output.size()));
+    const std::size_t at =
+        std::min(line.find(":   required from "), line.find(": note: in instantiation"));
+    CompilerMessage place;
+    if (at != std::string_view::npos &&
+        read_place(line.substr(0, at), place.file, place.line, place.column))
+      places.push_back(std::move(place));
+  }
+  return places;
+}
+
 }  // namespace eagerx::gen

@@ -240,6 +240,7 @@ View port_view(const std::string& type, const std::string& field, const std::str
 View messages_view(const Plan& plan, const ProgramNames& names) {
   const Graph& graph = *plan.graph;
   View view = object();
+  view.set("derivatives", names.has_derivatives());
   View actions = list(), observations = list(), states = list();
   view["task"] = outcome_view(plan, names);
   for (const auto& action : graph.environment().outputs)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <runtime/host/base/nearest.hpp>
 #include <string>
 #include <vector>
 
@@ -29,17 +30,6 @@ struct LinearizeOptions : GenerateOptions {
   LinearFormat format = LinearFormat::text;
 };
 
-/// All names of what is sent.
-std::vector<std::string> ports_of(const Plan& plan) {
-  std::vector<std::string> names;
-  for (const Channel& channel : plan.channels) {
-    if (plan.graph->nodes[channel.node].role == NodeRole::engine) continue;
-    names.push_back(channel.port);
-    names.insert(names.end(), channel.aliases.begin(), channel.aliases.end());
-  }
-  return names;
-}
-
 std::size_t channel_at(const Plan& plan, std::size_t node, std::size_t output) {
   const auto found = std::ranges::find_if(plan.channels, [&](const Channel& each) {
     return each.node == node && each.output == output;
@@ -47,22 +37,45 @@ std::size_t channel_at(const Plan& plan, std::size_t node, std::size_t output) {
   return static_cast<std::size_t>(found - plan.channels.begin());
 }
 
-/// The channel of a port that sends, or of what one that receives gets; nothing with a problem.
-std::optional<std::size_t> channel_of(const std::string& port, const Plan& plan,
-                                      Diagnostics& diagnostics) {
+/// A name of what a channel carries.
+struct PortName {
+  std::string name;
+  std::size_t channel;
+};
+/// All ports that send, and then those that receive, which stand for what they get.
+std::vector<PortName> port_names(const Plan& plan) {
+  std::vector<PortName> names;
   for (std::size_t c = 0; c < plan.channels.size(); ++c) {
     const Channel& channel = plan.channels[c];
-    if (channel.port == port || channel.name == port ||
-        std::ranges::find(channel.aliases, port) != channel.aliases.end())
-      return c;
+    if (plan.graph->nodes[channel.node].role == NodeRole::engine) continue;
+    names.push_back({channel.port, c});
+    for (const std::string& alias : channel.aliases) names.push_back({alias, c});
+    names.push_back({channel.name, c});
   }
   for (const GraphNode& node : plan.graph->nodes) {
-    for (const Input& input : node.inputs) {
-      if (input.written == port) return channel_at(plan, input.source_node, input.source_output);
-    }
+    for (const Input& input : node.inputs)
+      names.push_back({input.written, channel_at(plan, input.source_node, input.source_output)});
+  }
+  return names;
+}
+
+/// The channel of a port; nothing with a problem.
+std::optional<std::size_t> channel_of(const std::string& port, const Plan& plan,
+                                      Diagnostics& diagnostics) {
+  const std::vector<PortName> all = port_names(plan);
+  const auto find = [&](const std::string& name) -> std::optional<std::size_t> {
+    const auto found = std::ranges::find(all, name, &PortName::name);
+    return found != all.end() ? std::optional(found->channel) : std::nullopt;
+  };
+  if (const auto channel = find(port)) return channel;
+  std::vector<std::string> names;
+  for (const PortName& each : all) names.push_back(each.name);
+  if (const std::string* const meant = host::name_meant(port, names)) {
+    diagnostics.note(plan.graph->span, fmt::format("`{}` is `{}` here", port, *meant));
+    return find(*meant);
   }
   diagnostics.error("E0520", plan.graph->span, fmt::format("nothing sends `{}`", port)).help =
-      suggestion(port, ports_of(plan));
+      suggestion(port, names);
   return std::nullopt;
 }
 
@@ -133,10 +146,11 @@ std::uint64_t steps_until_full(const Plan& plan) {
 
 /// The words for the program; nothing with a problem.
 std::optional<std::vector<std::string>> words_of(const LinearizeOptions& options, const Plan& plan,
+                                                 std::optional<OpenedPort>& opened,
                                                  Diagnostics& diagnostics) {
   std::vector<std::string> words = {
       "--steps", fmt::format("{}", options.steps.value_or(steps_until_full(plan))), "--seed",
-      fmt::format("{}", options.seed.value_or(0))};
+      fmt::format("{}", options.seed.value_or(1))};
   for (const std::string& state : options.at) words.insert(words.end(), {"--at", state});
   const auto add = [&](const char* name, std::size_t channel) {
     words.insert(words.end(), {name, fmt::format("{}", channel)});
@@ -149,9 +163,10 @@ std::optional<std::vector<std::string>> words_of(const LinearizeOptions& options
   add_ports("--from", options.from);
   add_ports("--to", options.to);
   if (!options.open.empty()) {
-    if (const auto port = opened_port(options.open, plan, diagnostics)) {
-      add("--open", port->channel);
-      add("--element", port->element);
+    opened = opened_port(options.open, plan, diagnostics);
+    if (opened) {
+      add("--open", opened->channel);
+      add("--element", opened->element);
     }
   }
   if (diagnostics.has_errors()) return std::nullopt;
@@ -181,17 +196,17 @@ std::vector<DataAge> ages_through(const Plan& plan, std::size_t channel, const P
   return result;
 }
 
-int print(Run& run, const LinearizeOptions& options, const SampledSystem& system) {
+int print(Run& run, const LinearizeOptions& options, const SampledSystem& system,
+          const std::optional<OpenedPort>& opened) {
   LinearReport report{&system, modes_of(system), {}, options.open, {}};
-  if (!options.open.empty()) {
+  if (opened) {
     if (system.opened == 0) {
       run.diagnostics.error("E0520", run.graph->span,
                             fmt::format("`{}` has no numbers with derivatives", options.open));
       return finish(run, options);
     }
     report.margins = margins_of(system);
-    const auto port = opened_port(options.open, *run.plan, run.diagnostics);
-    report.ages = ages_through(*run.plan, port->channel,
+    report.ages = ages_through(*run.plan, opened->channel,
                                info_of(*run.plan, run.spec->budget, run.diagnostics));
   }
   if (options.format == LinearFormat::text) say_text(linear_text(report));
@@ -207,7 +222,8 @@ int perform(const LinearizeOptions& given) {
   Run run;
   int code = kDone;
   if (!make(run, options) || !check_graph(*run.graph, run.diagnostics)) return finish(run, options);
-  const auto words = words_of(options, *run.plan, run.diagnostics);
+  std::optional<OpenedPort> opened;
+  const auto words = words_of(options, *run.plan, opened, run.diagnostics);
   const auto built = words ? build_made_graph(run, options, code) : std::nullopt;
   if (!built) return std::max(code, finish(run, options));
   std::vector<std::string> command = {absolute_path(built->back().image).string()};
@@ -222,7 +238,7 @@ int perform(const LinearizeOptions& given) {
     run.diagnostics.error("E0520", run.graph->span, "the program has printed no matrices");
     return finish(run, options);
   }
-  code = print(run, options, *system);
+  code = print(run, options, *system, opened);
   return code != kDone ? code : finish(run, options);
 }
 
@@ -256,7 +272,7 @@ Command table(LinearizeOptions& options) {
                   "steps without an action before the derivatives (default: until windows are full "
                   "and delays have passed)",
                   0, 1'000'000'000),
-            whole("--seed", options.seed, "where random numbers start (default: 0)", 0,
+            whole("--seed", options.seed, "where random numbers start (default: 1)", 0,
                   std::numeric_limits<std::int64_t>::max()),
             texts("--from", options.from,
                   "inputs: what is added to what ports send (default: the "

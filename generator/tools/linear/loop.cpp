@@ -142,6 +142,7 @@ class MarginFinder {
     }
     refine_peak(all[1] / all[0]);
     if (margins_.is_stable) count_messages();
+    choose_delay();
     return margins_;
   }
 
@@ -158,10 +159,7 @@ class MarginFinder {
       margins_.other_frequencies = others;
     }
     if (phase < 0.0) phase += kTurn;
-    if (!margins_.delay_s || phase / w < *margins_.delay_s) {
-      margins_.delay_s = phase / w;
-      margins_.delay_frequency_hz = w / kTurn;
-    }
+    delays_.push_back({phase / w, w / kTurn});
   }
   void cross_phase(double low, double high) {
     const double w = root(low, high, [&](double at) { return response_.at(at).imag(); });
@@ -196,6 +194,18 @@ class MarginFinder {
           std::abs(1.0 + at_one) < std::abs(1.0 + at_other) ? other : one;
     }
   }
+  /// The shortest delay that reaches the limit; what is shorter than what the loop bears has other
+  /// frequencies to thank for its gain of 1.
+  void choose_delay() {
+    constexpr double kRounding = 1.0 - 1e-9;
+    const double borne_s =
+        kRounding * loop_.message_s * static_cast<double>(margins_.stable_messages.value_or(0));
+    for (const Delay& each : delays_) {
+      if (each.s < borne_s || (margins_.delay_s && each.s >= *margins_.delay_s)) continue;
+      margins_.delay_s = each.s;
+      margins_.delay_frequency_hz = each.frequency_hz;
+    }
+  }
   void count_messages() {
     for (std::size_t delay = 1; delay <= kMostMessages; ++delay) {
       if (spectral_radius(loop_.closed(delay)) < 1.0) continue;
@@ -204,9 +214,14 @@ class MarginFinder {
     }
   }
 
+  struct Delay {
+    double s, frequency_hz;
+  };
+
   const OpenLoop& loop_;
   FrequencyResponse response_;
   Margins margins_;
+  std::vector<Delay> delays_;  // that reach the limit, by crossover
 };
 
 }  // namespace

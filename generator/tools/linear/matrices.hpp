@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <complex>
 
 #include "generator/tools/linear/sampled_system.hpp"
 
@@ -16,8 +18,22 @@ inline Eigen::MatrixXd matrix_of(const Rows& rows, std::size_t columns) {
   return matrix;
 }
 
+/// Whether a pole is an integrator: so near 1 that a double one is, with its rounding.
+inline bool is_integrator(std::complex<double> z) {
+  constexpr double kNear = 1e-6;
+  return std::abs(z - 1.0) < kNear;
+}
+
+/// The largest |z|, but for integrators: what nothing holds stays, and is not unstable.
+inline double spectral_radius(const Eigen::VectorXcd& poles) {
+  double largest = 0.0;
+  for (const std::complex<double> z : poles) {
+    if (!is_integrator(z)) largest = std::max(largest, std::abs(z));
+  }
+  return largest;
+}
 inline double spectral_radius(const Eigen::MatrixXd& a) {
-  return a.size() == 0 ? 0.0 : a.eigenvalues().cwiseAbs().maxCoeff();
+  return a.size() == 0 ? 0.0 : spectral_radius(Eigen::VectorXcd(a.eigenvalues()));
 }
 
 }  // namespace eagerx::gen

@@ -53,7 +53,8 @@ Modes modes_of(const SampledSystem& system) {
   const Eigen::MatrixXd a = matrix_of(system.a, system.state.size());
   const Eigen::EigenSolver<Eigen::MatrixXd> right(a), left(a.transpose());
   const Eigen::VectorXcd& values = right.eigenvalues();
-  modes.spectral_radius = values.cwiseAbs().maxCoeff();
+  modes.spectral_radius = spectral_radius(values);
+  modes.integrators = static_cast<std::size_t>(std::ranges::count_if(values, is_integrator));
   for (Index i = 0; i < values.size(); ++i) {
     if (std::abs(values[i]) <= kZero) {
       ++modes.at_zero;

@@ -27,9 +27,10 @@ struct Pole {
 };
 
 struct Modes {
-  double spectral_radius = 0.0;
-  std::vector<Pole> poles;  // slowest first; those below |z| = 1e-6 are `at_zero`
-  std::size_t at_zero = 0;  // what is passed on and forgotten: messages, delays
+  double spectral_radius = 0.0;  // without integrators
+  std::size_t integrators = 0;   // poles at 1: what nothing holds
+  std::vector<Pole> poles;       // slowest first; those below |z| = 1e-6 are `at_zero`
+  std::size_t at_zero = 0;       // what is passed on and forgotten: messages, delays
 };
 Modes modes_of(const SampledSystem& system);
 

@@ -44,6 +44,14 @@ SampledPort port_of(const Json& item, const Plan& plan) {
   return {name, unit_of(*plan.graph, node, output), channel, element};
 }
 
+std::vector<std::string> ports_of(const Json* channels, const Plan& plan) {
+  std::vector<std::string> ports;
+  const auto numbers = integers_of(channels);
+  for (std::size_t i = 0; numbers && i < numbers->size(); ++i)
+    ports.push_back(plan.channels[static_cast<std::size_t>((*numbers)[i])].port);
+  return ports;
+}
+
 /// Leaves out numbers of the state.
 class StateReduction {
  public:
@@ -139,9 +147,8 @@ std::optional<SampledSystem> read_system(std::string_view text, const Plan& plan
     system.outputs.push_back(port_of(item, plan));
   const auto opened = number_of(member(&*json, "opened")).value_or(0.0);
   system.opened = system.outputs.size() - static_cast<std::size_t>(opened);
-  for (const std::int64_t channel :
-       integers_of(member(&*json, "losing")).value_or(std::vector<std::int64_t>()))
-    system.losing.push_back(plan.channels[static_cast<std::size_t>(channel)].port);
+  system.losing = ports_of(member(&*json, "losing"), plan);
+  system.smoothing = ports_of(member(&*json, "smoothing"), plan);
   system.a = rows_of(member(&*json, "A"));
   system.b = rows_of(member(&*json, "B"));
   system.c = rows_of(member(&*json, "C"));

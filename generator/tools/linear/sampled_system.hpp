@@ -38,6 +38,7 @@ struct SampledSystem {
   std::size_t opened = 0;               // messages of the opened port in a hyperperiod
   std::vector<std::string> unchanging;  // numbers of the program that nothing changes
   std::vector<std::string> losing;      // ports of nodes whose derivatives are not known
+  std::vector<std::string> smoothing;   // and of those whose steps count with their mean slope
   double drift = 0.0;                   // of A to the next hyperperiod, of its largest element
 };
 

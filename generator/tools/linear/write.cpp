@@ -74,11 +74,11 @@ std::string pole_text(const Pole& pole, const SampledSystem& system) {
 
 std::string modes_text(const LinearReport& report) {
   const Modes& modes = report.modes;
-  std::string text = fmt::format("\nspectral radius {:.9g}: {}{}\n", modes.spectral_radius,
-                                 report.margins ? "with the loop opened, " : "",
-                                 modes.spectral_radius < 1.0    ? "stable"
-                                 : modes.spectral_radius == 1.0 ? "at the limit"
-                                                                : "not stable");
+  std::string text =
+      fmt::format("\nspectral radius {:.9g}: {}{}{}\n", modes.spectral_radius,
+                  report.margins ? "with the loop opened, " : "",
+                  modes.spectral_radius < 1.0 ? "stable" : "not stable",
+                  modes.integrators == 0 ? "" : ", but for what nothing holds (poles at 1)");
   if (modes.poles.empty()) return text;
   text += fmt::format("  {:<26} {:>9} {:>14} {:>8} {:>13}  {}\n", "pole z", "|z|", "frequency",
                       "damping", "time", "states");
@@ -92,9 +92,10 @@ std::string modes_text(const LinearReport& report) {
 }
 
 std::string delay_text(const Margins& margins) {
-  if (!margins.delay_s) return "  delay margin  none: no frequency has the gain 1\n";
-  std::string text = fmt::format("  delay margin  {:.6g} ms at {:.6g} Hz", *margins.delay_s * 1e3,
-                                 *margins.delay_frequency_hz);
+  std::string text = margins.delay_s
+                         ? fmt::format("  delay margin  {:.6g} ms at {:.6g} Hz",
+                                       *margins.delay_s * 1e3, *margins.delay_frequency_hz)
+                         : "  delay margin  none: no frequency has the gain 1";
   if (margins.stable_messages)
     text += fmt::format("; stable with {} more messages of delay ({:.6g} ms), not with {}",
                         *margins.stable_messages,
@@ -120,6 +121,10 @@ std::string margins_text(const LinearReport& report) {
   if (margins.phase_deg)
     text += fmt::format("  phase margin  {:.6g} deg at {:.6g} Hz\n", *margins.phase_deg,
                         *margins.crossover_hz);
+  if (margins.sensitivity == 1.0 && !margins.phase_deg)
+    text +=
+        "  nothing comes back to the port: a limit, a dead zone or a missing message cuts the "
+        "loop\n";
   text += delay_text(margins);
   text += fmt::format("  sensitivity   at most {:.6g} at {:.6g} Hz\n", margins.sensitivity,
                       margins.sensitivity_hz);
@@ -139,7 +144,9 @@ std::string notes_text(const SampledSystem& system) {
   if (!system.losing.empty())
     text +=
         fmt::format("\nno derivative passes through the nodes of {}\n", join(system.losing, ", "));
-  if (system.drift > 1e-9)
+  if (!system.smoothing.empty())
+    text += fmt::format("\nsteps count with their mean slope: {}\n", join(system.smoothing, ", "));
+  if (system.drift > 1e-6)
     text += fmt::format(
         "\nA of the next hyperperiod differs by {:.2g} of its largest element: this is no point of "
         "rest, or a node remembers in turns\n",
@@ -232,10 +239,12 @@ Json linear_json(const LinearReport& report) {
             {"C", rows_json(without(system.c, opened, 0))},
             {"D", rows_json(without(system.d, opened, opened))},
             {"spectral_radius", report.modes.spectral_radius},
+            {"integrators", report.modes.integrators},
             {"poles", poles_json(report)},
             {"poles_at_zero", report.modes.at_zero},
             {"unchanging", system.unchanging},
             {"without_derivative", system.losing},
+            {"mean_slope", system.smoothing},
             {"drift", system.drift}};
   if (report.margins) json["loop"] = margins_json(report);
   return json;

@@ -23,7 +23,7 @@ class Quantizer {
     static_assert(above_zero(), "Quantizer: `step` is above 0");
     for (std::size_t i = 0; i < kSize; ++i) {
       const Real step = each<Real>(kStep, i);
-      put(out.y, i, step * eagerx::round(newest<Real>(in.signal, i) / step));
+      put(out.y, i, eagerx::quantized(newest<Real>(in.signal, i), step));
     }
   }
 

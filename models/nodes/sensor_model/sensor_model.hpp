@@ -64,8 +64,7 @@ class SensorModel {
       y = eagerx::clamp(y, Real(constant<Real>(Io::Config::low)),
                         Real(constant<Real>(Io::Config::high)));
       if constexpr (Io::Config::resolution > 0.0) {
-        const Real step(constant<Real>(Io::Config::resolution));
-        y = step * eagerx::round(y / step);
+        y = eagerx::quantized(y, Real(constant<Real>(Io::Config::resolution)));
       }
       last_[i] = select(chance[i] < Real(kDropOut), last_[i], y);
     }

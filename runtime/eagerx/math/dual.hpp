@@ -264,6 +264,12 @@ template <class R, std::size_t N>
 constexpr Dual<R, N> round(const Dual<R, N>& x) {
   return round(x.value);
 }
+/// The mean slope of the steps, 1: what a loop sees of a fine quantization.
+template <class R, std::size_t N>
+constexpr Dual<R, N> quantized(const Dual<R, N>& x, const std::type_identity_t<Dual<R, N>>& step) {
+  return Dual<R, N>::of(quantized(x.value, step.value),
+                        [&](std::size_t i) { return x.derivative[i]; });
+}
 template <class R, std::size_t N>
 constexpr Dual<R, N> fmod(const Dual<R, N>& x, const std::type_identity_t<Dual<R, N>>& y) {
   const R quotient = trunc(x.value / y.value);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <eagerx/math/basic.hpp>
 #include <eagerx/math/vocabulary.hpp>
+#include <type_traits>
 
 namespace eagerx {
 namespace detail {
@@ -56,6 +57,13 @@ constexpr R round(R x) {
   const R whole = trunc(x);
   const R up = select(abs(x - whole) >= R(T(0.5)), R(T(1)), R(T(0)));
   return copysign(abs(whole) + up, x);
+}
+
+/// To the nearest multiple of `step`, halves away from zero. Numbers with derivatives take the mean
+/// slope of these steps.
+template <Floating R>
+constexpr R quantized(R x, std::type_identity_t<R> step) {
+  return step * round(x / step);
 }
 
 namespace detail {

@@ -1,0 +1,7 @@
+# The sampled loop of `eagerx-gen linearize` against closed forms, and against the program: where its delay margin ends.
+set(programs)
+foreach(name first_order cascade balancer)
+  eagerx_add_graph(TARGET linear_${name} GRAPH ${CMAKE_CURRENT_LIST_DIR}/${name}.yaml)
+  list(APPEND programs ${name}=$<TARGET_FILE:linear_${name}>)
+endforeach()
+add_test(NAME linear COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen> ${programs})
