@@ -186,6 +186,10 @@ class Linearization {
     record_.opened = request_.open;
     record_.opened_element = request_.element;
     record_.seeds = seeds;
+    for (const Seed*& seed : record_.seeds) {  // an action has its derivative already
+      if (seed != nullptr && Graph::kChannels[seed->channel].publisher == Publisher::environment)
+        seed = nullptr;
+    }
     for (std::size_t k = 0; k < words.size(); ++k) {
       if (words[k] != nullptr) at(*copy, *words[k]).derivative[k] = 1.0;
     }
