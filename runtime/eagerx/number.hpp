@@ -1,4 +1,4 @@
-// The numbers of a program that is linearized: doubles with derivatives, which tell where they are
+// The numbers of a program that is linearized: doubles with derivatives, which report where they are
 // and what became of their derivatives.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace linearize {
 /// Derivatives that one run gives.
 inline constexpr std::size_t kSeeds = 16;
 
-/// Is told where numbers begin to exist, while it is not null.
+/// Called with each number that begins to exist, while it is not null.
 inline void (*born)(const void* number) = nullptr;
 
 /// What a node did to derivatives.
