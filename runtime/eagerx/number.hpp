@@ -1,5 +1,5 @@
-// The numbers of a program that is linearized: doubles with derivatives, which report where they are
-// and what became of their derivatives.
+// The numbers of a program that is linearized: doubles with derivatives, which report where they
+// are and what became of their derivatives.
 #pragma once
 
 #include <cstddef>
