@@ -193,9 +193,9 @@ class Linearization {
     for (std::size_t k = 0; k < words.size(); ++k) {
       if (words[k] != nullptr) at(*copy, *words[k]).derivative[k] = 1.0;
     }
-    copy->trace.record = &record_;
+    copy->hooks.record = &record_;
     for (std::uint32_t i = 0; i < Program::kPhases; ++i) copy->step(action(seeds, i));
-    copy->trace.record = nullptr;
+    copy->hooks.record = nullptr;
     losing_.insert(record_.losing.begin(), record_.losing.end());
     smoothing_.insert(record_.smoothing.begin(), record_.smoothing.end());
     return copy;

@@ -39,12 +39,12 @@ struct Record {
   std::set<std::uint32_t> losing, smoothing;  // channels of nodes that do that to derivatives
 };
 
-/// The trace of the program.
+/// The hooks of the program.
 struct Probe {
   Record* record = nullptr;
 
   template <class Message>
-  void operator()(std::uint32_t channel, Seq /*seq*/, Message& message) {
+  void on_message(std::uint32_t channel, Seq /*seq*/, Message& message) {
     if (record == nullptr) return;
     std::vector<Sent>& all = record->channels[channel];
     Sent sent;
