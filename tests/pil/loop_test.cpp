@@ -24,7 +24,7 @@ struct ControllerHooks {
     const std::uint32_t number = channel == Smooth ? 1 : channel == Position ? 2 : 3;
     if (number == 3 && channel != Ramp) return;
     ++messages;
-    hash(number, seq, message);
+    hash.on_message(number, seq, message);
   }
 };
 using TraceOfWhole =
