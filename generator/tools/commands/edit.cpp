@@ -33,7 +33,8 @@ namespace {
 
 struct EditOptions : LibraryOptions {
   std::string graph;
-  std::string from, to;  // rename
+  std::vector<std::string> files;  // fix
+  std::string from, to;            // rename
   bool dry_run = false;
 };
 
@@ -131,11 +132,14 @@ void say_other_files(const Run& run, const EditOptions& options) {
     if (name != options.graph && fix_of(each, run.sources.text(each.span.file)))
       others.insert(name);
   }
-  for (const std::string& other : others)
-    complain("help: `eagerx-gen fix {}` changes that file\n", shell_word(other));
+  if (others.empty()) return;
+  std::string words;
+  for (const std::string& other : others) words += " " + shell_word(other);
+  complain("help: `eagerx-gen fix{}` changes {}\n", words,
+           others.size() == 1 ? "that file" : "those files");
 }
 
-int perform_fix(const EditOptions& options) {
+int fix_file(const EditOptions& options) {
   constexpr int kMost = 1000;  // so that two changes that undo each other come to an end
   Run reading;
   const auto file = text_of_file(reading, options.graph);
@@ -150,6 +154,17 @@ int perform_fix(const EditOptions& options) {
     say("{}: there is no error whose help is a change of the text\n", options.graph);
   if (!options.quiet) say_other_files(*run, options);
   return code;
+}
+
+/// Each file for itself, also behind one that has other problems.
+int perform_fix(const EditOptions& options) {
+  int worst = kDone;
+  for (const std::string& file : options.files) {
+    EditOptions of_file = options;
+    of_file.graph = file;
+    worst = std::max(worst, fix_file(of_file));
+  }
+  return worst;
 }
 
 /// What `from` names among actions and observations, alone or as `actions.voltage`.
@@ -240,8 +255,8 @@ int perform_rename(const EditOptions& options) {
   return code;
 }
 
-Arguments common(EditOptions& options) {
-  return {required(reads(text("graph", options.graph, "the file, which is changed", "GRAPH.yaml"))),
+Arguments common(EditOptions& options, Argument file) {
+  return {required(reads(std::move(file))),
           flag("--dry-run", options.dry_run, "print the difference, and leave the file"),
           library(options)};
 }
@@ -253,13 +268,17 @@ Command fix_table(EditOptions& options) {
               "graph, a manifest or settings of a training",
           .examples = {{"look first", "eagerx-gen fix pendulum.yaml --dry-run"},
                        {"change the file", "eagerx-gen fix pendulum.yaml"},
-                       {"former names of settings", "eagerx-gen fix settings.yaml"}},
-          .arguments = joined({common(options), diagnostics(options)}),
+                       {"former names of settings", "eagerx-gen fix settings.yaml"},
+                       {"all manifests of a folder", "eagerx-gen fix entities/*/manifest.yaml"}},
+          .arguments = joined({common(options, texts("files", options.files,
+                                                     "the files, which are changed", "FILE.yaml")),
+                               diagnostics(options)}),
           .run = [&options] { return perform_fix(options); }};
 }
 
 Command rename_table(EditOptions& options) {
-  Arguments arguments = common(options);
+  Arguments arguments =
+      common(options, text("graph", options.graph, "the file, which is changed", "GRAPH.yaml"));
   arguments.insert(
       arguments.begin() + 1,
       {required(text("old", options.from,
