@@ -231,7 +231,8 @@ int perform(const LinearizeOptions& given) {
   const auto result = run_process(command);
   if (!result || result->exit_code != 0) {
     complain_text(result ? result->output : "error: the program could not be started\n");
-    return std::max(finish(run, options), int{kWrongUsage});
+    const bool has_problem = result && result->exit_code == kProblems;
+    return std::max(finish(run, options), has_problem ? int{kProblems} : int{kWrongUsage});
   }
   const auto system = read_system(result->output, *run.plan);
   if (!system) {
