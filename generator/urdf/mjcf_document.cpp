@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kMaxIncludeBytes = 4'000'000;
 constexpr std::size_t kMaxFiles = 100;
-constexpr std::size_t kMaxDepth = 20;  // of files in files
+constexpr std::size_t kMaxDepth = 20;     // of files in files
+constexpr std::size_t kMaxClasses = 100;  // in each other
 
 /// Attributes that defaults for one kind of actuator give to all kinds.
 constexpr std::string_view kOfAllActuators[] = {
@@ -111,11 +112,16 @@ pugi::xml_node Document::load(pugi::xml_node include, const std::string& name) {
 
 void Document::read_defaults() {
   for (const pugi::xml_node part : sections()) {
-    if (std::string_view(part.name()) == "default") add_class(part, nullptr);
+    if (std::string_view(part.name()) == "default") add_class(part, nullptr, 0);
   }
 }
 
-void Document::add_class(pugi::xml_node element, const DefaultClass* parent) {
+void Document::add_class(pugi::xml_node element, const DefaultClass* parent, std::size_t depth) {
+  if (depth > kMaxClasses) {
+    xml(element).error("E0851", xml(element).span(element),
+                       fmt::format("there are more than {} `default` in each other", kMaxClasses));
+    return;
+  }
   const std::string name = element.attribute("class").value();
   DefaultClass* here = nullptr;
   if (parent == nullptr) {
@@ -132,7 +138,7 @@ void Document::add_class(pugi::xml_node element, const DefaultClass* parent) {
   here->elements.push_back(element);
   for (const pugi::xml_node child : children(element)) {
     if (std::string_view(child.name()) == "default") {
-      add_class(child, here);
+      add_class(child, here, depth + 1);
     } else {
       check(child);
     }

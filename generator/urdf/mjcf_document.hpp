@@ -58,7 +58,7 @@ class Document {
   };
   pugi::xml_node included(pugi::xml_node include);
   pugi::xml_node load(pugi::xml_node include, const std::string& name);
-  void add_class(pugi::xml_node element, const DefaultClass* parent);
+  void add_class(pugi::xml_node element, const DefaultClass* parent, std::size_t depth);
 
   std::string folder_;
   Xml& main_;
