@@ -79,7 +79,7 @@ bool set_state(const std::string& text, typename Graph::States& states) {
     for (std::size_t i = 0; i < size_of<decltype(message)>; ++i) {
       char* end = nullptr;
       const double value = std::strtod(rest, &end);
-      fits = fits && end != rest && (*end == ',' || *end == '\0');
+      fits = fits && end != rest && (*end == ',' || *end == '\0') && eagerx::isfinite(value);
       element(message, i) = static_cast<ScalarOf<decltype(message)>>(value);
       rest = *end == ',' ? end + 1 : end;
     }
@@ -89,7 +89,7 @@ bool set_state(const std::string& text, typename Graph::States& states) {
   if (equals != std::string::npos && is_known && fits) return true;
   std::fprintf(
       stderr, "error: `--at %s`: %s\nhelp: states are", text.c_str(),
-      is_known ? "not one number for each element of the state" : "there is no such state");
+      is_known ? "not one finite number for each element of the state" : "there is no such state");
   const char* separator = " ";
   Graph::for_each_state([&](const char* state, const char*, auto, const auto& space) {
     std::fprintf(stderr, "%s`%s` (%zu)", separator, state, size_of<decltype(space.low)>);
