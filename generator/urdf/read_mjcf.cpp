@@ -408,6 +408,7 @@ class MjcfReader {
 Description read_mjcf(const std::string& path, Xml& xml, pugi::xml_node root,
                       gen::SourceMap& sources, gen::Diagnostics& diagnostics) {
   Document document(path, xml, root, sources, diagnostics);
+  if (document.refuse_if_large(xml.span(root))) return {};
   return MjcfReader(document, diagnostics).read();
 }
 

@@ -299,13 +299,16 @@ std::string said_of(const std::string& text) {
 
 TEST(Mjcf, WhatIsTooLargeIsRefused) {
   std::string open, close, joints;
-  for (int i = 0; i < 50'000; ++i) {
+  for (int i = 0; i < 15'000; ++i) {
     open += "<default class='c" + std::to_string(i) + "'>";
     close += "</default>";
   }
   for (int i = 0; i < 1'100; ++i) joints += "<joint/>";
   EXPECT_NE(said_of("<default>" + open + close + "</default>" + ball("")).find("in each other"),
             std::string::npos);
+  std::string sites;
+  for (int i = 0; i < 20'000; ++i) sites += "<site/>";
+  EXPECT_NE(said_of(ball(sites)).find("at most 20000 elements"), std::string::npos);
   EXPECT_NE(said_of(ball(joints)).find("more than 1000 bodies or joints"), std::string::npos);
   const std::string heavy = "<joint/><geom size='1' mass='1e308'/><geom size='1' mass='1e308'/>";
   EXPECT_NE(said_of("<worldbody><body name='a'>" + heavy + "</body></worldbody>")
