@@ -3,11 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "generator/urdf/inertia.hpp"
 
 namespace eagerx::urdf {
+namespace {
+
+bool is_finite(const Vector3& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+}  // namespace
 
 void give_masses(std::vector<Body>& bodies, gen::Diagnostics& diagnostics) {
   constexpr double kShare = Link{}.share;
@@ -42,6 +50,7 @@ void give_masses(std::vector<Body>& bodies, gen::Diagnostics& diagnostics) {
 
 void check_inertia(Body& body, gen::Diagnostics& diagnostics) {
   if (!(body.mass > 0.0)) return;
+  if (!std::isfinite(body.mass)) return;  // check_finite() says so
   if (!is_positive(body.inertia, body.products)) {
     const double moment = ball_of_water(body.mass);
     body.inertia = {{moment, moment, moment}};
@@ -58,6 +67,24 @@ void check_inertia(Body& body, gen::Diagnostics& diagnostics) {
                         fmt::format("no body has the inertia of `{}`: one moment is larger than "
                                     "both others; it is used as it is",
                                     body.name));
+  }
+}
+
+void check_finite(const Robot& robot, gen::Span place, gen::Diagnostics& diagnostics) {
+  const auto refuse = [&](const gen::Span& at, const char* what, const std::string& name) {
+    diagnostics.error("E0853", at, fmt::format("a number of the {} `{}` is too large", what, name));
+  };
+  for (const Body& body : robot.bodies) {
+    if (!std::isfinite(body.mass) || !is_finite(body.inertia) || !is_finite(body.products) ||
+        !is_finite(body.position))
+      refuse(body.place, "body", body.name);
+  }
+  for (const BodyJoint& joint : robot.joints) {
+    if (!is_finite(joint.anchor) || !is_finite(joint.axis))
+      refuse(joint.limits.place, "joint", joint.name);
+  }
+  for (const Shape& shape : robot.shapes) {
+    if (!is_finite(shape.size) || !is_finite(shape.position)) refuse(place, "shape", shape.name);
   }
 }
 

@@ -179,6 +179,19 @@ class Actuators {
 
   /// Stiffness and damping of a joint are those of the actuator times gear².
   void apply(const Element& element, const Law& law, double gear, Joint& joint) {
+    if (law.gain == 0.0) {
+      element.error("E0851", element.span(), "an actuator whose gain is 0 does not move its joint")
+          .help = "write a spring or a damper as `stiffness` and `damping` of the joint";
+      return;
+    }
+    if (joint.drive.exists) {
+      element
+          .warning(
+              "E0851", element.span(),
+              fmt::format("`{}` has another actuator already: this one is left out", joint.name))
+          .help = "write a servo with damping as one `position` with `kp` and `kv`";
+      return;
+    }
     if (law.stiffness < 0.0 || law.damping < 0.0 || law.bias != 0.0) {
       element.error("E0851", element.span("biasprm"),
                     "`biasprm` has to be 0, then two numbers that are not above 0");

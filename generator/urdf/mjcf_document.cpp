@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t kMaxIncludeBytes = 4'000'000;
 constexpr std::size_t kMaxFiles = 100;
 constexpr std::size_t kMaxDepth = 20;  // of files in files
+constexpr std::size_t kMaxElements = 20'000;
+constexpr std::size_t kMaxClasses = 100;  // in each other
 
 /// Attributes that defaults for one kind of actuator give to all kinds.
 constexpr std::string_view kOfAllActuators[] = {
@@ -20,6 +22,21 @@ constexpr std::string_view kOfAllActuators[] = {
 
 bool is_element(pugi::xml_node node) {
   return node.type() == pugi::node_element;
+}
+
+/// The element and all inside, however deep.
+std::size_t elements_in(pugi::xml_node root) {
+  std::size_t count = 0;
+  for (pugi::xml_node at = root; at;) {
+    if (is_element(at)) ++count;
+    if (at.first_child()) {
+      at = at.first_child();
+      continue;
+    }
+    while (at && at != root && !at.next_sibling()) at = at.parent();
+    at = at == root ? pugi::xml_node() : at.next_sibling();
+  }
+  return count;
 }
 
 std::string_view name_in_defaults(pugi::xml_node element) {
@@ -35,7 +52,8 @@ Document::Document(const std::string& path, Xml& xml, pugi::xml_node root, gen::
       main_(xml),
       root_(root),
       sources_(sources),
-      diagnostics_(diagnostics) {
+      diagnostics_(diagnostics),
+      elements_(elements_in(root)) {
   classes_.push_back({.name = "main"});
 }
 
@@ -106,16 +124,29 @@ pugi::xml_node Document::load(pugi::xml_node include, const std::string& name) {
   File& file = *files_.back();
   file.xml.emplace(id, sources_.text(id), diagnostics_);
   const pugi::xml_node root = file.xml->parse(file.document, {"mujoco", "mujocoinclude"});
-  return root;
+  elements_ += elements_in(root);
+  return refuse_if_large(place) ? pugi::xml_node() : root;
+}
+
+bool Document::refuse_if_large(gen::Span place) {
+  if (elements_ <= kMaxElements) return false;
+  diagnostics_.error("E0851", place,
+                     fmt::format("a description has at most {} elements", kMaxElements));
+  return true;
 }
 
 void Document::read_defaults() {
   for (const pugi::xml_node part : sections()) {
-    if (std::string_view(part.name()) == "default") add_class(part, nullptr);
+    if (std::string_view(part.name()) == "default") add_class(part, nullptr, 0);
   }
 }
 
-void Document::add_class(pugi::xml_node element, const DefaultClass* parent) {
+void Document::add_class(pugi::xml_node element, const DefaultClass* parent, std::size_t depth) {
+  if (depth > kMaxClasses) {
+    xml(element).error("E0851", xml(element).span(element),
+                       fmt::format("there are more than {} `default` in each other", kMaxClasses));
+    return;
+  }
   const std::string name = element.attribute("class").value();
   DefaultClass* here = nullptr;
   if (parent == nullptr) {
@@ -132,7 +163,7 @@ void Document::add_class(pugi::xml_node element, const DefaultClass* parent) {
   here->elements.push_back(element);
   for (const pugi::xml_node child : children(element)) {
     if (std::string_view(child.name()) == "default") {
-      add_class(child, here);
+      add_class(child, here, depth + 1);
     } else {
       check(child);
     }

@@ -37,6 +37,8 @@ class Document {
   std::vector<pugi::xml_node> sections() { return children(root_); }
   [[nodiscard]] pugi::xml_node root() const { return root_; }
   [[nodiscard]] const std::string& folder() const { return folder_; }
+  /// Whether there are too many elements, of which each looks at others. Of `place`: E0851.
+  bool refuse_if_large(gen::Span place);
 
   /// Reads all `default`.
   void read_defaults();
@@ -58,7 +60,7 @@ class Document {
   };
   pugi::xml_node included(pugi::xml_node include);
   pugi::xml_node load(pugi::xml_node include, const std::string& name);
-  void add_class(pugi::xml_node element, const DefaultClass* parent);
+  void add_class(pugi::xml_node element, const DefaultClass* parent, std::size_t depth);
 
   std::string folder_;
   Xml& main_;
@@ -68,6 +70,7 @@ class Document {
   std::vector<std::unique_ptr<File>> files_;
   std::map<pugi::xml_node, pugi::xml_node> included_;
   std::size_t depth_ = 0;
+  std::size_t elements_ = 0;  // of all files
   std::set<pugi::xml_node> checked_;
   std::deque<DefaultClass> classes_;
 };

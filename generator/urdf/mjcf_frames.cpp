@@ -80,8 +80,8 @@ void read_one(const Element& at, Compiler& to) {
   to.strips_paths = at.flag("strippath").value_or(to.strips_paths);
   if (at.has("inertiafromgeom")) to.inertia_from_geoms = at.flag("inertiafromgeom");
   if (const auto range = at.numbers("inertiagrouprange", 2); range.size() == 2) {
-    to.first_group = static_cast<std::size_t>(std::max(range[0], 0.0));
-    to.last_group = static_cast<std::size_t>(std::max(range[1], 0.0));
+    to.first_group = range[0];
+    to.last_group = range[1];
   }
   to.least_mass = at.not_negative("boundmass", to.least_mass);
   to.least_inertia = at.not_negative("boundinertia", to.least_inertia);

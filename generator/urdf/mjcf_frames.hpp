@@ -15,8 +15,8 @@ struct Compiler {
   bool autolimits = true;
   std::string mesh_folder;  // with a slash at its end
   bool strips_paths = false;
-  std::optional<bool> inertia_from_geoms;       // always, never; only where there is no `inertial`
-  std::size_t first_group = 0, last_group = 5;  // of geoms that have inertia
+  std::optional<bool> inertia_from_geoms;      // always, never; only where there is no `inertial`
+  double first_group = 0.0, last_group = 5.0;  // of geoms that have inertia
   double least_mass = 0.0, least_inertia = 0.0;
   bool balances_inertia = false;
   double total_mass = -1.0;  // [kg], if positive

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace eagerx::urdf {
 namespace {
@@ -32,11 +33,14 @@ std::string stem_of(const std::string& file) {
   return std::filesystem::path(file).stem().string();
 }
 
-unsigned bits(const Element& element, const char* attribute) {
-  return static_cast<unsigned>(static_cast<long long>(element.number(attribute, 1.0)));
-}
-
 }  // namespace
+
+unsigned bits_of(const Element& element, const char* attribute) {
+  constexpr double kLeast = std::numeric_limits<int>::min(),
+                   kMost = std::numeric_limits<int>::max();
+  return static_cast<unsigned>(
+      static_cast<int>(std::clamp(element.number(attribute, 1.0), kLeast, kMost)));
+}
 
 void Geoms::read_meshes() {
   for (const pugi::xml_node one : document_.section("asset")) {
@@ -71,8 +75,8 @@ Geom Geoms::read(const Element& element, const Frame& in, bool has_mass) {
   Geom result;
   const std::string written = element.text("type");
   const std::string type = element.has("mesh") ? "mesh" : written.empty() ? "sphere" : written;
-  result.type = bits(element, "contype");
-  result.affinity = bits(element, "conaffinity");
+  result.type = bits_of(element, "contype");
+  result.affinity = bits_of(element, "conaffinity");
   const auto kind = kind_of(type);
   if (type == "hfield") {
     element
@@ -111,6 +115,8 @@ Geom Geoms::read(const Element& element, const Frame& in, bool has_mass) {
 void Geoms::set_size(const Element& element, Collision& shape, Frame& frame,
                      const std::string& type) {
   const auto ends = element.numbers("fromto", 6);
+  if (!ends.empty() && ends.size() != 6)
+    element.error("E0853", element.span("fromto"), "`fromto` has to be six numbers");
   const bool has_ends = ends.size() == 6 && type != "sphere" && type != "plane";
   std::vector<double> size = element.numbers("size", 3);
   const std::size_t needed = numbers_of(type, has_ends);
@@ -179,8 +185,7 @@ bool Geoms::set_mesh(const Element& element, Collision& shape, Frame& frame) {
 std::optional<Inertial> Geoms::mass_of(const Element& element, const Collision& shape,
                                        const std::string& type) {
   const double group = element.number("group", 0.0);
-  if (type == "plane" || group < static_cast<double>(compiler_.first_group) ||
-      group > static_cast<double>(compiler_.last_group))
+  if (type == "plane" || group < compiler_.first_group || group > compiler_.last_group)
     return std::nullopt;
   if (element.flag("shellinertia").value_or(false))
     element.warning("E0851", element.span("shellinertia"), "its inertia is that of a solid body");

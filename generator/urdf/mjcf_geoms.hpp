@@ -46,6 +46,9 @@ class Geoms {
   Inertial ellipsoid_;  // the last one, of density 1, in the frame of the capsule around it
 };
 
+/// `contype` or `conaffinity`.
+unsigned bits_of(const Element& element, const char* attribute);
+
 /// Mass and inertia of shapes of density 1; a size as Collision has it.
 Inertial solid_shape(models::ShapeKind kind, const Vector3& size);
 Inertial solid_ellipsoid(const Vector3& half);

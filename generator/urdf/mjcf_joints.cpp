@@ -36,6 +36,7 @@ void set_stops(const Element& element, double unit, bool autolimits, Joint& join
     return;
   }
   if (!limited.value_or(autolimits)) return;
+  if (!limited && range[0] == 0.0 && range[1] == 0.0) return;  // as without one
   if (joint.type == JointType::spherical) {
     element.warning("E0851", element.span("range"),
                     fmt::format("`{}` is a ball joint: its stops are left out", joint.name));

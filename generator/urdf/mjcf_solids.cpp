@@ -93,8 +93,8 @@ Inertial solid_shape(models::ShapeKind kind, const Vector3& size) {
 
 const Inertial& Geoms::solid(const Mesh& mesh) {
   const Vector3& scale = mesh.scale;
-  const auto [at, is_new] = solids_.try_emplace(
-      mesh.file + std::to_string(scale[0]) + std::to_string(scale[1]) + std::to_string(scale[2]));
+  const auto [at, is_new] =
+      solids_.try_emplace(fmt::format("{} {} {} {}", mesh.file, scale[0], scale[1], scale[2]));
   if (!is_new) return at->second;
   const std::string path = find_mesh(mesh.file, document_.folder(), {});
   const LoadedMesh loaded = path.empty() ? LoadedMesh{} : load_mesh(path);

@@ -43,6 +43,7 @@ class MjcfReader {
     const Disabled off = read_options(document_, result_);
     find_ground();
     if (off.contact) ground_type_ = ground_affinity_ = 0;
+    find_names();
     read_world();
     scale_masses();
     disable(off, result_);
@@ -70,11 +71,8 @@ class MjcfReader {
       if (element.text("type") != "plane") continue;
       if (!has_ground_) ground_type_ = ground_affinity_ = 0;
       has_ground_ = true;
-      const auto bits = [&](const char* name) {
-        return static_cast<unsigned>(static_cast<long long>(element.number(name, 1.0)));
-      };
-      ground_type_ |= bits("contype");
-      ground_affinity_ |= bits("conaffinity");
+      ground_type_ |= bits_of(element, "contype");
+      ground_affinity_ |= bits_of(element, "conaffinity");
     }
   }
   bool touches(const Geom& geom) const {
@@ -85,7 +83,7 @@ class MjcfReader {
   void gather(pugi::xml_node from, const Frame& frame, const DefaultClass* defaults, Parts& parts,
               std::size_t depth = 0) {
     document_.check(from);
-    if (depth > kDeepest) return;
+    if (depth > kDeepest) return refuse_large(document_.xml(from).span(from));
     for (const pugi::xml_node child : document_.children(from)) {
       if (std::string_view(child.name()) != "frame") {
         parts.push_back({child, frame, defaults});
@@ -104,7 +102,7 @@ class MjcfReader {
     Link world;
     world.name = "world";
     world.place = result_.place;
-    names_of_links_.insert(world.name);
+    links_.taken.insert(world.name);
     result_.links.push_back(std::move(world));
     for (const pugi::xml_node one : document_.sections()) {
       if (std::string_view(one.name()) != "worldbody") continue;
@@ -206,9 +204,29 @@ class MjcfReader {
     i = {{mean, mean, mean}};
   }
 
-  std::string unique(std::string name, std::set<std::string>& taken) {
+  struct TakenNames {
+    std::set<std::string> written;  // in the description, whether read yet or not
+    std::set<std::string> taken;
+  };
+  /// Names that are made differ from all that are written.
+  void find_names() {
+    std::vector<pugi::xml_node> rest = document_.section("worldbody");
+    while (!rest.empty()) {
+      const pugi::xml_node node = rest.back();
+      rest.pop_back();
+      const std::string_view tag = node.name();
+      if (tag == "body") links_.written.insert(node.attribute("name").value());
+      if (tag == "joint" || tag == "freejoint")
+        joints_.written.insert(node.attribute("name").value());
+      if (tag != "body" && tag != "frame") continue;
+      const std::vector<pugi::xml_node> inside = document_.children(node);
+      rest.insert(rest.end(), inside.begin(), inside.end());
+    }
+  }
+  static std::string unique(const std::string& name, TakenNames& names) {
     std::string result = name;
-    for (int i = 2; !taken.insert(result).second; ++i) result = fmt::format("{}_{}", name, i);
+    for (int i = 2; names.written.contains(result) || !names.taken.insert(result).second; ++i)
+      result = fmt::format("{}_{}", name, i);
     return result;
   }
 
@@ -220,24 +238,24 @@ class MjcfReader {
     return result_.links.size() - 1;
   }
 
-  /// A name that a body has not, but for those that are written later.
   std::string name_of_body(const Element& element) {
     std::string name = element.text("name");
-    if (name.empty()) return unique("body", names_of_links_);
-    if (!names_of_links_.insert(name).second)
+    if (name.empty()) return unique("body", links_);
+    if (!links_.taken.insert(name).second)
       element.error("E0854", element.span("name"), fmt::format("there is another body `{}`", name));
     return name;
   }
 
+  void refuse_large(gen::Span place) {
+    if (!std::exchange(is_too_large_, true))
+      diagnostics_.error("E0851", place,
+                         fmt::format("there are more than {} bodies or joints, or {} in each other",
+                                     kMostItems, kDeepest));
+  }
+
   void read_body(const Part& part, std::size_t parent, const Frame& back, std::size_t depth) {
     const Element element(document_, part.node, nullptr);
-    if (depth > kDeepest || result_.links.size() > kMostItems) {
-      if (!std::exchange(is_too_large_, true))
-        element.error("E0851", element.span(),
-                      fmt::format("there are more than {} bodies, or {} in each other", kMostItems,
-                                  kDeepest));
-      return;
-    }
+    if (depth > kDeepest || result_.links.size() > kMostItems) return refuse_large(element.span());
     const std::string name = name_of_body(element);
     const gen::Span place = element.has("name") ? element.span("name") : element.span();
     if (element.number("gravcomp", 0.0) != 0.0 && gravity_compensated_++ == 0)
@@ -260,6 +278,10 @@ class MjcfReader {
     for (const Part& part : parts) {
       if (!is(part, "joint") && !is(part, "freejoint")) continue;
       const Element element(document_, part.node, part.defaults);
+      if (result_.joints.size() + joints.size() > kMostItems) {
+        refuse_large(element.span());
+        break;
+      }
       JointElement joint = read_joint(element, compiler_);
       joint.position = part.frame.position + rotate(part.frame.rotation, joint.position);
       joint.joint.axis = rotate(part.frame.rotation, joint.joint.axis);
@@ -272,7 +294,7 @@ class MjcfReader {
     }
     if (joints.empty()) {
       JointElement fixed;
-      fixed.joint.name = unique(name + "_fixed", names_of_joints_);
+      fixed.joint.name = unique(name + "_fixed", joints_);
       fixed.joint.place = place;
       joints.push_back(std::move(fixed));
     }
@@ -284,8 +306,8 @@ class MjcfReader {
     });
   }
   std::string name_of_joint(std::string name, const Element& element) {
-    if (!element.has("name")) return unique(std::move(name), names_of_joints_);
-    if (!names_of_joints_.insert(name).second)
+    if (!element.has("name")) return unique(name, joints_);
+    if (!joints_.taken.insert(name).second)
       element.error("E0854", element.span("name"),
                     fmt::format("there is another joint `{}`", name));
     return name;
@@ -309,7 +331,7 @@ class MjcfReader {
             product(joint.origin.rotation, models::rotation(joint.axis, -reference)));
       references_[joint.name] = reference;
       at = {is_last ? add_link(name, place)
-                    : add_link(unique(joint.name + "_link", names_of_links_), joint.place),
+                    : add_link(unique(joint.name + "_link", links_), joint.place),
             position};
       if (!is_last) {
         result_.links.back().is_made = true;
@@ -373,7 +395,7 @@ class MjcfReader {
   Compiler compiler_;
   Geoms geoms_;
   Description result_;
-  std::set<std::string> names_of_links_, names_of_joints_;
+  TakenNames links_, joints_;
   std::map<std::string, double> references_;
   unsigned ground_type_ = 1, ground_affinity_ = 1;
   bool has_ground_ = false, is_too_large_ = false;
@@ -386,6 +408,7 @@ class MjcfReader {
 Description read_mjcf(const std::string& path, Xml& xml, pugi::xml_node root,
                       gen::SourceMap& sources, gen::Diagnostics& diagnostics) {
   Document document(path, xml, root, sources, diagnostics);
+  if (document.refuse_if_large(xml.span(root))) return {};
   return MjcfReader(document, diagnostics).read();
 }
 

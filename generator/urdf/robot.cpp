@@ -369,6 +369,7 @@ class Maker {
       if (body != kNone)
         robot_.shapes[g].position = robot_.shapes[g].position - robot_.bodies[body].position;
     }
+    check_finite(robot_, from_.place, diagnostics_);
   }
 
   /// A table, a floor: shapes of the world, and one body that stands for them, as every object has

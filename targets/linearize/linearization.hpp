@@ -5,7 +5,9 @@
 // Integers (counters, cursors, seeds of noise) have no derivative and run as they always do.
 #pragma once
 
+#include <algorithm>
 #include <cinttypes>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -77,7 +79,7 @@ bool set_state(const std::string& text, typename Graph::States& states) {
     for (std::size_t i = 0; i < size_of<decltype(message)>; ++i) {
       char* end = nullptr;
       const double value = std::strtod(rest, &end);
-      fits = fits && end != rest && (*end == ',' || *end == '\0');
+      fits = fits && end != rest && (*end == ',' || *end == '\0') && eagerx::isfinite(value);
       element(message, i) = static_cast<ScalarOf<decltype(message)>>(value);
       rest = *end == ',' ? end + 1 : end;
     }
@@ -87,7 +89,7 @@ bool set_state(const std::string& text, typename Graph::States& states) {
   if (equals != std::string::npos && is_known && fits) return true;
   std::fprintf(
       stderr, "error: `--at %s`: %s\nhelp: states are", text.c_str(),
-      is_known ? "not one number for each element of the state" : "there is no such state");
+      is_known ? "not one finite number for each element of the state" : "there is no such state");
   const char* separator = " ";
   Graph::for_each_state([&](const char* state, const char*, auto, const auto& space) {
     std::fprintf(stderr, "%s`%s` (%zu)", separator, state, size_of<decltype(space.low)>);
@@ -135,6 +137,12 @@ inline void print_matrix(const char* name, const Matrix& matrix) {
   std::printf("]");
 }
 
+inline bool are_finite(const Matrix& matrix) {
+  return std::all_of(matrix.begin(), matrix.end(), [](const std::vector<double>& row) {
+    return std::all_of(row.begin(), row.end(), [](double x) { return eagerx::isfinite(x); });
+  });
+}
+
 /// An input or output: element of the messages of a channel, each or one of a run.
 struct Port {
   std::uint32_t channel;
@@ -143,6 +151,8 @@ struct Port {
 
 template <class Graph, class Program, class Action, class States>
 class Linearization {
+  static_assert(alignof(Program) <= alignof(std::max_align_t), "calloc() aligns no more");
+
  public:
   explicit Linearization(const Request& request)
       : request_(request), memory_(static_cast<unsigned char*>(std::calloc(1, sizeof(Program)))) {
@@ -158,19 +168,25 @@ class Linearization {
   Linearization& operator=(const Linearization&) = delete;
   ~Linearization() { std::free(memory_); }
 
-  void run(const typename Graph::States& states) {
+  /// False with a message: a derivative is not finite.
+  bool run(const typename Graph::States& states) {
     States begin = with_derivatives<States>(states);
     program_->reset(begin);
     for (std::uint64_t i = 0; i < request_.steps; ++i) program_->step(Action{});
     find_ports();
-    Matrix a, b, c, d;
+    Matrix a, b, c, d, later, later_c;
     fill_state(a, c);
     fill_inputs(b, d);
-    print(a, b, c, d);
+    const std::vector<double> values = state_values();
     next();
-    fill_state(a, c);
-    print_matrix("later", a);
+    fill_state(later, later_c);
+    for (const Matrix* const each : {&a, &b, &c, &d, &later}) {
+      if (!are_finite(*each)) return refuse(a, c);
+    }
+    print(values, a, b, c, d);
+    print_matrix("later", later);
     std::printf("}\n");
+    return true;
   }
 
  private:
@@ -249,7 +265,6 @@ class Linearization {
         outputs_.push_back({*request_.open, i, n});
       }
     });
-    values_ = record_.channels;
   }
 
   /// The columns that runs give, kSeeds at a time.
@@ -294,6 +309,32 @@ class Linearization {
     *program_ = *end;
   }
 
+  std::vector<double> state_values() const {
+    std::vector<double> values;
+    for (const Word& word : words_) {
+      const double value = at(*program_, word).value;
+      values.push_back(eagerx::isfinite(value) ? value : 0.0);
+    }
+    return values;
+  }
+
+  bool refuse(const Matrix& a, const Matrix& c) const {
+    std::fprintf(stderr, "error: derivatives at this point are not finite");
+    for (std::size_t k = 0; k < words_.size(); ++k) {
+      const auto is_finite = [k](const std::vector<double>& row) {
+        return eagerx::isfinite(row[k]);
+      };
+      if (std::all_of(a.begin(), a.end(), is_finite) && std::all_of(c.begin(), c.end(), is_finite))
+        continue;
+      std::fprintf(stderr, ": those by `%s`", words_[k].name.c_str());
+      break;
+    }
+    std::fprintf(stderr,
+                 "\nhelp: choose another point with `--at`, or fewer `--steps` if the graph "
+                 "diverges; the root and the angle of 0 have no derivative\n");
+    return false;
+  }
+
   void print_ports(const char* name, const std::vector<Port>& ports) const {
     std::printf(",\n\"%s\": [", name);
     for (std::size_t i = 0; i < ports.size(); ++i) {
@@ -315,13 +356,13 @@ class Linearization {
     std::printf("]");
   }
 
-  void print(const Matrix& a, const Matrix& b, const Matrix& c, const Matrix& d) {
+  void print(const std::vector<double>& values, const Matrix& a, const Matrix& b, const Matrix& c,
+             const Matrix& d) {
     using Rate = typename Graph::Rate;
     std::printf("{\"period_s\": %.17g,\n\"steps\": %" PRIu32 ",\n\"state\": [",
                 Rate::period_s * Program::kPhases, Program::kPhases);
     for (std::size_t i = 0; i < words_.size(); ++i)
-      std::printf("%s\n[\"%s\", %.17g]", i == 0 ? "" : ",", words_[i].name.c_str(),
-                  finite(at(*program_, words_[i]).value));
+      std::printf("%s\n[\"%s\", %.17g]", i == 0 ? "" : ",", words_[i].name.c_str(), values[i]);
     std::printf("]");
     print_ports("inputs", inputs_);
     print_ports("outputs", outputs_);
@@ -333,7 +374,6 @@ class Linearization {
     print_matrix("C", c);
     print_matrix("D", d);
   }
-  static double finite(double value) { return eagerx::isfinite(value) ? value : 0.0; }
 
   const Request& request_;
   unsigned char* memory_;
@@ -341,7 +381,6 @@ class Linearization {
   std::vector<Word> words_;
   std::vector<Port> inputs_, outputs_;
   std::size_t opened_ = 0;
-  std::vector<std::vector<Sent>> values_;
   std::set<std::uint32_t> losing_, smoothing_;
   Record record_;
 };
@@ -349,15 +388,15 @@ class Linearization {
 /// The exit code.
 template <class Graph, class Program, class Action, class States>
 int run(int argc, char** argv) {
-  constexpr int kWrongUsage = 2;
+  constexpr int kProblems = 1, kWrongUsage = 2;
   const auto request = read_request(argc, argv);
   if (!request) return kWrongUsage;
-  typename Graph::States states = Graph::draw(EpisodeKey{request->seed, 0});
+  typename Graph::States states = Graph::draw(EpisodeKey{request->seed, 0, 0});
   for (const std::string& text : request->at) {
     if (!set_state<Graph>(text, states)) return kWrongUsage;
   }
-  Linearization<Graph, Program, Action, States>(*request).run(states);
-  return 0;
+  Linearization<Graph, Program, Action, States> linearization(*request);
+  return linearization.run(states) ? 0 : kProblems;
 }
 
 }  // namespace eagerx::linearize

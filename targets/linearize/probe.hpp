@@ -16,9 +16,8 @@ namespace eagerx::linearize {
 
 using Derivatives = std::array<double, kSeeds>;
 
-/// A message that was sent: values and derivatives of its elements.
+/// A message that was sent: the derivatives of its elements.
 struct Sent {
-  std::vector<double> values;
   std::vector<Derivatives> derivatives;
 };
 
@@ -53,7 +52,6 @@ struct Probe {
       if constexpr (std::is_same_v<std::remove_reference_t<decltype(x)>, Number>) {
         Derivatives& derivatives = sent.derivatives.emplace_back();
         for (std::size_t k = 0; k < kSeeds; ++k) derivatives[k] = x.derivative[k];
-        sent.values.push_back(x.value);
         if (record->opened == channel && record->opened_element == i) x = Number(x.value);
         move(channel, i, all.size(), x);
       }

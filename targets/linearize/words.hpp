@@ -37,9 +37,9 @@ Number& at(Program& program, const Word& word) {
 /// Makes words of the places where the numbers of a program began to exist.
 class WordList {
  public:
-  WordList(const void* program, std::size_t bytes, const std::vector<const void*>& born)
+  WordList(const void* program, std::size_t bytes, const std::vector<const void*>& places)
       : base_(static_cast<const unsigned char*>(program)) {
-    for (const void* each : born) {
+    for (const void* each : places) {
       const std::ptrdiff_t offset = static_cast<const unsigned char*>(each) - base_;
       if (offset >= 0 && offset < static_cast<std::ptrdiff_t>(bytes)) offsets_.push_back(offset);
     }

@@ -53,8 +53,11 @@ std::vector<PortName> port_names(const Plan& plan) {
     names.push_back({channel.name, c});
   }
   for (const GraphNode& node : plan.graph->nodes) {
-    for (const Input& input : node.inputs)
-      names.push_back({input.written, channel_at(plan, input.source_node, input.source_output)});
+    for (const Input& input : node.inputs) {
+      const std::size_t channel = channel_at(plan, input.source_node, input.source_output);
+      // What only pictures need has none.
+      if (channel < plan.channels.size()) names.push_back({input.written, channel});
+    }
   }
   return names;
 }
@@ -114,7 +117,8 @@ std::optional<OpenedPort> opened_port(const std::string& text, const Plan& plan,
   diagnostics
       .error("E0520", span,
              fmt::format("a loop is opened at one number, and `{}` has {}", sent.port, size))
-      .help = fmt::format("write `{0}[0]` to `{0}[{1}]`", sent.port, size - 1);
+      .help = size == 1 ? fmt::format("write `{}`", sent.port)
+                        : fmt::format("write `{0}[0]` to `{0}[{1}]`", sent.port, size - 1);
   return std::nullopt;
 }
 
@@ -231,7 +235,8 @@ int perform(const LinearizeOptions& given) {
   const auto result = run_process(command);
   if (!result || result->exit_code != 0) {
     complain_text(result ? result->output : "error: the program could not be started\n");
-    return std::max(finish(run, options), int{kWrongUsage});
+    const bool has_problem = result && result->exit_code == kProblems;
+    return std::max(finish(run, options), has_problem ? int{kProblems} : int{kWrongUsage});
   }
   const auto system = read_system(result->output, *run.plan);
   if (!system) {

@@ -90,6 +90,11 @@ class FrequencyResponse {
       *others = (y - back * u).norm() / std::sqrt(static_cast<double>(m)) / std::abs(back);
     return -back;
   }
+  /// Then L is not a number at 0 Hz, or a large one by rounding.
+  [[nodiscard]] bool has_integrators() const {
+    const Eigen::VectorXcd poles = schur_.matrixT().diagonal();
+    return std::any_of(poles.begin(), poles.end(), is_integrator);
+  }
 
  private:
   const OpenLoop& loop_;
@@ -140,9 +145,14 @@ class MarginFinder {
       peak(all[i], now);
       before = now;
     }
+    // At both ends L is real, and its imaginary part changes sign by rounding at most.
+    take_factor(all.back(), before);
+    if (!response_.has_integrators()) take_factor(0.0, response_.at(0.0));
     refine_peak(all[1] / all[0]);
-    if (margins_.is_stable) count_messages();
-    choose_delay();
+    if (margins_.is_stable) {
+      count_messages();
+      choose_delay();
+    }
     return margins_;
   }
 
@@ -163,7 +173,13 @@ class MarginFinder {
   }
   void cross_phase(double low, double high) {
     const double w = root(low, high, [&](double at) { return response_.at(at).imag(); });
-    const double factor = 1.0 / std::abs(response_.at(w));
+    take_factor(w, response_.at(w));
+  }
+  /// L is real at this frequency: where it is negative, a factor makes it -1.
+  void take_factor(double w, Complex loop) {
+    constexpr double kLeast = 1e-9, kMost = 1e9;  // beyond, it is rounding
+    if (!(loop.real() < -kLeast && loop.real() > -kMost)) return;
+    const double factor = 1.0 / std::abs(loop);
     if (factor > 1.0 && (!margins_.gain || factor < *margins_.gain)) {
       margins_.gain = factor;
       margins_.gain_frequency_hz = w / kTurn;

@@ -43,7 +43,7 @@ struct Margins {
   std::optional<double> gain, gain_frequency_hz;              // factors above 1, the smallest
   std::optional<double> least_gain, least_gain_frequency_hz;  // factors below 1, the largest
   std::optional<double> phase_deg, crossover_hz;              // the smallest
-  std::optional<double> delay_s, delay_frequency_hz;          // the smallest
+  std::optional<double> delay_s, delay_frequency_hz;          // the smallest, if it is stable
   std::optional<std::size_t>
       stable_messages;  // more messages of delay, exactly; nothing: all tried
   double sensitivity = 0.0, sensitivity_hz = 0.0;  // the largest |1/(1 + L)|

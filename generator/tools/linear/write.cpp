@@ -92,6 +92,7 @@ std::string modes_text(const LinearReport& report) {
 }
 
 std::string delay_text(const Margins& margins) {
+  if (!margins.is_stable) return "  delay margin  none: the loop is not stable as it runs\n";
   std::string text = margins.delay_s
                          ? fmt::format("  delay margin  {:.6g} ms at {:.6g} Hz",
                                        *margins.delay_s * 1e3, *margins.delay_frequency_hz)

@@ -42,6 +42,9 @@ void expect_margins_of_integrator(const Margins& margins) {
   EXPECT_NEAR(*margins.phase_deg, 90.0 - half * 180.0 / kPi, 1e-9);
   EXPECT_NEAR(*margins.delay_s, (kPi / 2.0 - half) / w, 1e-12);
   // At half of the rate of the messages the phase is −180° and the gain k·h/2.
+  ASSERT_TRUE(margins.gain);
+  EXPECT_NEAR(*margins.gain, 2.0 / (kGain * kPeriod), 1e-9);
+  EXPECT_NEAR(*margins.gain_frequency_hz, 0.5 / kPeriod, 1e-9);
   ASSERT_TRUE(margins.stable_messages);
   EXPECT_EQ(*margins.stable_messages, static_cast<std::size_t>(*margins.delay_s / kPeriod));
   EXPECT_LT(margins.other_frequencies, 1e-9);
@@ -71,6 +74,37 @@ TEST(Margins, GainOfALoopWithADelay) {
   const Margins margins = margins_of(system);
   EXPECT_NEAR(*margins.gain, 1.0 / (kGain * kPeriod), 1e-9);
   EXPECT_NEAR(*margins.gain_frequency_hz, 1.0 / (6.0 * kPeriod), 1e-9);
+}
+
+/// x' = 1.2·x + u, y = −gain·x: stable for gains between 0.2 and 2.2.
+SampledSystem balanced(double gain) {
+  SampledSystem system;
+  system.period_s = kPeriod;
+  system.state = {{"x", 0.0}};
+  system.opened = 1;
+  system.inputs = system.outputs = {{"y", "", 0, 0}};
+  system.a = {{1.2}};
+  system.b = {{1.0}};
+  system.c = {{-gain}};
+  system.d = {{0.0}};
+  return system;
+}
+
+TEST(Margins, LeastGainOfWhatFallsIsThatAtRest) {
+  const Margins margins = margins_of(balanced(0.5));
+  EXPECT_TRUE(margins.is_stable);
+  ASSERT_TRUE(margins.least_gain);
+  EXPECT_NEAR(*margins.least_gain, 0.2 / 0.5, 1e-12);
+  EXPECT_EQ(*margins.least_gain_frequency_hz, 0.0);
+  ASSERT_TRUE(margins.gain);
+  EXPECT_NEAR(*margins.gain, 2.2 / 0.5, 1e-9);
+}
+
+TEST(Margins, WhatIsNotStableBearsNoDelay) {
+  const Margins margins = margins_of(balanced(0.19));
+  EXPECT_FALSE(margins.is_stable);
+  EXPECT_FALSE(margins.delay_s);
+  EXPECT_FALSE(margins.stable_messages);
 }
 
 TEST(Margins, ResponsesAreThoseOfTheLoop) {

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <numbers>
 #include <random>
+#include <set>
+#include <string>
 
 #include "generator/urdf/robot.hpp"
 
@@ -283,6 +285,65 @@ TEST(Mjcf, WhatFlagsDisableIsLeftOut) {
   EXPECT_TRUE(std::isinf(made->joints[0].limits.upper));
   EXPECT_EQ(made->joints[0].limits.damping, 0.0);
   EXPECT_EQ(made->gravity, (Vector3{{0, 0, -1}}));
+}
+
+/// What is said of it.
+std::string said_of(const std::string& text) {
+  gen::SourceMap sources;
+  gen::Diagnostics diagnostics;
+  const auto description =
+      read_text("test.xml", "<mujoco>" + text + "</mujoco>", sources, diagnostics);
+  if (description) static_cast<void>(make_robot(*description, {}, diagnostics));
+  return render_text(diagnostics, sources, false);
+}
+
+TEST(Mjcf, WhatIsTooLargeIsRefused) {
+  std::string open, close, joints;
+  for (int i = 0; i < 15'000; ++i) {
+    open += "<default class='c" + std::to_string(i) + "'>";
+    close += "</default>";
+  }
+  for (int i = 0; i < 1'100; ++i) joints += "<joint/>";
+  EXPECT_NE(said_of("<default>" + open + close + "</default>" + ball("")).find("in each other"),
+            std::string::npos);
+  std::string sites;
+  for (int i = 0; i < 20'000; ++i) sites += "<site/>";
+  EXPECT_NE(said_of(ball(sites)).find("at most 20000 elements"), std::string::npos);
+  EXPECT_NE(said_of(ball(joints)).find("more than 1000 bodies or joints"), std::string::npos);
+  const std::string heavy = "<joint/><geom size='1' mass='1e308'/><geom size='1' mass='1e308'/>";
+  EXPECT_NE(said_of("<worldbody><body name='a'>" + heavy + "</body></worldbody>")
+                .find("a number of the body `a` is too large"),
+            std::string::npos);
+  EXPECT_TRUE(mjcf_robot(ball("<joint/><geom size='1' contype='1e300'/>")));
+}
+
+TEST(Mjcf, NamesThatAreMadeLeaveThoseThatAreWritten) {
+  const auto made = mjcf_robot(
+      "<worldbody><body><joint name='hip'/><joint/><geom size='0.1'/></body>"
+      "<body name='body'><joint name='body_2'/><geom size='0.1'/></body>"
+      "<body name='hip_link'><joint name='knee'/><geom size='0.1'/></body></worldbody>");
+  ASSERT_TRUE(made);
+  const auto names_of = [](const auto& items) {
+    std::set<std::string> names;
+    for (const auto& item : items) names.insert(item.name);
+    return names;
+  };
+  EXPECT_EQ(names_of(made->bodies),
+            (std::set<std::string>{"body", "body_2", "hip_link", "hip_link_2"}));
+  EXPECT_EQ(names_of(made->joints), (std::set<std::string>{"body_2", "body_2_2", "hip", "knee"}));
+}
+
+TEST(Mjcf, AnActuatorThatCannotBeTakenOverIsNamed) {
+  const std::string two = said_of(
+      ball("<joint name='j'/>",
+           "<actuator><position joint='j' kp='9'/><velocity joint='j' kv='3'/></actuator>"));
+  EXPECT_NE(two.find("`j` has another actuator already"), std::string::npos) << two;
+  const std::string none =
+      said_of(ball("<joint name='j'/>", "<actuator><position joint='j' kp='0'/></actuator>"));
+  EXPECT_NE(none.find("whose gain is 0"), std::string::npos) << none;
+  const std::string ends =
+      said_of(ball("<joint name='j'/><geom type='capsule' size='0.1 0.2' fromto='0 0 0 1 0'/>"));
+  EXPECT_NE(ends.find("`fromto` has to be six numbers"), std::string::npos) << ends;
 }
 
 /// Nothing but places and words of the file may come of damaged files.
