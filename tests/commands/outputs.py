@@ -18,7 +18,7 @@ OUTPUTS = {
     ("generate", "--depfile"): [*GENERATOR, "generate", SWING, "--quiet", "--output", "elsewhere"],
     ("build", "--output"): [*GENERATOR, "build", SWING, "--quiet"],
     ("run", "--output"): [*GENERATOR, "run", SWING, "--quiet"],
-    ("linearize", "--output"): [*GENERATOR, "linearize", GRAPH, "--quiet"],
+    ("linearize", "--output"): [*GENERATOR, "linearize", SWING, "--quiet"],
     ("pil", "--output"): [*GENERATOR, "pil", ROOT + "/examples/controller_in_your_main/graph.yaml", "--of", "control", "--quiet"],
     ("train", "--output"): TRAIN,
     ("train", "--checkpoint"): TRAIN,
