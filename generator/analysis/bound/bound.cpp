@@ -38,8 +38,12 @@ const std::vector<Part>& parts_of_programs() {
   return kParts;
 }
 
-/// The rates that are due in `Program::before<std::integral_constant<unsigned, 5>>`, as bits;
-/// nullopt: its schedule decides at run time.
+/// What the program of a graph runs in a slot (templates/cpp/slots.mustache).
+constexpr std::array<std::string_view, 2> kHalves = {"Program::run_before_action",
+                                                     "Program::run_after_action"};
+
+/// The rates that are due in `Program::run_before_action<std::integral_constant<unsigned, 5>>`, as
+/// bits; nullopt: its schedule decides at run time.
 std::optional<std::uint64_t> due_in(const std::string& mangled) {
   constexpr std::string_view kConstant = "ISt17integral_constantI";
   const auto begin = mangled.find(kConstant);
@@ -152,13 +156,13 @@ class Report {
   void add_slots() {
     std::map<std::optional<std::uint64_t>, std::vector<std::string>> functions;
     for (const auto& [mangled, name] : names_) {
-      if (name == "Program::before" || name == "Program::after")
+      if (std::ranges::find(kHalves, name) != kHalves.end())
         functions[due_in(mangled)].push_back(mangled);
     }
     std::vector<Region> all;
     for (const auto& [due, of_slot] : functions) {
       bound::Regions::Most sum;
-      for (const char* half : {"Program::before", "Program::after"}) {
+      for (const std::string_view half : kHalves) {
         const auto regions = regions_.find([&](const std::string& mangled) {
           return names_.at(mangled) == half && std::ranges::find(of_slot, mangled) != of_slot.end();
         });

@@ -18,7 +18,7 @@ struct Usage {
 
 /// A function on the deepest chain of calls.
 struct StackCall {
-  std::string function;  // "Program::before"
+  std::string function;  // "Program::run_slot"
   std::string part;      // whose it is: `pendulum/theta`, or one of SizeReport::others
   bool of_node = false;
   std::uint64_t bytes = 0;                   // its own
