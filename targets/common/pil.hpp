@@ -5,9 +5,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <eagerx/hooks.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/random.hpp>
+#include <eagerx/trace.hpp>
 #include <type_traits>
 #ifdef __linux__
 #include <charconv>
