@@ -257,8 +257,8 @@ Command table(LinearizeOptions& options) {
   return {
       .name = "linearize",
       .about =
-          "print the sampled loop as it runs, with its rates, delays and windows: matrices, "
-          "poles, and the margins of a loop",
+          "linearize the sampled loop as it runs, with its rates, delays and windows: matrices, "
+          "poles, and stability margins",
       .examples = {{"matrices and poles where the graph starts", "eagerx-gen linearize robot.yaml"},
                    {"gain, phase and delay margin of the loop through a motor",
                     "eagerx-gen linearize robot.yaml --open controller.u"},
@@ -267,24 +267,20 @@ Command table(LinearizeOptions& options) {
                     "--to pendulum.theta --format json"}},
       .arguments = joined(
           {{graph(options),
-            text("--open", options.open, "opens the loop at what this port sends, for its margins",
-                 "PORT"),
+            text("--open", options.open,
+                 "break the loop at this port, and print its stability margins", "PORT"),
             texts("--at", options.at,
-                  "a state at the reset, its elements separated by commas (default: as the graph "
-                  "says)",
+                  "initial state, its elements separated by commas (default: that of the graph)",
                   "STATE=VALUE"),
             whole("--steps", options.steps,
-                  "steps without an action before the derivatives (default: until windows are full "
-                  "and delays have passed)",
+                  "steps without an action before the operating point (default: until windows are "
+                  "full and delays have passed)",
                   0, 1'000'000'000),
-            whole("--seed", options.seed, "where random numbers start (default: 1)", 0,
+            whole("--seed", options.seed, "seed of random numbers (default: 1)", 0,
                   std::numeric_limits<std::int64_t>::max()),
             texts("--from", options.from,
-                  "inputs: what is added to what ports send (default: the "
-                  "actions)",
-                  "PORT"),
-            texts("--to", options.to, "outputs: what ports send (default: what is observed)",
-                  "PORT"),
+                  "ports as inputs: an offset of their messages (default: the actions)", "PORT"),
+            texts("--to", options.to, "ports as outputs (default: the observations)", "PORT"),
             choice("--format", {"text", "json", "csv"},
                    "text, JSON with all matrices, or with --open the frequency response as a table "
                    "(default: text)",
@@ -293,10 +289,11 @@ Command table(LinearizeOptions& options) {
                                       : name == "csv" ? LinearFormat::csv
                                                       : LinearFormat::text;
                    }),
-            folder(text("-o,--output", options.output,
-                        "folder for the program (default: generated/<graph name>-linearize, with "
-                        "the name of a variant or engine behind it)",
-                        "DIR"))},
+            folder(text(
+                "-o,--output", options.output,
+                "folder for the program (default: generated/<graph name>-linearize, followed by "
+                "the name of a variant or engine)",
+                "DIR"))},
            {variant(options), engine(options)},
            rates(options),
            {library(options), warnings(options)},

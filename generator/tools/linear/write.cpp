@@ -42,8 +42,7 @@ Rows without(const Rows& rows, std::size_t last_rows, std::size_t last_columns) 
 
 std::string system_text(const SampledSystem& system) {
   std::string text = fmt::format(
-      "{} numbers of state, {:.9g} s from one instant to the next ({})\n", system.state.size(),
-      system.period_s,
+      "{} state variables, sampled every {:.9g} s ({})\n", system.state.size(), system.period_s,
       system.steps == 1 ? std::string("1 step") : fmt::format("{} steps", system.steps));
   for (std::size_t i = 0; i < system.state.size(); ++i)
     text += fmt::format("  x[{}] {:<32} {:.9g}\n", i, system.state[i].name, system.state[i].value);
@@ -74,11 +73,10 @@ std::string pole_text(const Pole& pole, const SampledSystem& system) {
 
 std::string modes_text(const LinearReport& report) {
   const Modes& modes = report.modes;
-  std::string text =
-      fmt::format("\nspectral radius {:.9g}: {}{}{}\n", modes.spectral_radius,
-                  report.margins ? "with the loop opened, " : "",
-                  modes.spectral_radius < 1.0 ? "stable" : "not stable",
-                  modes.integrators == 0 ? "" : ", but for what nothing holds (poles at 1)");
+  std::string text = fmt::format(
+      "\nspectral radius {:.9g}: {}{}{}\n", modes.spectral_radius,
+      report.margins ? "open loop " : "", modes.spectral_radius < 1.0 ? "stable" : "unstable",
+      modes.integrators == 0 ? "" : ", apart from free integrators (poles within 1e-6 of 1)");
   if (modes.poles.empty()) return text;
   text += fmt::format("  {:<26} {:>9} {:>14} {:>8} {:>13}  {}\n", "pole z", "|z|", "frequency",
                       "damping", "time", "states");
@@ -87,16 +85,16 @@ std::string modes_text(const LinearReport& report) {
   if (modes.poles.size() > kMostPoles)
     text += fmt::format("  and {} faster ones\n", modes.poles.size() - kMostPoles);
   if (modes.at_zero > 0)
-    text += fmt::format("  and {} at 0: messages that are passed on, delays\n", modes.at_zero);
+    text += fmt::format("  and {} at 0: messages in flight, delays\n", modes.at_zero);
   return text;
 }
 
 std::string delay_text(const Margins& margins) {
-  if (!margins.is_stable) return "  delay margin  none: the loop is not stable as it runs\n";
+  if (!margins.is_stable) return "  delay margin  none: the closed loop is unstable\n";
   std::string text = margins.delay_s
                          ? fmt::format("  delay margin  {:.6g} ms at {:.6g} Hz",
                                        *margins.delay_s * 1e3, *margins.delay_frequency_hz)
-                         : "  delay margin  none: no frequency has the gain 1";
+                         : "  delay margin  none: the gain does not cross 1";
   if (margins.stable_messages)
     text += fmt::format("; stable with {} more messages of delay ({:.6g} ms), not with {}",
                         *margins.stable_messages,
@@ -108,9 +106,9 @@ std::string delay_text(const Margins& margins) {
 std::string margins_text(const LinearReport& report) {
   const Margins& margins = *report.margins;
   std::string text = fmt::format(
-      "\nthe loop opened at {}, a message each {:.6g} ms\n  closed        {}, spectral "
+      "\nthe loop opened at {}, one message every {:.6g} ms\n  closed        {}, spectral "
       "radius {:.9g}\n",
-      report.opened, margins.port_period_s * 1e3, margins.is_stable ? "stable" : "not stable",
+      report.opened, margins.port_period_s * 1e3, margins.is_stable ? "stable" : "unstable",
       margins.spectral_radius);
   const auto gain = [&](const char* name, const auto& factor, const auto& frequency) {
     if (factor)
@@ -124,15 +122,16 @@ std::string margins_text(const LinearReport& report) {
                         *margins.crossover_hz);
   if (margins.sensitivity == 1.0 && !margins.phase_deg)
     text +=
-        "  nothing comes back to the port: a limit, a dead zone or a missing message cuts the "
+        "  no signal returns to the port: a limit, a dead zone or a missing message breaks the "
         "loop\n";
   text += delay_text(margins);
-  text += fmt::format("  sensitivity   at most {:.6g} at {:.6g} Hz\n", margins.sensitivity,
+  text += fmt::format("  sensitivity   peak {:.6g} at {:.6g} Hz\n", margins.sensitivity,
                       margins.sensitivity_hz);
   if (margins.other_frequencies > 1e-6)
     text += fmt::format(
-        "  the loop is not the same for each message: at the crossover {:.2g} of what comes back "
-        "has other frequencies\n",
+        "  multirate     at the crossover, {:.2g} of the response is at other frequencies, which "
+        "gain "
+        "and phase margin neglect\n",
         margins.other_frequencies);
   for (const DataAge& age : report.ages)
     text += fmt::format("  age of data   {:.6g} ms from {} to {}\n", age.newest_s.to_double() * 1e3,
@@ -144,13 +143,15 @@ std::string notes_text(const SampledSystem& system) {
   std::string text;
   if (!system.losing.empty())
     text +=
-        fmt::format("\nno derivative passes through the nodes of {}\n", join(system.losing, ", "));
+        fmt::format("\nno derivative passes through these nodes: {}\n", join(system.losing, ", "));
   if (!system.smoothing.empty())
-    text += fmt::format("\nsteps count with their mean slope: {}\n", join(system.smoothing, ", "));
+    text += fmt::format("\nquantization counts as slope 1 in these nodes: {}\n",
+                        join(system.smoothing, ", "));
   if (system.drift > 1e-6)
     text += fmt::format(
-        "\nA of the next hyperperiod differs by {:.2g} of its largest element: this is no point of "
-        "rest, or a node remembers in turns\n",
+        "\nthe operating point is not an equilibrium: A of the next hyperperiod differs by {:.2g} "
+        "of its "
+        "largest element\n",
         system.drift);
   return text;
 }
