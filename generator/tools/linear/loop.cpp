@@ -131,7 +131,9 @@ class MarginFinder {
 
   Margins find() {
     margins_.port_period_s = loop_.message_s;
-    margins_.spectral_radius = spectral_radius(loop_.closed(0));
+    const Eigen::VectorXcd poles = poles_of(loop_.closed(0));
+    margins_.spectral_radius = spectral_radius(poles);
+    margins_.integrators = count_integrators(poles);
     margins_.is_stable = margins_.spectral_radius < 1.0;
     constexpr std::size_t kFrequencies = 4000;
     std::vector<double> all = frequencies(loop_, kFrequencies);
@@ -224,7 +226,7 @@ class MarginFinder {
   }
   void count_messages() {
     for (std::size_t delay = 1; delay <= kMostMessages; ++delay) {
-      if (spectral_radius(loop_.closed(delay)) < 1.0) continue;
+      if (spectral_radius(poles_of(loop_.closed(delay))) < 1.0) continue;
       margins_.stable_messages = delay - 1;
       return;
     }

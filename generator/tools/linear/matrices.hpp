@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <complex>
+#include <cstddef>
 
 #include "generator/tools/linear/sampled_system.hpp"
 
@@ -32,8 +33,11 @@ inline double spectral_radius(const Eigen::VectorXcd& poles) {
   }
   return largest;
 }
-inline double spectral_radius(const Eigen::MatrixXd& a) {
-  return a.size() == 0 ? 0.0 : spectral_radius(Eigen::VectorXcd(a.eigenvalues()));
+inline Eigen::VectorXcd poles_of(const Eigen::MatrixXd& a) {
+  return a.size() == 0 ? Eigen::VectorXcd() : Eigen::VectorXcd(a.eigenvalues());
+}
+inline std::size_t count_integrators(const Eigen::VectorXcd& poles) {
+  return static_cast<std::size_t>(std::count_if(poles.begin(), poles.end(), is_integrator));
 }
 
 }  // namespace eagerx::gen

@@ -54,7 +54,7 @@ Modes modes_of(const SampledSystem& system) {
   const Eigen::EigenSolver<Eigen::MatrixXd> right(a), left(a.transpose());
   const Eigen::VectorXcd& values = right.eigenvalues();
   modes.spectral_radius = spectral_radius(values);
-  modes.integrators = static_cast<std::size_t>(std::ranges::count_if(values, is_integrator));
+  modes.integrators = count_integrators(values);
   for (Index i = 0; i < values.size(); ++i) {
     if (std::abs(values[i]) <= kZero) {
       ++modes.at_zero;

@@ -38,7 +38,8 @@ Modes modes_of(const SampledSystem& system);
 /// the port, with its sign changed: 1 + L = 0 is the limit. Nothing: at no frequency.
 struct Margins {
   bool is_stable = false;                                     // the loop as it runs, closed
-  double spectral_radius = 0;                                 // of it
+  double spectral_radius = 0;                                 // of it, without integrators
+  std::size_t integrators = 0;                                // its poles at 1, which do not count
   double port_period_s = 0.0;                                 // of its messages
   std::optional<double> gain, gain_frequency_hz;              // factors above 1, the smallest
   std::optional<double> least_gain, least_gain_frequency_hz;  // factors below 1, the largest

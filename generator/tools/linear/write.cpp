@@ -110,6 +110,9 @@ std::string margins_text(const LinearReport& report) {
       "radius {:.9g}\n",
       report.opened, margins.port_period_s * 1e3, margins.is_stable ? "stable" : "unstable",
       margins.spectral_radius);
+  if (margins.integrators > 0)
+    text += fmt::format("                without {} within 1e-6 of 1, which may also grow slowly\n",
+                        counted(margins.integrators, "pole"));
   const auto gain = [&](const char* name, const auto& factor, const auto& frequency) {
     if (factor)
       text += fmt::format("  {} {:.6g} ({:.4g} dB) at {:.6g} Hz\n", name, *factor,
@@ -203,6 +206,7 @@ Json margins_json(const LinearReport& report) {
               {"message_s", margins.port_period_s},
               {"stable", margins.is_stable},
               {"spectral_radius", margins.spectral_radius},
+              {"integrators", margins.integrators},
               {"gain", maybe(margins.gain)},
               {"gain_frequency_hz", maybe(margins.gain_frequency_hz)},
               {"least_gain", maybe(margins.least_gain)},

@@ -57,6 +57,19 @@ TEST(Margins, OfAnIntegrator) {
   expect_margins_of_integrator(margins);
 }
 
+TEST(Margins, PolesNextTo1AreCountedApart) {
+  SampledSystem system = integrator(1);
+  EXPECT_EQ(margins_of(system).integrators, 0U);
+  system.state.push_back({"grows", 0.0});
+  system.a = {{1.0, 0.0}, {0.0, 1.0 + 5e-7}};
+  system.b.push_back({0.0});
+  system.c.front().push_back(0.0);
+  const Margins margins = margins_of(system);
+  EXPECT_TRUE(margins.is_stable);
+  EXPECT_EQ(margins.integrators, 1U);
+  EXPECT_DOUBLE_EQ(margins.spectral_radius, 1.0 - kGain * kPeriod);
+}
+
 TEST(Margins, SeveralMessagesOfAHyperperiodAreOneLoop) {
   const Margins margins = margins_of(integrator(3));
   EXPECT_NEAR(margins.spectral_radius, std::pow(1.0 - kGain * kPeriod, 3), 1e-12);
