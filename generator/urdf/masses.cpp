@@ -18,7 +18,7 @@ bool is_finite(const Vector3& v) {
 }  // namespace
 
 void give_masses(std::vector<Body>& bodies, gen::Diagnostics& diagnostics) {
-  constexpr double kShare = Link{}.share;
+  const double share = Link{}.share;
   double total = 0.0;
   for (const Body& body : bodies) total += body.mass;
   std::string names;
@@ -35,7 +35,7 @@ void give_masses(std::vector<Body>& bodies, gen::Diagnostics& diagnostics) {
     const double moment = std::max(ball_of_water(body.mass), body.mass * 0.05 * 0.05);
     body.inertia = {{moment, moment, moment}};
     body.products = {};
-    if (body.share != kShare) continue;
+    if (body.share != share) continue;
     if (count++ == 0) place = body.place;
     names += fmt::format("{}`{}`", names.empty() ? "" : ", ", body.name);
   }
@@ -44,7 +44,7 @@ void give_masses(std::vector<Body>& bodies, gen::Diagnostics& diagnostics) {
       .warning("E0856", place,
                fmt::format("can move, but {} no mass: {}; {} {:.3g} kg, 1/1000 of the robot's mass",
                            count == 1 ? "has" : "have", names, count == 1 ? "it gets" : "each gets",
-                           kShare * total))
+                           share * total))
       .help = "give the link an `inertial`, or make its joint `fixed`";
 }
 

@@ -158,7 +158,7 @@ void Document::add_class(pugi::xml_node element, const DefaultClass* parent, std
       return;
     }
     const auto known = std::ranges::find(classes_, name, &DefaultClass::name);
-    here = known != classes_.end() ? &*known : &classes_.emplace_back(name, parent);
+    here = known != classes_.end() ? &*known : &classes_.emplace_back(DefaultClass{name, parent});
   }
   here->elements.push_back(element);
   for (const pugi::xml_node child : children(element)) {

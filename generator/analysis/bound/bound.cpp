@@ -163,7 +163,7 @@ class Report {
     for (const auto& [due, of_slot] : functions) {
       bound::Regions::Most sum;
       for (const std::string_view half : kHalves) {
-        const auto regions = regions_.find([&](const std::string& mangled) {
+        const auto regions = regions_.find([&, &of_slot = of_slot](const std::string& mangled) {
           return names_.at(mangled) == half && std::ranges::find(of_slot, mangled) != of_slot.end();
         });
         const auto most = regions_.most(regions);
@@ -179,7 +179,7 @@ class Report {
 
   void add_nodes(const ProgramMap& map) {
     for (const auto& [node, type] : map.type_of_node) {
-      const auto most = regions_.most(step_, [&](bound::Address at) {
+      const auto most = regions_.most(step_, [&, &node = node](bound::Address at) {
         const std::string* owner = places_.node(at, map);
         return owner != nullptr && *owner == node;
       });

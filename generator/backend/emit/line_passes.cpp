@@ -80,7 +80,8 @@ std::size_t sort_includes(std::string_view text, std::size_t begin, std::string&
   }
   for (auto* lines : {&angled, &quoted}) {
     std::ranges::sort(*lines);
-    lines->erase(std::ranges::unique(*lines).begin(), lines->end());
+    // Clang 14 does not know std::ranges::unique of libstdc++ 12.
+    lines->erase(std::unique(lines->begin(), lines->end()), lines->end());
     if (lines == &quoted && !angled.empty() && !quoted.empty()) result += '\n';
     for (const auto& line : *lines) result += line;
   }
