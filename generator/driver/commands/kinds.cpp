@@ -17,8 +17,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDescription = "kind.yaml";
 
+/// Empty without the folder of models and templates.
 fs::path folder_of_kinds() {
-  return fs::path(data_root()) / "templates" / "new";
+  const std::string root = data_root();
+  return root.empty() ? fs::path() : fs::path(root) / "templates" / "new";
 }
 
 FormatPtr kind_format() {

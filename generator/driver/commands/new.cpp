@@ -123,6 +123,7 @@ int perform(const NewOptions& options) {
 Command table(NewOptions& options) {
   Argument kind = required(choice("kind", all_kinds(), "what to make",
                                   [&options](const std::string& name) { options.kind = name; }));
+  if (kind.choices.empty()) kind.type = "KIND";  // its data are missing, which perform() says
   return {
       .name = "new",
       .about = "make a folder to begin with: a project, an example, or a part of your own",

@@ -16,8 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Empty without the folder of models and templates.
 fs::path folder_of_examples() {
-  return fs::path(data_root()) / "examples";
+  const std::string root = data_root();
+  return root.empty() ? fs::path() : fs::path(root) / "examples";
 }
 
 std::vector<NewFile> files_of(const fs::path& folder) {

@@ -67,3 +67,18 @@ Options before the file or the command.
   error: `eagerx-gen` has no option `-x`
   help: `eagerx-gen --help` lists the options
   [2]
+Without its data, each command that needs them says so.
+  $ EAGERX_HOME=nowhere eagerx-gen new project robot
+  error[E0301]: there are no templates for a new `project`
+  help: install eagerx-gen with `cmake --install`, or set EAGERX_HOME to the folder that has models and templates
+  
+  1 error
+  [3]
+  $ EAGERX_HOME=nowhere eagerx-gen info Pendulum
+  error[E0301]: cannot find the folder with models and templates
+  help: install eagerx-gen with `cmake --install`, or set EAGERX_HOME to that folder
+  
+  1 error
+  [3]
+  $ EAGERX_HOME=nowhere eagerx-gen --version | sed 's/ [0-9.]*$//'
+  eagerx-gen
