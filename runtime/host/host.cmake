@@ -24,8 +24,9 @@ eagerx_compiled_library(
   OPTIONS -fPIC ${eagerx_host_options})
 eagerx_compiled_library(
   eagerx_expression UNITY
-  SOURCES ${eagerx_host_folder}/expression/calculation.cpp ${eagerx_host_folder}/expression/grammar.cpp
-          ${eagerx_host_folder}/expression/text.cpp ${eagerx_host_folder}/expression/typed.cpp
+  SOURCES ${eagerx_host_folder}/expression/calculation.cpp ${eagerx_host_folder}/expression/functions.cpp
+          ${eagerx_host_folder}/expression/grammar.cpp ${eagerx_host_folder}/expression/text.cpp
+          ${eagerx_host_folder}/expression/typed.cpp
   FOLDERS ${eagerx_host_folder}/base ${eagerx_host_folder}/expression ${eagerx_host_folder}/../eagerx
   LINK eagerx_base
   OPTIONS ${eagerx_host_plain_options})

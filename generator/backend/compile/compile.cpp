@@ -232,15 +232,21 @@ class CompileCheck {
           "give the variable a value where it is declared";
   }
 
-  /// The program over SIMD vectors, if the target has one.
+  /// What the compiler says of the program in this form, a folder and a namespace; nothing if the
+  /// target has none.
+  std::string compile_form(const std::string& form, const std::vector<std::string>& more) {
+    const std::string header = fmt::format("{}/{}/program.hpp", plan_.graph->name, form);
+    if (!ranges::contains(files_, header, &GeneratedFile::path)) return "";
+    const std::string file = form + ".cpp";
+    if (!write(file, fmt::format("#include \"{}\"\ntemplate class graphs::{}::{}::Program<>;\n",
+                                 header, plan_.graph->name, form)))
+      return "";
+    return compile(file, more);
+  }
+
+  /// The program over SIMD vectors.
   void compile_vectorized() {
-    const std::string header = plan_.graph->name + "/vectorized/program.hpp";
-    if (!ranges::contains(files_, header, &GeneratedFile::path)) return;
-    if (!write("vectorized.cpp",
-               fmt::format("#include \"{}\"\ntemplate class graphs::{}::vectorized::Program<>;\n",
-                           header, plan_.graph->name)))
-      return;
-    const auto messages = messages_in(compile("vectorized.cpp", {"-fsyntax-only", "-Wno-psabi"}));
+    const auto messages = messages_in(compile_form("vectorized", {"-fsyntax-only", "-Wno-psabi"}));
     const auto error = ranges::find_if(messages, &CompilerMessage::error);
     if (error == messages.end()) return;
     CompilerMessage message = *error;
@@ -255,15 +261,9 @@ class CompileCheck {
         "`vectorized: true` environments run one by one";
   }
 
-  /// The program over numbers with derivatives, if the target has one.
+  /// The program over numbers with derivatives.
   void compile_derivatives() {
-    const std::string header = plan_.graph->name + "/derivatives/program.hpp";
-    if (!ranges::contains(files_, header, &GeneratedFile::path)) return;
-    if (!write("derivatives.cpp",
-               fmt::format("#include \"{}\"\ntemplate class graphs::{}::derivatives::Program<>;\n",
-                           header, plan_.graph->name)))
-      return;
-    const std::string said = compile("derivatives.cpp", {"-fsyntax-only"});
+    const std::string said = compile_form("derivatives", {"-fsyntax-only"});
     const auto messages = messages_in(said);
     const auto error = ranges::find_if(messages, &CompilerMessage::error);
     if (error == messages.end()) return;

@@ -133,8 +133,7 @@ std::string margins_text(const LinearReport& report) {
   if (margins.other_frequencies > 1e-6)
     text += fmt::format(
         "  multirate     at the crossover, {:.2g} of the response is at other frequencies, which "
-        "gain "
-        "and phase margin neglect\n",
+        "gain and phase margin neglect\n",
         margins.other_frequencies);
   for (const DataAge& age : report.ages)
     text += fmt::format("  age of data   {:.6g} ms from {} to {}\n", age.newest_s.to_double() * 1e3,
@@ -153,8 +152,7 @@ std::string notes_text(const SampledSystem& system) {
   if (system.drift > 1e-6)
     text += fmt::format(
         "\nthe operating point is not an equilibrium: A of the next hyperperiod differs by {:.2g} "
-        "of its "
-        "largest element\n",
+        "of its largest element\n",
         system.drift);
   return text;
 }

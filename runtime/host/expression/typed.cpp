@@ -3,6 +3,7 @@
 #include <numbers>
 #include <numeric>
 #include <runtime/host/base/nearest.hpp>
+#include <runtime/host/expression/functions.hpp>
 #include <runtime/host/expression/typed.hpp>
 #include <utility>
 
@@ -12,53 +13,12 @@ namespace {
 using Op = Typed::Op;
 using Tree = Expression::Op;
 
-constexpr std::array kFunctions = {
-    Function{"abs", 1},   Function{"sqrt", 1},  Function{"exp", 1},     Function{"log", 1},
-    Function{"log10", 1}, Function{"sin", 1},   Function{"cos", 1},     Function{"tan", 1},
-    Function{"asin", 1},  Function{"acos", 1},  Function{"atan", 1},    Function{"sinh", 1},
-    Function{"cosh", 1},  Function{"tanh", 1},  Function{"sigmoid", 1}, Function{"floor", 1},
-    Function{"ceil", 1},  Function{"round", 1}, Function{"trunc", 1},   Function{"atan2", 2},
-    Function{"pow", 2},   Function{"fmod", 2},  Function{"clamp", 3}};
-
 struct Reduction {
   std::string_view name;
   Op op;
 };
 constexpr std::array kReductions = {Reduction{"sum", Op::sum}, Reduction{"mean", Op::mean},
                                     Reduction{"norm", Op::norm}};
-
-/// What Python, NumPy, torch, MATLAB and C call some functions.
-constexpr auto kOtherNames =
-    std::to_array<std::array<std::string_view, 2>>({{"square", "x^2"},
-                                                    {"sq", "x^2"},
-                                                    {"power", "pow(x, y)"},
-                                                    {"absolute", "abs(x)"},
-                                                    {"ln", "log(x)"},
-                                                    {"clip", "clamp(x, low, high)"},
-                                                    {"maximum", "max(x, y)"},
-                                                    {"minimum", "min(x, y)"},
-                                                    {"mod", "fmod(x, y)"},
-                                                    {"arctan2", "atan2(y, x)"},
-                                                    {"arcsin", "asin(x)"},
-                                                    {"arccos", "acos(x)"},
-                                                    {"arctan", "atan(x)"},
-                                                    {"average", "mean(x)"},
-                                                    {"select", "where(x > 0, a, b)"},
-                                                    {"if", "where(x > 0, a, b)"},
-                                                    {"hypot", "sqrt(x^2 + y^2)"},
-                                                    {"sign", "where(x > 0, 1, -1)"}});
-
-/// What to write for a function of another language or library, `np.exp` or `square`; empty if it
-/// is none.
-std::string of_other_language(std::string_view name, const std::vector<std::string>& known) {
-  const auto dot = name.rfind('.');
-  const std::string_view last = dot == std::string_view::npos ? name : name.substr(dot + 1);
-  for (const auto& [theirs, ours] : kOtherNames)
-    if (theirs == last) return "write `" + std::string(ours) + "`";
-  const bool is_known = std::ranges::find(known, last) != known.end();
-  return dot != std::string_view::npos && is_known ? "write `" + std::string(last) + "`"
-                                                   : std::string();
-}
 
 std::string list_text(const std::vector<std::uint64_t>& shape) {
   std::string text;
@@ -319,8 +279,8 @@ class Typer {
 
   Typed call(const Expression& tree) {
     const std::string& name = tree.text;
-    if (const auto* found = std::ranges::find(kFunctions, name, &Function::name);
-        found != kFunctions.end())
+    if (const auto found = std::ranges::find(functions(), name, &Function::name);
+        found != functions().end())
       return function(tree, name, found->arguments);
     if (const auto* found = std::ranges::find(kReductions, name, &Reduction::name);
         found != kReductions.end())
@@ -331,8 +291,8 @@ class Typer {
     if (name == "where") return choice(tree);
     std::vector<std::string> known = {"sum", "norm",     "mean",   "min",
                                       "max", "angle_of", "before", "where"};
-    for (const Function& each : kFunctions) known.emplace_back(each.name);
-    if (const std::string theirs = of_other_language(name, known); !theirs.empty()) {
+    for (const Function& each : functions()) known.emplace_back(each.name);
+    if (const std::string theirs = help_with_other_name(name, known); !theirs.empty()) {
       text_.fail(tree.begin, "unknown function " + quoted(name), theirs);
       return {};
     }
@@ -448,10 +408,6 @@ class Typer {
 };
 
 }  // namespace
-
-std::span<const Function> functions() {
-  return kFunctions;
-}
 
 std::uint64_t Typed::size() const {
   return std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());

@@ -14,9 +14,7 @@
 #include <functional>
 #include <optional>
 #include <runtime/host/expression/text.hpp>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace eagerx::expression {
@@ -76,14 +74,6 @@ struct Typed {
 };
 
 enum class Type : bool { number, condition };
-
-/// A function of numbers, by its name in eagerx/math.hpp.
-struct Function {
-  std::string_view name;
-  std::size_t arguments;
-};
-/// Those that go element by element, besides min, max and angle_of.
-std::span<const Function> functions();
 
 /// The meaning of names, and the handler of unknown ones.
 struct Names {

@@ -7,12 +7,11 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
-#include <kainjow/mustache.hpp>
 #include <limits>
 #include <sstream>
 #include <string>
 
-#include "generator/backend/emit/render.hpp"
+#include "tests/unit/emit/policy_header.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -31,16 +30,7 @@ Network small_network() {
 
 std::string render(const Network& network) {
   PolicyTables tables(PolicyTables::Kind::text);
-  kainjow::mustache::data view = policy_view(network, tables);
-  view.set("name", "pendulum");
-  view.set("namespace", "pendulum");
-  view.set("node", false);
-  view.set("policy", "policy");
-  Diagnostics diagnostics;
-  const auto text = render_file(EAGERX_SOURCE_DIR "/templates/cpp/policy.hpp.mustache",
-                                "policy.hpp", view, diagnostics);
-  for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
-  return text.value_or("");
+  return policy_header(network, tables, "pendulum", "pendulum");
 }
 
 TEST(PolicyView, ReadsAsIfWrittenByHand) {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "generator/backend/emit/policy_view.hpp"
-#include "generator/backend/emit/render.hpp"
 #include "generator/policy/network/int8.hpp"
+#include "tests/unit/emit/policy_header.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -51,16 +51,7 @@ Table table_of(const Network& network) {
 }
 
 std::string header_of(const Network& network, PolicyTables& tables) {
-  kainjow::mustache::data view = policy_view(network, tables);
-  view.set("name", "robot");
-  view.set("namespace", "graphs::robot");
-  view.set("node", false);
-  view.set("policy", "policy");
-  Diagnostics diagnostics;
-  const auto text = render_file(EAGERX_SOURCE_DIR "/templates/cpp/policy.hpp.mustache",
-                                "policy.hpp", view, diagnostics);
-  for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
-  return text.value_or("");
+  return policy_header(network, tables, "robot", "graphs::robot");
 }
 
 /// Row `out` and column `in` of what counted() gives.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/host/expression/calculation.hpp"
+#include "runtime/host/expression/functions.hpp"
 
 namespace eagerx::expression {
 namespace {
