@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Those of generator/tools/commands, which without eagerx-gen-tools are said to be missing.
-constexpr std::array<std::string_view, 13> kToolsCommands = {
-    "pil",     "linearize", "graph",  "report", "replay", "trace", "plot",
-    "monitor", "fix",       "rename", "lsp",    "serve",  "pages"};
+constexpr std::array<std::string_view, 15> kToolsCommands = {
+    "pil",  "linearize", "design", "trim",   "graph", "report", "replay", "trace",
+    "plot", "monitor",   "fix",    "rename", "lsp",   "serve",  "pages"};
 
 CommandLine command_line() {
   return program_command_line({generate_command(), build_command(), run_command(), train_command(),

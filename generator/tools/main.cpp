@@ -14,14 +14,14 @@ std::vector<CommandLinePage> pages();
 
 CommandLine command_line() {
   return program_command_line(
-      {generate_command(),  build_command(),     run_command(),    train_command(),
-       campaign_command(),  pil_command(),       check_command(),  info_command(),
-       diff_command(),      graph_command(),     report_command(), explain_command(),
-       import_command(),    schema_command(),    new_command(),    size_command(),
-       replay_command(),    identify_command(),  trace_command(),  plot_command(),
-       monitor_command(),   policy_command(),    key_command(),    docs_command(),
-       linearize_command(), fix_command(),       rename_command(), lsp_command(),
-       serve_command(),     pages_command(pages)});
+      {generate_command(),  build_command(),    run_command(),    train_command(),
+       campaign_command(),  pil_command(),      check_command(),  info_command(),
+       diff_command(),      graph_command(),    report_command(), explain_command(),
+       import_command(),    schema_command(),   new_command(),    size_command(),
+       replay_command(),    identify_command(), trace_command(),  plot_command(),
+       monitor_command(),   policy_command(),   key_command(),    docs_command(),
+       linearize_command(), design_command(),   trim_command(),   fix_command(),
+       rename_command(),    lsp_command(),      serve_command(),  pages_command(pages)});
 }
 
 std::vector<CommandLinePage> pages() {

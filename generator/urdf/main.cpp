@@ -118,14 +118,15 @@ eagerx::gen::CommandLine command_line(Options& options) {
   using eagerx::gen::flag;
   using eagerx::gen::text;
   using eagerx::gen::texts;
-  eagerx::gen::Argument id = text("--id", options.robot.id,
-                                  "id of the object (default: made from the robot's name)", "NAME");
+  eagerx::gen::Argument id =
+      text("--id", options.robot.id, "id of the object (default: from the robot's name)", "NAME");
   id.check = [](const std::string& name) {
     return is_id(name) ? std::string() : name + " is not made of letters and digits";
   };
-  eagerx::gen::Argument distance = text(
-      "--distance", options.distance,
-      "how far spheres of `--collision spheres` may reach beyond a mesh (default: 0.01)", "METERS");
+  eagerx::gen::Argument distance =
+      text("--distance", options.distance,
+           "maximum distance of the spheres of `--collision spheres` beyond a mesh (default: 0.01)",
+           "METERS");
   distance.check = [&options](const std::string& written) {
     const auto value = eagerx::gen::parse_number(written);
     if (!value || !(*value > 0.0)) return written + " is not a length above 0";
@@ -147,27 +148,27 @@ eagerx::gen::CommandLine command_line(Options& options) {
               .about = "Makes an object for OpenDynamicsEngine and MultibodyEngine from a robot's "
                        "URDF or MJCF (MuJoCo) file.",
               .arguments =
-                  {required(reads(text("robot", options.file,
-                                       "the description of the robot: URDF, xacro or MJCF",
-                                       "ROBOT.urdf"))),
+                  {required(
+                       reads(text("robot", options.file,
+                                  "description of the robot: URDF, xacro or MJCF", "ROBOT.urdf"))),
                    folder(text("-o,--output", options.output,
-                               "folder to write (default: entities/<robot>)", "DIR")),
+                               "output folder (default: entities/<robot>)", "DIR")),
                    std::move(id),
                    choice("--base", {"fixed", "free"},
-                          "fix the first link to the world or let it move (default: free if "
-                          "it, or what is fixed to it, has a mass; of MJCF, as the file says)",
+                          "fix the first link to the world, or let it move (default: free if the "
+                          "link, or one fixed to it, has a mass; for MJCF, as in the file)",
                           set_base),
                    choice("--collision", {"none", "boxes", "spheres"},
-                          "nothing touches; boxes, or up to 16 spheres, around meshes "
-                          "(default: the smallest of box, sphere, cylinder and capsule)",
+                          "collision shapes of meshes: none, boxes, or up to 16 spheres (default: "
+                          "the smallest of box, sphere, cylinder and capsule)",
                           set_shapes),
                    std::move(distance),
                    texts("--package", options.meshes.packages,
-                         "where `package://` is looked for, besides the folders above the "
-                         "file; several times",
+                         "folder to search for `package://`, in addition to the folders above the "
+                         "file; may be repeated",
                          "DIR"),
                    flag("--ground", options.robot.ground, "add the plane z = 0"),
-                   choice("--diagnostics", {"text", "json"}, "form of messages (default: text)",
+                   choice("--diagnostics", {"text", "json"}, "format of messages (default: text)",
                           set_form),
                    flag("-q,--quiet", options.quiet, "print problems only")},
               .run = [&options] { return convert(options); }},

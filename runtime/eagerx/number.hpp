@@ -31,6 +31,10 @@ struct DualBirth<double, linearize::kSeeds> {
   constexpr DualBirth() {
     if (!std::is_constant_evaluated() && linearize::born != nullptr) linearize::born(this);
   }
+  /// A member that begins as a copy begins to exist, too.
+  constexpr DualBirth(const DualBirth& /*other*/) : DualBirth() {}
+  constexpr DualBirth& operator=(const DualBirth& /*other*/) = default;
+  ~DualBirth() = default;
 };
 
 /// Numbers of engines, nodes and messages, whatever the graph says of them.
@@ -45,6 +49,8 @@ constexpr bool has_derivative(const Number& x) {
 }
 }  // namespace linearize
 
+/// Noise has its mean, 0.
+inline void set_noise_lane(Number& /*x*/, int /*i*/, double /*value*/) {}
 /// What works lane by lane loses the derivatives.
 inline double lane(const Number& x, int /*i*/) {
   linearize::doings.lost = linearize::doings.lost || linearize::has_derivative(x);

@@ -133,7 +133,7 @@ class PaddedWindow {
   constexpr const auto& unpadded() const { return window_; }
 
  private:
-  static constexpr Message kMissing = filled<Message>(ScalarOf<Message>{});
+  static constexpr Message kMissing = filled<Message>(ScalarOf<Message>(0));
   Window<Message, SourceRate, Capacity, W, AlwaysFull> window_;
 };
 

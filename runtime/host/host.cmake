@@ -42,7 +42,7 @@ eagerx_compiled_library(
 eagerx_compiled_library(
   eagerx_identify UNITY
   SOURCES ${eagerx_host_folder}/identify/experiment.cpp ${eagerx_host_folder}/identify/identification.cpp
-          ${eagerx_host_folder}/identify/deviations.cpp
+          ${eagerx_host_folder}/identify/delays.cpp ${eagerx_host_folder}/identify/deviations.cpp
           ${eagerx_host_folder}/identify/least_squares.cpp
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx_trace

@@ -295,8 +295,8 @@ class Batch {
         step_alone(k, actions, step);
       } else {
         const SimdColumn column = held_.simd.column(member, first, lane);
-        const Ends ends = simd_rows.have_ends() ? ends_in_rows<Graph>(column, k, step.rows)
-                                                : ends_of<Graph>(column);
+        const EpisodeEnds ends = simd_rows.have_ends() ? ends_in_rows<Graph>(column, k, step.rows)
+                                                       : ends_of<Graph>(column);
         end_group_step(k, column, ends, step, [&](float* row) {
           if (step.rows.observation == nullptr) return held_.simd.write(column, layout_, row);
           const std::size_t observed = layout_.observations.numbers();
@@ -309,7 +309,7 @@ class Batch {
 
   /// write(row) writes the observation of the step.
   template <class Write>
-  void end_group_step(std::uint32_t k, const SimdColumn& column, Ends ends, Step& step,
+  void end_group_step(std::uint32_t k, const SimdColumn& column, EpisodeEnds ends, Step& step,
                       Write&& write) {
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
@@ -354,8 +354,9 @@ class Batch {
 
   /// What a step gives besides the observation.
   template <class AnyProgram>
-  [[gnu::always_inline]] inline Ends write_step(std::uint32_t k, AnyProgram& program, Step& step) {
-    const Ends ends = write_outcome<Graph>(program, k, step.rows);
+  [[gnu::always_inline]] inline EpisodeEnds write_step(std::uint32_t k, AnyProgram& program,
+                                                       Step& step) {
+    const EpisodeEnds ends = write_outcome<Graph>(program, k, step.rows);
     held_.critic.step(k, program);
     if constexpr (Staging<Graph>::kStages > 0) {
       resets_.staging.weigh(k, step.rows, [&](std::size_t i) {
@@ -372,7 +373,7 @@ class Batch {
   }
 
   /// False: the episode ends.
-  [[gnu::always_inline]] inline bool write_ends(std::uint32_t k, Ends ends,
+  [[gnu::always_inline]] inline bool write_ends(std::uint32_t k, EpisodeEnds ends,
                                                 const eagerx_rows& rows) {
     ++held_.steps[k];
     ends.truncated = ends.truncated || (longest_ != 0 && held_.steps[k] >= longest_);
@@ -383,7 +384,7 @@ class Batch {
 
   /// write(row) writes the observation of the step.
   template <class Write>
-  void end_step(std::uint32_t k, Ends ends, Step& step, Write&& write) {
+  void end_step(std::uint32_t k, EpisodeEnds ends, Step& step, Write&& write) {
     if (!write_ends(k, ends, step.rows)) {
       end_episode(k, step, write);
     } else if (step.rows.observation != nullptr) {

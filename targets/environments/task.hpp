@@ -54,7 +54,7 @@ template <class Graph>
 inline constexpr std::size_t reported_at = kTerms + terms_of<Graph> + seen_of<Graph>;
 
 /// How a step ended.
-struct Ends {
+struct EpisodeEnds {
   bool terminated = false;
   bool truncated = false;
   bool is_finite = true;  // the reward
@@ -62,8 +62,8 @@ struct Ends {
 
 /// Writes reward, success and terms of the program's last step as environment `k`.
 template <class Graph, class Program>
-Ends write_outcome([[maybe_unused]] const Program& program, std::uint32_t k,
-                   const eagerx_rows& rows) {
+EpisodeEnds write_outcome([[maybe_unused]] const Program& program, std::uint32_t k,
+                          const eagerx_rows& rows) {
   if constexpr (has_task<Graph>) {
     const auto& outcome = program.outcome();
     if (rows.reward != nullptr) rows.reward[k] = static_cast<float>(outcome.reward);
@@ -81,7 +81,7 @@ Ends write_outcome([[maybe_unused]] const Program& program, std::uint32_t k,
 }
 
 template <class Graph>
-Ends ends_of(const SimdColumn& column) {
+EpisodeEnds ends_of(const SimdColumn& column) {
   if constexpr (has_task<Graph>) {
     return {column.end(kTerminated) != 0.0F, column.end(kTruncated) != 0.0F,
             eagerx::isfinite(column.end(kReward))};
@@ -92,7 +92,7 @@ Ends ends_of(const SimdColumn& column) {
 
 /// ends_of(), where the rows of environment `k` have been written.
 template <class Graph>
-Ends ends_in_rows(const SimdColumn& column, std::uint32_t k, const eagerx_rows& rows) {
+EpisodeEnds ends_in_rows(const SimdColumn& column, std::uint32_t k, const eagerx_rows& rows) {
   if constexpr (has_task<Graph>) {
     return {rows.terminated[k] != 0, rows.truncated[k] != 0, eagerx::isfinite(column.end(kReward))};
   } else {

@@ -21,108 +21,14 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <targets/linearize/node_system.hpp>
 #include <targets/linearize/probe.hpp>
+#include <targets/linearize/request.hpp>
+#include <targets/linearize/reset_states.hpp>
 #include <targets/linearize/words.hpp>
 #include <vector>
 
 namespace eagerx::linearize {
-
-/// What the command line says: channels by their numbers in the graph.
-struct Request {
-  std::uint64_t steps = 0, seed = 0;
-  std::vector<std::string> at;  // NAME=VALUE,…
-  std::vector<std::uint32_t> from, to;
-  std::optional<std::uint32_t> open;  // what readers get of it has no derivative of what is sent
-  std::size_t element = 0;            // of its messages
-};
-
-/// Nothing with a message where the command line is not as eagerx-gen writes it.
-inline std::optional<Request> read_request(int argc, char** argv) {
-  Request request;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string_view name = argv[i];
-    const auto number = [&] { return std::strtoull(argv[i + 1], nullptr, 10); };
-    const auto channel = [&] { return static_cast<std::uint32_t>(number()); };
-    if (name == "--steps") {
-      request.steps = number();
-    } else if (name == "--seed") {
-      request.seed = number();
-    } else if (name == "--at") {
-      request.at.emplace_back(argv[i + 1]);
-    } else if (name == "--from") {
-      request.from.push_back(channel());
-    } else if (name == "--to") {
-      request.to.push_back(channel());
-    } else if (name == "--open") {
-      request.open = channel();
-    } else if (name == "--element") {
-      request.element = number();
-    } else {
-      std::fprintf(stderr, "error: there is no option `%s`\n", argv[i]);
-      return std::nullopt;
-    }
-  }
-  return request;
-}
-
-/// Sets a state as `--at` says; false with a message.
-template <class Graph>
-bool set_state(const std::string& text, typename Graph::States& states) {
-  const std::size_t equals = text.find('=');
-  const std::string name = text.substr(0, equals);
-  bool is_known = false, fits = true;
-  Graph::for_each_state([&](const char* state, const char*, auto member, const auto& space) {
-    if (name != state) return;
-    is_known = true;
-    auto message = space.low;
-    const char* rest = text.c_str() + equals + 1;
-    for (std::size_t i = 0; i < size_of<decltype(message)>; ++i) {
-      char* end = nullptr;
-      const double value = std::strtod(rest, &end);
-      fits = fits && end != rest && (*end == ',' || *end == '\0') && eagerx::isfinite(value);
-      element(message, i) = static_cast<ScalarOf<decltype(message)>>(value);
-      rest = *end == ',' ? end + 1 : end;
-    }
-    fits = fits && *rest == '\0';
-    states.*member = message;
-  });
-  if (equals != std::string::npos && is_known && fits) return true;
-  std::fprintf(
-      stderr, "error: `--at %s`: %s\nhelp: states are", text.c_str(),
-      is_known ? "not one finite number for each element of the state" : "there is no such state");
-  const char* separator = " ";
-  Graph::for_each_state([&](const char* state, const char*, auto, const auto& space) {
-    std::fprintf(stderr, "%s`%s` (%zu)", separator, state, size_of<decltype(space.low)>);
-    separator = ", ";
-  });
-  std::fprintf(stderr, "\n");
-  return false;
-}
-
-/// The states of the program for plain numbers, in numbers with derivatives.
-template <class States, class PlainStates>
-States with_derivatives(PlainStates plain) {
-  std::vector<std::optional<std::vector<long double>>> values;
-  plain.for_each([&](const char*, const auto& message) {
-    auto& value = values.emplace_back();
-    if (!message) return;
-    value.emplace();
-    for (std::size_t i = 0; i < size_of<std::remove_reference_t<decltype(*message)>>; ++i)
-      value->push_back(static_cast<long double>(element(*message, i)));
-  });
-  States states;
-  std::size_t next = 0;
-  states.for_each([&](const char*, auto& message) {
-    const auto& value = values[next++];
-    if (!value) return;
-    auto& set = message.emplace();
-    using Scalar = ScalarOf<std::remove_reference_t<decltype(set)>>;
-    using Plain = std::conditional_t<std::is_same_v<Scalar, Number>, double, Scalar>;
-    for (std::size_t i = 0; i < value->size(); ++i)
-      element(set, i) = Scalar(static_cast<Plain>((*value)[i]));
-  });
-  return states;
-}
 
 /// Numbers in rows of JSON.
 using Matrix = std::vector<std::vector<double>>;
@@ -168,29 +74,57 @@ class Linearization {
   Linearization& operator=(const Linearization&) = delete;
   ~Linearization() { std::free(memory_); }
 
-  /// False with a message: a derivative is not finite.
+  /// False with a message: a derivative is not finite, or `--words` are those of another program.
   bool run(const typename Graph::States& states) {
+    // An action has its value and its derivative already.
+    for (const Held& held : request_.held) {
+      if (Graph::kChannels[held.channel].publisher != Publisher::environment)
+        held_ports_.push_back(held);
+    }
+    program_->hooks.held = &held_ports_;
     States begin = with_derivatives<States>(states);
+    Matrix reset;
+    if (!request_.compares) fill_reset(begin, reset);
     program_->reset(begin);
-    for (std::uint64_t i = 0; i < request_.steps; ++i) program_->step(Action{});
+    const std::vector<double> after_reset = state_values();
+    for (std::uint64_t i = 0; i < request_.steps; ++i) program_->step(action({}, 0));
+    if (!set_words()) return false;
+    if (!request_.node.node.empty()) return print_node();
     find_ports();
     Matrix a, b, c, d, later, later_c;
     fill_state(a, c);
     fill_inputs(b, d);
     const std::vector<double> values = state_values();
+    const std::vector<double> observed = observations();
     next();
-    fill_state(later, later_c);
+    const std::vector<double> next_values = state_values();
+    if (request_.compares) fill_state(later, later_c);
+    next();
+    const std::vector<double> values_after = state_values();
     for (const Matrix* const each : {&a, &b, &c, &d, &later}) {
       if (!are_finite(*each)) return refuse(a, c);
     }
     print(values, a, b, c, d);
-    print_matrix("later", later);
+    if (request_.compares) {
+      print_matrix("later", later);
+    } else {
+      print_matrix("values", {after_reset, next_values, observed, values_after});
+      print_states<Graph>(states);
+      print_matrix("reset", reset);
+    }
     std::printf("}\n");
     return true;
   }
 
  private:
   static constexpr std::size_t kChannels = std::size(Graph::kChannels);
+
+  /// What happens from each tick of a node to the next.
+  bool print_node() {
+    const auto step = [this](Program& program) { program.step(action({}, 0)); };
+    return NodeSystem(request_.node, *program_, words_, step)
+        .print(Graph::Rate::period_s * Program::kPhases);
+  }
 
   /// One hyperperiod with these derivatives, from where the program is; the program as it is then.
   /// `seeds`: of the messages, by derivative; `words`: of the state.
@@ -224,6 +158,10 @@ class Linearization {
     result.for_each([&](const char* name, const auto& each) {
       while (channel < kChannels && !is_action(channel, name)) ++channel;
       using Message = std::remove_cvref_t<decltype(each)>;
+      for (const Held& held : request_.held) {
+        if (held.channel == channel && held.element < size_of<Message>)
+          element(const_cast<Message&>(each), held.element) = scalar<ScalarOf<Message>>(held.value);
+      }
       if constexpr (std::is_same_v<ScalarOf<Message>, Number>) {
         for (std::size_t k = 0; k < seeds.size(); ++k) {
           const Seed* const seed = seeds[k];
@@ -309,6 +247,45 @@ class Linearization {
     *program_ = *end;
   }
 
+  /// Derivatives of the numbers after a reset by the elements of the states that it sets.
+  void fill_reset(const States& begin, Matrix& reset) {
+    States counted = begin;
+    const std::size_t elements = count_elements(counted);
+    reset.assign(words_.size(), std::vector<double>(elements));
+    for (std::size_t first = 0; first < elements; first += kSeeds) {
+      auto copy = std::make_unique<Program>(*program_);
+      States seeded = begin;
+      seed_elements(seeded, first);
+      copy->reset(seeded);
+      for (std::size_t k = first; k < elements && k < first + kSeeds; ++k) {
+        for (std::size_t i = 0; i < words_.size(); ++i)
+          reset[i][k] = at(*copy, words_[i]).derivative[k - first];
+      }
+    }
+  }
+
+  /// The state that the command line has.
+  bool set_words() {
+    if (request_.words.empty()) return true;
+    if (request_.words.size() != words_.size()) {
+      std::fprintf(stderr, "error: `--words` has %zu numbers, and the program %zu\n",
+                   request_.words.size(), words_.size());
+      return false;
+    }
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      at(*program_, words_[i]) = Number(request_.words[i]);
+    return true;
+  }
+
+  /// Values of the outputs in the hyperperiod that comes.
+  std::vector<double> observations() {
+    go({}, {});
+    std::vector<double> values;
+    for (const Port& port : outputs_)
+      values.push_back(record_.channels[port.channel][port.message].values[port.element]);
+    return values;
+  }
+
   std::vector<double> state_values() const {
     std::vector<double> values;
     for (const Word& word : words_) {
@@ -362,7 +339,8 @@ class Linearization {
     std::printf("{\"period_s\": %.17g,\n\"steps\": %" PRIu32 ",\n\"state\": [",
                 Rate::period_s * Program::kPhases, Program::kPhases);
     for (std::size_t i = 0; i < words_.size(); ++i)
-      std::printf("%s\n[\"%s\", %.17g]", i == 0 ? "" : ",", words_[i].name.c_str(), values[i]);
+      std::printf("%s\n[\"%s\", %.17g, %d]", i == 0 ? "" : ",", words_[i].name.c_str(), values[i],
+                  words_[i].clock >= 0 ? 1 : 0);
     std::printf("]");
     print_ports("inputs", inputs_);
     print_ports("outputs", outputs_);
@@ -379,6 +357,7 @@ class Linearization {
   unsigned char* memory_;
   Program* program_ = nullptr;
   std::vector<Word> words_;
+  std::vector<Held> held_ports_;  // of `--hold`, without the actions
   std::vector<Port> inputs_, outputs_;
   std::size_t opened_ = 0;
   std::set<std::uint32_t> losing_, smoothing_;

@@ -9,6 +9,7 @@
 #include <eagerx/rate.hpp>
 #include <optional>
 #include <set>
+#include <targets/linearize/ticks.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -16,8 +17,9 @@ namespace eagerx::linearize {
 
 using Derivatives = std::array<double, kSeeds>;
 
-/// A message that was sent: the derivatives of its elements.
+/// A message that was sent: its elements, those that have derivatives.
 struct Sent {
+  std::vector<double> values;
   std::vector<Derivatives> derivatives;
 };
 
@@ -28,6 +30,22 @@ struct Seed {
   std::size_t element;
   std::size_t message = kEach;  // which one of the run, or each
 };
+
+/// A value of an element of all messages of a channel, whatever is sent.
+struct Held {
+  std::uint32_t channel = 0;
+  std::size_t element = 0;
+  double value = 0.0;
+};
+
+/// A value as an element of a message.
+template <class Scalar>
+Scalar scalar(double value) {
+  if constexpr (std::is_same_v<Scalar, Number>)
+    return Number(value);
+  else
+    return static_cast<Scalar>(value);
+}
 
 /// All messages of a run.
 struct Record {
@@ -41,19 +59,35 @@ struct Record {
 /// The hooks of the program.
 struct Probe {
   Record* record = nullptr;
+  const std::vector<Held>* held = nullptr;
+  NodeTicks* ticks = nullptr;
 
+  static constexpr bool kSeesInputs = true;
+  void on_reset_phase(bool /*begins*/) {}
+  template <class Rate, class Inputs>
+  void on_inputs(const char* node, Rate /*rate*/, Seq /*tick*/, const Inputs& inputs) {
+    if (ticks != nullptr && ticks->node == node) ticks->on_inputs(inputs);
+  }
   template <class Message>
   void on_message(std::uint32_t channel, Seq /*seq*/, Message& message) {
-    if (record == nullptr) return;
+    if (record == nullptr) {
+      for (std::size_t i = 0; i < size_of<Message>; ++i) hold(channel, i, element(message, i));
+      if (ticks != nullptr) ticks->on_message(channel, message);
+      return;
+    }
     std::vector<Sent>& all = record->channels[channel];
     Sent sent;
     for (std::size_t i = 0; i < size_of<Message>; ++i) {
       auto& x = element(message, i);
       if constexpr (std::is_same_v<std::remove_reference_t<decltype(x)>, Number>) {
+        sent.values.push_back(x.value);
         Derivatives& derivatives = sent.derivatives.emplace_back();
         for (std::size_t k = 0; k < kSeeds; ++k) derivatives[k] = x.derivative[k];
         if (record->opened == channel && record->opened_element == i) x = Number(x.value);
+        hold(channel, i, x);
         move(channel, i, all.size(), x);
+      } else {
+        hold(channel, i, x);
       }
     }
     if (doings.lost) record->losing.insert(channel);
@@ -62,6 +96,15 @@ struct Probe {
     all.push_back(std::move(sent));
   }
 
+ private:
+  /// What readers get of element `i` of a channel that is held.
+  template <class Scalar>
+  void hold(std::uint32_t channel, std::size_t i, Scalar& x) const {
+    if (held == nullptr) return;
+    for (const Held& each : *held) {
+      if (each.channel == channel && each.element == i) x = scalar<Scalar>(each.value);
+    }
+  }
   /// Adds the seeds of element `i` of message `n` of a channel.
   void move(std::uint32_t channel, std::size_t i, std::size_t n, Number& x) const {
     for (std::size_t k = 0; k < record->seeds.size(); ++k) {

@@ -198,13 +198,12 @@ constexpr std::array kOptions{
            "seed of everything that is random", set_seed},
     Option{"--environment", "K", "a whole number from 0 to 4294967295",
            "number of the environment; each one has random numbers of its own", set_environment},
-    Option{
-        "--agent", "AGENT",
-        "`policy`, `zero`, `random`, a file ending in `.csv`, `fd:N`, or `dds[:DOMAIN]` with a "
-        "domain from 0 to 232",
-        "policy, zero, random, FILE.csv, or another process: dds[:DOMAIN], or fd:N, the one at the "
-        "other end of socket N",
-        set_agent},
+    Option{"--agent", "AGENT",
+           "`policy`, `zero`, `random`, a file ending in `.csv`, `fd:N`, or `dds[:DOMAIN]` with a "
+           "domain from 0 to 232",
+           "policy, zero, random, FILE.csv, or another process: dds[:DOMAIN], or fd:N, at the "
+           "other end of socket N",
+           set_agent},
     Option{"--agent-timeout", "S", "a number from 0.001 to 1000000",
            "end the run after S seconds without an action of `--agent dds` (10)",
            set_agent_timeout},
@@ -217,55 +216,52 @@ constexpr std::array kOptions{
     Option{"--trace-time", "", "", "add the time of sending to each message of the trace",
            set_trace_time},
     Option{"--trace-scenes", "", "",
-           "add what the graph's `render:` shows, to play it back in `eagerx-gen report`",
+           "add the scenes of the graph's `render:`, for playback in `eagerx-gen report`",
            set_trace_scenes},
     Option{"--replay", "LOG", "a file name", "repeat the run of a trace and compare the messages",
            set_replay},
     Option{"--replay-given", "LIST", "names between commas",
            "messages to take from LOG: actions, sensors, none or channels (actions,sensors)",
            set_replay_given},
-    Option{"--identify", "LOG", "a file name",
-           "find the parameters and delays that a trace was made with", set_identify},
+    Option{"--identify", "LOG", "a file name", "estimate parameters and delays from a trace",
+           set_identify},
     Option{"--identify-out", "FILE", "a file name", "write the result as YAML for the graph",
            set_identify_out},
     Option{"--identify-sensors", "LIST", "names between commas", "channels to fit (all sensors)",
            set_identify_sensors},
     Option{"--identify-horizon", "S", "seconds from 0.000001 to 1000000",
-           "length of the pieces that the trace is cut into (0.5)", set_identify_horizon},
+           "length of the pieces of the trace, each with its own initial state (0.5)",
+           set_identify_horizon},
     Option{"--identify-delay", "S", "seconds from 0 to 10",
-           "longest delay of an actuator to try (0.1)", set_identify_delay},
+           "longest actuator delay to consider (0.1)", set_identify_delay},
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
     Option{"--real-time-factor", "X", "0 or a number from 0.000001 to 1000000",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
-    Option{
-        "--render", "TO", "`window`, a film, pictures such as `frames/%04d.png`, `hash` or `asked`",
-        "show what the graph's `render:` says: window, FILM.mp4, frames/%04d.png, hash, or asked "
-        "(pictures for an agent that asks)",
-        set_render},
+    Option{"--render", "TO",
+           "`window`, a film, pictures such as `frames/%04d.png`, `hash` or `asked`",
+           "draw the graph's `render:` to a window, FILM.mp4, frames/%04d.png, hash, or asked "
+           "(pictures that the agent requests)",
+           set_render},
     Option{"--size", "WxH", "such as `480x480`, from 16x16 to 4096x4096",
            "size of the pictures in pixels (480x480)", set_size},
-    Option{
-        "--publish", "KIND",
-        "`foxglove:[HOST:]PORT`, `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`, or "
-        "`dds[:DOMAIN][@INTERFACE]` with a domain from 0 to 232",
-        "let others see the messages while it runs: foxglove:[HOST:]PORT, udp:HOST:PORT "
-        "(PlotJuggler), teleplot:HOST:PORT, mcap:FILE or dds[:DOMAIN][@INTERFACE] (ROS 2); may be "
-        "repeated",
-        set_publish},
+    Option{"--publish", "KIND",
+           "`foxglove:[HOST:]PORT`, `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`, or "
+           "`dds[:DOMAIN][@INTERFACE]` with a domain from 0 to 232",
+           "publish messages during the run: foxglove:[HOST:]PORT, udp:HOST:PORT (PlotJuggler), "
+           "teleplot:HOST:PORT, mcap:FILE or dds[:DOMAIN][@INTERFACE] (ROS 2); may be repeated",
+           set_publish},
     Option{"--publish-only", "CHANNEL", "the name of a channel, such as `pendulum/theta`",
            "publish only this channel of the trace (all); may be repeated", set_publish_only},
     Option{"--publish-rate", "HZ", "a number from 0.000001 to 1000000000",
            "publish at most HZ messages of a channel per simulated second", set_publish_rate},
     Option{"--publish-key", "FILE", "a file name",
            "clients with the key in FILE may change the run over foxglove:", set_publish_key},
-    Option{
-        "--link", "[PART=]LINE", "a serial line, HOST:PORT or unix:PATH",
-        "where the board, or a part, is: a serial line (ours alone), HOST:PORT or unix:PATH; may "
-        "be repeated",
-        set_link, true},
+    Option{"--link", "[PART=]LINE", "a serial line, HOST:PORT or unix:PATH",
+           "line to the board or to a part: a serial line, HOST:PORT or unix:PATH; may be repeated",
+           set_link, true},
     Option{"--key", "[PART=]FILE", "a file that `eagerx-gen key new` wrote",
-           "the key of TCP lines, or of the line to PART; beyond this machine TCP needs one; may "
-           "be repeated",
+           "key of TCP lines, or of the line to PART; TCP to other machines needs one; may be "
+           "repeated",
            set_key, true},
     Option{"--baud", "N", "a whole number from 1 to 4294967295", "speed of a serial line", set_baud,
            true},
@@ -274,31 +270,33 @@ constexpr std::array kOptions{
     Option{"--reconnect", "S", "a number from 0.001 to 1000000",
            "wait S seconds for a lost part, and continue with the next episode", set_reconnect,
            true},
-    Option{"--lockstep", "", "",
-           "wait for each message of a part when it is sent, also where a delay gives time",
-           set_lockstep, true},
+    Option{
+        "--lockstep", "", "",
+        "wait for each message of a part at the time it is sent, without using the slack of delays",
+        set_lockstep, true},
     Option{"--set", "STATE=VALUE", "such as `pendulum.mass=0.1` or `pendulum.mass=uniform:0.1,0.2`",
-           "value of a state at each reset, or how it is drawn: uniform:LOW,HIGH and so on; "
-           "VALUE@STEP "
-           "of a tunable parameter: from that step on; may be repeated",
+           "value of a state at each reset, or its distribution, such as uniform:LOW,HIGH; with "
+           "VALUE@STEP, of a tunable parameter from that step on; may be repeated",
            set_state},
     Option{"--fault", "NAME=KIND@STEP", "such as `angle=silent@40` or `angle[0]=offset:0.1@40+5`",
-           "spoil what the agent sees or gives: silent, nan, offset:X or value:X of an observation "
-           "or an action, from a step on, with +STEPS for that many steps; may be repeated",
+           "disturb an observation or an action from a step on, with +STEPS for N steps: silent, "
+           "nan, offset:X or value:X; may be repeated",
            set_fault},
     Option{"--until", "CONDITION", "a condition such as `abs(pendulum.theta) > 1`",
-           "end an episode after the first step at which this holds", set_until},
+           "end an episode after the first step at which the condition holds", set_until},
     Option{"--measure", "NUMBER", "an expression such as `abs(pendulum.theta)`",
-           "tell mean, deviation and worst of this over all steps; may be repeated", set_measure},
-    Option{"--summary", "", "", "tell mean, deviation, least and most over all episodes",
-           set_summary},
-    Option{"--strict-spaces", "", "", "end the run with the first message that is out of its space",
+           "print mean, standard deviation and worst value of an expression over all steps; may be "
+           "repeated",
+           set_measure},
+    Option{"--summary", "", "",
+           "print mean, standard deviation, minimum and maximum over all episodes", set_summary},
+    Option{"--strict-spaces", "", "", "end the run at the first message outside its space",
            set_strict_spaces},
-    Option{"--self-test", "", "", "only compare the policy's answers with known ones",
+    Option{"--self-test", "", "", "only compare the policy's answers with known answers",
            set_self_test},
-    Option{"--quiet", "", "", "no summary and no progress bar", set_quiet},
-    Option{"--help", "", "", "show this text", set_help},
-    Option{"--version", "", "", "show graph, engine and version", set_version},
+    Option{"--quiet", "", "", "print no summary and no progress bar", set_quiet},
+    Option{"--help", "", "", "print this text", set_help},
+    Option{"--version", "", "", "print graph, engine and version", set_version},
 };
 
 }  // namespace

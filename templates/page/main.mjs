@@ -25,6 +25,7 @@ const allViews = [
   {id: "timetable", name: "Timetable", make: makeTimetableView, there: true},
   {id: "memory", name: "Memory", make: makeMemoryView, there: true},
   {id: "ages", name: "Ages", make: makeAgesView, there: true},
+  {id: "loop", name: "Loop", make: moreViews.get("loop"), there: moreViews.has("loop")},
   {
     id: "policy",
     name: data.policies.length > 1 ? "Policies" : "Policy",

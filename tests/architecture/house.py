@@ -122,7 +122,7 @@ def edges(root, declared):
             here, there = os.path.dirname(path), os.path.dirname(place)
             if here != there:
                 found[here, there] += 1
-            if library is not home and library.name not in declared.reach(user):
+            if library.name not in (home.name, user.name) and library.name not in declared.reach(user):
                 line = text.count("\n", 0, match.start(2)) + 1
                 problems.append(f"{path}:{line}: includes `{match[2]}`, but {user.name} does not link {library.name}")
     return found, problems
@@ -148,3 +148,15 @@ def folder_circles(edges):
     for folder in sorted(below):
         visit(folder)
     return problems
+
+
+def equal_names(root):
+    """Types of generator/ that two headers define with one name: the linker would mix their functions."""
+    headers = {}
+    for path in sorted((root / "generator").rglob("*.hpp")):
+        text = path.read_text()
+        namespace = re.search(r"^(?:inline )?namespace ([\w:]+) \{", text, re.MULTILINE)
+        for name in set(re.findall(r"^(?:struct|class|enum class|enum) (\w+)\b[^;]*\{", text, re.MULTILINE)):
+            headers.setdefault((namespace[1] if namespace else "", name), []).append(str(path.relative_to(root)))
+    return [f"{' and '.join(paths)} both define {scope}::{name}" for (scope, name), paths in headers.items()
+            if len(paths) > 1]

@@ -6,6 +6,7 @@ import sys
 BUILD, LIBRARY, PROGRAM = (os.path.realpath(word) for word in sys.argv[1:])
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "../.."))
 SWING = ROOT + "/tests/environments/swing.yaml"
+UPRIGHT = ROOT + "/tests/design/upright.yaml"
 SAVED = ROOT + "/tests/import/cases/c01_minimal.graph.yaml"
 POLICY = ROOT + "/examples/pendulum_swing_up/swing_up.onnx"
 GENERATOR = [os.path.join(BUILD, "eagerx-gen")]
@@ -19,6 +20,10 @@ OUTPUTS = {
     ("build", "--output"): [*GENERATOR, "build", SWING, "--quiet"],
     ("run", "--output"): [*GENERATOR, "run", SWING, "--quiet"],
     ("linearize", "--output"): [*GENERATOR, "linearize", SWING, "--quiet"],
+    ("trim", "--output"): [*GENERATOR, "trim", SWING, "--quiet"],
+    ("design lqr", "--output"): [*GENERATOR, "design", "lqr", UPRIGHT, "--of", "balance", "--deviation", "balance.x=0.1,1", "--quiet"],
+    ("design kalman", "--output"): [*GENERATOR, "design", "kalman", UPRIGHT, "--of", "estimate", "--process", "x=0.1,0.1", "--quiet"],
+    ("design pid", "--output"): [*GENERATOR, "design", "pid", ROOT + "/examples/cascade/graph.yaml", "--of", "current", "--quiet"],
     ("pil", "--output"): [*GENERATOR, "pil", ROOT + "/examples/controller_in_your_main/graph.yaml", "--of", "control", "--quiet"],
     ("train", "--output"): TRAIN,
     ("train", "--checkpoint"): TRAIN,
@@ -38,6 +43,7 @@ OUTPUTS = {
     ("key new", "file"): [*GENERATOR, "key", "new"],
     ("identify", "--out"): [*GENERATOR, "identify", PROGRAM, "run.log"],
     ("trace convert", "--output"): [*GENERATOR, "trace", "convert", "run.log", "--quiet"],
+    ("linearize", "--plot"): [*GENERATOR, "linearize", ROOT + "/examples/cascade/graph.yaml", "--open", "current.u", "--quiet"],
     ("plot", "--output"): [*GENERATOR, "plot", "run.log", "theta_dot", "--quiet"],
     ("monitor", "--record"): [*GENERATOR, "monitor", "run.log", "--once"],
     ("policy golden", "--output-file"): [*GENERATOR, "policy", "golden", POLICY, "--quiet"],
@@ -50,6 +56,7 @@ NAMES = {
     ("graph", "--output"): ["graph.svg", "graph.dot", "graph.mmd"],
     ("trace convert", "--output"): ["run.csv", "run.json", "run.mcap", "run.npz"],
     ("plot", "--output"): ["run.svg"],
+    ("linearize", "--plot"): ["loop.svg"],
     ("monitor", "--record"): ["run.mcap", "run.trace"],
     ("generate", "--depfile"): ["swing.d"],
     ("program", "--render"): ["%04d.png", "film.mp4"],
@@ -60,7 +67,8 @@ NO_OUTPUTS = {"--path", ("report", "--build"), ("size", "--build")}
 STREAMS = {("program", "--csv"), ("program", "--trace"), ("program", "--render"), ("campaign", "--checkpoint"),
            ("monitor", "--record"), ("train", "--csv"), ("train", "--tensorboard"), ("train", "--record"),
            ("train", "--results")}
-FOLDERS = {("build", "--output"), ("linearize", "--output"), ("pil", "--output"), ("run", "--output"), ("train", "--build"), ("campaign", "--build"), ("generate", "--output"),
+FOLDERS = {("build", "--output"), ("linearize", "--output"), ("trim", "--output"), ("design lqr", "--output"), ("design kalman", "--output"),
+           ("design pid", "--output"), ("pil", "--output"), ("run", "--output"), ("train", "--build"), ("campaign", "--build"), ("generate", "--output"),
            ("new", "--output"), ("train", "--tensorboard")}
 # Where nothing may be before.
 NEW = FOLDERS | {("campaign", "--checkpoint"), ("key new", "file"), ("train", "--results")}

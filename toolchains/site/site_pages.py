@@ -55,8 +55,8 @@ class Site:
         self.manifest_keys = Keys("manifest-keys.html", manifest_roots(json.loads(run("schema", "--manifest"))))
         self.settings_keys = Keys("settings-keys.html", {(): json.loads(run("schema", "--train-settings"))})
         self.code = Code(self.words, self.graph_keys, self.manifest_keys, self.settings_keys)
+        self.commands = Commands(run, self.words, self.code)  # first: `docs linearize` opens the command, not the target
         self.entities = Entities(library, self.sources, self.words, self.code)
-        self.commands = Commands(run, self.words, self.code)
         self.codes = [path for path in self.sources.documents if path.startswith("generator/support/diagnostics/codes/")]
         self.add_words()
         self.find_users()

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "generator/analysis/bound/cycles.hpp"
 #include "generator/analysis/bound/regions.hpp"
 #include "generator/analysis/size/function_name.hpp"
 #include "generator/analysis/size/program_file.hpp"
@@ -37,6 +38,12 @@ const std::vector<Part>& parts_of_programs() {
       {"outcome", {"Program::outcome"}}};
   return kParts;
 }
+
+/// Functions for angles that few programs ever meet (runtime/eagerx/math/payne_hanek.hpp), and the
+/// condition that spares them: kLargest of float.
+constexpr std::array<std::string_view, 2> kOfHugeAngles = {"reduce_huge_float",
+                                                           "reduce_huge_angle"};
+constexpr std::string_view kWithoutHugeAngles = "angles up to 12800 rad";
 
 /// What the program of a graph runs in a slot (templates/cpp/slots.mustache).
 constexpr std::array<std::string_view, 2> kHalves = {"Program::run_before_action",
@@ -82,12 +89,14 @@ Words words_of(Reason reason) {
 
 class Report {
  public:
-  Report(const bound::Image& image, const std::vector<std::string>& rates)
+  Report(const bound::Image& image, const std::vector<std::string>& rates, const Machine* machine)
       : image_(image),
         rates_(rates),
         places_(image),
         analysis_(image),
-        regions_(analysis_, places_) {}
+        regions_(analysis_, places_) {
+    take_model(machine);
+  }
 
   /// nullopt: the image has no program with a map.
   std::optional<BoundReport> make(const std::string& path, Diagnostics& diagnostics) {
@@ -103,6 +112,7 @@ class Report {
     add_parts();
     add_slots();
     add_nodes(*map);
+    add_interrupts(machine_);
     add_missing();
     add_functions();
     return std::move(report_);
@@ -119,13 +129,47 @@ class Report {
     }
   }
 
+  void take_model(const Machine* machine) {
+    machine_ = machine;
+    if (machine == nullptr) {
+      report_.why_no_time = "the board of this image is not known";
+      return;
+    }
+    const auto core = bound::core_of(machine->cpu);
+    if (!core || machine->clock_hz == 0) {
+      report_.why_no_time = core ? fmt::format("the clock of `{}` is not known", machine->board)
+                                 : fmt::format("no cycles are known of a core `{}`", machine->cpu);
+      return;
+    }
+    cycles_.emplace(image_, *core, machine->wait_states.value_or(0));
+    timed_.emplace(analysis_, places_, *cycles_);
+    report_.time = {machine->board, machine->cpu, machine->clock_hz, machine->wait_states, {}};
+  }
+
+  /// `most` of the regions, in instructions and in cycles.
+  struct Both {
+    bound::Regions::Most instructions, cycles;
+    void add(const Both& other) {
+      instructions.most += other.instructions.most;
+      instructions.obstacles.insert(other.instructions.obstacles.begin(),
+                                    other.instructions.obstacles.end());
+      cycles.most += other.cycles.most;
+    }
+  };
+  template <class Find>
+  Both both(Find&& find) {
+    Both result{find(regions_), {}};
+    if (timed_) result.cycles = find(*timed_);
+    return result;
+  }
+
   std::vector<Region> named(const std::string& name) {
     return regions_.find([&](const std::string& mangled) { return names_.at(mangled) == name; });
   }
 
-  InstructionBound row(const std::string& name, const bound::Regions::Most& most) {
-    for (const Obstacle& obstacle : most.obstacles) obstacles_[obstacle].insert(name);
-    return {name, most.instructions, most.obstacles.empty()};
+  InstructionBound row(const std::string& name, const Both& most) {
+    for (const Obstacle& obstacle : most.instructions.obstacles) obstacles_[obstacle].insert(name);
+    return {name, most.instructions.most, most.cycles.most, most.instructions.obstacles.empty()};
   }
 
   void add_parts() {
@@ -133,11 +177,26 @@ class Report {
       for (const char* function : part.functions) {
         const auto regions = named(function);
         if (regions.empty()) continue;
-        report_.parts.push_back(row(part.name, regions_.most(regions)));
+        report_.parts.push_back(
+            row(part.name, both([&](bound::Regions& in) { return in.most(regions); })));
+        add_without_huge_angles(part.name, regions);
         if (part.name == std::string_view("step")) step_ = regions;
         break;
       }
     }
+  }
+
+  /// The same part without huge angles, where it reduces some: a bound under a condition.
+  void add_without_huge_angles(const std::string& name, const std::vector<Region>& regions) {
+    std::set<bound::Address> functions;
+    for (const auto& [at, mangled] : image_.functions()) {
+      if (std::ranges::find(kOfHugeAngles, function_name(mangled)) != kOfHugeAngles.end())
+        functions.insert(at);
+    }
+    const auto most =
+        both([&](bound::Regions& in) { return in.most_without_calls(regions, functions); });
+    if (most.instructions.most == report_.parts.back().most) return;
+    report_.parts.push_back(row(fmt::format("{}, {}", name, kWithoutHugeAngles), most));
   }
 
   std::string slot_name(std::optional<std::uint64_t> due) const {
@@ -161,29 +220,29 @@ class Report {
     }
     std::vector<Region> all;
     for (const auto& [due, of_slot] : functions) {
-      bound::Regions::Most sum;
+      Both sum;
       for (const std::string_view half : kHalves) {
         const auto regions = regions_.find([&, &of_slot = of_slot](const std::string& mangled) {
           return names_.at(mangled) == half && std::ranges::find(of_slot, mangled) != of_slot.end();
         });
-        const auto most = regions_.most(regions);
-        sum.instructions += most.instructions;
-        sum.obstacles.insert(most.obstacles.begin(), most.obstacles.end());
+        sum.add(both([&](bound::Regions& in) { return in.most(regions); }));
         all.insert(all.end(), regions.begin(), regions.end());
       }
-      report_.slots.push_back(row(slot_name(due), sum));
+      report_.slots.push_back({row(slot_name(due), sum), due});
     }
     if (!step_.empty() && !all.empty())
-      report_.parts.push_back(row("schedule", regions_.most_without(step_, all)));
+      report_.parts.push_back(
+          row("schedule", both([&](bound::Regions& in) { return in.most_without(step_, all); })));
   }
 
   void add_nodes(const ProgramMap& map) {
     for (const auto& [node, type] : map.type_of_node) {
-      const auto most = regions_.most(step_, [&, &node = node](bound::Address at) {
+      const auto is_of_node = [&, &node = node](bound::Address at) {
         const std::string* owner = places_.node(at, map);
         return owner != nullptr && *owner == node;
-      });
-      if (most.instructions > 0) report_.nodes.push_back(row(node, most));
+      };
+      const Both most = both([&](bound::Regions& in) { return in.most(step_, is_of_node); });
+      if (most.instructions.most > 0) report_.nodes.push_back(row(node, most));
     }
   }
 
@@ -220,36 +279,51 @@ class Report {
     }
   }
 
+  /// Handlers that the board's manifest gives a rate. One without a bound is an error like that of
+  /// a part.
+  void add_interrupts(const Machine* machine) {
+    if (!report_.time) return;
+    for (const Machine::Interrupt& interrupt : machine->interrupts) {
+      const auto found = image_.addresses().find(interrupt.handler);
+      if (found == image_.addresses().end()) continue;
+      bound::LongestPath path(bound::Weight::all(*cycles_));
+      const bound::Analysed& handler = analysis_.of(found->second);
+      const std::uint64_t most = path.of(handler);
+      for (const Obstacle& obstacle : path.obstacles())
+        obstacles_[obstacle].insert(interrupt.handler);
+      report_.time->interrupts.push_back(
+          {interrupt.handler, cycles_->exception(most, uses_floats(handler)), interrupt.most_hz});
+    }
+  }
+
+  static bool uses_floats(const bound::Analysed& function) {
+    const auto is_float = [](const bound::Instruction* i) { return i->name.starts_with("v"); };
+    for (const bound::Block& block : function.flow->blocks) {
+      if (std::ranges::any_of(block.code, is_float)) return true;
+    }
+    return std::ranges::any_of(function.calls,
+                               [](const auto& call) { return uses_floats(*call.second); });
+  }
+
   const bound::Image& image_;
   const std::vector<std::string>& rates_;
+  const Machine* machine_ = nullptr;
   bound::Places places_;
   bound::Analysis analysis_;
   bound::Regions regions_;
+  std::optional<bound::Cycles> cycles_;
+  std::optional<bound::Regions> timed_;  // by cycles
   std::map<std::string, std::string> names_;
   std::vector<Region> step_;
   std::map<Obstacle, std::set<std::string>> obstacles_;
   BoundReport report_;
 };
 
-void add_rows(std::string& text, const char* title, const std::vector<InstructionBound>& rows) {
-  if (rows.empty()) return;
-  text += fmt::format("{}\n", title);
-  for (const InstructionBound& row : rows)
-    text += fmt::format("  {:<28} {:>10}{}\n", row.name, row.most, row.is_bound ? "" : " and more");
-}
-
-Json rows_json(const std::vector<InstructionBound>& rows) {
-  Json json = Json::list();
-  for (const InstructionBound& row : rows)
-    json.push_back(Json{{"name", row.name}, {"most", row.most}, {"bound", row.is_bound}});
-  return json;
-}
-
 }  // namespace
 
 std::optional<BoundReport> bound_instructions(const std::string& image,
                                               const std::vector<std::string>& rates,
-                                              Diagnostics& diagnostics) {
+                                              const Machine* machine, Diagnostics& diagnostics) {
   const auto prefix = tool_prefix(image);
   if (!prefix || *prefix != "arm-none-eabi-") {
     diagnostics
@@ -266,7 +340,7 @@ std::optional<BoundReport> bound_instructions(const std::string& image,
         .help = "install the board's compiler: toolchains/install-packages boards";
     return std::nullopt;
   }
-  auto report = Report(*read, rates).make(image, diagnostics);
+  auto report = Report(*read, rates, machine).make(image, diagnostics);
   if (!report) return std::nullopt;
   for (const NoBound& missing : report->missing) {
     std::vector<std::string> of;
@@ -279,31 +353,6 @@ std::optional<BoundReport> bound_instructions(const std::string& image,
         .help = missing.help;
   }
   return report;
-}
-
-std::string bound_text(const BoundReport& report) {
-  std::string text = "instructions at most, from the image alone\n";
-  add_rows(text, "parts of a step", report.parts);
-  add_rows(text, "slots, without the schedule", report.slots);
-  add_rows(text, "nodes, in a step", report.nodes);
-  return text;
-}
-
-Json bound_json(const BoundReport& report) {
-  Json json;
-  json["parts"] = rows_json(report.parts);
-  json["slots"] = rows_json(report.slots);
-  json["nodes"] = rows_json(report.nodes);
-  Json functions = Json::list();
-  for (const FunctionBound& one : report.functions)
-    functions.push_back(Json{{"name", one.name}, {"address", one.address}, {"most", one.most}});
-  json["functions"] = std::move(functions);
-  Json missing = Json::list();
-  for (const NoBound& one : report.missing)
-    missing.push_back(
-        Json{{"what", one.what}, {"place", one.place}, {"function", one.function}, {"of", one.of}});
-  json["missing"] = std::move(missing);
-  return json;
 }
 
 }  // namespace eagerx::gen

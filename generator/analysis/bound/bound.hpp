@@ -1,11 +1,14 @@
-// The largest number of instructions that each part of a program can take, from its image alone.
+// The largest number of instructions, and of cycles, that each part of a program can take, from its
+// image alone.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "generator/analysis/bound/machine.hpp"
 #include "generator/support/diagnostics/diagnostics.hpp"
 #include "generator/support/json/json.hpp"
 
@@ -23,7 +26,32 @@ struct NoBound {
 struct InstructionBound {
   std::string name;
   std::uint64_t most = 0;
-  bool is_bound = true;  // false: `most` leaves out what NoBound names
+  std::uint64_t cycles = 0;  // only with BoundReport::time
+  bool is_bound = true;      // false: `most` leaves out what NoBound names
+};
+
+/// Of a kind of slot.
+struct SlotBound : InstructionBound {
+  std::optional<std::uint64_t> due;  // its rates, as bits; nullopt: any
+};
+
+/// An interrupt of the board.
+struct InterruptBound {
+  std::string handler;
+  std::uint64_t cycles = 0;  // with entry and return
+  double most_hz = 0;
+};
+
+/// What cycles are counted for.
+struct TimeModel {
+  std::string board, cpu;
+  std::uint64_t clock_hz = 0;
+  std::optional<unsigned> wait_states;
+  std::vector<InterruptBound> interrupts;
+
+  /// The longest time of work of this many cycles, with the interrupts that may come meanwhile;
+  /// infinite where these take all of the time.
+  [[nodiscard]] double seconds(std::uint64_t cycles) const;
 };
 
 /// A function of the image, whatever its arguments are.
@@ -34,17 +62,23 @@ struct FunctionBound {
 
 struct BoundReport {
   std::vector<InstructionBound> parts;   // step, reset, guard, policy: those that the image has
-  std::vector<InstructionBound> slots;   // each kind of slot, by the rates that are due
+  std::vector<SlotBound> slots;          // each kind of slot, by the rates that are due
   std::vector<InstructionBound> nodes;   // in a step
   std::vector<FunctionBound> functions;  // that have a bound; for comparisons with what is executed
   std::vector<NoBound> missing;
+  std::optional<TimeModel> time;
+  std::string why_no_time;  // "no cycles are known of a Cortex-M7"; empty: there are some
+
+  /// nullptr: the image has no such part.
+  [[nodiscard]] const InstructionBound* part(std::string_view name) const;
 };
 
 /// `rates`: names of the graph's rates in the order of the bits of its slots; empty: bits are
-/// printed. Problems: E0911 for an image that cannot be analysed, E0427 for what has no bound.
+/// printed. `machine`: the board, for cycles; nullptr: not known. Problems: E0911 for an image that
+/// cannot be analysed, E0427 for what has no bound.
 std::optional<BoundReport> bound_instructions(const std::string& image,
                                               const std::vector<std::string>& rates,
-                                              Diagnostics& diagnostics);
+                                              const Machine* machine, Diagnostics& diagnostics);
 
 std::string bound_text(const BoundReport& report);
 Json bound_json(const BoundReport& report);

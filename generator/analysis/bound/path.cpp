@@ -17,9 +17,11 @@ bool can_return(const Analysed& function) {
 
 }  // namespace
 
-Weight Weight::all() {
+Weight Weight::all(const Cost& cost) {
   return {[](const Instruction&, bool) { return true; },
-          [](const Instruction&, bool) { return Callee::by_weight; }};
+          [](const Instruction&, bool) { return Callee::by_weight; },
+          {},
+          &cost};
 }
 
 std::uint64_t LongestPath::of(const Analysed& function) {
@@ -46,7 +48,7 @@ std::uint64_t LongestPath::call(const Analysed& function, const Instruction& ins
   if (counts == Weight::Callee::nothing) return 0;
   if (counts == Weight::Callee::by_weight) return length(*callee->second);
   if (const auto found = whole_.find(callee->second); found != whole_.end()) return found->second;
-  LongestPath whole(Weight::all());
+  LongestPath whole(Weight::all(*weight_.cost));
   const std::uint64_t result = whole.of(*callee->second);
   obstacles_.insert(whole.obstacles_.begin(), whole.obstacles_.end());
   return whole_[callee->second] = result;
@@ -54,11 +56,28 @@ std::uint64_t LongestPath::call(const Analysed& function, const Instruction& ins
 
 std::uint64_t LongestPath::block(const Analysed& function, BlockIndex b) {
   std::uint64_t sum = 0;
+  const Instruction* before = nullptr;
   for (const Instruction* instruction : function.flow->blocks[b].code) {
-    sum += weight_.counts(*instruction, &function == first_) ? 1 : 0;
-    if (turn_of(*instruction) == Turn::call) sum += call(function, *instruction);
+    if (weight_.counts(*instruction, &function == first_))
+      sum += weight_.cost->of(*instruction, before);
+    before = instruction;
+    if (turn_of(*instruction) != Turn::call) continue;
+    sum += call(function, *instruction);
+    before = nullptr;  // the callee was fetched meanwhile
   }
   return sum;
+}
+
+/// What the jump at a block's end takes on the way to `next`.
+std::uint64_t LongestPath::jump(const Analysed& function, BlockIndex b, BlockIndex next) const {
+  const Block& from = function.flow->blocks[b];
+  const Block& to = function.flow->blocks[next];
+  if (from.code.empty() || to.code.empty()) return 0;
+  const Instruction& last = *from.code.back();
+  const Address target = to.code.front()->at;
+  const bool falls = target == last.next && last.target != target;
+  if (falls || !weight_.counts(last, &function == first_)) return 0;
+  return weight_.cost->taken(last);
 }
 
 void LongestPath::leave(const Analysed& function, LoopIndex loop, Edge edge, std::uint64_t length,
@@ -96,7 +115,7 @@ LongestPath::Part LongestPath::part(const Analysed& function, LoopIndex loop) {
     if (flow.blocks[b].returns) result.returns = std::max(result.returns, before + own);
     for (const BlockIndex next : flow.blocks[b].next) {
       if (function.possible.contains({b, next}))
-        leave(function, loop, {b, next}, before + own, result, open);
+        leave(function, loop, {b, next}, before + own + jump(function, b, next), result, open);
     }
   }
   return result;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "generator/analysis/bound/analysis.hpp"
+#include "generator/analysis/bound/cost.hpp"
 
 namespace eagerx::gen::bound {
 
@@ -19,8 +20,9 @@ struct Weight {
   std::function<Callee(const Instruction& call, bool is_first)> callee;
   /// Loops of that function that count once: what is asked for is within a turn.
   std::set<LoopIndex> once = {};
+  const Cost* cost = &instruction_cost();  // of what counts
 
-  static Weight all();
+  static Weight all(const Cost& cost = instruction_cost());
 };
 
 /// The longest path by weight; its loops must have bounds only where something in them weighs.
@@ -44,6 +46,7 @@ class LongestPath {
   std::uint64_t length(const Analysed& function);
   Part part(const Analysed& function, LoopIndex loop);
   std::uint64_t block(const Analysed& function, BlockIndex b);
+  [[nodiscard]] std::uint64_t jump(const Analysed& function, BlockIndex b, BlockIndex next) const;
   void leave(const Analysed& function, LoopIndex loop, Edge edge, std::uint64_t length, Part& part,
              std::map<BlockIndex, std::uint64_t>& open);
   Part turned(const Analysed& function, LoopIndex loop);

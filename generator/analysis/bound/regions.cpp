@@ -55,9 +55,10 @@ std::vector<Region> Regions::find(const IsNamed& is_named) const {
 Regions::Most Regions::longest(const Region& region, Weight weight) {
   const Analysed& function = analysis_.of(region.function);
   if (!region.code.empty()) weight.once = loops_around(*function.flow, region.code);
+  weight.cost = &cost_;
   LongestPath path(std::move(weight));
-  const std::uint64_t instructions = path.of(function);
-  return {instructions, path.obstacles()};
+  const std::uint64_t most = path.of(function);
+  return {most, path.obstacles()};
 }
 
 Regions::Most Regions::most(const std::vector<Region>& regions,
@@ -76,7 +77,27 @@ Regions::Most Regions::most(const std::vector<Region>& regions,
       return counts && counts(call.at) ? Weight::Callee::whole : Weight::Callee::by_weight;
     };
     const Most one = longest(region, std::move(weight));
-    result.instructions = std::max(result.instructions, one.instructions);
+    result.most = std::max(result.most, one.most);
+    result.obstacles.insert(one.obstacles.begin(), one.obstacles.end());
+  }
+  return result;
+}
+
+Regions::Most Regions::most_without_calls(const std::vector<Region>& regions,
+                                          const std::set<Address>& functions) {
+  Most result;
+  for (const Region& region : regions) {
+    const auto is_in = [&region](const Instruction& i, bool is_first) {
+      return !is_first || region.code.empty() || region.code.contains(i.at);
+    };
+    Weight weight;
+    weight.counts = is_in;
+    weight.callee = [&](const Instruction& call, bool is_first) {
+      const bool is_left_out = !is_in(call, is_first) || functions.contains(call.target);
+      return is_left_out ? Weight::Callee::nothing : Weight::Callee::by_weight;
+    };
+    const Most one = longest(region, std::move(weight));
+    result.most = std::max(result.most, one.most);
     result.obstacles.insert(one.obstacles.begin(), one.obstacles.end());
   }
   return result;
@@ -102,7 +123,7 @@ Regions::Most Regions::most_without(const std::vector<Region>& regions,
       return Weight::Callee::by_weight;
     };
     const Most one = longest(region, std::move(weight));
-    result.instructions = std::max(result.instructions, one.instructions);
+    result.most = std::max(result.most, one.most);
     result.obstacles.insert(one.obstacles.begin(), one.obstacles.end());
   }
   return result;

@@ -23,16 +23,19 @@ using IsNamed = std::function<bool(const std::string& mangled)>;
 
 class Regions {
  public:
-  Regions(Analysis& analysis, const Places& places) : analysis_(analysis), places_(places) {}
+  Regions(Analysis& analysis, const Places& places, const Cost& cost = instruction_cost())
+      : analysis_(analysis), places_(places), cost_(cost) {}
 
   [[nodiscard]] std::vector<Region> find(const IsNamed& is_named) const;
   /// The most that one of the regions takes, of instructions for which `counts` says so; the other
   /// ones count only what they call. Empty: all count.
   struct Most {
-    std::uint64_t instructions = 0;
+    std::uint64_t most = 0;
     std::set<Obstacle> obstacles;
   };
   Most most(const std::vector<Region>& regions, const std::function<bool(Address)>& counts = {});
+  /// The same, all counted, without calls of these functions.
+  Most most_without_calls(const std::vector<Region>& regions, const std::set<Address>& functions);
   /// The same without what is in `others`.
   Most most_without(const std::vector<Region>& regions, const std::vector<Region>& others);
 
@@ -41,6 +44,7 @@ class Regions {
 
   Analysis& analysis_;
   const Places& places_;
+  const Cost& cost_;
 };
 
 }  // namespace eagerx::gen::bound

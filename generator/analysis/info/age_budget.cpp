@@ -4,7 +4,6 @@
 #include <map>
 
 #include "generator/analysis/info/info.hpp"
-#include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/diagnostics/search.hpp"
@@ -39,14 +38,9 @@ class AgeBudget {
   AgeBudget(const Plan& plan, Diagnostics& diagnostics)
       : plan_(plan), graph_(*plan.graph), diagnostics_(diagnostics) {}
 
-  std::vector<AgeComparison> run(const YamlValue& written) {
+  std::vector<AgeComparison> run(const std::vector<AgeBudgetSpec>& written) {
     std::vector<Entry> entries;
-    if (written.is_scalar()) {
-      const auto at_most = Rational::parse(written.text);
-      if (!at_most) return {};  // said when the graph was read
-      entries.push_back({{"", "", usual_ends(graph_), *at_most, written.span}, written.span});
-    }
-    for (const YamlValue& item : written.items) {
+    for (const AgeBudgetSpec& item : written) {
       if (auto entry = read(item)) entries.push_back(std::move(*entry));
     }
     std::vector<AgeComparison> result;
@@ -79,52 +73,46 @@ class AgeBudget {
     });
   }
 
-  std::optional<Entry> read(const YamlValue& item) {
+  std::optional<Entry> read(const AgeBudgetSpec& item) {
     Entry entry;
     AgeLimit& limit = entry.limit;
-    const YamlValue* at_most = item.find("at_most");
-    const auto time = at_most != nullptr ? Rational::parse(at_most->text) : std::nullopt;
-    if (!time) return std::nullopt;
-    limit.at_most_s = *time;
-    limit.span = entry.name = at_most->span;
+    limit.at_most_s = item.at_most_s.value;
+    limit.span = entry.name = item.at_most_s.span;
     limit.ends = usual_ends(graph_);
-    const YamlValue *from = item.find("from"), *to = item.find("to");
     bool good = true;
-    if (to != nullptr) {
-      limit.to = to->text;
-      limit.ends.to_observations = to->text.starts_with("observations.");
-      entry.name = to->span;
-      good = check_end(*to, false, limit.ends.to_observations);
+    if (item.to) {
+      limit.to = item.to->value;
+      limit.ends.to_observations = limit.to.starts_with("observations.");
+      entry.name = item.to->span;
+      good = check_end(*item.to, false, limit.ends.to_observations);
     }
-    if (from != nullptr) {
-      limit.from = from->text;
-      limit.ends.from_actions = from->text.starts_with("actions.");
-      entry.name = from->span;
-      good = check_end(*from, true, limit.ends.from_actions) && good;
+    if (item.from) {
+      limit.from = item.from->value;
+      limit.ends.from_actions = limit.from.starts_with("actions.");
+      entry.name = item.from->span;
+      good = check_end(*item.from, true, limit.ends.from_actions) && good;
     }
-    const YamlValue* agent = item.find("agent");
-    limit.ends.through_agent =
-        !limit.ends.from_actions && (agent == nullptr || parse_bool(agent->text).value_or(true));
-    if (good && agent != nullptr && limit.ends.from_actions) {
-      diagnostics_.error("E0208", agent->span, "`agent` does nothing for data of an action").help =
-          "leave it out: their ways never lead through the agent";
+    limit.ends.through_agent = !limit.ends.from_actions && (!item.agent || item.agent->value);
+    if (good && item.agent && limit.ends.from_actions) {
+      diagnostics_.error("E0208", item.agent->span, "`agent` does nothing for data of an action")
+          .help = "leave it out: their ways never lead through the agent";
       good = false;
     }
     return good ? std::optional(std::move(entry)) : std::nullopt;
   }
 
   /// `environment`: an action, or an observation.
-  bool check_end(const YamlValue& end, bool source, bool environment) {
+  bool check_end(const Spanned<std::string>& end, bool source, bool environment) {
     const auto known =
         source ? names_of_sources(graph_, environment) : names_of_destinations(graph_, environment);
-    if (contains(known, end.text)) return true;
+    if (contains(known, end.value)) return true;
     auto& problem = diagnostics_.error(
         "E0424", end.span,
         fmt::format("there is no {} `{}`", source ? "sensor or action" : "actuator or observation",
-                    end.text));
+                    end.value));
     const auto all = all_ends(source);
-    const std::string near = nearest(end.text, all);
-    if (contains(all_ends(!source), end.text)) {
+    const std::string near = nearest(end.value, all);
+    if (contains(all_ends(!source), end.value)) {
       problem.help =
           source ? "data arrive there: write it as `to:`" : "data begin there: write it as `from:`";
     } else if (!near.empty()) {
@@ -199,11 +187,9 @@ std::string nodes_on_way(const DataAge& age) {
   return text;
 }
 
-std::vector<AgeComparison> compare_ages(const Plan& plan, const YamlValue& budget,
+std::vector<AgeComparison> compare_ages(const Plan& plan, const std::vector<AgeBudgetSpec>& ages,
                                         Diagnostics& diagnostics) {
-  const YamlValue* written = budget.find("age");
-  if (written == nullptr) return {};
-  return AgeBudget(plan, diagnostics).run(*written);
+  return AgeBudget(plan, diagnostics).run(ages);
 }
 
 }  // namespace eagerx::gen

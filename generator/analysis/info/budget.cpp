@@ -33,14 +33,13 @@ void check_ages(const AgeComparison& compared, Diagnostics& diagnostics) {
   }
 }
 
-void check_link(const PlanInfo& report, const YamlValue& entry, Diagnostics& diagnostics) {
-  const auto limit = Rational::parse(entry.text);
-  if (!limit || report.link.baud() <= *limit) return;
-  auto& problem =
-      diagnostics.error("E0420", entry.span,
-                        fmt::format("a link to the engine needs {} baud, {} over its budget of {}",
-                                    report.link.baud().ceil(), (report.link.baud() - *limit).ceil(),
-                                    limit->to_string()));
+void check_link(const PlanInfo& report, const Spanned<Rational>& limit, Diagnostics& diagnostics) {
+  const Rational baud = report.link.baud();
+  if (baud <= limit.value) return;
+  auto& problem = diagnostics.error(
+      "E0420", limit.span,
+      fmt::format("a link to the engine needs {} baud, {} over its budget of {}", baud.ceil(),
+                  (baud - limit.value).ceil(), limit.value.to_string()));
   const bool to_engine = report.link.sensors.baud < report.link.actuators.baud;
   const LinkMessage* most = nullptr;
   for (const auto& message : report.link.messages) {
@@ -52,35 +51,32 @@ void check_link(const PlanInfo& report, const YamlValue& entry, Diagnostics& dia
        fmt::format("{} bytes at {} Hz", most->bytes, most->rate_hz.to_string())});
 }
 
-void check_telemetry(const Plan& plan, const YamlValue& entry, Diagnostics& diagnostics) {
-  const auto limit = Rational::parse(entry.text);
-  if (!limit || !plan.telemetry) return;
-  const double needed = plan.telemetry->baud_needed();
-  if (needed <= limit->to_double()) return;
+void check_telemetry(const Plan& plan, const Spanned<Rational>& limit, Diagnostics& diagnostics) {
+  if (!plan.telemetry) return;
+  const double needed = plan.telemetry->baud_needed(), allowed = limit.value.to_double();
+  if (needed <= allowed) return;
   auto& problem = diagnostics.error(
-      "E0420", entry.span,
+      "E0420", limit.span,
       fmt::format("telemetry takes {:.0f} baud, {:.0f} over its budget of {}", std::ceil(needed),
-                  std::ceil(needed - limit->to_double()), limit->to_string()));
+                  std::ceil(needed - allowed), limit.value.to_string()));
   problem.notes.push_back({"its channels and its share", plan.graph->telemetry->span, ""});
 }
 
 }  // namespace
 
-PlanInfo info_of(const Plan& plan, const std::optional<YamlValue>& budget,
+PlanInfo info_of(const Plan& plan, const std::optional<BudgetSpec>& budget,
                  Diagnostics& diagnostics) {
   const DataAges ages(plan, usual_ends(*plan.graph));
   PlanInfo report{&plan, ages.known(), ages.unknown(), {}, link_of(plan)};
-  if (budget) report.compared = compare_ages(plan, *budget, diagnostics);
+  if (budget && budget->ages) report.compared = compare_ages(plan, *budget->ages, diagnostics);
   return report;
 }
 
-void check_plan_budget(const PlanInfo& report, const YamlValue& budget, Diagnostics& diagnostics) {
+void check_plan_budget(const PlanInfo& report, const BudgetSpec& budget, Diagnostics& diagnostics) {
   for (const AgeComparison& compared : report.compared) check_ages(compared, diagnostics);
-  if (const YamlValue* entry = budget.find("link")) check_link(report, *entry, diagnostics);
-  if (const YamlValue* entry = budget.find("parts"))
-    check_parts_budget(*report.plan, *entry, diagnostics);
-  if (const YamlValue* entry = budget.find("telemetry"))
-    check_telemetry(*report.plan, *entry, diagnostics);
+  if (budget.link) check_link(report, *budget.link, diagnostics);
+  if (budget.parts) check_parts_budget(*report.plan, *budget.parts, diagnostics);
+  if (budget.telemetry) check_telemetry(*report.plan, *budget.telemetry, diagnostics);
 }
 
 }  // namespace eagerx::gen

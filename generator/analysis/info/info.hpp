@@ -35,10 +35,10 @@ struct PlanInfo {
 /// `budget` of the graph, if it has one. Problems with its `age`: E0208 a key that does nothing,
 /// E0424 a name that is none, E0425 a pair that no data go between, W0120 an entry that limits
 /// nothing.
-PlanInfo info_of(const Plan& plan, const std::optional<YamlValue>& budget,
+PlanInfo info_of(const Plan& plan, const std::optional<BudgetSpec>& budget,
                  Diagnostics& diagnostics);
 /// The comparisons of it.
-std::vector<AgeComparison> compare_ages(const Plan& plan, const YamlValue& budget,
+std::vector<AgeComparison> compare_ages(const Plan& plan, const std::vector<AgeBudgetSpec>& ages,
                                         Diagnostics& diagnostics);
 /// Through which nodes: "position, speed" or "agent, smooth"; empty if there is none between.
 std::string nodes_on_way(const DataAge& age);
@@ -52,7 +52,7 @@ Json telemetry_json(const Plan& plan);
 std::string timing_text(const PlanInfo& report);
 /// The traffic on the links of a graph with parts, next to the key `parts` of its `budget:`; empty
 /// without parts.
-std::string parts_text(const Plan& plan, const std::optional<YamlValue>& budget);
+std::string parts_text(const Plan& plan, const std::optional<BudgetSpec>& budget);
 /// "1 exchange, 34 bytes with their frames", of a step.
 std::string load_of_part(const Plan& plan, std::size_t part);
 Json parts_json(const Plan& plan);
@@ -60,7 +60,7 @@ Json parts_json(const Plan& plan);
 double bytes_on_line(const PartLink& link);
 double baud_of(const Plan& plan, const PartLink& link);
 /// The key `parts` of `budget:`, for each link. Exceeded: E0420.
-void check_parts_budget(const Plan& plan, const YamlValue& entry, Diagnostics& diagnostics);
+void check_parts_budget(const Plan& plan, const Spanned<Rational>& limit, Diagnostics& diagnostics);
 /// Whether target environments steps environments of the graph vectorized.
 std::string vectorized_text(const Plan& plan);
 /// The graph's task, its inputs and results; empty without one.
@@ -73,6 +73,6 @@ Json info_json(const PlanInfo& report);
 
 /// The keys `age`, `link` and `telemetry` of a graph's `budget:`. Exceeded: E0420, with the
 /// connection that adds the most.
-void check_plan_budget(const PlanInfo& report, const YamlValue& budget, Diagnostics& diagnostics);
+void check_plan_budget(const PlanInfo& report, const BudgetSpec& budget, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -8,8 +8,8 @@ namespace {
 
 Json json_of(const std::vector<AgeHop>& way) {
   Json json = Json::list();
-  for (const auto& hop : way)
-    json.push_back(Json{{"input", hop.input}, {"newest", time_json(hop.newest_s)}});
+  for (const auto& edge : way)
+    json.push_back(Json{{"input", edge.input}, {"newest", time_json(edge.newest_s)}});
   return json;
 }
 

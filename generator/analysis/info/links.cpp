@@ -59,7 +59,8 @@ std::string row(const char* what, const std::string& value) {
 }
 
 /// The time that the messages of a step need, which one program does not.
-std::string time_rows(const Plan& plan, const PartLink& link, const YamlValue* limit) {
+std::string time_rows(const Plan& plan, const PartLink& link,
+                      const std::optional<Spanned<Rational>>& limit) {
   const double baud = baud_of(plan, link);
   const double ms = 1e3 * static_cast<double>(kBitsOfByte) * bytes_on_line(link) / kUsualBaud;
   std::string text =
@@ -69,13 +70,14 @@ std::string time_rows(const Plan& plan, const PartLink& link, const YamlValue* l
       row("added age", fmt::format("none in lockstep, where a step waits; in real time over such a "
                                    "line {:.3g} of the {:.4g} ms of a step",
                                    ms, 1e3 / steps_per_s(plan)));
-  if (limit != nullptr)
-    text += row("budget",
-                fmt::format("{} baud, of which it needs {:.0f}", limit->text, std::ceil(baud)));
+  if (limit)
+    text += row("budget", fmt::format("{} baud, of which it needs {:.0f}", limit->value.to_string(),
+                                      std::ceil(baud)));
   return text;
 }
 
-std::string part_text(const Plan& plan, std::size_t part, const YamlValue* limit) {
+std::string part_text(const Plan& plan, std::size_t part,
+                      const std::optional<Spanned<Rational>>& limit) {
   const PartLink& link = plan.split->links[part];
   const PlacedPart& placed = plan.graph->placement->parts[part];
   const std::string machine = !placed.host.empty()            ? " on " + placed.host
@@ -104,9 +106,9 @@ std::string load_of_part(const Plan& plan, std::size_t part) {
                      link.exchanges == 1.0 ? "" : "s", bytes_on_line(link));
 }
 
-std::string parts_text(const Plan& plan, const std::optional<YamlValue>& budget) {
+std::string parts_text(const Plan& plan, const std::optional<BudgetSpec>& budget) {
   if (!plan.split) return {};
-  const YamlValue* limit = budget ? budget->find("parts") : nullptr;
+  const auto limit = budget ? budget->parts : std::nullopt;
   std::string text = "\nparts: programs of their own, each with a link to the hub, `host`\n";
   double exchanges = 0.0, bytes = 0.0;
   const auto& links = plan.split->links;
@@ -141,21 +143,22 @@ Json parts_json(const Plan& plan) {
   return parts;
 }
 
-void check_parts_budget(const Plan& plan, const YamlValue& entry, Diagnostics& diagnostics) {
-  const auto limit = Rational::parse(entry.text);
-  if (!limit || !plan.split) return;
+void check_parts_budget(const Plan& plan, const Spanned<Rational>& limit,
+                        Diagnostics& diagnostics) {
+  if (!plan.split) return;
+  const double allowed = limit.value.to_double();
   for (std::size_t part = 0; part < plan.split->links.size(); ++part) {
     const PartLink& link = plan.split->links[part];
     const PlacedPart& placed = plan.graph->placement->parts[part];
     const double baud = baud_of(plan, link);
-    if (link.exchanges > 0.0 && baud <= limit->to_double()) continue;
+    if (link.exchanges > 0.0 && baud <= allowed) continue;
     auto& problem = diagnostics.error(
-        "E0420", entry.span,
+        "E0420", limit.span,
         link.exchanges == 0.0
             ? fmt::format("how much goes over the link to part `{}` is not known", placed.name)
             : fmt::format("the link to part `{}` needs {:.0f} baud, {:.0f} over its budget of {}",
-                          placed.name, std::ceil(baud), std::ceil(baud - limit->to_double()),
-                          limit->to_string()));
+                          placed.name, std::ceil(baud), std::ceil(baud - allowed),
+                          limit.value.to_string()));
     problem.notes.push_back(
         {fmt::format("to it go {}; from it come {}", messages_text(plan, link.to_part),
                      messages_text(plan, link.to_hub)),

@@ -114,8 +114,8 @@ std::string timing_text(const PlanInfo& report) {
                         milliseconds(age.newest_s),
                         age.oldest_s ? milliseconds(*age.oldest_s) : "unknown",
                         age.exact ? "" : " (sums over connections)");
-    for (const auto& hop : age.way)
-      text += fmt::format("    -> {:<24} {}\n", hop.input, milliseconds(hop.newest_s));
+    for (const auto& edge : age.way)
+      text += fmt::format("    -> {:<24} {}\n", edge.input, milliseconds(edge.newest_s));
   }
   text += compared_text(report);
   if (report.link.messages.empty()) return text;

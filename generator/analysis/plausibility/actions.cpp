@@ -62,11 +62,11 @@ void check(const Output& action, const Input& input, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_actions(const Judged& judged, Diagnostics& diagnostics) {
-  for (const auto& node : judged.graph.nodes) {
+void check_actions(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  for (const auto& node : checked.graph.nodes) {
     for (const auto& input : node.inputs) {
       if (!input.actuator_space || input.source_node != Graph::kEnvironment) continue;
-      check(judged.graph.environment().outputs[input.source_output], input, diagnostics);
+      check(checked.graph.environment().outputs[input.source_output], input, diagnostics);
     }
   }
 }

@@ -29,22 +29,23 @@ bool is_converted(const GraphSpec& spec, const std::string& sensor) {
 }
 
 /// The port that sends; nullptr if the graph converts it, so that nothing is known of its unit.
-const PortManifest* sender(const Judged& judged, const Input& input) {
-  const GraphNode& node = judged.graph.nodes[input.source_node];
+const PortManifest* sender(const CheckedGraph& checked, const Input& input) {
+  const GraphNode& node = checked.graph.nodes[input.source_node];
   const Output& output = node.outputs[input.source_output];
   if (!input.sensor.empty()) {
-    return is_converted(judged.spec, input.sensor)
+    return is_converted(checked.spec, input.sensor)
                ? nullptr
-               : port_of_object(judged.graph, input.sensor, true);
+               : port_of_object(checked.graph, input.sensor, true);
   }
   const bool known = node.role == NodeRole::node && node.entity != nullptr && !output.processor;
   return known ? node.entity->output(output.name) : nullptr;
 }
 
-const PortManifest* receiver(const Judged& judged, const GraphNode& node, const Input& input) {
+const PortManifest* receiver(const CheckedGraph& checked, const GraphNode& node,
+                             const Input& input) {
   // An object's own processor is behind its actuator; `actuator_space` is not known behind others.
   if (input.actuator) {
-    return input.actuator_space ? port_of_object(judged.graph, input.written, false) : nullptr;
+    return input.actuator_space ? port_of_object(checked.graph, input.written, false) : nullptr;
   }
   // Behind a processor of the connection; one of the sensor gives what the sensor says.
   const bool converted = input.processor && input.processor->stages().size() > input.of_sensor;
@@ -71,12 +72,12 @@ void check(const Graph& graph, const Input& input, const PortManifest& from, con
 
 }  // namespace
 
-void check_units(const Judged& judged, Diagnostics& diagnostics) {
-  for (const auto& node : judged.graph.nodes) {
+void check_units(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  for (const auto& node : checked.graph.nodes) {
     for (const auto& input : node.inputs) {
-      const PortManifest* from = sender(judged, input);
-      const PortManifest* to = from != nullptr ? receiver(judged, node, input) : nullptr;
-      if (to != nullptr) check(judged.graph, input, *from, *to, diagnostics);
+      const PortManifest* from = sender(checked, input);
+      const PortManifest* to = from != nullptr ? receiver(checked, node, input) : nullptr;
+      if (to != nullptr) check(checked.graph, input, *from, *to, diagnostics);
     }
   }
 }

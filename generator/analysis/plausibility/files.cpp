@@ -8,13 +8,13 @@
 
 namespace eagerx::gen {
 
-void check_files(const Judged& judged, Diagnostics& diagnostics) {
+void check_files(const CheckedGraph& checked, Diagnostics& diagnostics) {
   namespace fs = std::filesystem;
-  const AgentSpec& agent = judged.spec.agent;
+  const AgentSpec& agent = checked.spec.agent;
   if (agent.kind != AgentSpec::Kind::csv) return;
   const std::string& name = agent.file.value;
   // The program looks for it where it is started: here, or most likely in the folder of the graph.
-  const fs::path next_to_graph = fs::path(judged.spec.path).parent_path() / name;
+  const fs::path next_to_graph = fs::path(checked.spec.path).parent_path() / name;
   std::error_code error;
   if (fs::exists(name, error) || fs::exists(next_to_graph, error)) return;
   const Help help = help_for_missing(next_to_graph.string(), name);

@@ -27,14 +27,14 @@ std::vector<QuantitySpec> written_delays(const ConnectionSettings& settings) {
 }
 
 /// A delay in seconds without a written unit that is many steps long.
-void check_delay(const Judged& judged, const ConnectionSettings& settings,
+void check_delay(const CheckedGraph& checked, const ConnectionSettings& settings,
                  Diagnostics& diagnostics) {
   constexpr std::int64_t kManySteps = 10;
   for (const QuantitySpec& delay : written_delays(settings)) {
     const Rational* delay_s = delay.number();
     if (delay.with_unit || delay_s == nullptr || *delay_s < Rational(1)) continue;
     const std::string seconds = delay_s->to_string();
-    const Rational steps = *delay_s * judged.graph.environment().rate_hz;
+    const Rational steps = *delay_s * checked.graph.environment().rate_hz;
     if (steps < Rational(kManySteps) || steps.overflowed()) continue;
     auto& problem = diagnostics.warning(
         "W0114", delay.span,
@@ -45,17 +45,17 @@ void check_delay(const Judged& judged, const ConnectionSettings& settings,
   }
 }
 
-void check_delays(const Judged& judged, Diagnostics& diagnostics) {
-  const GraphSpec& spec = judged.spec;
+void check_delays(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  const GraphSpec& spec = checked.spec;
   if (spec.simulate_delays && !spec.simulate_delays->value) return;
   const auto check_ports = [&](const Selection& ports) {
     if (!ports) return;
-    for (const ComponentSpec& port : *ports) check_delay(judged, port.settings, diagnostics);
+    for (const ComponentSpec& port : *ports) check_delay(checked, port.settings, diagnostics);
   };
   for (const EntitySpec& object : spec.objects) check_ports(object.sensors);
   for (const EntitySpec& node : spec.nodes) check_ports(node.inputs);
   for (const ConnectionSpec& each : spec.connections)
-    check_delay(judged, each.settings, diagnostics);
+    check_delay(checked, each.settings, diagnostics);
 }
 
 class Rates {
@@ -95,10 +95,10 @@ class Rates {
 
 }  // namespace
 
-void check_numbers(const Judged& judged, Diagnostics& diagnostics) {
-  check_delays(judged, diagnostics);
+void check_numbers(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  check_delays(checked, diagnostics);
   Rates rates(diagnostics);
-  const GraphSpec& spec = judged.spec;
+  const GraphSpec& spec = checked.spec;
   rates.check("the graph has a rate of", spec.rate.value, spec.rate.span);
   rates.check(spec.engine, "the engine steps at");
   for (const EntitySpec& node : spec.nodes)

@@ -13,11 +13,11 @@ void report_idle(Span span, std::string_view key, std::string_view why, Diagnost
       "leave it out";
 }
 
-void check_idle_keys(const Judged& judged, Diagnostics& diagnostics) {
-  if (!judged.spec.safety) return;
-  const SafetySpec& safety = *judged.spec.safety;
+void check_idle_keys(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  if (!checked.spec.safety) return;
+  const SafetySpec& safety = *checked.spec.safety;
   const Setting* const nodes = find_named(safety.settings, "nodes");
-  if (judged.spec.has_engine()) {
+  if (checked.spec.has_engine()) {
     constexpr const char* kAgent = "this graph has an engine, so its observations go to the agent";
     if (safety.outputs_span) report_idle(*safety.outputs_span, "outputs", kAgent, diagnostics);
     if (nodes != nullptr) report_idle(nodes->span, "nodes", kAgent, diagnostics);
@@ -25,7 +25,7 @@ void check_idle_keys(const Judged& judged, Diagnostics& diagnostics) {
       report_idle(frozen.span, "frozen." + frozen.name, kAgent, diagnostics);
     return;
   }
-  if (judged.graph.safety.outputs.empty()) {
+  if (checked.graph.safety.outputs.empty()) {
     constexpr const char* kNone = "this graph has no safe outputs";
     if (nodes != nullptr) report_idle(nodes->span, "nodes", kNone, diagnostics);
     for (const Setting& frozen : safety.frozen)
@@ -41,9 +41,9 @@ void check_idle_keys(const Judged& judged, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_outputs(const Judged& judged, Diagnostics& diagnostics) {
-  check_idle_keys(judged, diagnostics);
-  check_safe_outputs(judged.graph, diagnostics);
+void check_outputs(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  check_idle_keys(checked, diagnostics);
+  check_safe_outputs(checked.graph, diagnostics);
 }
 
 void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics) {

@@ -10,24 +10,24 @@
 
 namespace eagerx::gen {
 
-void check_plausibility(const Judged& judged, Diagnostics& diagnostics) {
-  check_actions(judged, diagnostics);
-  check_units(judged, diagnostics);
-  check_wiring(judged, diagnostics);
-  check_sensors(judged, diagnostics);
-  check_memory(judged, diagnostics);
-  check_keys(judged, diagnostics);
-  check_outputs(judged, diagnostics);
-  check_task(judged.graph, diagnostics);
-  check_numbers(judged, diagnostics);
-  check_steps(judged, diagnostics);
-  check_kept_states(judged, diagnostics);
-  check_files(judged, diagnostics);
+void check_plausibility(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  check_actions(checked, diagnostics);
+  check_units(checked, diagnostics);
+  check_wiring(checked, diagnostics);
+  check_sensors(checked, diagnostics);
+  check_memory(checked, diagnostics);
+  check_keys(checked, diagnostics);
+  check_outputs(checked, diagnostics);
+  check_task(checked.graph, diagnostics);
+  check_numbers(checked, diagnostics);
+  check_steps(checked, diagnostics);
+  check_kept_states(checked, diagnostics);
+  check_files(checked, diagnostics);
 }
 
-void check_keys(const Judged& judged, Diagnostics& diagnostics) {
-  const auto& timeout = judged.spec.reset_timeout_s;
-  if (!timeout || judged.graph.has_reset_nodes()) return;
+void check_keys(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  const auto& timeout = checked.spec.reset_timeout_s;
+  if (!timeout || checked.graph.has_reset_nodes()) return;
   diagnostics
       .warning("W0109", timeout->span,
                "`reset_timeout` does nothing: this graph has no reset nodes")

@@ -8,7 +8,7 @@
 namespace eagerx::gen {
 
 /// The subject of the checks: the graph as it was written, resolved and planned, for these targets.
-struct Judged {
+struct CheckedGraph {
   const GraphSpec& spec;
   const Graph& graph;
   const Plan& plan;
@@ -23,7 +23,7 @@ struct Judged {
 /// that continues from one episode to the next, W0114 a long delay without a unit, W0115 a rate
 /// that hardly anything has, W0118 a file of actions that does not exist; E0421 a budget for a node
 /// that does not exist, E0423 buffers that do not fit into the RAM.
-void check_plausibility(const Judged& judged, Diagnostics& diagnostics);
+void check_plausibility(const CheckedGraph& checked, Diagnostics& diagnostics);
 
 /// Leaves out the warnings whose codes are in `allow:`. W0108 where that does nothing; `complete`:
 /// whether all warnings of the graph are here, so that one that is missing is not given.
@@ -31,19 +31,19 @@ void allow_warnings(const std::vector<Spanned<std::string>>& allowed, bool compl
                     Diagnostics& diagnostics);
 
 // The parts of check_plausibility().
-void check_actions(const Judged& judged, Diagnostics& diagnostics);
-void check_units(const Judged& judged, Diagnostics& diagnostics);
-void check_wiring(const Judged& judged, Diagnostics& diagnostics);
-void check_sensors(const Judged& judged, Diagnostics& diagnostics);
-void check_memory(const Judged& judged, Diagnostics& diagnostics);
-void check_keys(const Judged& judged, Diagnostics& diagnostics);
-void check_outputs(const Judged& judged, Diagnostics& diagnostics);
+void check_actions(const CheckedGraph& checked, Diagnostics& diagnostics);
+void check_units(const CheckedGraph& checked, Diagnostics& diagnostics);
+void check_wiring(const CheckedGraph& checked, Diagnostics& diagnostics);
+void check_sensors(const CheckedGraph& checked, Diagnostics& diagnostics);
+void check_memory(const CheckedGraph& checked, Diagnostics& diagnostics);
+void check_keys(const CheckedGraph& checked, Diagnostics& diagnostics);
+void check_outputs(const CheckedGraph& checked, Diagnostics& diagnostics);
 /// W0111, also of nodes that were cut out.
 void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics);
 void check_task(const Graph& graph, Diagnostics& diagnostics);
-void check_numbers(const Judged& judged, Diagnostics& diagnostics);
-void check_steps(const Judged& judged, Diagnostics& diagnostics);
-void check_kept_states(const Judged& judged, Diagnostics& diagnostics);
-void check_files(const Judged& judged, Diagnostics& diagnostics);
+void check_numbers(const CheckedGraph& checked, Diagnostics& diagnostics);
+void check_steps(const CheckedGraph& checked, Diagnostics& diagnostics);
+void check_kept_states(const CheckedGraph& checked, Diagnostics& diagnostics);
+void check_files(const CheckedGraph& checked, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

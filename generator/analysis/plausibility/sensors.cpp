@@ -27,9 +27,9 @@ struct Fast {
   std::vector<std::string> sensors;
 };
 
-void add_fast(const Judged& judged, const GraphNode& node, const std::string& sensor,
+void add_fast(const CheckedGraph& checked, const GraphNode& node, const std::string& sensor,
               std::vector<Fast>& result) {
-  const Span place = place_of_rate(judged.spec, sensor);
+  const Span place = place_of_rate(checked.spec, sensor);
   const auto same = ranges::find_if(result, [&](const Fast& fast) {
     return fast.place.line == place.line && fast.place.column == place.column &&
            fast.rate_hz == node.rate_hz;
@@ -41,20 +41,20 @@ void add_fast(const Judged& judged, const GraphNode& node, const std::string& se
   }
 }
 
-std::vector<Fast> fast_sensors(const Judged& judged) {
+std::vector<Fast> fast_sensors(const CheckedGraph& checked) {
   std::vector<Fast> result;
-  for (const auto& node : judged.graph.nodes) {
-    if (node.rate_hz <= judged.graph.engine().rate_hz) continue;
+  for (const auto& node : checked.graph.nodes) {
+    if (node.rate_hz <= checked.graph.engine().rate_hz) continue;
     for (const auto& output : node.outputs) {
-      for (const std::string& sensor : output.sensors) add_fast(judged, node, sensor, result);
+      for (const std::string& sensor : output.sensors) add_fast(checked, node, sensor, result);
     }
   }
   return result;
 }
 
-void check_rates(const Judged& judged, Diagnostics& diagnostics) {
-  const std::string engine_hz = judged.graph.engine().rate_hz.to_string();
-  for (const Fast& fast : fast_sensors(judged)) {
+void check_rates(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  const std::string engine_hz = checked.graph.engine().rate_hz.to_string();
+  for (const Fast& fast : fast_sensors(checked)) {
     auto& problem = diagnostics.warning(
         "W0106", fast.place,
         fmt::format("`{}` {} read at {} Hz, but the engine steps at {} Hz",
@@ -69,18 +69,18 @@ void check_rates(const Judged& judged, Diagnostics& diagnostics) {
 }
 
 /// A policy was trained on numbers of some size; without bounds, no check shows that these differ.
-void check_policy(const Judged& judged, Diagnostics& diagnostics) {
-  const AgentSpec& agent = judged.spec.agent;
+void check_policy(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  const AgentSpec& agent = checked.spec.agent;
   if (agent.kind != AgentSpec::Kind::policy || agent.normalize) return;
-  for (const std::size_t i : judged.graph.agent.observations) {
-    const Input& input = judged.graph.environment().inputs[i];
+  for (const std::size_t i : checked.graph.agent.observations) {
+    const Input& input = checked.graph.environment().inputs[i];
     if (!is_floating(input.space.dtype)) continue;
     if (!input.space.low.empty() && !input.space.high.empty()) continue;
     auto& problem = diagnostics.warning(
         "W0107", input.span,
         fmt::format("the policy takes `{}`, but nothing says how large that can be",
                     input.written));
-    problem.notes.push_back({"the policy", judged.graph.agent.span, ""});
+    problem.notes.push_back({"the policy", checked.graph.agent.span, ""});
     problem.help = fmt::format(
         "write the bounds that it was trained with: `observations: {{{}: {{space: {{low: …, high: "
         "…}}}}}}`",
@@ -90,9 +90,9 @@ void check_policy(const Judged& judged, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_sensors(const Judged& judged, Diagnostics& diagnostics) {
-  check_rates(judged, diagnostics);
-  check_policy(judged, diagnostics);
+void check_sensors(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  check_rates(checked, diagnostics);
+  check_policy(checked, diagnostics);
 }
 
 }  // namespace eagerx::gen

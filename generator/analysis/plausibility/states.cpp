@@ -84,13 +84,13 @@ std::vector<const KeptState*> still_moving(const Object& object) {
 
 }  // namespace
 
-void check_kept_states(const Judged& judged, Diagnostics& diagnostics) {
-  if (!judged.graph.task) return;
-  const TaskExpression* end = end_of_episodes(*judged.graph.task);
+void check_kept_states(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  if (!checked.graph.task) return;
+  const TaskExpression* end = end_of_episodes(*checked.graph.task);
   if (end == nullptr) return;
-  for (std::size_t i = 0; i < judged.graph.objects.size(); ++i) {
-    const Object& object = judged.graph.objects[i];
-    if (is_brought_about(judged.graph, i)) continue;
+  for (std::size_t i = 0; i < checked.graph.objects.size(); ++i) {
+    const Object& object = checked.graph.objects[i];
+    if (is_brought_about(checked.graph, i)) continue;
     const auto kept = still_moving(object);
     if (kept.empty()) continue;
     std::vector<std::string> names, drawn;
@@ -102,7 +102,7 @@ void check_kept_states(const Judged& judged, Diagnostics& diagnostics) {
       bounded = bounded && state->bounded;
     }
     auto& problem = diagnostics.warning(
-        "W0113", judged.spec.objects[i].name.span,
+        "W0113", checked.spec.objects[i].name.span,
         fmt::format("no reset sets `{}`: each episode begins where the last one ended",
                     join(names, "`, `")));
     problem.notes.push_back({fmt::format("`{}` ends episodes", end->name), end->span, ""});

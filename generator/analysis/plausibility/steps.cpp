@@ -66,8 +66,8 @@ struct Burst {
 };
 
 /// The nodes that see one message of an action at several ticks, those of a rate together.
-std::vector<Burst> bursts(const Judged& judged) {
-  const Graph& graph = judged.graph;
+std::vector<Burst> bursts(const CheckedGraph& checked) {
+  const Graph& graph = checked.graph;
   const Readers readers(graph);
   const std::vector<bool> news = readers.with_news();
   std::vector<Burst> result;
@@ -94,7 +94,7 @@ std::vector<Burst> bursts(const Judged& judged) {
         same->nodes.push_back(node.name);
         continue;
       }
-      const EntitySpec* said = find_named(judged.spec.nodes, node.name);
+      const EntitySpec* said = find_named(checked.spec.nodes, node.name);
       const Span place = said != nullptr && said->rate ? said->rate->span : node.span;
       result.push_back({node.rate_hz, place, {node.name}, graph.environment().outputs[a].name});
     }
@@ -104,12 +104,12 @@ std::vector<Burst> bursts(const Judged& judged) {
 
 }  // namespace
 
-void check_steps(const Judged& judged, Diagnostics& diagnostics) {
-  if (judged.graph.has_engine()) return;
-  const Safety& safety = judged.graph.safety;
+void check_steps(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  if (checked.graph.has_engine()) return;
+  const Safety& safety = checked.graph.safety;
   if (safety.outputs.empty() && safety.undeclared.empty()) return;  // nothing acts on what leaves
-  const Rational step_hz = judged.graph.environment().rate_hz;
-  for (const Burst& burst : bursts(judged)) {
+  const Rational step_hz = checked.graph.environment().rate_hz;
+  for (const Burst& burst : bursts(checked)) {
     const bool one = burst.nodes.size() == 1;
     auto& problem =
         diagnostics.warning("W0112", burst.place,
@@ -119,7 +119,7 @@ void check_steps(const Judged& judged, Diagnostics& diagnostics) {
     const Rational ticks = burst.rate_hz / step_hz;
     problem.label = fmt::format("{} {} ticks of a step run at once, on one message of `actions.{}`",
                                 ticks.is_integer() ? "all" : "up to", ticks.ceil(), burst.action);
-    problem.notes.push_back({"the rate of step()", judged.spec.rate.span, ""});
+    problem.notes.push_back({"the rate of step()", checked.spec.rate.span, ""});
     problem.help = fmt::format(
         "write `rate: {}` for the graph and call step() as often, or give {} a rate of at most {}",
         burst.rate_hz.to_string(), one ? "the node" : "the nodes", step_hz.to_string());

@@ -137,12 +137,12 @@ std::vector<bool> objects_in_use(const Graph& graph) {
   return used;
 }
 
-void check_objects(const Judged& judged, Diagnostics& diagnostics) {
-  Connected connected(judged.spec);
-  const std::vector<bool> used = objects_in_use(judged.graph);
-  for (std::size_t i = 0; i < judged.graph.objects.size(); ++i) {
-    const Object& object = judged.graph.objects[i];
-    const EntitySpec& said = judged.spec.objects[i];
+void check_objects(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  Connected connected(checked.spec);
+  const std::vector<bool> used = objects_in_use(checked.graph);
+  for (std::size_t i = 0; i < checked.graph.objects.size(); ++i) {
+    const Object& object = checked.graph.objects[i];
+    const EntitySpec& said = checked.spec.objects[i];
     const std::set<std::string>& driven = connected.actuators[object.name];
     if (used[i] || !driven.empty() || !connected.sensors[object.name].empty()) {
       check_driven(object, said, driven, diagnostics);
@@ -156,12 +156,12 @@ void check_objects(const Judged& judged, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_wiring(const Judged& judged, Diagnostics& diagnostics) {
-  check_nodes(judged.graph, diagnostics);
-  check_objects(judged, diagnostics);
-  for (const auto& object : judged.spec.objects) {
-    check_listed(object.sensors, "sensors", object.name.value, judged.spec, diagnostics);
-    check_listed(object.actuators, "actuators", object.name.value, judged.spec, diagnostics);
+void check_wiring(const CheckedGraph& checked, Diagnostics& diagnostics) {
+  check_nodes(checked.graph, diagnostics);
+  check_objects(checked, diagnostics);
+  for (const auto& object : checked.spec.objects) {
+    check_listed(object.sensors, "sensors", object.name.value, checked.spec, diagnostics);
+    check_listed(object.actuators, "actuators", object.name.value, checked.spec, diagnostics);
   }
 }
 

@@ -214,14 +214,14 @@ View names_view(const std::vector<TaskExpression>& expressions) {
 }
 
 /// Inputs of a training's critic: messages of the outcome, and names of states.
-struct Seen {
+struct CriticView {
   std::uint64_t numbers = 0;  // of the messages
   View messages = list();
   View states = View(false);
 };
 
-Seen seen_by_critic(const Plan& plan, const ProgramNames& names) {
-  Seen seen;
+CriticView seen_by_critic(const Plan& plan, const ProgramNames& names) {
+  CriticView seen;
   std::vector<std::string> states;
   for (const CriticInput& each : plan.graph->task->critic) {
     if (!each.input) {
@@ -276,7 +276,7 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   for (const CriticInput& each : task->critic) {
     if (each.input) values.push_back({"critic_" + each.name, *place++});
   }
-  Seen seen = seen_by_critic(plan, names);
+  CriticView seen = seen_by_critic(plan, names);
   view.set("seen", fmt::format("{}", seen.numbers));
   view.set("has_critic", seen.messages.is_non_empty_list());
   view["critic"] = std::move(seen.messages);

@@ -8,6 +8,7 @@
 #include "generator/backend/emit/line_passes.hpp"
 #include "generator/backend/emit/lists.hpp"
 #include "generator/backend/emit/scanner.hpp"
+#include "generator/backend/emit/wrap_expression.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -376,7 +377,14 @@ std::string wrapped_line(std::string_view line) {
            wrapped_line(in + "  " + std::string(line.substr(from, line.size() - 2 - from))) + "\n" +
            in + "}";
   }
-  return wrapped_code(line, indent);
+  std::string result = wrapped_code(line, indent);
+  const std::size_t first = result.find('\n'), last = result.rfind('\n');
+  const bool behind_operator =
+      first != kNone && first > 0 && std::string_view("|&").find(result[first - 1]) != kNone;
+  const bool is_good = first == last && !behind_operator;
+  if (is_good && columns_of(result.substr(last == kNone ? 0 : last + 1)) <= kColumns) return result;
+  std::string assignment = wrapped_assignment(line, indent);
+  return assignment.empty() ? result : assignment;
 }
 
 /// Whether a blank line behind `text` is one too many, or begins a block.

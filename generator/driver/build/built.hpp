@@ -77,8 +77,7 @@ bool is_compiled(const Target& target);
 void expect_graph(const BuiltProgram& program);
 
 /// Becomes the program, or what starts it, for as long as it takes; `words` are its own options.
-int become_built(const Run& run, const BuiltProgram& program,
-                 const std::vector<std::string>& words);
+int exec_built(const Run& run, const BuiltProgram& program, const std::vector<std::string>& words);
 
 /// The file of a target's program in a build folder.
 std::string image_of(const Run& run, const Target& target, const std::string& build);

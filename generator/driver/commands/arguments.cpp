@@ -47,21 +47,21 @@ Argument graph(GraphOptions& options) {
 Argument split(GraphOptions& options) {
   return checked(
       texts("--split", options.split,
-            "make several programs, one for Linux and one for each part: nodes, `agent`, or "
-            "`controller` (the agent and all other nodes) on a board or in another process "
-            "(linux-sim). Replaces the graph's `placement`; may be repeated",
+            "split the graph into a program for Linux and one for each part, on a board or in "
+            "another process (linux-sim); a part has nodes, `agent`, or `controller` (the agent "
+            "and all other nodes). Replaces the graph's `placement:`; may be repeated",
             "NAME[,NAME...]=[PART:]TARGET"),
       is_split, "is not NAME[,NAME...]=TARGET or NAME[,NAME...]=PART:TARGET");
 }
 
 Arguments selection(GraphOptions& options) {
-  return {
-      variant(options), engine(options),
-      choice("--real", {"float", "double"}, "calculate in this type instead of the graph's `real`",
-             [&options](const std::string& real) { options.real = real; }),
-      texts("--target", options.targets,
-            "target to make a program for, may be repeated (default: linux-sim)", "NAME"),
-      split(options)};
+  return {variant(options), engine(options),
+          choice("--real", {"float", "double"},
+                 "floating-point type to use instead of the graph's `real:`",
+                 [&options](const std::string& real) { options.real = real; }),
+          texts("--target", options.targets,
+                "target of the program; may be repeated (default: linux-sim)", "NAME"),
+          split(options)};
 }
 
 Argument cut_out_nodes(GraphOptions& options, std::string about) {
@@ -81,28 +81,27 @@ Argument cut_out_nodes(GraphOptions& options, std::string about) {
 
 Argument agent_policy(GraphOptions& options) {
   return reads(text("--policy", options.agent_policy,
-                    "weight file of a policy that decides instead of the graph's `agent`", "FILE"));
+                    "policy file to use instead of the graph's `agent:`", "FILE"));
 }
 
 Argument variant(GraphOptions& options) {
-  return text("--variant", options.variant, "this one of the graph's `variants`", "NAME");
-}
-
-Argument engine(GraphOptions& options) {
-  return text("--engine", options.engine, "run the graph on this engine instead of its own",
+  return text("--variant", options.variant, "variant of the graph, a name of its `variants:`",
               "NAME");
 }
 
+Argument engine(GraphOptions& options) {
+  return text("--engine", options.engine, "engine to use instead of the graph's", "NAME");
+}
+
 Arguments rates(GraphOptions& options) {
-  return {
-      rate("--rate", "use this rate of the environment instead of the graph's", options.rate_hz),
-      rate("--engine-rate", "use this rate of the engine instead of the graph's",
-           options.engine_rate_hz)};
+  return {rate("--rate", "rate of the environment to use instead of the graph's", options.rate_hz),
+          rate("--engine-rate", "rate of the engine to use instead of the graph's",
+               options.engine_rate_hz)};
 }
 
 Argument library(LibraryOptions& options) {
   return folder(texts("--path", options.paths,
-                      "folder with entities or targets of your own, may be repeated", "DIR"));
+                      "folder with your own entities or targets; may be repeated", "DIR"));
 }
 
 Argument quiet(MessageOptions& options) {
@@ -110,31 +109,32 @@ Argument quiet(MessageOptions& options) {
 }
 
 Arguments diagnostics(MessageOptions& options) {
-  return {choice("--diagnostics", {"text", "json"}, "form of messages (default: text)",
+  return {choice("--diagnostics", {"text", "json"}, "format of messages (default: text)",
                  [&options](const std::string& form) { options.json = form == "json"; }),
           quiet(options)};
 }
 
 Arguments on_building(GenerateOptions& options) {
-  return joined({{graph(options),
-                  folder(text("-o,--output", options.output,
-                              "output folder (default: generated/<graph name>, with the name of "
-                              "another target, of a variant, engine or policy behind it, such as "
-                              "generated/<graph name>-<target>); it is built in its folder `build`",
-                              "DIR"))},
-                 selection(options),
-                 rates(options),
-                 {agent_policy(options), library(options), warnings(options)},
-                 {flag("--sanitize", options.sanitize,
-                       "for Linux: with address and undefined-behavior sanitizers, which name the "
-                       "class and the line of a node that writes beyond a message; it is built in "
-                       "the folder `build-sanitized`")},
-                 diagnostics(options)});
+  return joined(
+      {{graph(options),
+        folder(text("-o,--output", options.output,
+                    "output folder, in whose folder `build` the program is built (default: "
+                    "generated/<graph name>, followed by the name of another target, a variant, "
+                    "engine or policy, such as generated/<graph name>-<target>)",
+                    "DIR"))},
+       selection(options),
+       rates(options),
+       {agent_policy(options), library(options), warnings(options)},
+       {flag("--sanitize", options.sanitize,
+             "for Linux: build with address and undefined-behavior sanitizers, in the folder "
+             "`build-sanitized`; they name the class and the line of a node that writes beyond a "
+             "message")},
+       diagnostics(options)});
 }
 
 Argument warnings(GraphOptions& options) {
   return flag("--warnings-as-errors", options.warnings_as_errors,
-              "a warning is a problem: exit code 1, and nothing is written");
+              "treat warnings as errors: exit code 1, and nothing is written");
 }
 
 Argument handed_on(const std::string& name, std::string about, std::string type,

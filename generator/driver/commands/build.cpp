@@ -16,6 +16,7 @@
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/image_budget.hpp"
+#include "generator/driver/commands/margin_budget.hpp"
 #include "generator/driver/commands/program_options.hpp"
 #include "generator/driver/commands/start_parts.hpp"
 #include "generator/support/diagnostics/search.hpp"
@@ -72,8 +73,7 @@ std::string opened(const std::string& image) {
 
 }  // namespace
 
-int become_built(const Run& run, const BuiltProgram& program,
-                 const std::vector<std::string>& words) {
+int exec_built(const Run& run, const BuiltProgram& program, const std::vector<std::string>& words) {
   std::vector<std::string> command = command_to_start(run, program);
   if (command.front() != program.image) {
     if (program.target->is_board()) command.back() = opened(command.back());
@@ -231,6 +231,7 @@ int perform(const BuildOptions& options) {
   int code = kDone;
   const auto programs = build_graph(run, options, code);
   if (programs) check_built_budget(run, options, *programs);
+  if (programs) check_margin_budget(run, options);
   if (programs && !options.quiet) {
     for (const BuiltProgram& program : *programs) say("{}\n", program.image);
   }
@@ -241,8 +242,8 @@ Command table(BuildOptions& options) {
   return {
       .name = "build",
       .about =
-          "write the program of a graph, build it, and check the image of a board against the "
-          "graph's budget",
+          "generate and build the program of a graph, and check the image of a board against the "
+          "graph's `budget:`",
       .examples = {{"a program for Linux, in generated/pendulum/build",
                     "eagerx-gen build pendulum.yaml"},
                    {"an image for a board", "eagerx-gen build pendulum.yaml --target stm32f405"}},

@@ -15,7 +15,7 @@ struct CampaignOptions : EnvironmentsOptions {};
 int perform(const CampaignOptions& options) {
   GenerateOptions campaign = options;
   campaign.purpose = Purpose::campaign;
-  return become_in_ranks("eagerx-campaign", campaign, [&](std::vector<std::string>& words) {
+  return exec_in_ranks("eagerx-campaign", campaign, [&](std::vector<std::string>& words) {
     words = options.of_program;
     words.insert(words.end(), {"--replay", command_on_graph(options)});
     return int{kDone};
@@ -23,25 +23,26 @@ int perform(const CampaignOptions& options) {
 }
 
 Command table(CampaignOptions& options) {
-  return {
-      .name = "campaign",
-      .about = "run many episodes with the agent in the loop and count successes",
-      .examples =
-          {{"10,000 episodes: how often it succeeds, and what repeats the worst ones",
-            "eagerx-gen campaign pendulum.yaml --runs 10000"},
-           {"with masses drawn from a range; a row for each run",
-            "eagerx-gen campaign pendulum.yaml --vary pendulum.mass=0.1:0.2 --csv runs.csv"},
-           {"with a sensor that falls silent for 10 steps",
-            "eagerx-gen campaign pendulum.yaml --faults angle=silent+10"},
-           {"a long one that can be interrupted",
-            "eagerx-gen campaign robot.yaml --runs 1000000 --checkpoint robot.campaign"},
-           {"continue it", "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"},
-           {"on four processes, for an eagerx-gen with MPI",
-            "mpirun -n 4 eagerx-gen campaign robot.yaml --runs 1000000"}},
-      .arguments = joined({{graph(options), agent_policy(options)},
-                           handed_on(eagerx::options::kCampaign, options),
-                           on_environments(options)}),
-      .run = [&options] { return perform(options); }};
+  return {.name = "campaign",
+          .about = "run many episodes of a graph with its agent, and measure how often it succeeds",
+          .examples =
+              {{"run 10,000 episodes, and print the success rate and commands that repeat the "
+                "worst runs",
+                "eagerx-gen campaign pendulum.yaml --runs 10000"},
+               {"draw the mass from a range, and write a row for each run",
+                "eagerx-gen campaign pendulum.yaml --vary pendulum.mass=0.1:0.2 --csv runs.csv"},
+               {"interrupt an observation for 10 steps",
+                "eagerx-gen campaign pendulum.yaml --faults angle=silent+10"},
+               {"write checkpoints during a long training",
+                "eagerx-gen campaign robot.yaml --runs 1000000 --checkpoint robot.campaign"},
+               {"continue from the checkpoint",
+                "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"},
+               {"use four processes of an eagerx-gen with MPI",
+                "mpirun -n 4 eagerx-gen campaign robot.yaml --runs 1000000"}},
+          .arguments = joined({{graph(options), agent_policy(options)},
+                               handed_on(eagerx::options::kCampaign, options),
+                               on_environments(options)}),
+          .run = [&options] { return perform(options); }};
 }
 
 }  // namespace

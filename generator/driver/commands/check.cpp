@@ -86,22 +86,22 @@ int perform(const CheckOptions& options) {
 Command table(CheckOptions& options) {
   return {
       .name = "check",
-      .about = "only look for problems",
-      .examples = {{"look for problems", "eagerx-gen check pendulum.yaml"},
+      .about = "check a graph, a manifest or settings, and write nothing",
+      .examples = {{"check a graph", "eagerx-gen check pendulum.yaml"},
                    {"a manifest, without a graph that uses it",
                     "eagerx-gen check my_models/gain/manifest.yaml"},
-                   {"settings of a training, or a sweep", "eagerx-gen check settings.yaml"},
+                   {"the settings of a training, or a sweep", "eagerx-gen check settings.yaml"},
                    {"also the code of the entities", "eagerx-gen check pendulum.yaml --compile"},
-                   {"with entities of your own, messages as JSON",
+                   {"with your own entities, messages as JSON",
                     "eagerx-gen check pendulum.yaml --path my_models --diagnostics json"}},
       .arguments = joined(
           {{graph(options)},
            selection(options),
            rates(options),
            {library(options), warnings(options)},
-           {cut_out_nodes(options, "check the library of these nodes alone, as generate --of"),
+           {cut_out_nodes(options, "check only the library of these nodes, as for generate --of"),
             flag("--compile", options.compile,
-                 "also compile the entities as boards do: no heap, no <cmath>, no "
+                 "also compile the entities under the rules of boards: no heap, no <cmath>, no "
                  "double in a graph of floats")},
            diagnostics(options)}),
       .run = [&options] { return perform(options); }};

@@ -15,12 +15,9 @@ namespace {
 
 /// Checks the figures of the plan. `size` checks those of an image.
 void check_budget(Run& run) {
-  if (!run.spec->budget) return;
-  const YamlValue& budget = *run.spec->budget;
-  if (budget.find("age") == nullptr && budget.find("link") == nullptr &&
-      budget.find("parts") == nullptr && budget.find("telemetry") == nullptr)
-    return;
-  check_plan_budget(info_of(*run.plan, run.spec->budget, run.diagnostics), budget, run.diagnostics);
+  const auto& budget = run.spec->budget;
+  if (budget && budget->is_of_plan())
+    check_plan_budget(info_of(*run.plan, budget, run.diagnostics), *budget, run.diagnostics);
 }
 
 /// Whether the graph is as it is written: what is said of another variant says little of it.

@@ -35,8 +35,8 @@ int perform(const DiffOptions& options) {
 Command table(DiffOptions& options) {
   return {.name = "diff",
           .about =
-              "how two graphs differ, or two variants of one: exit code 0 if they do not, 1 if "
-              "they do, 2 if one of them has problems",
+              "compare two graphs, or two variants of one: exit code 0 if they are equal, 1 if "
+              "they differ, 2 if one has errors",
           .examples = {{"two files", "eagerx-gen diff robot.yaml other.yaml"},
                        {"two variants", "eagerx-gen diff robot.yaml --variant sim --to real"}},
           .arguments = joined(

@@ -104,18 +104,17 @@ int perform(const DocsOptions& options) {
 
 Command table(DocsOptions& options) {
   return {.name = "docs",
-          .about = "open the reference in a browser, at the page of a word",
-          .examples = {{"its beginning, with a search", "eagerx-gen docs"},
+          .about = "open the reference manual in a browser, at the page of a word",
+          .examples = {{"the first page, with a search", "eagerx-gen docs"},
                        {"an entity", "eagerx-gen docs ButterworthFilter"},
                        {"a code, a command, a key of the graph file",
                         "eagerx-gen docs E0307; eagerx-gen docs train; eagerx-gen docs budget"}},
           .arguments = {text("word", options.word,
-                             "an entity, a target, a code, a command, a key of the graph file "
-                             "(default: the beginning)",
+                             "command, entity, target, code, or key of the graph file; a command "
+                             "comes first (default: the first page)",
                              "WORD"),
                         flag("--address", options.address,
-                             "only print the address; so it is without a display or a browser, "
-                             "too")},
+                             "only print the address, as without a display or a browser")},
           .run = [&options] { return perform(options); }};
 }
 

@@ -62,19 +62,19 @@ Arguments handed_on(std::span<const eagerx::options::Row> rows, EnvironmentsOpti
 }
 
 Arguments on_environments(GenerateOptions& options) {
-  return joined({{folder(text("--build", options.output,
-                              "folder for the library of environments (default: generated/<graph "
-                              "name>-environments, with the name of a variant, engine or policy "
-                              "behind it)",
-                              "DIR")),
-                  variant(options), engine(options)},
-                 rates(options),
-                 {library(options), warnings(options)},
-                 diagnostics(options)});
+  return joined(
+      {{folder(text("--build", options.output,
+                    "folder for the library of environments (default: generated/<graph "
+                    "name>-environments, followed by the name of a variant, engine or policy)",
+                    "DIR")),
+        variant(options), engine(options)},
+       rates(options),
+       {library(options), warnings(options)},
+       diagnostics(options)});
 }
 
-int become_with_environments(const Helper& helper, const GenerateOptions& options,
-                             std::vector<std::string> words) {
+int exec_with_environments(const Helper& helper, const GenerateOptions& options,
+                           std::vector<std::string> words) {
   const std::string program = helper_program(helper.program);
   std::error_code ignored;
   if (!std::filesystem::exists(program, ignored)) {

@@ -36,7 +36,7 @@ Arguments on_environments(GenerateOptions& options);
 
 /// Makes the graph's library of environments, and becomes `program` with it and with `words`. They
 /// are checked first, before minutes of compiling.
-int become_with_environments(const Helper& helper, const GenerateOptions& options,
-                             std::vector<std::string> words);
+int exec_with_environments(const Helper& helper, const GenerateOptions& options,
+                           std::vector<std::string> words);
 
 }  // namespace eagerx::gen

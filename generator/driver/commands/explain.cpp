@@ -97,10 +97,10 @@ int perform(const ExplainOptions& options) {
 Command table(ExplainOptions& options) {
   return {
       .name = "explain",
-      .about = "explain a code such as E0307 and what to do, or list all codes",
+      .about = "explain the cause and the fix of a code such as E0307, or list all codes",
       .examples = {{"one code", "eagerx-gen explain E0307"}, {"all codes", "eagerx-gen explain"}},
-      .arguments = {text("code", options.code, "such as E0307 or 307 (default: list all codes)",
-                         "CODE")},
+      .arguments = {text("code", options.code,
+                         "a code, such as E0307 or 307 (default: list all codes)", "CODE")},
       .run = [&options] { return perform(options); }};
 }
 

@@ -144,36 +144,36 @@ int perform(const GenerateOptions& options) {
 
 Arguments outputs(GenerateOptions& options) {
   return {
-      folder(text(
-          "-o,--output", options.output,
-          "output folder (default: generated/<graph name>, with the name of a variant, engine or "
-          "policy behind it)",
-          "DIR")),
+      folder(text("-o,--output", options.output,
+                  "output folder (default: generated/<graph name>, followed by the name of a "
+                  "variant, engine or policy)",
+                  "DIR")),
       flag("--library", options.library,
-           "write a library for a main loop of your own instead of a program"),
-      cut_out_nodes(
-          options,
-          "write a library of these nodes, composites or arrays alone; what crosses to the "
-          "others becomes its actions and observations. May be repeated"),
-      flag("--standalone", options.standalone,
-           "also write everything that is needed to compile the output"),
-      text("--part", options.part,
-           "write only this part of a placed graph, in the language that `--package` names",
-           "PART"),
+           "write a library for your own main loop instead of a program"),
+      cut_out_nodes(options,
+                    "write a library of only these nodes, composites or arrays, whose connections "
+                    "to the rest become its actions and observations; may be repeated"),
+      flag(
+          "--standalone", options.standalone,
+          "also copy the headers that the output includes, so that it compiles without eagerx-gen"),
+      experimental(
+          text("--part", options.part,
+               "write only this part of a graph with `placement:`, in the language of `--package`",
+               "PART")),
       texts("--package", options.packages,
-            "make the output standalone and a package: arduino, esp-idf, platformio or zephyr; "
-            "with --library a controller for hardware, without it an episode of the simulation; "
-            "may be repeated. With `--part` a language: python or c",
+            "write a standalone package for arduino, esp-idf, platformio or zephyr: with --library "
+            "a controller for hardware, otherwise an episode of the simulation; may be repeated. "
+            "With --part, the language: python or c",
             "NAME"),
       writes(text("--depfile", options.depfile,
-                  "also write the files that the output depends on; the make target is FILE "
+                  "also write the dependencies of the output as a Makefile, whose target is FILE "
                   "without .d",
                   "FILE.d"))};
 }
 
 Command table(GenerateOptions& options) {
   return {.name = "generate",
-          .about = "write the program of a graph",
+          .about = "generate the program of a graph",
           .examples = {{"a program for Linux, in generated/pendulum",
                         "eagerx-gen generate pendulum.yaml"},
                        {"for a board, in a folder of your choice",
@@ -184,7 +184,7 @@ Command table(GenerateOptions& options) {
                         "eagerx-gen generate controller.yaml --library --package arduino"},
                        {"part `vision` of a placed graph in Python, to fill in",
                         "eagerx-gen generate robot.yaml --part vision --package python -o vision"},
-                       {"the controller of a graph with its plant, for a main loop of your own",
+                       {"the controller of a graph that also has a plant, for your own main loop",
                         "eagerx-gen generate robot.yaml --library --of controller"}},
           .arguments = joined({{graph(options)},
                                outputs(options),

@@ -26,23 +26,23 @@ int perform(const IdentifyOptions& options) {
 
 Command table(IdentifyOptions& options) {
   return {.name = "identify",
-          .about = "find the parameters and delays that a log was made with",
-          .examples = {{"from a robot's log, as ranges for a graph's states",
+          .about = "estimate parameters and delays of a robot from its trace",
+          .examples = {{"estimate from a robot's trace, and write ranges for a graph's states",
                         "eagerx-gen identify build/pendulum robot.log --output found.yaml"}},
-          .arguments =
-              {required(reads(text("program", options.program,
-                                   "the program of a simulation, built for Linux", "PROGRAM"))),
-               required(reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
-               writes(text("-o,--output,--out", options.output,
-                           "file for the YAML (default: print it)", "FILE")),
-               text("--sensors", options.sensors,
-                    "channels to fit, separated by commas (default: all sensors)", "LIST"),
-               text("--horizon", options.horizon_s,
-                    "seconds that the simulation runs from one guess of the state "
-                    "(default: 0.5)",
-                    "S"),
-               text("--longest-delay", options.longest_delay_s,
-                    "longest delay of an actuator to try, in seconds (default: 0.1)", "S")},
+          .arguments = {required(reads(text("program", options.program,
+                                            "simulation program, built for Linux", "PROGRAM"))),
+                        required(reads(text("log", options.log,
+                                            "trace, which a program writes with --trace", "LOG"))),
+                        writes(text("-o,--output,--out", options.output,
+                                    "file for the YAML (default: print it)", "FILE")),
+                        text("--sensors", options.sensors,
+                             "channels to fit, separated by commas (default: all sensors)", "LIST"),
+                        text("--horizon", options.horizon_s,
+                             "length of the pieces of the trace, each with its own initial state, "
+                             "in seconds (default: 0.5)",
+                             "S"),
+                        text("--longest-delay", options.longest_delay_s,
+                             "longest actuator delay to consider, in seconds (default: 0.1)", "S")},
           .run = [&options] { return perform(options); }};
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include "generator/backend/program_map/program_map.hpp"
+#include "generator/driver/commands/image_time.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/command_line/output.hpp"
 
@@ -15,37 +15,39 @@ namespace {
 
 class BudgetCheck {
  public:
-  BudgetCheck(const JudgedImage& image, Diagnostics& diagnostics)
+  BudgetCheck(const MeasuredImage& image, Diagnostics& diagnostics)
       : image_(image), report_(image.report), diagnostics_(diagnostics) {}
 
-  void run(const YamlValue& budget) {
-    check(budget, "flash", "bytes of flash", report_.flash);
-    check(budget, "ram", "bytes of RAM", report_.ram);
-    check(budget, "stack", "bytes of stack", report_.stack.bytes);
+  void run(const BudgetSpec& budget) {
+    check(budget.flash, "flash", "bytes of flash", report_.flash);
+    check(budget.ram, "ram", "bytes of RAM", report_.ram);
+    check(budget.stack, "stack", "bytes of stack", report_.stack.bytes);
     if (report_.instructions)
-      check(budget, "instructions", "instructions in a slot", report_.instructions->most);
-    else if (const YamlValue* entry = budget.find("instructions");
-             entry != nullptr && !image_.parts)
-      diagnostics_.error("E0422", entry->span, "instructions have a budget, but were not counted")
+      check(budget.instructions, "", "instructions in a slot", report_.instructions->most);
+    else if (budget.instructions && !image_.parts)
+      diagnostics_
+          .error("E0422", budget.instructions->span,
+                 "instructions have a budget, but were not counted")
           .help = "give `--run TARGET`";
-    const YamlValue* nodes = budget.find("nodes");
-    if (nodes == nullptr) return;
-    for (const auto& entry : nodes->entries) {
-      if (!image_.parts || contains(*image_.parts, entry.key)) check_node(entry);
-    }
+    if (!budget.nodes) return;
+    for (const NodeBudgetSpec& node : *budget.nodes)
+      if (!image_.parts || contains(*image_.parts, node.name.value)) check_node(node);
   }
 
  private:
-  void check_node(const YamlValue::Entry& entry) {
-    const Usage* usage = find(entry.key);
+  using Limit = std::optional<Spanned<std::uint64_t>>;
+
+  void check_node(const NodeBudgetSpec& node) {
+    const Usage* usage = find(node.name.value);
     if (usage == nullptr && image_.parts) return;  // nothing is left of it
     if (usage == nullptr) {
-      diagnostics_.error("E0421", entry.key_span,
-                         fmt::format("{} has no node `{}`", image_.what, entry.key));
+      diagnostics_.error("E0421", node.name.span,
+                         fmt::format("{} has no node `{}`", image_.what, node.name.value));
       return;
     }
-    check_part(entry, "flash", "bytes of flash", usage->flash);
-    check_part(entry, "ram", "bytes of RAM", usage->ram);
+    const std::string name = fmt::format("`{}`", node.name.value);
+    check_limit(node.flash, name, "bytes of flash", usage->flash);
+    check_limit(node.ram, name, "bytes of RAM", usage->ram);
   }
 
   const Usage* find(const std::string& name) const {
@@ -55,37 +57,29 @@ class BudgetCheck {
     return nullptr;
   }
 
-  void check_part(const YamlValue::Entry& node, const char* key, const char* unit,
-                  std::uint64_t used) {
-    const YamlValue* entry = node.value.find(key);
-    if (entry == nullptr || used <= limit(*entry)) return;
-    diagnostics_.error("E0420", entry->span,
-                       fmt::format("`{}` takes {} {}, {} over its budget of {}", node.key, used,
-                                   unit, used - limit(*entry), limit(*entry)));
+  /// The problem if more is used than the limit; else nullptr.
+  Diagnostic* check_limit(const Limit& limit, const std::string& whose, const char* unit,
+                          std::uint64_t used) {
+    if (!limit || used <= limit->value) return nullptr;
+    return &diagnostics_.error("E0420", limit->span,
+                               fmt::format("{} takes {} {}, {} over its budget of {}", whose, used,
+                                           unit, used - limit->value, limit->value));
   }
 
-  void check(const YamlValue& budget, const char* key, const char* unit, std::uint64_t used) {
-    const YamlValue* entry = budget.find(key);
-    if (entry == nullptr || used <= limit(*entry)) return;
-    auto& problem =
-        diagnostics_.error("E0420", entry->span,
-                           fmt::format("{} takes {} {}, {} over its budget of {}", image_.what,
-                                       used, unit, used - limit(*entry), limit(*entry)));
-    problem.help = who(key);
-    if (std::string_view(key) != "stack") return;
+  /// `key`: of a report, which says who takes most.
+  void check(const Limit& limit, std::string_view key, const char* unit, std::uint64_t used) {
+    Diagnostic* const problem = check_limit(limit, image_.what, unit, used);
+    if (problem == nullptr) return;
+    if (key == "flash" || key == "ram") problem->help = who(std::string(key));
+    if (key != "stack") return;
     std::string calls = "the deepest chain of calls, and the bytes of each:\n";
     calls += stack_text(report_.stack);
     calls.pop_back();
-    problem.notes.push_back({std::move(calls), {}, ""});
-  }
-
-  static std::uint64_t limit(const YamlValue& entry) {
-    return std::strtoull(entry.text.c_str(), nullptr, 10);
+    problem->notes.push_back({std::move(calls), {}, ""});
   }
 
   /// Who grew since the baseline; without one, who takes most.
   std::string who(const std::string& key) const {
-    if (key != "flash" && key != "ram") return {};
     std::vector<std::pair<std::int64_t, std::string>> parts;
     for (const auto* group : {&report_.nodes, &report_.others}) {
       const char* name = group == &report_.nodes ? "nodes" : "others";
@@ -113,7 +107,7 @@ class BudgetCheck {
     return static_cast<std::int64_t>(bytes.value_or(0.0));
   }
 
-  const JudgedImage& image_;
+  const MeasuredImage& image_;
   const SizeReport& report_;
   Diagnostics& diagnostics_;
 };
@@ -144,14 +138,14 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-void tell_what_is_left(const YamlValue& budget, const GraphOptions& options,
+void tell_what_is_left(const BudgetSpec& budget, const GraphOptions& options,
                        const std::vector<std::string>& of_images, const BuiltProgram* image) {
   if (image == nullptr) {
     std::vector<std::string> keys = of_images;
-    if (budget.find("instructions") != nullptr) keys.emplace_back("instructions");
+    if (budget.instructions) keys.emplace_back("instructions");
     complain("note: {} of `budget:` {} not checked, which needs an image for a board\n",
              listed(keys), keys.size() == 1 ? "is" : "are");
-  } else if (budget.find("instructions") != nullptr) {
+  } else if (budget.instructions) {
     complain(
         "note: instructions of `budget:` are counted in a run: `eagerx-gen size {} --graph {}{}`\n",
         image->image, options.graph,
@@ -159,9 +153,19 @@ void tell_what_is_left(const YamlValue& budget, const GraphOptions& options,
   }
 }
 
+/// A part of a graph has no slots of its own.
+void check_time(Run& run, const BuiltProgram& program) {
+  if (program.part == nullptr) return check_built_time(run, program);
+  const BudgetSpec& budget = *run.spec->budget;
+  run.diagnostics.error("E0422", budget.time ? budget.time->span : budget.slot->span,
+                        fmt::format("the time of slots has a budget, but no bound: `{}` is a part "
+                                    "of the graph, which waits for others",
+                                    program.part->name));
+}
+
 }  // namespace
 
-void check_image_budget(const JudgedImage& image, const YamlValue& budget,
+void check_image_budget(const MeasuredImage& image, const BudgetSpec& budget,
                         Diagnostics& diagnostics) {
   BudgetCheck(image, diagnostics).run(budget);
 }
@@ -169,19 +173,24 @@ void check_image_budget(const JudgedImage& image, const YamlValue& budget,
 void check_built_budget(Run& run, const GraphOptions& options,
                         const std::vector<BuiltProgram>& programs) {
   if (!run.spec->budget) return;
-  const YamlValue& budget = *run.spec->budget;
+  const BudgetSpec& budget = *run.spec->budget;
   std::vector<std::string> of_images;
-  for (const char* key : {"flash", "ram", "stack", "nodes"}) {
-    if (budget.find(key) != nullptr) of_images.emplace_back(key);
-  }
-  if (of_images.empty() && budget.find("instructions") == nullptr) return;
+  if (budget.flash) of_images.emplace_back("flash");
+  if (budget.ram) of_images.emplace_back("ram");
+  if (budget.stack) of_images.emplace_back("stack");
+  if (budget.nodes) of_images.emplace_back("nodes");
+  const std::size_t of_size = of_images.size();
+  if (budget.time) of_images.emplace_back("time");
+  if (budget.slot) of_images.emplace_back("slot");
+  if (of_images.empty() && !budget.instructions) return;
   const auto boards = std::ranges::count_if(
       programs, [](const BuiltProgram& program) { return is_board(*program.target); });
   const BuiltProgram* image = nullptr;
   for (const BuiltProgram& program : programs) {
     if (!is_board(*program.target)) continue;
     image = &program;
-    if (of_images.empty()) continue;
+    if (limits_time(budget)) check_time(run, program);
+    if (of_size == 0) continue;
     const auto report = measure_image(program.image, program.build, run.diagnostics);
     if (!report) continue;
     const std::string what =
@@ -192,12 +201,14 @@ void check_built_budget(Run& run, const GraphOptions& options,
   if (!options.quiet) tell_what_is_left(budget, options, of_images, image);
 }
 
-void check_library_budget(Run& run, const GraphOptions& options, JudgedImage image) {
+void check_library_budget(Run& run, const GraphOptions& options, MeasuredImage image) {
   if (!run.spec->budget) return;
   image.parts = parts_of(*run.graph, nullptr);
   check_image_budget(image, *run.spec->budget, run.diagnostics);
-  if (!options.quiet && run.spec->budget->find("instructions") != nullptr)
+  if (!options.quiet && run.spec->budget->instructions)
     complain("note: instructions of `budget:` are counted in programs, not in a library\n");
+  if (!options.quiet && limits_time(*run.spec->budget))
+    complain("note: times of `budget:` are those of programs, not of a library\n");
 }
 
 }  // namespace eagerx::gen

@@ -11,7 +11,7 @@
 
 namespace eagerx::gen {
 
-struct JudgedImage {
+struct MeasuredImage {
   const SizeReport& report;
   std::optional<Json> baseline;  // an earlier report: who grew
   std::string what;              // "the image"
@@ -22,7 +22,7 @@ struct JudgedImage {
 
 /// The keys of `budget` that an image is needed for. Exceeded: E0420; E0421 a node that is not in
 /// the image, E0422 instructions that were not counted.
-void check_image_budget(const JudgedImage& image, const YamlValue& budget,
+void check_image_budget(const MeasuredImage& image, const BudgetSpec& budget,
                         Diagnostics& diagnostics);
 
 /// Measures the programs for boards that were built and checks them. What is checked only by
@@ -33,6 +33,6 @@ void check_built_budget(Run& run, const GraphOptions& options,
 /// An image with the library of `--of`, or the library alone, against the budget of its graph: of
 /// the nodes those that the library has. It has no slots, so instructions are not checked, which is
 /// said on the standard error.
-void check_library_budget(Run& run, const GraphOptions& options, JudgedImage image);
+void check_library_budget(Run& run, const GraphOptions& options, MeasuredImage image);
 
 }  // namespace eagerx::gen

@@ -23,6 +23,17 @@ std::optional<std::uint64_t> graph_in_image(std::string_view file) {
   return hash;
 }
 
+std::optional<std::string> board_in_image(std::string_view file) {
+  constexpr std::string_view kNote = "eagerx board ";
+  constexpr std::size_t kLongest = 100;
+  const std::size_t at = file.find(kNote);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string_view rest = file.substr(at + kNote.size(), kLongest);
+  const std::size_t end = rest.find('\0');
+  return end == std::string_view::npos ? std::nullopt
+                                       : std::optional<std::string>(rest.substr(0, end));
+}
+
 bool check_image_graphs(Run& run, const std::vector<BuiltProgram>& programs) {
   const std::size_t before = run.diagnostics.error_count();
   for (const BuiltProgram& program : programs) {

@@ -82,23 +82,23 @@ int perform(const ImportCommandOptions& options) {
 
 Command table(ImportCommandOptions& options) {
   return {.name = "import",
-          .about = "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph",
+          .about = "convert a file that EAGERx saved (Graph.save, BaseEnv.save) to a graph",
           .examples =
-              {{"rewrite it, on an engine of your choice",
+              {{"convert it, and choose the engine",
                 "eagerx-gen import state.yaml -o graph.yaml --engine OdeEngine --engine-rate 60"},
-               {"a folder to fill in for each class that has no counterpart in C++",
+               {"make a folder with a skeleton for each class that has no C++ counterpart",
                 "eagerx-gen import state.yaml --missing -o models"}},
           .arguments = joined(
               {{required(reads(
                     text("state", options.graph, "the file that EAGERx saved", "STATE.yaml"))),
                 writes(text("-o,--output", options.output,
-                            "the graph to write (default: print it); with --missing the folder",
+                            "file of the graph (default: print it); with --missing, the folder",
                             "FILE")),
                 flag("--missing", options.missing,
-                     "list the classes without counterpart; with -o make a folder for each"),
+                     "list the classes without a C++ counterpart; with -o, make a folder for each"),
                 flag("--keep-processes", options.keep_processes,
-                     "make a part of each node with NEW_PROCESS (default: one program)"),
-                text("--engine", options.engine, "engine to use if the file has none", "NAME")},
+                     "make each node with NEW_PROCESS a part (default: one program)"),
+                text("--engine", options.engine, "engine to use if the file names none", "NAME")},
                rates(options),
                {library(options)},
                diagnostics(options)}),

@@ -293,13 +293,13 @@ int perform(const InfoOptions& options) {
 
 Command table(InfoOptions& options) {
   return {.name = "info",
-          .about = "list entities and targets, or explain one or a graph",
+          .about = "list entities and targets, or describe an entity, a target or a graph",
           .examples = {{"list all entities", "eagerx-gen info"},
                        {"ports and parameters of an entity", "eagerx-gen info ButterworthFilter"},
                        {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"},
-                       {"what goes over the links, where a part of it runs elsewhere",
+                       {"messages on the links of a split graph",
                         "eagerx-gen info robot.yaml --split controller=stm32f405"},
-                       {"what becomes of its composites, arrays and variants",
+                       {"the graph after its composites, arrays and variants are expanded",
                         "eagerx-gen info robot.yaml --variant real --flat"}},
           .arguments = joined(
               {{reads(text("entity", options.entity, "id of an entity or target, or a graph file",
@@ -308,8 +308,8 @@ Command table(InfoOptions& options) {
                rates(options),
                {library(options),
                 flag("--flat", options.flat,
-                     "print the graph that composites, arrays and variants become, and where its "
-                     "lines are from"),
+                     "print the graph with composites, arrays and variants expanded, and the "
+                     "origin of each line"),
                 flag("--json", options.json_output, "print JSON")}}),
           .run = [&options] { return perform(options); }};
 }

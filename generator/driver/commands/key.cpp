@@ -35,11 +35,11 @@ int perform(const KeyNewOptions& options) {
 Command table(KeyNewOptions& options) {
   return {
       .name = "new",
-      .about = "write a new key, readable only by you (mode 0600)",
-      .examples = {{"for the line to a part on another machine", "eagerx-gen key new camera.key"}},
-      .arguments =
-          joined({{required(writes(text("file", options.file, "where no file is", "FILE")))},
-                  diagnostics(options)}),
+      .about = "write a new key to a file that only you can read (mode 0600)",
+      .examples = {{"for the link to a part on another machine", "eagerx-gen key new camera.key"}},
+      .arguments = joined({{required(writes(text("file", options.file,
+                                                 "file to write, which must not exist", "FILE")))},
+                           diagnostics(options)}),
       .run = [&options] { return perform(options); }};
 }
 
@@ -48,8 +48,8 @@ Command table(KeyNewOptions& options) {
 Command key_command() {
   return {
       .name = "key",
-      .about = "make a key: a program that has it may be a part of a graph, or its hub, over TCP",
-      .examples = {{"for the line to a part on another machine", "eagerx-gen key new camera.key"}},
+      .about = "make a key, which lets programs on several machines form one graph over TCP",
+      .examples = {{"for the link to a part on another machine", "eagerx-gen key new camera.key"}},
       .commands = {with_options<KeyNewOptions>(table)}};
 }
 

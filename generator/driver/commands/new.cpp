@@ -121,21 +121,23 @@ int perform(const NewOptions& options) {
 }
 
 Command table(NewOptions& options) {
-  Argument kind = required(choice("kind", all_kinds(), "what to make",
+  Argument kind = required(choice("kind", all_kinds(), "kind of the folder",
                                   [&options](const std::string& name) { options.kind = name; }));
   if (kind.choices.empty()) kind.type = "KIND";  // its data are missing, which perform() says
   return {
       .name = "new",
-      .about = "make a folder to begin with: a project, an example, or a part of your own",
-      .examples = {{"a project with a graph that moves at once", "eagerx-gen new project my_robot"},
-                   {"an example or a tutorial, to try and to change",
+      .about = "make a folder with a project, an example, an entity or a board to start from",
+      .examples = {{"a project with a graph that runs", "eagerx-gen new project my_robot"},
+                   {"a copy of an example or a tutorial",
                     "eagerx-gen new example tutorial_1_environment_creation"},
-                   {"in it, a node of your own with a test", "eagerx-gen new node my_filter"},
-                   {"a board of your own, in targets/my-board", "eagerx-gen new board my-board"}},
+                   {"in the project, a node with a test", "eagerx-gen new node my_filter"},
+                   {"a board, in targets/my-board", "eagerx-gen new board my-board"}},
       .arguments = joined(
-          {{std::move(kind), required(text("name", options.name, "its name", "NAME")),
+          {{std::move(kind),
+            required(text("name", options.name, "name of the folder and of its contents", "NAME")),
             folder(text("-o,--output", options.output,
-                        "where to make its folder (default: here; of a board: targets)", "DIR"))},
+                        "parent folder (default: the current folder; for a board: targets)",
+                        "DIR"))},
            diagnostics(options)}),
       .run = [&options] { return perform(options); }};
 }

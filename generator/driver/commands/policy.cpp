@@ -162,7 +162,7 @@ int perform(const PolicyOptions& options) {
 
 Command table(PolicyOptions& options) {
   return {.name = "info",
-          .about = "layers, size and what it expects of a graph",
+          .about = "print layers, size, inputs and outputs of a policy",
           .examples = {{"an ONNX file", "eagerx-gen policy info swing_up.onnx"},
                        {"a model of Stable-Baselines3 with its statistics",
                         "eagerx-gen policy info sac.zip --normalize vec_normalize.pkl"}},
@@ -173,11 +173,11 @@ Command table(PolicyOptions& options) {
 Command table(PolicyTestOptions& options) {
   return {
       .name = "test",
-      .about = "compare its answers with known answers",
+      .about = "compare the answers of a policy with known answers",
       .examples = {{"rows of a CSV file", "eagerx-gen policy test swing_up.onnx answers.csv"}},
       .arguments = joined(
           {one_policy(options),
-           {required(reads(text("golden", options.golden, "rows of observations and known answers",
+           {required(reads(text("golden", options.golden, "table of observations and known answers",
                                 "GOLDEN.csv|npz")))}}),
       .run = [&options] { return perform(options); }};
 }

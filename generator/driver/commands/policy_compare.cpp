@@ -171,30 +171,31 @@ int perform(const PolicyCompareOptions& options) {
 
 /// Once for both files; twice, first for the first; `-` for nothing.
 Argument for_both(PolicyCompareOptions& options, const Saying& saying) {
-  Argument argument{saying.names, std::string(saying.about) + "; twice: one for each, - for none",
-                    saying.type,
-                    [&options, member = saying.member](const std::vector<std::string>& values) {
-                      const auto said = [](const std::string& value) {
-                        return value == "-" ? std::string() : value;
-                      };
-                      options.policy.*member = said(values.front());
-                      options.second_policy.*member = said(values.back());
-                      options.said_too_often |= values.size() > 2;
-                    }};
+  Argument argument{
+      saying.names, std::string(saying.about) + "; give it twice for different values, - for none",
+      saying.type, [&options, member = saying.member](const std::vector<std::string>& values) {
+        const auto said = [](const std::string& value) {
+          return value == "-" ? std::string() : value;
+        };
+        options.policy.*member = said(values.front());
+        options.second_policy.*member = said(values.back());
+        options.said_too_often |= values.size() > 2;
+      }};
   argument.repeated = true;
   argument.use = saying.use;
   return argument;
 }
 
 Arguments two_policies(PolicyCompareOptions& options) {
-  Arguments all = {required(reads(text("first", options.policy.file, "the weight file", "FIRST"))),
-                   reads(text("second", options.second_policy.file,
-                              "the other one (default, with --int8: the first)", "SECOND")),
-                   flag("--int8", options.int8,
-                        "round the weights of the second to eight bits, as `weights: int8` does")};
+  Arguments all = {
+      required(reads(text("first", options.policy.file, "policy file", "FIRST"))),
+      reads(text("second", options.second_policy.file,
+                 "policy file to compare with (default with --int8: the first)", "SECOND")),
+      flag("--int8", options.int8,
+           "round the weights of the second policy to eight bits, as `weights: int8` does")};
   for (const Saying& saying : sayings()) all.push_back(for_both(options, saying));
   all.push_back(flag("--state-dependent-std", options.policy.state_dependent_std,
-                     std::string("of the first file: ") + kDeviations));
+                     std::string("for the first file: ") + kDeviations));
   return joined({std::move(all), diagnostics(options)});
 }
 
@@ -217,8 +218,8 @@ Argument tolerance(PolicyCompareOptions& options) {
     return value;
   };
   return checked(
-      {"--tolerance", "what an output may be off (default: 1e-5 of its range, and at least 1e-5)",
-       "X",
+      {"--tolerance",
+       "allowed difference of an output (default: 1e-5 of its range, and at least 1e-5)", "X",
        [&options, parsed](const std::vector<std::string>& values) {
          options.tolerance = parsed(values.front());
        }},
@@ -228,13 +229,15 @@ Argument tolerance(PolicyCompareOptions& options) {
 
 Command table(PolicyCompareOptions& options) {
   return {.name = "compare",
-          .about = "how far the answers of two policies are apart: exit code 1 if too far",
-          .examples = {{"what was trained and what was exported",
+          .about =
+              "compare the answers of two policies: exit code 1 if they differ by more than the "
+              "tolerance",
+          .examples = {{"a trained policy and its export",
                         "eagerx-gen policy compare sac.zip sac.onnx"},
                        {"with statistics for the first one only",
                         "eagerx-gen policy compare ppo.zip ppo.onnx --normalize stats.pkl "
                         "--normalize -"},
-                       {"what weights of eight bits cost",
+                       {"the error of eight-bit weights",
                         "eagerx-gen policy compare sac.zip --int8 --tolerance 0.05"}},
           .arguments = joined({two_policies(options),
                                asked(options.asked),

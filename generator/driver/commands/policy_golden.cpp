@@ -41,8 +41,8 @@ Command table(PolicyGoldenOptions& options) {
   Argument output = required(
       writes(text("-o,--output-file", options.output, "the table to write", "GOLDEN.csv")));
   return {.name = "golden",
-          .about = "write observations with its answers, computed in float64",
-          .examples = {{"1000 drawn observations; the same for the same seed",
+          .about = "write observations and the answers of a policy, computed in float64",
+          .examples = {{"1000 random observations; the same for the same seed",
                         "eagerx-gen policy golden swing_up.onnx --rows 1000 -o golden.csv"},
                        {"observations of a run",
                         "eagerx-gen policy golden sac.zip --observations run.csv -o golden.csv"}},

@@ -36,8 +36,8 @@ struct Saying {
 };
 const std::vector<Saying>& sayings();
 inline constexpr const char* kDeviations =
-    "the second half of the outputs are deviations, as of rsl_rl's state_dependent_std: leave them "
-    "out";
+    "ignore the second half of the outputs, which are standard deviations (state_dependent_std of "
+    "rsl_rl)";
 
 /// A weight file, with what is said of it.
 Arguments one_policy(PolicyOptions& options);

@@ -38,9 +38,9 @@ int complain_of_no_mpi() {
 
 }  // namespace
 
-int become_in_ranks(const std::string& name, const GenerateOptions& options,
-                    const std::function<int(std::vector<std::string>&)>& words,
-                    const std::function<int(const ProcessResult& checked)>& explain) {
+int exec_in_ranks(const std::string& name, const GenerateOptions& options,
+                  const std::function<int(std::vector<std::string>&)>& words,
+                  const std::function<int(const ProcessResult& checked)>& explain) {
   const Rank rank = rank_of_this();
   const std::string shared = name + "-mpi";
   if (rank.size > 1) {
@@ -53,7 +53,7 @@ int become_in_ranks(const std::string& name, const GenerateOptions& options,
   if (const int code = words(all); code != kDone) return code;
   const std::string& program = rank.size > 1 ? shared : name;
   const bool looks_at_graph = options.purpose == Purpose::campaign;
-  return become_with_environments(
+  return exec_with_environments(
       {program.c_str(), name.c_str(), explain, looks_at_graph, rank.size > 1}, options,
       std::move(all));
 }

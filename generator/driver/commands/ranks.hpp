@@ -10,12 +10,12 @@
 
 namespace eagerx::gen {
 
-/// As become_with_environments(), for the program and its checker of this name. Where mpirun has
+/// As exec_with_environments(), for the program and its checker of this name. Where mpirun has
 /// started several ranks it becomes NAME-mpi; rank 0 builds the library, and the others get all
 /// from there. `words`, asked in rank 0 only, fills in the arguments of the program; an exit code
 /// other than 0 is that of the command. `explain`: as in Helper.
-int become_in_ranks(const std::string& name, const GenerateOptions& options,
-                    const std::function<int(std::vector<std::string>&)>& words,
-                    const std::function<int(const ProcessResult& checked)>& explain = {});
+int exec_in_ranks(const std::string& name, const GenerateOptions& options,
+                  const std::function<int(std::vector<std::string>&)>& words,
+                  const std::function<int(const ProcessResult& checked)>& explain = {});
 
 }  // namespace eagerx::gen

@@ -7,6 +7,7 @@
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/image_budget.hpp"
 #include "generator/driver/commands/image_graph.hpp"
+#include "generator/driver/commands/margin_budget.hpp"
 #include "generator/driver/commands/start_parts.hpp"
 #include "generator/support/files/files.hpp"
 
@@ -44,32 +45,35 @@ int perform(const RunOptions& options) {
   std::vector<std::string> words = options.of_program;
   const auto programs = build_graph(run, options, code, &words);
   if (programs) check_built_budget(run, options, *programs);
+  if (programs) check_margin_budget(run, options);
   const bool started = programs && !run.diagnostics.has_errors() && code == kDone &&
                        check_image_graphs(run, *programs) && start_parts(run, *programs, words);
   code = std::max(finish(run, options), code);
   if (!started || code != kDone) return code;
   if (options.quiet) pass_quiet(*programs->back().target, words);
-  return become_built(run, programs->back(), words);
+  return exec_built(run, programs->back(), words);
 }
 
 Command table(RunOptions& options) {
   return {.name = "run",
-          .about = "write the program of a graph, build it and run it, if it is within its budget",
-          .examples = {{"on Linux; the options of the program follow the graph",
+          .about =
+              "generate, build and run the program of a graph; a board's image must be within the "
+              "graph's `budget:`",
+          .examples = {{"run on Linux, with options of the program after the graph",
                         "eagerx-gen run pendulum.yaml --seed 1 --steps 300"},
-                       {"on the emulator of a board",
+                       {"run in the emulator of a board",
                         "eagerx-gen run pendulum.yaml --target mps2-an386 --steps 300 --hash"},
-                       {"the controller in an emulated board of its own, linked with the rest",
+                       {"run the controller on an emulated board, linked to the simulation",
                         "eagerx-gen run pendulum.yaml --split controller=mps2-an386 --hash"},
-                       {"all that follows `--` is the program's",
+                       {"pass everything after `--` to the program",
                         "eagerx-gen run pendulum.yaml -- --help"}},
           .arguments = on_building(options),
-          .rest = Argument{"program-options",
-                           "options of the program: all that eagerx-gen does not know, and all "
-                           "that follows `--`; on a board --steps, --seed, --episodes, --agent, "
-                           "--csv, --hash",
-                           "PROGRAM OPTIONS",
-                           [&options](const auto& words) { options.of_program = words; }},
+          .rest =
+              Argument{
+                  "program-options",
+                  "options of the program: those that eagerx-gen does not know, and everything "
+                  "after `--`; on a board --steps, --seed, --episodes, --agent, --csv and --hash",
+                  "PROGRAM OPTIONS", [&options](const auto& words) { options.of_program = words; }},
           .check = [&options] { return check_one_target(options); },
           .run = [&options] { return perform(options); }};
 }

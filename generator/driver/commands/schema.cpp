@@ -44,22 +44,22 @@ int perform(const SchemaOptions& options) {
 }
 
 Command table(SchemaOptions& options) {
-  Argument manifest = flag("--manifest", options.of_manifests, "of manifests");
+  Argument manifest = flag("--manifest", options.of_manifests, "for manifests");
   return {
       .name = "schema",
-      .about = "print a JSON schema, for editors",
-      .examples = {{"of graphs, with the entities of eagerx-gen and your own",
+      .about = "print a JSON schema for editors",
+      .examples = {{"for graphs, with the entities of eagerx-gen and your own",
                     "eagerx-gen schema --graph --path my_models >graph.schema.json"},
-                   {"of manifests", "eagerx-gen schema --manifest >manifest.schema.json"},
-                   {"of settings of a training",
+                   {"for manifests", "eagerx-gen schema --manifest >manifest.schema.json"},
+                   {"for settings of a training",
                     "eagerx-gen schema --train-settings >settings.schema.json"},
-                   {"of graphs, whatever the entities", "eagerx-gen schema >graph.schema.json"}},
+                   {"for graphs, with any entities", "eagerx-gen schema >graph.schema.json"}},
       .arguments = {flag("--graph", options.of_library,
-                         "of graphs of this library: ids, ports and parameters of its entities"),
+                         "for graphs, with the ids, ports and parameters of all entities found"),
                     std::move(manifest),
                     flag("--train-settings", options.of_settings,
-                         "of the files of `train --settings`"),
-                    flag("--train-sweep", options.of_sweeps, "of the files of `train --sweep`"),
+                         "for files of `train --settings`"),
+                    flag("--train-sweep", options.of_sweeps, "for files of `train --sweep`"),
                     library(options)},
       .check =
           [&options] {

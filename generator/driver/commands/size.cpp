@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "generator/analysis/bound/bound.hpp"
 #include "generator/analysis/info/info.hpp"
 #include "generator/analysis/plausibility/plausibility.hpp"
 #include "generator/analysis/size/tools.hpp"
@@ -23,6 +22,7 @@
 #include "generator/driver/commands/check_targets.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/image_budget.hpp"
+#include "generator/driver/commands/image_time.hpp"
 #include "generator/driver/pipeline/paths.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 
@@ -84,23 +84,22 @@ std::optional<Json> read_baseline(Run& run, const SizeOptions& options) {
   return json;
 }
 
-/// Of the graph's rates, in the order of the bits of a slot.
-std::vector<std::string> rate_names(const Run& run) {
-  std::vector<std::string> names;
-  if (!run.plan) return names;
-  for (const RateClass& rate : run.plan->rates) names.push_back(rate.rate_hz.to_string() + " Hz");
-  return names;
-}
+/// The bound of `--worst`, and of a budget for the time of slots.
+struct Worst {
+  std::optional<BoundReport> bound;
+  std::optional<Fit> fit;  // of an image with its graph
+};
 
-void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan,
-                  const std::optional<BoundReport>& bound, bool as_json) {
+void print_report(const SizeReport& report, const std::optional<PlanInfo>& plan, const Worst& worst,
+                  bool as_json) {
   if (!as_json) {
-    say("{}{}{}", size_text(report), bound ? bound_text(*bound) : "",
-        plan ? timing_text(*plan) : "");
+    say("{}{}{}{}", size_text(report), worst.bound ? bound_text(*worst.bound) : "",
+        worst.fit ? fit_text(*worst.fit) : "", plan ? timing_text(*plan) : "");
     return;
   }
   Json json = size_json(report);
-  if (bound) json["worst"] = bound_json(*bound);
+  if (worst.bound) json["worst"] = bound_json(*worst.bound);
+  if (worst.fit) json["worst"]["fit"] = fit_json(*worst.fit);
   if (plan) {
     Json timing = info_json(*plan);
     json["ages"] = std::move(timing["ages"]);
@@ -146,9 +145,22 @@ int perform_library(SizeOptions options) {
       program ? measure_image(program->image, program->build, run.diagnostics) : std::nullopt;
   if (!report) return std::max(finish(run, options), code);
   leave_out_board(*report);
-  if (!options.quiet) print_report(*report, std::nullopt, std::nullopt, options.json_output);
+  if (!options.quiet) print_report(*report, std::nullopt, {}, options.json_output);
   check_library_budget(run, options, {*report, baseline, "the library", std::nullopt});
   return std::max(finish(run, options), code);
+}
+
+/// Whether the bound is asked for, by `--worst` or by the graph's budget.
+bool wants_bound(const Run& run, const SizeOptions& options) {
+  const bool has_budget = run.plan && options.of.empty() && run.spec->budget;
+  return options.worst || (has_budget && limits_time(*run.spec->budget));
+}
+
+Worst worst_of(Run& run, const SizeOptions& options) {
+  const auto machine = machine_of_image(run, options, options.image);
+  Worst worst{bound_of_image(run, options.image, machine ? &*machine : nullptr), std::nullopt};
+  if (worst.bound && run.plan && options.of.empty()) worst.fit = fit_of(*worst.bound, *run.plan);
+  return worst;
 }
 
 /// `size IMAGE.elf`.
@@ -174,18 +186,20 @@ int perform_image(const SizeOptions& options) {
       run.diagnostics.io_error(
           "E0911", {}, fmt::format("cannot run `{}` on `{}`", options.image, options.run_on));
   }
-  std::optional<BoundReport> bound;
-  if (options.worst) {
-    bound = bound_instructions(options.image, rate_names(run), run.diagnostics);
-    if (!bound) return finish(run, options);
+  Worst worst;
+  if (wants_bound(run, options)) {
+    worst = worst_of(run, options);
+    if (!worst.bound) return finish(run, options);
   }
-  if (!options.quiet) print_report(*report, plan, bound, options.json_output);
-  const JudgedImage image{*report, baseline, "the image", std::nullopt};
+  if (!options.quiet) print_report(*report, plan, worst, options.json_output);
+  const MeasuredImage image{*report, baseline, "the image", std::nullopt};
   if (!options.of.empty()) {
     check_library_budget(run, options, image);
   } else if (plan && run.spec->budget) {
     check_image_budget(image, *run.spec->budget, run.diagnostics);
     check_plan_budget(*plan, *run.spec->budget, run.diagnostics);
+    if (worst.bound)
+      check_time_budget(*worst.bound, worst.fit, *run.plan, *run.spec->budget, run.diagnostics);
   }
   return finish(run, options);
 }
@@ -213,38 +227,43 @@ std::string check(const SizeOptions& options) {
 Command table(SizeOptions& options) {
   return {
       .name = "size",
-      .about = "flash, RAM, stack and instructions of an image, or of a library for a board",
+      .about =
+          "measure flash, RAM, stack and instructions of an image, or of a library for a board",
       .examples = {{"flash and RAM of each node", "eagerx-gen size build/pendulum.elf"},
                    {"check a graph's budget and count instructions in the emulator",
                     "eagerx-gen size build/pendulum.elf --graph pendulum.yaml --run mps2-an386"},
-                   {"the controller of a graph with its plant, as a library for a board",
+                   {"the controller of a graph that also has a plant, as a library for a board",
                     "eagerx-gen size robot.yaml --of controller --target mps2-an386"},
-                   {"a main loop of your own with this library, against the budget of the graph",
+                   {"an image of your own main loop with this library, against the graph's budget",
                     "eagerx-gen size build/robot.elf --graph robot.yaml --of controller"}},
       .arguments = joined(
-          {{required(reads(text("image", options.image,
-                                "the image; with --of a graph, whose library is built first",
-                                "IMAGE.elf|GRAPH.yaml"))),
+          {{required(reads(
+                text("image", options.image,
+                     "image to measure, or, with --of, a graph whose library is built and measured",
+                     "IMAGE.elf|GRAPH.yaml"))),
             reads(text("--graph", options.graph,
-                       "also check the image against this graph's `budget:`", "GRAPH.yaml")),
+                       "also check the image against the `budget:` of this graph", "GRAPH.yaml")),
             cut_out_nodes(options,
-                          "measure the library of these nodes, composites or arrays alone, as "
-                          "generate --of; of an image, check their part of the budget"),
-            texts("--target", options.targets, "board that the library is built for", "NAME"),
+                          "measure only the library of these nodes, composites or arrays, as for "
+                          "generate --of; for an image, check their part of the budget"),
+            texts("--target", options.targets, "board to build the library for", "NAME"),
             folder(text("--build", options.build,
-                        "build folder of the image (default: the folder that it lies in)", "DIR")),
+                        "build folder of the image (default: the image's folder)", "DIR")),
             variant(options),
-            text("--engine", options.engine,
-                 "engine that the image was generated with, if not the graph's", "NAME"),
+            text("--engine", options.engine, "engine of the image, if it is not the graph's",
+                 "NAME"),
             library(options),
-            flag("--worst", options.worst,
-                 "also bound the instructions of each part, from the disassembled image"),
-            text("--run", options.run_on, "also count instructions, in the target's emulator",
-                 "TARGET"),
-            reads(text("--baseline", options.baseline,
-                       "an earlier output of --json; if a budget is exceeded, name the parts that "
-                       "grew",
-                       "FILE.json")),
+            experimental(flag(
+                "--worst", options.worst,
+                "also compute an upper bound of the instructions of each step, slot and node from "
+                "the image, of a Cortex-M; with the cycles of a Cortex-M3 or M4, and with --graph "
+                "whether slots fit into their time")),
+            text("--run", options.run_on,
+                 "also run the image in this target's emulator, and count instructions", "TARGET"),
+            reads(text(
+                "--baseline", options.baseline,
+                "previous output of --json: if the budget is exceeded, list the parts that grew",
+                "FILE.json")),
             flag("--json", options.json_output, "print JSON")},
            diagnostics(options)}),
       .check = [&options] { return check(options); },

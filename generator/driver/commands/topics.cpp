@@ -48,8 +48,10 @@ std::string units_text() {
   return fmt::format(
       "Rates and times may have a unit: `rate: 30 Hz`, `delay: 10ms`, `delay: 1/3 s`.\n"
       "Without a unit, rates are in Hz and times in seconds. Case counts.\n\n"
-      "rates   {}\ntimes   {} (or \u00b5s)\nmemory  {} (of `budget:`; k is 1024, M is 1024 k)\n",
+      "rates   {}\ntimes   {} (or \u00b5s)\nangles  {}\ngains   {} (of margins)\nmemory  {} (of "
+      "`budget:`; k is 1024, M is 1024 k)\n",
       join(units_of(Quantity::rate), ", "), join(units_of(Quantity::time), ", "),
+      join(units_of(Quantity::angle), ", "), join(units_of(Quantity::gain), ", "),
       join(units_of_memory(), ", "));
 }
 
@@ -75,9 +77,9 @@ std::vector<Topic> help_topics() {
   return {
       {"graph-file", "the keys of a graph file", graph_text()},
       {"units", "units of rates and times", units_text()},
-      {"library", "where entities and targets are found", kLibrary},
+      {"library", "where eagerx-gen searches entities and targets", kLibrary},
       {"train-settings", "settings of `train`, with defaults and ranges", train_settings_text()},
-      {"exit-codes", "what exit codes mean", kExitCodes}};
+      {"exit-codes", "meaning of exit codes", kExitCodes}};
 }
 
 }  // namespace eagerx::gen

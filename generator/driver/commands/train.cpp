@@ -53,38 +53,38 @@ int perform(const TrainOptions& options) {
     return places.report(checked.output, is_io, run.diagnostics) ? finish(run, options)
                                                                  : int{kDone};
   };
-  return become_in_ranks("eagerx-train", training, words, explain);
+  return exec_in_ranks("eagerx-train", training, words, explain);
 }
 
 Command table(TrainOptions& options) {
   return {
       .name = "train",
-      .about = "train a policy on the graph, whose `task:` says what is good",
+      .about = "train a policy on a graph, with the reward of its `task:`",
       .examples =
-          {{"until it succeeds: writes policy.safetensors", "eagerx-gen train pendulum.yaml"},
-           {"with another seed, and a picture of the learning curve",
+          {{"train until the policy succeeds, and write policy.safetensors",
+            "eagerx-gen train pendulum.yaml"},
+           {"use another seed, and draw the learning curve",
             "eagerx-gen train pendulum.yaml --seed 2 --curve curve.svg -o swing_up.safetensors"},
-           {"with a record of all of it, which `report` shows on a page for a browser",
+           {"record the training for a page in a browser (`eagerx-gen report --training`)",
             "eagerx-gen train pendulum.yaml --record training.json"},
-           {"a long one that can be interrupted",
+           {"write checkpoints during a long training",
             "eagerx-gen train robot.yaml --steps 50000000 --checkpoint robot.checkpoint"},
-           {"continue it",
+           {"continue from the checkpoint",
             "eagerx-gen train robot.yaml --steps 50000000 --resume robot.checkpoint"},
-           {"over settings: a table of how good each is, and the best policy",
+           {"compare settings in a table, and write the best policy",
             "eagerx-gen train robot.yaml --sweep sweep.yaml --csv settings.csv"},
-           {"fine-tune for another graph what was learnt on this one",
+           {"fine-tune a trained policy on another graph",
             "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"},
-           {"on four processes, for an eagerx-gen with MPI: the same policy, sooner",
+           {"use four processes of an eagerx-gen with MPI, which train the same policy",
             "mpirun -n 4 eagerx-gen train robot.yaml"}},
       .arguments = joined(
           {{graph(options),
             reads(text("--settings", options.settings,
-                       "settings of the algorithm; `eagerx-gen help "
-                       "train-settings` lists them",
+                       "settings of the algorithm, which `eagerx-gen help train-settings` lists",
                        "FILE.yaml")),
             reads(text("--sweep", options.sweep,
-                       "train with each of these settings in parallel, and print how good each "
-                       "is; a file with lists and ranges, see `eagerx-gen help train-settings`",
+                       "train with each combination of the lists and ranges in this file, in "
+                       "parallel, and print a table of the results",
                        "FILE.yaml"))},
            handed_on(eagerx::options::kTrain, options),
            on_environments(options)}),

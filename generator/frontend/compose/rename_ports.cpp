@@ -58,13 +58,18 @@ void rename_ports(YamlValue& root, const PortBindings& ends, const CountOf& coun
     if (entry.key == "actions")
       for (auto& action : entry.value.entries)
         with(action.value, "space", [&](YamlValue& space) { with(space, "like", sink); });
-    if (entry.key == "budget")
+    if (entry.key == "budget") {
       with(entry.value, "age", [&](YamlValue& ages) {
         for (auto& age : ages.items) {
           with(age, "from", source);
           with(age, "to", sink);
         }
       });
+      with(entry.value, "margin", [&](YamlValue& margins) {
+        with(margins, "at", source);
+        for (auto& margin : margins.items) with(margin, "at", source);
+      });
+    }
     if (entry.key == "safety")
       with(entry.value, "actuators", [&](YamlValue& actuators) {
         for (auto& actuator : actuators.entries)

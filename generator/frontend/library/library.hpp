@@ -167,6 +167,10 @@ struct Target {
   std::string family;                      // the family of boards it is of; empty: none
   std::optional<std::uint32_t> baud;       // of its serial port, if that can send telemetry
   std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
+  std::string cpu;                         // the core's name: "Cortex-M4F"
+  std::optional<std::uint64_t> clock_hz;   // of the core
+  std::optional<unsigned> wait_states;     // of the memory for code
+  std::vector<std::pair<std::string, double>> interrupts;  // its own handlers: most times a second
   std::vector<std::pair<std::string, std::string>> facts;  // for people: clock_hz, flash, run, …
   std::vector<std::string> run;
   std::string image;  // the file that is built, with `{name}`; empty: as CMake calls a program

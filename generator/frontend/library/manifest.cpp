@@ -332,6 +332,28 @@ std::optional<Implementation> read_implementation_manifest(const YamlValue& writ
   return result;
 }
 
+namespace {
+
+/// What the time of instructions depends on.
+void read_timing(const YamlValue& root, Target& target) {
+  target.cpu = text_at(root, "cpu");
+  if (const auto hz = parse_int(text_at(root, "clock_hz")); hz && *hz > 0)
+    target.clock_hz = static_cast<std::uint64_t>(*hz);
+  if (const YamlValue* states = root.find("wait_states"))
+    target.wait_states = static_cast<unsigned>(parse_int(states->text).value_or(0));
+  const YamlValue* interrupts = root.find("interrupts");
+  if (interrupts == nullptr) return;
+  std::vector<std::string> texts;
+  for (const auto& entry : interrupts->entries) {
+    const double hz = Rational::parse(entry.value.text).value_or(Rational()).to_double();
+    target.interrupts.emplace_back(entry.key, hz);
+    texts.push_back(fmt::format("{} {:g} Hz", entry.key, hz));
+  }
+  target.facts.emplace_back("interrupts", join(texts, ", "));
+}
+
+}  // namespace
+
 std::optional<Target> read_target_manifest(const YamlValue& written, const std::string& path,
                                            Diagnostics& diagnostics) {
   const std::optional<YamlValue> tree = checked(written, diagnostics);
@@ -359,13 +381,14 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");
   target.family = text_at(root, "family");
-  for (const char* key : {"cpu", "clock_hz", "baud", "toolchain", "image"}) {
+  for (const char* key : {"cpu", "clock_hz", "wait_states", "baud", "toolchain", "image"}) {
     if (const YamlValue* value = root.find(key)) target.facts.emplace_back(key, value->text);
   }
   for (const char* key : {"flash", "ram", "run"}) {
     if (root.find(key) != nullptr)
       target.facts.emplace_back(key, fmt::format("{}", join(texts_at(root, key), ", ")));
   }
+  read_timing(root, target);
   if (const YamlValue* baud = root.find("baud"))
     target.baud = static_cast<std::uint32_t>(parse_int(baud->text).value_or(0));
   target.ram_bytes = size_of_memory(texts_at(root, "ram"));

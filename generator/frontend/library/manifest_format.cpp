@@ -25,7 +25,7 @@ FormatPtr eagerx_format() {
                      {format::record("an id of EAGERx",
                                      {{"id", id, true, "module/Class"},
                                       {"when", config_format(), false,
-                                       "values of its parameters for which it is this entity"}}),
+                                       "values of its parameters that select this entity"}}),
                       id}));
 }
 
@@ -35,22 +35,23 @@ FormatPtr parameter_format() {
       {{"type",
         format::keyword({"int", "float", "bool", "string", "enum", "ints", "floats", "model"}),
         true, "type"},
-       {"about", format::text("a text"), true, "what it means, in one line"},
+       {"about", format::text("a text"), true, "meaning, in one line"},
        {"unit", format::text("a unit"), false, "unit"},
-       {"eagerx", format::text("a name"), false, "its name in EAGERx, if that is another one"},
+       {"eagerx", format::text("a name"), false, "name in EAGERx, if different"},
        {"default", format::any("a value"), false,
-        "value if none is given; without a default, a value must be given"},
+        "default value; a parameter without one is required"},
        {"low", format::number("a number"), false, "lowest value, inclusive"},
        {"high", format::number("a number"), false, "highest value, inclusive"},
        {"tunable",
         format::one_of("true, false or running", {format::boolean(), format::keyword({"running"})}),
         false,
-        "whether a reset may set it where a graph says so: the class takes a state of this name "
-        "(nodes only; default: false); `running`: also between two steps, by the class's `tune()`"},
+        "whether a reset may set it if the graph lists it under `tunable:`: the class takes a "
+        "state of this name (nodes only; default: false); `running`: also between two steps, with "
+        "the class's `tune()`"},
        {"options", texts(), false, "the choices of an enum"},
        {"class", format::text("a C++ enumeration"), false, "the C++ enumeration of an enum"},
        {"engine", format::name("the id of an engine"), false,
-        "the engine whose model of an object a `model` is"}});
+        "engine of the object's model, for type `model`"}});
 }
 
 FormatPtr requirements_format() {
@@ -59,15 +60,16 @@ FormatPtr requirements_format() {
       format::record("a condition",
                      {{"that", format::text("a condition such as `low < high`"), true,
                        "a condition such as `low < high`"},
-                      {"because", format::text("a text"), true, "what it means, in one line"}}));
+                      {"because", format::text("a text"), true, "meaning, in one line"}}));
 }
 
 /// `like` only where messages leave: what comes in has a space of its own.
 Fields port_fields(bool like = false) {
-  return {{"space", space_format(ReferenceRule::accept, like), false, "what its messages may hold"},
+  return {{"space", space_format(ReferenceRule::accept, like), false,
+           "type, shape and bounds of its messages"},
           {"unit", format::text("a unit"), false, "unit"},
-          {"eagerx", format::text("a name"), false, "its name in EAGERx, if that is another one"},
-          {"about", format::text("a text"), false, "what it means, in one line"}};
+          {"eagerx", format::text("a name"), false, "name in EAGERx, if different"},
+          {"about", format::text("a text"), false, "meaning, in one line"}};
 }
 
 FormatPtr delay_format() {
@@ -91,7 +93,7 @@ FormatPtr ports(const std::string& what, const Fields& fields) {
 
 Fields about(const std::string& kind, FormatPtr id) {
   return {{"kind", format::keyword({kind}), true, "kind of entity"},
-          {"id", std::move(id), true, "its name: what follows `type:` in graphs, or `--target`"},
+          {"id", std::move(id), true, "name of the entity, for `type:` in graphs or `--target`"},
           {"summary", format::text("a text"), true, "one line"},
           {"description", format::text("a text"), false, "equations, units, sources"}};
 }
@@ -110,7 +112,7 @@ FormatPtr templates_format() {
 
 Fields common(const std::string& kind) {
   return about(kind, format::name("an id")) +
-         Fields{{"eagerx", eagerx_format(), false, "ids of EAGERx that it stands for"}};
+         Fields{{"eagerx", eagerx_format(), false, "ids of EAGERx that it replaces"}};
 }
 
 FormatPtr system_format() {
@@ -123,17 +125,16 @@ Fields cpp(bool is_needed = true) {
       {"class", format::text("a C++ class template"), is_needed, "C++ class template over its Io"},
       {"pkg_config",
        format::list("a list of names of libraries", format::file_name("the name of a library")),
-       false, "pkg-config's names of the libraries that it needs"},
-      {"system", system_format(), false, "the operating system it needs (default: none)"},
+       false, "names of required libraries in pkg-config"},
+      {"system", system_format(), false, "required operating system (default: none)"},
       {"family", format::name("a family of boards"), false,
-       "the family of boards it needs (default: none)"}};
+       "required family of boards (default: none)"}};
 }
 
 Fields python() {
-  return {
-      {"python", format::path("a file in Python", true), false,
-       "file in the manifest's folder with a class of the name `id`, for parts in Python; without "
-       "`header` and `class` it is one of these alone"}};
+  return {{"python", format::path("a file in Python", true), false,
+           "file in the manifest's folder with a class named like `id`, for parts in Python; "
+           "without `header` and `class`, the node runs only there"}};
 }
 
 /// Of what ticks or converts; a reset runs alone.
@@ -142,35 +143,36 @@ Fields vectorized() {
            format::one_of("true, false or a condition",
                           {format::boolean(), format::text("a condition")}),
            false,
-           "whether its class also calculates with SIMD vectors, one lane an environment, or the "
-           "condition under which it does (default: false)"}};
+           "whether its class also computes with SIMD vectors, one lane for each environment, or a "
+           "condition for this (default: false)"}};
 }
 
 Fields config() {
   return {{"config", format::map("parameters", parameter_format()), false, "parameters"},
-          {"requires", requirements_format(), false, "conditions that they must meet together"}};
+          {"requires", requirements_format(), false, "conditions on the parameters"}};
 }
 Fields engines() {
-  return {{"engines", texts(), false, "engines it works with (default: all)"}};
+  return {{"engines", texts(), false, "supported engines (default: all)"}};
 }
 Fields states(const Fields& more = {}) {
-  return {{"states", ports("states", port_fields() + more), false, "what can be set at a reset"}};
+  return {
+      {"states", ports("states", port_fields() + more), false, "states, which a reset may set"}};
 }
 
 Fields node_ports(bool can_do_without) {
-  const Fields max_delay = {
-      {"max_delay", delay_format(), false, "the entity sets the delay at its reset, up to this"}};
+  const Fields max_delay = {{"max_delay", delay_format(), false,
+                             "maximum delay, if the entity sets the delay at its reset"}};
   const Field leave_out = {"optional", format::boolean(), false,
-                           "whether a graph may leave it out (default: false)"};
+                           "whether a graph may omit it (default: false)"};
   const Fields optional = can_do_without ? Fields{leave_out} : Fields{};
   const Field tunable = {"tunable", format::keyword({"running"}), false,
-                         "`running`: between two steps, too, by the class's `tune()`"};
+                         "`running`: also between two steps, with the class's `tune()`"};
   return Fields{{"inputs",
                  ports("inputs", port_fields() + connection_defaults() + max_delay + optional),
                  false, "inputs"},
                 {"outputs", ports("outputs", port_fields(true) + optional), false, "outputs"},
                 {"counts", texts(), false,
-                 "names of what its for_each_count() counts, for the summary"}} +
+                 "names of the counts of its for_each_count(), for the summary"}} +
          states(can_do_without ? Fields{tunable} : Fields{});
 }
 
@@ -180,16 +182,16 @@ Fields implementation() {
                      {{"type", format::name("the id of an engine state"), false, "its id"},
                       {"config", config_format(), false, "its parameters"},
                       {"node", format::port("`NODE.STATE`"), false,
-                       "the state of an engine node that it stands for"}});
+                       "state of an engine node, instead of an engine state"}});
   return {{"model",
-           format::record(
-               "a model",
-               {{"header", header_format(), true, "header in the manifest's folder"},
-                {"class", format::text("a C++ class template"), true, "what the engine simulates"},
-                {"vectorized", format::boolean(), false,
-                 "whether it also calculates with SIMD vectors, one lane an "
-                 "environment (default: false)"}}),
-           true, "what the engine simulates"},
+           format::record("a model",
+                          {{"header", header_format(), true, "header in the manifest's folder"},
+                           {"class", format::text("a C++ class template"), true,
+                            "model that the engine simulates"},
+                           {"vectorized", format::boolean(), false,
+                            "whether it also computes with SIMD vectors, one lane for each "
+                            "environment (default: false)"}}),
+           true, "model that the engine simulates"},
           {"nodes", engine_nodes_format(), false, "engine nodes"},
           {"connections", connections_format(), false,
            "connections between them, `sensors` and `actuators`"},
@@ -201,11 +203,12 @@ FormatPtr object_engine_format() {
 }
 
 Fields implementation_apart() {
-  return Fields{{"kind", format::keyword({"implementation"}), true, "kind of manifest"},
-                {"object", format::name("the id of an object"), true, "what is implemented"},
-                {"engine", format::name("the id of an engine"), true, "on which engine"},
-                {"summary", format::text("a text"), false, "one line"},
-                {"description", format::text("a text"), false, "equations, units, sources"}} +
+  return Fields{
+             {"kind", format::keyword({"implementation"}), true, "kind of manifest"},
+             {"object", format::name("the id of an object"), true, "the implemented object"},
+             {"engine", format::name("the id of an engine"), true, "engine of the implementation"},
+             {"summary", format::text("a text"), false, "one line"},
+             {"description", format::text("a text"), false, "equations, units, sources"}} +
          implementation();
 }
 
@@ -215,7 +218,7 @@ Fields object_ports() {
   const Fields rated = port_fields() + Fields{{"rate", rate, true, "its rate in Hz"}};
   const Fields delayed = {
       {"delay", delay_format(), false, "default delay of connections from it"},
-      {"max_delay", delay_format(), false, "longest delay that a reset may set there"}};
+      {"max_delay", delay_format(), false, "maximum delay that a reset may set"}};
   return Fields{
              {"sensors", ports("sensors", rated + delayed), false, "sensors"},
              {"actuators", ports("actuators", rated + connection_defaults()), false, "actuators"}} +
@@ -228,11 +231,12 @@ Fields space_of_state() {
   std::vector<Field> fields = space_format(ReferenceRule::accept, false)->fields;
   std::erase_if(fields,
                 [](const Field& field) { return field.name == "low" || field.name == "high"; });
-  return {{"space", format::record("a space", std::move(fields)), false, "what it takes"}};
+  return {{"space", format::record("a space", std::move(fields)), false, "accepted messages"}};
 }
 
 FormatPtr target_format() {
   constexpr double kMostBaud = 100'000'000;
+  constexpr double kMostWaitStates = 1000;
   return format::record(
       "a target",
       // Boards have names such as mps2-an386.
@@ -242,10 +246,9 @@ FormatPtr target_format() {
               {"partner", templates_format(), false,
                "files made for the board's half of a split graph"},
               {"language", format::text("a language"), false,
-               "the language of `partner`, if it is not C++: templates get messages and nodes of "
-               "the part"},
+               "language of `partner`, if not C++: templates get messages and nodes of the part"},
               {"yours", templates_format(), false,
-               "with `language`: files that are written once, and then the user's"},
+               "with `language`: files that are written once and belong to the user"},
               {"vectorized", format::boolean(), false,
                "whether the vectorized program is generated, too (default: false)"},
               {"derivatives", format::boolean(), false,
@@ -257,6 +260,10 @@ FormatPtr target_format() {
               // For people and for CMake; a board in the making has blanks here.
               {"cpu", format::text("a processor core"), false, "the processor core"},
               {"clock_hz", format::text("a frequency in Hz"), false, "the core's clock"},
+              {"wait_states", format::integer("a number of cycles", 0, kMostWaitStates), false,
+               "cycles that each access to the memory for code waits at this clock"},
+              {"interrupts", format::map("interrupts", format::rate()), false,
+               "handlers of the board's own interrupts, and how often a second each comes at most"},
               {"baud", format::integer("a baud rate", 1, kMostBaud), false,
                "speed of the serial port, which then takes telemetry"},
               {"flash", texts(), false, "origin and size of the memory for code"},
@@ -266,17 +273,17 @@ FormatPtr target_format() {
                "the family of boards that it belongs to (default: none)"},
               {"run", texts(), false, "command that runs an image"},
               {"image", format::text("a file name"), false,
-               "the file that is built; `{name}` is the graph's name (default: {name}, and "
-               "{name}.elf without an operating system)"}});
+               "the built file; `{name}` is the graph's name (default: {name}, and {name}.elf "
+               "without an operating system)"}});
 }
 
 /// Ports of a composite: what they are bound to. Spaces are those of the ports inside.
 FormatPtr bound_ports(const std::string& what, const Fields& binding) {
-  return ports(what, binding + Fields{{"unit", format::text("a unit"), false, "unit"},
-                                      {"eagerx", format::text("a name"), false,
-                                       "its name in EAGERx, if that is another one"},
-                                      {"about", format::text("a text"), false,
-                                       "what it means, in one line"}});
+  return ports(
+      what,
+      binding + Fields{{"unit", format::text("a unit"), false, "unit"},
+                       {"eagerx", format::text("a name"), false, "name in EAGERx, if different"},
+                       {"about", format::text("a text"), false, "meaning, in one line"}});
 }
 
 Fields receiving() {
@@ -284,15 +291,15 @@ Fields receiving() {
   return Fields{{"to",
                  format::one_of("a port inside, or a list of them",
                                 {format::list("a list of ports", port, 1), port}),
-                 true, "the port inside that receives its messages, or several"},
+                 true, "port inside that receives its messages, or several"},
                 {"processor", processor_format(), false, "converts every message"},
-                {"max_delay", delay_format(), false, "longest delay that a reset may set"}} +
+                {"max_delay", delay_format(), false, "maximum delay that a reset may set"}} +
          connection_defaults();
 }
 
 Fields sending() {
   return {{"from", format::port("a port inside, such as `current.u`"), true,
-           "the port inside that sends its messages"}};
+           "port inside that sends its messages"}};
 }
 
 /// The graph inside is checked where it is used: only there its parameters have values.
@@ -303,8 +310,8 @@ Field inner_graph() {
                          {{"objects", entities, false, "as in a graph"},
                           {"nodes", entities, false, "as in a graph; `rate` may be `$(rate)`"},
                           {"connections", format::list("a list of connections", format::any("")),
-                           false, "between what is inside, as in a graph"}}),
-          true, "its components, instead of a class"};
+                           false, "connections of the components, as in a graph"}}),
+          true, "components, instead of a class"};
 }
 
 }  // namespace
@@ -321,12 +328,12 @@ const Format* manifest_format(std::string_view kind) {
       {"reset_node",
        format::record("a reset node", common("reset_node") + cpp() + config() + node_ports(true) +
                                           Fields{{"targets", ports("targets", port_fields()), true,
-                                                  "states that it can bring about"}})},
+                                                  "states that its callback can reach"}})},
       {"engine", format::record(
                      "an engine",
                      common("engine") + cpp() + vectorized() + config() + states() +
                          Fields{{"runs", texts(), false,
-                                 "other engines whose implementations of objects it can run"},
+                                 "other engines whose implementations of objects it runs"},
                                 {"simd_registers", format::integer("a whole number", 1, 8), false,
                                  "registers of a SIMD vector; large models are fastest with 1 "
                                  "(default: 4, fastest for small models)"},
@@ -338,7 +345,7 @@ const Format* manifest_format(std::string_view kind) {
                                                   true, "class template over a model"},
                                                  {"header", header_format(), false,
                                                   "header in the manifest's folder"}}),
-                                 true, "what holds an object's state"}})},
+                                 true, "class that holds an object's state"}})},
       {"engine_node",
        format::record("an engine node", common("engine_node") + cpp() + vectorized() + engines() +
                                             config() + node_ports(false))},
@@ -352,7 +359,7 @@ const Format* manifest_format(std::string_view kind) {
       {"processor", format::record("a processor",
                                    common("processor") + cpp() + vectorized() + config() +
                                        Fields{{"input", space_format(ReferenceRule::accept, false),
-                                               false, "what it takes"},
+                                               false, "accepted messages"},
                                               {"output", space_format(ReferenceRule::accept, true),
                                                true, "what it gives"}})},
       {"implementation", format::record("an implementation", implementation_apart())},

@@ -87,7 +87,7 @@ void add_tunable_states(Entity& entity) {
     state.space.dtype = Spanned<std::string>{"float32", span};
     std::vector<YamlValue> shape;
     if (parameter.type == Parameter::Type::numbers)
-      shape.push_back(made_scalar(in_dollars(Reference{"size", parameter.name.value}), span));
+      shape.push_back(made_reference({"size", parameter.name.value}, span));
     state.space.shape = made_list(std::move(shape), span);
     state.optional = true;
     state.tunes_running = parameter.tunes_running;

@@ -99,10 +99,9 @@ YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml) {
   const Unit* unit = find_unit(parameter.unit);
   if (unit == nullptr || text || !yaml.is_scalar() || yaml.quoted || yaml.number) return yaml;
   const auto number = number_in(yaml.text, *unit);
-  // What parameters are read with knows no fractions.
-  if (number && (*number == yaml.text || number->find('/') == std::string::npos))
-    yaml.text = *number;
-  return yaml;
+  if (!number) return yaml;
+  YamlValue made = made_number(*number, yaml.span);
+  return made.text.find('/') == std::string::npos ? made : yaml;  // parameters take no fractions
 }
 
 References references_of(const Entity& entity, const std::vector<Setting>& settings) {

@@ -23,15 +23,18 @@ const auto& units() {
       Unit{"ns", Quantity::time, {1, 1'000'000'000}},
       Unit{"min", Quantity::time, 60},
       Unit{"h", Quantity::time, 3'600},
+      Unit{"deg", Quantity::angle, 1},
+      Unit{"dB", Quantity::gain, 1},
       // U+00B5, the micro sign, and U+03BC, the Greek letter
       Unit{"\u00b5s", Quantity::time, {1, 1'000'000}},
       Unit{"\u03bcs", Quantity::time, {1, 1'000'000}},
+      Unit{"%", Quantity::share, {1, 100}},
   };
   return kUnits;
 }
 
 bool is_in_unit(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' ||
          (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
 
@@ -48,6 +51,12 @@ NumberAndUnit take_unit_off(std::string_view text) {
   const std::string_view unit = text.substr(end);
   while (end > 0 && !unit.empty() && text[end - 1] == ' ') --end;
   return {text.substr(0, end), unit};
+}
+
+const Unit& base_unit(Quantity quantity) {
+  static const Unit kOne{"", Quantity::share, 1};
+  if (quantity == Quantity::share) return kOne;
+  return *ranges::find(units(), quantity, &Unit::quantity);
 }
 
 const Unit* find_unit(std::string_view name) {
@@ -74,17 +83,23 @@ std::optional<Rational> parse_quantity(std::string_view text, Quantity quantity)
   return scaled.overflowed() ? std::nullopt : std::optional(scaled);
 }
 
-std::optional<std::string> number_in(std::string_view text, const Unit& unit) {
-  if (take_unit_off(text).unit.empty()) return std::string(text);
+std::optional<Rational> number_in(std::string_view text, const Unit& unit) {
+  if (take_unit_off(text).unit.empty()) return std::nullopt;
   const auto value = parse_quantity(text, unit.quantity);
-  return value ? digits_of(*value / unit.scale) : std::nullopt;
+  if (!value) return std::nullopt;
+  const Rational number = *value / unit.scale;
+  return number.overflowed() ? std::nullopt : std::optional(number);
 }
 
 std::string with_right_unit(std::string_view text, Quantity wanted) {
   const auto [number, name] = take_unit_off(text);
   const auto value = Rational::parse(number);
   const Unit* unit = find_unit(name);
-  if (value && unit != nullptr && unit->quantity != wanted && *value > Rational()) {
+  const auto is_inverse = [](Quantity a, Quantity b) {
+    return a == Quantity::rate && b == Quantity::time;
+  };
+  if (value && unit != nullptr && *value > Rational() &&
+      (is_inverse(unit->quantity, wanted) || is_inverse(wanted, unit->quantity))) {
     const Rational other = Rational(1) / (*value * unit->scale);
     const auto other_text = digits_of(other);
     return other_text ? fmt::format("{} {}", *other_text, wanted == Quantity::rate ? "Hz" : "s")

@@ -1,4 +1,5 @@
-// Rates and times with a unit, as people write them: "30 Hz", "10ms", "1/3 s".
+// Rates, times, angles, gains and shares with a unit, as people write them: "30 Hz", "10ms",
+// "1/3 s", "80 %".
 #pragma once
 
 #include <optional>
@@ -11,16 +12,18 @@
 namespace eagerx::gen {
 
 /// Units of memory are another matter (bytes.hpp): a K is also a kelvin.
-enum class Quantity : std::uint8_t { none, rate, time };
+enum class Quantity : std::uint8_t { none, rate, time, angle, gain, share };
 
-/// A unit of rates or times.
+/// A unit of one of them.
 struct Unit {
   std::string_view name;
   Quantity quantity = Quantity::none;
-  Rational scale;  // how many Hz or s it is
+  Rational scale;  // how many Hz, s, deg or dB it is; of 1, which has no unit
 };
+/// The unit of what has none.
+const Unit& base_unit(Quantity quantity);
 
-/// A text that ends in letters, taken apart. "10 ms" is "10" and "ms"; "30" is "30" and "".
+/// A text that ends in letters or `%`, taken apart. "10 ms" is "10" and "ms"; "30" is "30" and "".
 struct NumberAndUnit {
   std::string_view number, unit;
 };
@@ -31,13 +34,13 @@ const Unit* find_unit(std::string_view name);
 /// Names of the units of a quantity, the common ones first.
 std::vector<std::string> units_of(Quantity quantity);
 
-/// A number with a unit of `quantity`, or without one, in Hz or s. Nothing for other texts, for
-/// another unit, and for what does not fit.
+/// A number with a unit of `quantity`, or without one, in its base unit. Nothing for other texts,
+/// for another unit, and for what does not fit.
 std::optional<Rational> parse_quantity(std::string_view text, Quantity quantity);
 
-/// The text of a number without its unit, in `unit`: "10 ms" in s is "0.01". Nothing for what is no
-/// number with a unit of the same quantity. What was written without a unit stays as it is.
-std::optional<std::string> number_in(std::string_view text, const Unit& unit);
+/// A number with a unit in `unit`: "10 ms" in s is 1/100. Nothing for what is no number with a unit
+/// of the same quantity.
+std::optional<Rational> number_in(std::string_view text, const Unit& unit);
 
 /// The correction of a number whose unit is wrong: "30 hz" → "30 Hz", a time for a rate
 /// "10 ms" → "100 Hz"; empty if there is nothing near.

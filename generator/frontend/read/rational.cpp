@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -203,8 +205,21 @@ std::int64_t Rational::ceil() const {
 
 double Rational::to_double() const {
   if (overflowed()) return std::numeric_limits<double>::quiet_NaN();
+  constexpr Wide kExact = Wide{1} << 53;
+  const Wide magnitude = num_ < 0 ? -Wide{num_} : Wide{num_};
   // Both are exact up to 2^53, which gives the nearest double: one rounding, in the division.
-  return static_cast<double>(num_) / static_cast<double>(den_);
+  if (magnitude <= kExact && den_ <= kExact)
+    return static_cast<double>(num_) / static_cast<double>(den_);
+  // Else of more bits than a double has; the last one says whether there are others behind it.
+  constexpr int kBits = 56;
+  const auto bits = [](Wide value) {
+    return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value)));
+  };
+  const int shift = std::max(0, kBits + bits(den_) - bits(magnitude));
+  const Wide scaled = magnitude << shift;
+  const auto quotient = static_cast<std::uint64_t>(scaled / den_) | (scaled % den_ != 0 ? 1U : 0U);
+  const double nearest = std::ldexp(static_cast<double>(quotient), -shift);
+  return num_ < 0 ? -nearest : nearest;
 }
 
 std::string Rational::to_string() const {

@@ -36,7 +36,7 @@ class Rational {
   /// Largest whole number not above, smallest not below; 0 when overflowed.
   [[nodiscard]] std::int64_t floor() const;
   [[nodiscard]] std::int64_t ceil() const;
-  /// The nearest double (within two units in the last place); NaN when overflowed.
+  /// The nearest double; NaN when overflowed.
   [[nodiscard]] double to_double() const;
   /// "30", "29.97"; "30/7" when the decimals do not end (or only after more than 18); "overflow".
   /// parse() gives the same number back.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ enum class Origin : std::uint8_t {
 /// as long as they fit into 64 bits; else a double.
 using ComputedNumber = std::variant<std::int64_t, double, Rational>;
 
+struct Reference;
+
 /// A value and what is below it. Maps keep their order and have no duplicate keys.
 struct YamlValue {
   struct Entry;
@@ -35,11 +38,12 @@ struct YamlValue {
   Span span;                             // a scalar: its text; a map or sequence: its first token
   std::string tag;                       // explicit tag such as "!!python/tuple" in full
                                          // ("tag:yaml.org,2002:python/tuple"), else empty
-  std::string text;                      // scalars
-  std::optional<ComputedNumber> number;  // of what was computed; `text` is for messages then
+  std::string text;                      // scalars; of the next two only for messages
+  std::optional<ComputedNumber> number;  // of what was computed, or written with a unit
+  std::shared_ptr<const Reference> reference;  // to what a manifest says elsewhere
   Origin origin = Origin::written;
   bool quoted = false;
-  bool with_unit = false;        // a rate or time, whose unit was taken off `text`
+  bool with_unit = false;        // a rate or time was written with one
   std::vector<YamlValue> items;  // sequences
   std::vector<Entry> entries;    // maps
 

@@ -13,15 +13,41 @@ FormatPtr age_format() {
            format::record(
                "a limit of an age",
                {{"from", format::port("`object.sensor` or `actions.NAME`"), false,
-                 "where data begin (default: every sensor; without an engine every action)"},
+                 "source of the data (default: every sensor; without an engine every action)"},
                 {"to", format::port("`object.actuator` or `observations.NAME`"), false,
-                 "where they are used (default: every actuator; without an engine every "
+                 "destination of the data (default: every actuator; without an engine every "
                  "observation)"},
                 {"at_most", format::time("a time in seconds", true), true,
-                 "largest age, in seconds, of the newest data of `from` at `to`"},
+                 "maximum age, in seconds, of the newest data of `from` at `to`"},
                 {"agent", format::boolean(), false,
-                 "false: ways through the agent do not count (default true)"}}),
+                 "false: ignore paths through the agent (default true)"}}),
            1)});
+}
+
+FormatPtr above_zero(const char* what, Quantity quantity, std::optional<double> high = {}) {
+  Format format = *format::decimal(what, 0.0, true);
+  format.quantity = quantity;
+  format.high = high;
+  return std::make_shared<const Format>(std::move(format));
+}
+
+FormatPtr margin_format() {
+  const FormatPtr one = format::record(
+      "a margin of a loop",
+      {{"at", format::port("a port such as `controller.u` or `motor.y[2]`"), true,
+        "where the loop is opened"},
+       {"phase", above_zero("a phase margin in degrees", Quantity::angle, 180.0), false,
+        "smallest phase margin, in degrees"},
+       {"gain", above_zero("a gain margin in dB", Quantity::gain), false,
+        "smallest gain margin in dB, up and down"},
+       {"delay", format::time("a time in seconds", true), false,
+        "smallest delay margin, in seconds"},
+       {"corners", format::boolean(), false,
+        "at all combinations of the ends of drawn parameters (default false)"},
+       {"trim", format::boolean(), false,
+        "linearize at the operating point that `eagerx-gen trim` finds (default false)"}});
+  return format::one_of("a margin `{at: …, phase: …, gain: …, delay: …}`, or a list of them",
+                        {one, format::list("a list of margins", one, 1)});
 }
 
 }  // namespace
@@ -35,13 +61,13 @@ FormatPtr telemetry_format() {
       {{"channels",
         format::list("a list of ports",
                      format::port("a port such as `pendulum.theta` or `actions.voltage`"), 1),
-        true, "whose messages a board sends: sensors, outputs of nodes, actions"},
+        true, "sensors, outputs of nodes and actions to send"},
        {"share", std::make_shared<const Format>(std::move(share)), false,
-        "how much of the line's bandwidth they may take (default 0.5)"},
+        "share of the line's bandwidth to use (default 0.5)"},
        {"rate", format::rate(), false,
-        "most messages a second of a channel (default: as many as fit)"},
+        "maximum messages per second of a channel (default: as many as fit)"},
        {"baud", format::integer("a baud rate", 1, kMostBaud), false,
-        "speed of the board's serial port, which its manifest must say, too (default 115200)"}});
+        "speed of the board's serial port, which its manifest must list (default 115200)"}});
 }
 
 FormatPtr budget_format() {
@@ -51,24 +77,31 @@ FormatPtr budget_format() {
                                             {"ram", bytes, false, "bytes besides the stack"}});
   Format nodes = *format::file_map("nodes");  // engine nodes have names such as object/node
   nodes.item = part;
-  return format::record("the budget",
-                        {{"flash", bytes, false, "bytes of code and constants of the image"},
-                         {"ram", bytes, false, "bytes of memory besides the stack"},
-                         {"stack", bytes, false, "bytes of stack"},
-                         {"instructions", format::integer("a number of instructions", 0), false,
-                          "most instructions of a slot, the agent included"},
-                         {"age", age_format(), false,
-                          "largest age, in seconds, of the newest data of a sensor at an actuator "
-                          "(without an engine: of an action in an observation), for all pairs or "
-                          "for each"},
-                         {"link", format::integer("a baud rate", 1), false,
-                          "baud rate of a serial link between the engine and the rest"},
-                         {"parts", format::integer("a baud rate", 1), false,
-                          "baud rate of the serial line to each part of `placement:`"},
-                         {"telemetry", format::integer("a baud rate", 1), false,
-                          "how much of its line's baud rate `telemetry:` may take"},
-                         {"nodes", std::make_shared<const Format>(std::move(nodes)), false,
-                          "budgets of nodes, by their names"}});
+  return format::record(
+      "the budget",
+      {{"flash", bytes, false, "bytes of code and constants of the image"},
+       {"ram", bytes, false, "bytes of memory besides the stack"},
+       {"stack", bytes, false, "bytes of stack"},
+       {"instructions", format::integer("a number of instructions", 0), false,
+        "maximum instructions of a slot, including the agent"},
+       {"time", format::fraction("a share of the time, such as `80 %`"), false,
+        "maximum share of the time until the next slot that a slot of a board may take, by the "
+        "bound of its cycles"},
+       {"slot", format::time("a time in seconds", true), false,
+        "maximum time of a slot of a board, by the bound of its cycles, including the agent"},
+       {"age", age_format(), false,
+        "maximum age, in seconds, of the newest data of a sensor at an actuator (without an "
+        "engine: of an action in an observation), for all pairs or for each"},
+       {"link", format::integer("a baud rate", 1), false,
+        "baud rate of a serial link between the engine and the rest"},
+       {"parts", format::integer("a baud rate", 1), false,
+        "baud rate of the serial line to each part of `placement:`"},
+       {"telemetry", format::integer("a baud rate", 1), false,
+        "baud rate that `telemetry:` may use of its line"},
+       {"margin", margin_format(), false,
+        "stability margins of the sampled loop, which `build` and `run` check"},
+       {"nodes", std::make_shared<const Format>(std::move(nodes)), false,
+        "budgets of nodes, by their names"}});
 }
 
 }  // namespace eagerx::gen

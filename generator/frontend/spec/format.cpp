@@ -75,6 +75,13 @@ FormatPtr time(std::string what, bool low_exclusive) {
   return share(std::move(result));
 }
 
+FormatPtr fraction(std::string what) {
+  Format result = *decimal(std::move(what), 0.0, true);
+  result.quantity = Quantity::share;
+  result.high = 1.0;
+  return share(std::move(result));
+}
+
 FormatPtr keyword(std::vector<std::string> words) {
   Format result = make(Format::Kind::keyword, fmt::format("{}", join(words, ", ")));
   result.keywords = std::move(words);

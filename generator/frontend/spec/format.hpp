@@ -88,6 +88,8 @@ FormatPtr decimal(std::string what, double low, bool low_exclusive);
 FormatPtr memory(std::string what);
 FormatPtr rate();
 FormatPtr time(std::string what, bool low_exclusive = false);
+/// Above 0 and up to 1, with or without `%`.
+FormatPtr fraction(std::string what);
 FormatPtr number(std::string what, Quantity quantity = Quantity::none);
 FormatPtr boolean();
 FormatPtr keyword(std::vector<std::string> words);
@@ -111,8 +113,8 @@ FormatPtr one_of(std::string what, std::vector<FormatPtr> options);
 /// choice, E0205 not a name, E0209 a wrong unit.
 bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
 
-/// A tree that `check` has accepted, with all rates in Hz, all times in seconds and all memory in
-/// bytes: "10 ms" becomes "0.01".
+/// A tree that `check` has accepted, in which what was written with a unit is a number: of Hz or of
+/// seconds. "10 ms" becomes 1/100.
 YamlValue in_base_units(YamlValue yaml, const Format& format);
 
 /// The format as JSON schema (draft-07).

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "generator/frontend/read/bytes.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/rational.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/read/typos.hpp"
@@ -220,11 +220,11 @@ bool takes(const YamlValue& yaml, const Format& format) {
       return ranges::any_of(format.options,
                             [&](const FormatPtr& option) { return takes(yaml, *option); });
     case Format::Kind::integer:
-      return yaml.is_scalar() && !yaml.quoted && parse_int(yaml.text);
+      return yaml.is_scalar() && !yaml.quoted && whole_of(yaml);
     case Format::Kind::number:
     case Format::Kind::decimal:
       return yaml.is_scalar() && !yaml.quoted &&
-             (parse_number(yaml.text) || Rational::parse(yaml.text) || has_unit(yaml, format));
+             (real_of(yaml) || exact_of(yaml) || has_unit(yaml, format));
     case Format::Kind::boolean:
       return yaml.is_scalar() && !yaml.quoted && parse_bool(yaml.text);
     default:
@@ -288,13 +288,11 @@ void put_in_base_units(YamlValue& yaml, const Format& format) {
     return;
   }
   if (format.quantity != Quantity::none && yaml.is_scalar()) {
-    const Unit& base = *find_unit(format.quantity == Quantity::rate ? "Hz" : "s");
-    yaml.with_unit = !take_unit_off(yaml.text).unit.empty();
-    yaml.text = number_in(yaml.text, base).value_or(yaml.text);
-  }
-  if (format.kind == Format::Kind::memory && yaml.is_scalar()) {
-    const auto bytes = parse_bytes(yaml.text);
-    yaml.text = bytes ? std::to_string(*bytes) : yaml.text;
+    const Unit& base = base_unit(format.quantity);
+    if (const auto number = number_in(yaml.text, base)) {
+      yaml = made_number(*number, yaml.span);
+      yaml.with_unit = true;
+    }
   }
   for (auto& item : yaml.items) {
     if (format.item) put_in_base_units(item, *format.item);

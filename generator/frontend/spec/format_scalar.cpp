@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/frontend/read/bytes.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/rational.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/read/typos.hpp"
@@ -229,7 +230,11 @@ bool check_keyword(const YamlValue& yaml, const Format& format, const std::strin
 namespace {
 
 std::string with_article(Quantity quantity) {
-  return quantity == Quantity::rate ? "a rate" : "a time";
+  return quantity == Quantity::rate    ? "a rate"
+         : quantity == Quantity::angle ? "an angle"
+         : quantity == Quantity::gain  ? "a gain"
+         : quantity == Quantity::share ? "a share"
+                                       : "a time";
 }
 
 /// Whether a number has no unit, or one of its format; a text without a number is left to others.
@@ -254,9 +259,10 @@ bool check_unit(const YamlValue& yaml, const Format& format, Diagnostics& diagno
 /// The value of a number in the base unit; nothing for what is no number.
 std::optional<double> number_in_base_unit(const YamlValue& yaml, const Format& format) {
   if (format.kind == Format::Kind::integer) {
-    const auto value = parse_int(yaml.text);
+    const auto value = whole_of(yaml);
     return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
   }
+  if (yaml.number) return real_of(yaml);
   const bool plain = format.quantity == Quantity::none || take_unit_off(yaml.text).unit.empty();
   if (format.kind == Format::Kind::number && plain) return parse_number(yaml.text);
   const auto value = parse_quantity(yaml.text, format.quantity);

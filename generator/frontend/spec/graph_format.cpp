@@ -23,13 +23,13 @@ FormatPtr part_format() {
       "a board, or a part such as `{host: camera_pc}` or `{part: left, target: stm32f405}`",
       {format::record("where a part runs",
                       {{"part", format::name("a name"), false,
-                        "its name (default: that of the machine or the board)"},
+                        "name of the part (default: that of the machine or the board)"},
                        {"target", format::text("a target"), false,
-                        "what it is a program for (default: linux-sim)"},
+                        "target of its program (default: linux-sim)"},
                        {"host", format::file_name("the name of a machine"), false,
-                        "the machine that it runs on (default: this one)"},
+                        "machine that runs it (default: this one)"},
                        {"key", format::text("a file of `eagerx-gen key new`"), false,
-                        "what `run` gives both ends of the line to `host` as `--key`"}}),
+                        "key file (`--key`) for both ends of the line to `host`"}}),
        format::text("a board")});
 }
 
@@ -44,7 +44,7 @@ std::vector<Field> random_fields(const FormatPtr& one) {
   const auto pair = [&](const char* what, const char* first, const char* second) {
     return format::record(what, {{first, value, true, first}, {second, value, true, second}});
   };
-  return {{"value", value, false, "always this value"},
+  return {{"value", value, false, "a constant value"},
           {"uniform",
            format::one_of("`space`, or a range such as `{low: 0.0, high: 1.0}`",
                           {pair("`uniform`", "low", "high"), format::keyword({"space"})}),
@@ -52,7 +52,7 @@ std::vector<Field> random_fields(const FormatPtr& one) {
           {"normal", pair("`normal`", "mean", "std"), false, "normally distributed"},
           {"log_uniform", pair("`log_uniform`", "low", "high"), false, "uniform in the logarithm"},
           {"choice", format::list("a list of values", value, 1), false,
-           "one of these, all equally likely"}};
+           "one of these values, with equal probability"}};
 }
 
 FormatPtr selection(const std::string& what, std::vector<Field> settings,
@@ -93,13 +93,12 @@ Field rate_field(bool required, const char* about) {
 }
 Field count_field() {
   return {"count", format::integer("a number of elements", 1, kLongestArray), false,
-          "makes an array with this number of elements: `leg[0]`, `leg[1]`, …"};
+          "number of elements of an array: `leg[0]`, `leg[1]`, …"};
 }
 Field states_field() {
-  return {
-      "states", states_format(), false,
-      "how its states get their values at a reset; states that are not named keep their values, "
-      "which are at first their defaults"};
+  return {"states", states_format(), false,
+          "values of its states at a reset; states that are not named keep their values, which "
+          "start as their defaults"};
 }
 
 /// The default of the connections from a sensor.
@@ -130,20 +129,21 @@ Field actuators_field() {
 }  // namespace
 
 std::vector<Field> connection_settings() {
-  return {{"window", format::integer("a number of messages", 0, 1'000'000), false,
-           "how many of the last messages the receiver sees; 0: only the new ones (default 1)"},
-          {"delay",
-           format::one_of(
-               "a delay in seconds, or a mapping such as `{uniform: {low: 0, high: "
-               "0.1}}`",
-               {format::record("how a delay is drawn",
-                               random_fields(format::number("a delay in seconds", Quantity::time))),
-                format::time("a delay in seconds")}),
-           false, "seconds from sending to receiving, or how the delay is drawn at every reset"},
-          {"max_delay", format::time("a delay in seconds"), false,
-           "longest delay that a reset may set (default: the longest that can be drawn)"},
-          {"skip", format::boolean(), false,
-           "take the message of the tick before; this breaks a cycle"}};
+  return {
+      {"window", format::integer("a number of messages", 0, 1'000'000), false,
+       "number of last messages that the receiver sees; 0: those since its last tick (default 1)"},
+      {"delay",
+       format::one_of(
+           "a delay in seconds, or a mapping such as `{uniform: {low: 0, high: "
+           "0.1}}`",
+           {format::record("how a delay is drawn",
+                           random_fields(format::number("a delay in seconds", Quantity::time))),
+            format::time("a delay in seconds")}),
+       false, "seconds from sending to receiving, or a distribution that every reset draws from"},
+      {"max_delay", format::time("a delay in seconds"), false,
+       "maximum delay that a reset may set (default: the maximum of the distribution)"},
+      {"skip", format::boolean(), false,
+       "read the message of the previous tick, which breaks a cycle"}};
 }
 
 FormatPtr drawn_format() {
@@ -162,7 +162,7 @@ FormatPtr node_format() {
       {{"type", format::name("the id of a node"), false,
         "the id of an entity as `eagerx-gen info` lists them"},
        {"policy", node_policy_format(), false,
-        "a trained policy instead of a type: it gets the inputs in their order and gives the "
+        "a trained policy instead of a type: it reads the inputs in their order and computes the "
         "outputs"},
        rate_field(true, "its rate in Hz"),
        count_field(),
@@ -198,14 +198,13 @@ FormatPtr space_format(ReferenceRule references, bool like) {
                               : format::one_of("a size or `$(config NAME)`",
                                                {dimension, format::text("`$(config NAME)`")});
   std::vector<Field> fields = {
-      {"dtype", format::keyword(dtype_names()), false, "type of an element, by numpy's names"},
+      {"dtype", format::keyword(dtype_names()), false, "type of an element, as numpy names it"},
       {"shape", format::list("a list of sizes, `[]` for a scalar", shape), false,
        "sizes, `[]` for a scalar"},
       {"low", bound_format(references), false, "lowest value"},
       {"high", bound_format(references), false, "highest value"}};
   if (like) {
-    fields.push_back(
-        {"like", format::text("a port"), false, "take everything else from this port"});
+    fields.push_back({"like", format::text("a port"), false, "port to take everything else from"});
   }
   return format::record("a space", std::move(fields));
 }
@@ -255,11 +254,11 @@ FormatPtr make_graph_format(GraphForm form) {
        {"rate", format::rate(), true,
         "the rate of the environment in Hz: one step is 1/rate seconds"},
        {"real", format::keyword({"float", "double"}), false,
-        "type that engines and nodes calculate in (default float)"},
+        "floating-point type of engines and nodes (default float)"},
        {"reset_timeout", format::time("a time in seconds", true), false,
-        "longest time that reset nodes may take, in seconds of the graph (default 60)"},
+        "maximum time of reset nodes, in seconds of the graph (default 60)"},
        {"library", format::list("a list of folders", format::text("a folder")), false,
-        "folders with entities of your own, relative to this file"},
+        "folders with your own entities, relative to this file"},
        {"engine",
         format::record("the engine", {type_field("the id of an engine"),
                                       rate_field(true, "its rate in Hz"),
@@ -270,9 +269,9 @@ FormatPtr make_graph_format(GraphForm form) {
                                       {"sync", format::boolean(), false,
                                        "false: inputs take the messages that have arrived when "
                                        "their node begins (default true: messages are counted)"}}),
-        false, "what the objects run on; a graph without objects needs none"},
+        false, "engine that runs the objects; a graph without objects needs none"},
        {"objects", entities("objects", object_format()), false,
-        "robots, things, sensors, actuators"},
+        "robots and other parts of the world, with sensors and actuators"},
        {"nodes", entities("nodes", node_format()), false, "filters, controllers, estimators"},
        {"actions",
         selection("actions",
@@ -289,30 +288,30 @@ FormatPtr make_graph_format(GraphForm form) {
               false, "bounds of the observation (default: those of its source)"}},
             {of_connections("pendulum.theta", "observations.NAME"), rate_of_steps()}),
         true, "what the agent sees at every step"},
-       {"connections", connections_format(), true, "who sends to whom"},
-       {"agent", agent_format(), false, "what decides (default: zero)"},
+       {"connections", connections_format(), true, "messages from port to port"},
+       {"agent", agent_format(), false, "source of the actions (default: zero)"},
        {"task", task_format(), false,
         "reward and end of an episode, for training and for measuring success"},
        {"render",
         format::record(
             "`render`",
             {{"source", format::port("a port such as `pendulum.scene` or `overlay.scene`"), true,
-              "what is shown: a sensor or an output with a scene, or with an image"},
+              "a sensor or an output with a scene or an image"},
              rate_field(false, "pictures a second (default: the graph's rate)")}),
-        false, "what `--render` of a program shows; without it nothing is drawn"},
+        false, "drawing that `--render` of a program shows"},
        {"telemetry", telemetry_format(), false,
-        "what a board sends over its serial port while it keeps to the clock"},
-       {"safety", safety_format(), false,
-        "which actions are safe, and when they take the agent's place"},
+        "messages that a board sends over its serial port, in real time"},
+       {"safety", safety_format(), false, "safe actions, and when they replace the agent's"},
        {"placement", format::inner_map("names of nodes, `agent` or `controller`", part_format()),
         false,
-        "what runs on boards or other machines while the rest runs here: nodes, `agent`, or "
-        "`controller` for the agent and all nodes that nothing else places"},
+        "parts on boards, in other processes or on other machines: nodes, `agent`, or `controller` "
+        "for the agent and all nodes that are not placed otherwise"},
        {"budget", budget_format(), false,
-        "limits for memory, instructions and the age of data; `build`, `run` and `size` check "
-        "those of an image"},
+        "limits for memory, instructions, the age of data and stability margins; `build`, `run` "
+        "and "
+        "`size` check those of an image"},
        {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
-        false, "warnings that are not given for this graph"},
+        false, "warnings to suppress for this graph"},
        // What compose/ takes away before anything is checked.
        {"tunable", format::list("a list of parameters", format::port("`node.parameter`")), false,
         "parameters that a reset may set, as states: `controller.kp`"},
@@ -323,11 +322,11 @@ FormatPtr make_graph_format(GraphForm form) {
                                                             {"variant", format::name("a variant"),
                                                              false, "a variant in that file"}}),
                         format::text("a graph file")}),
-        false, "the graph that this one is laid over"},
+        false, "graph that this one modifies"},
        {"variants", format::map("variants", format::any("what a variant says")), false,
-        "graphs that are laid over this one, chosen with `--variant`"},
+        "modifications of this graph, selected with `--variant`"},
        {"remove", format::list("a list of paths", format::text("a path such as `nodes.filter`")),
-        false, "what the graph below has and this one has not"}});
+        false, "elements of the extended graph to remove"}});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/scalar.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/search.hpp"
@@ -26,7 +27,7 @@ std::optional<Spanned<T>> optional_of(const YamlValue& yaml, const char* key, Co
 }
 
 Rational rational_of(const YamlValue& yaml) {
-  return Rational::parse(yaml.text).value_or(Rational{});
+  return exact_of(yaml).value_or(Rational{});
 }
 bool bool_of(const YamlValue& yaml) {
   return parse_bool(yaml.text).value_or(false);
@@ -79,7 +80,7 @@ void read_policy_settings(const YamlValue& yaml, AgentSpec& spec) {
   }
   if (const YamlValue* sizes = yaml.find("input_sizes")) {
     for (const auto& item : sizes->items) {
-      spec.input_sizes.push_back({parse_int(item.text).value_or(0), item.span});
+      spec.input_sizes.push_back({whole_of(item).value_or(0), item.span});
     }
   }
   spec.actor = optional_of<std::string>(yaml, "actor", text);
@@ -170,7 +171,7 @@ SafeOutputSpec read_safe_output(const YamlValue::Entry& entry) {
     spec.value = value_at(yaml, "value");
     spec.low = value_at(yaml, "low");
     spec.high = value_at(yaml, "high");
-    spec.ramp = value_at(yaml, "ramp");
+    if (const YamlValue* ramp = yaml.find("ramp")) spec.ramp_per_s = real_of(*ramp);
     const YamlValue* hold = yaml.find("hold");
     spec.holds_always = hold != nullptr && hold->text == kHoldAlways;
     if (!spec.holds_always) spec.hold_s = optional_of<Rational>(yaml, "hold", rational_of);
@@ -384,7 +385,7 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
   if (render != root.entries.end()) read_render(*render, spec);
   const auto telemetry = ranges::find(root.entries, kTelemetry, &YamlValue::Entry::key);
   if (telemetry != root.entries.end()) spec.telemetry = read_telemetry(*telemetry);
-  spec.budget = value_at(root, "budget");
+  if (const YamlValue* budget = root.find("budget")) spec.budget = read_budget(*budget);
   if (const YamlValue* allow = root.find("allow")) {
     for (const auto& item : allow->items) spec.allow.push_back(spanned_text(item));
   }

@@ -8,6 +8,7 @@
 
 #include "generator/frontend/read/rational.hpp"
 #include "generator/frontend/read/tree.hpp"
+#include "generator/frontend/spec/budget_spec.hpp"
 #include "generator/frontend/spec/format.hpp"
 #include "generator/frontend/spec/render_spec.hpp"
 #include "generator/frontend/spec/settings.hpp"
@@ -95,7 +96,7 @@ struct SafeOutputSpec {
   std::optional<YamlValue> value, low, high;
   std::optional<Spanned<Rational>> hold_s;
   bool holds_always = false;
-  std::optional<YamlValue> ramp;  // per second
+  std::optional<double> ramp_per_s;
 };
 
 /// The safe values and when they apply; the defaults are `safety_defaults`.
@@ -151,7 +152,7 @@ struct GraphSpec {
   std::optional<TaskSpec> task;      // its inputs are among the connections
   std::optional<RenderSpec> render;  // its source is among the connections
   std::optional<TelemetrySpec> telemetry;
-  std::optional<YamlValue> budget;
+  std::optional<BudgetSpec> budget;
   std::vector<PlacementSpec> placement;
   std::vector<Spanned<std::string>> allow;  // codes of warnings
   std::vector<CompositeSpec> composites;    // what pictures show besides

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 namespace eagerx::gen {
 namespace {
@@ -31,6 +32,12 @@ std::string in_dollars(const Reference& reference) {
   return fmt::format("$({})", to_string(reference));
 }
 
+YamlValue made_reference(Reference reference, Span span) {
+  YamlValue yaml = made_scalar(in_dollars(reference), span);
+  yaml.reference = std::make_shared<const Reference>(std::move(reference));
+  return yaml;
+}
+
 std::optional<Reference> parse_reference(std::string_view text) {
   if (!text.starts_with(kBegin) || !text.ends_with(')')) return std::nullopt;
   text = text.substr(kBegin.size(), text.size() - kBegin.size() - 1);
@@ -47,10 +54,12 @@ std::optional<Reference> parse_reference(std::string_view text) {
 }
 
 std::optional<Reference> reference_in(const YamlValue& yaml) {
+  if (yaml.reference) return *yaml.reference;
   return yaml.is_scalar() && !yaml.quoted ? parse_reference(yaml.text) : std::nullopt;
 }
 
 bool is_expression(const YamlValue& yaml) {
+  if (yaml.reference) return true;
   const std::size_t reference = yaml.text.find(kBegin);
   return yaml.is_scalar() && !yaml.quoted && reference != std::string::npos &&
          yaml.text.ends_with(')') && yaml.text.find_first_not_of("0123456789.+-*/( ") >= reference;

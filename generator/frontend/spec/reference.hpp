@@ -28,6 +28,8 @@ std::string to_string(const Reference& reference);
 /// "$(config limit 0)", as manifests write it.
 std::string in_dollars(const Reference& reference);
 
+/// A reference that was not in a file, at `span`.
+YamlValue made_reference(Reference reference, Span span);
 /// Of a text that is one reference and nothing else.
 std::optional<Reference> parse_reference(std::string_view text);
 /// Of a value that is one; what is quoted is a text of its own.

@@ -29,11 +29,11 @@ FormatPtr safe_output_format(const FormatPtr& values) {
       "safety.outputs",
       {{"value", values, false, "the safe value (default: zero, moved into the limits)"},
        {"hold", hold, false,
-        "how long the last good output stays first, in seconds, or `always` (default 0)"},
+        "seconds for which the last good output stays first, or `always` (default 0)"},
        {"ramp", number, false,
-        "largest change a second on the way to the safe value and back (default: at once)"},
-       {"low", values, false, "what leaves is never less (default: the bound of its space)"},
-       {"high", values, false, "what leaves is never more (default: the bound of its space)"}});
+        "maximum change per second to the safe value and back (default: at once)"},
+       {"low", values, false, "lower limit of the output (default: the bound of its space)"},
+       {"high", values, false, "upper limit of the output (default: the bound of its space)"}});
   return format::one_of(
       "a safe value, `none`, or a mapping such as `{value: 0.0, ramp: 10}`",
       {format::list("a list of numbers", number, 1), number, format::keyword({"none"}), settings});
@@ -63,38 +63,35 @@ FormatPtr safety_format() {
             "`none`, or a mapping from observations to safe values",
             {format::map("outputs", safe_output_format(values)), format::keyword({"none"})}),
         false,
-        "graphs without an engine: what leaves as an observation while a measurement is missing, "
-        "not finite or late; `none`: nothing acts on it (default: zero, moved into its space)"},
+        "graphs without an engine: value of an observation while a measurement is missing, not "
+        "finite or late; `none`: no actuator uses it (default: zero, moved into its space)"},
        {"frozen", format::map("frozen", format::integer("a number of steps", 2, kMost)), false,
-        "graphs without an engine: number of steps in a row for which an action, which is a "
-        "measurement, may have exactly the same value before safe outputs take over (default: for "
-        "ever)"},
+        "graphs without an engine: consecutive steps with exactly the same value of an action, "
+        "which is a measurement, before safe outputs take over (default: unlimited)"},
        {"nodes", format::keyword({"reset", "hold"}), false,
-        "graphs without an engine: what the nodes do when a safe output is over. reset: they begin "
-        "as after a reset; hold: they continue from where they stopped (default reset)"},
+        "graphs without an engine: nodes after a safe output. reset: they start as after a reset; "
+        "hold: they continue where they stopped (default reset)"},
        {"late", count, false,
-        "number of instants in a row later than `max_lateness` after which the safe action "
-        "takes over (default 1)"},
+        "consecutive instants later than `max_lateness` before the safe action takes over (default "
+        "1)"},
        {"max_lateness", time, false,
-        "how many seconds late an instant may be in real time (default 0: one period)"},
+        "maximum lateness of an instant in real time, in seconds (default 0: one period)"},
        {"missed", count, false,
-        "number of instants in a row without a valid value of a sensor after which the safe "
-        "action takes over (default 2)"},
+        "consecutive instants without a valid value of a sensor before the safe action takes over "
+        "(default 2)"},
        {"recover", format::integer("a number of instants", 0, kMost), false,
-        "number of good instants in a row after which the agent is back; 0: in the next episode "
-        "(default 3)"},
+        "consecutive good instants before the agent is back; 0: in the next episode (default 3)"},
        {"limits", format::keyword({"clip", "safe"}), false,
-        "clip: an action outside of its space is moved into it; safe: the safe action takes over "
-        "(default clip)"},
+        "action out of its space. clip: it is moved into its space; safe: the safe action takes "
+        "over (default clip)"},
        {"not_finite", format::keyword({"safe", "hold"}), false,
-        "after a NaN or an infinite number in an action or in the observation before it. safe: the "
-        "safe action takes over; hold: first the last good action is repeated for `missed` - 1 "
-        "instants in a row (default safe)"},
-       {"link_timeout", time, false,
-        "longest time that a link may take to answer, in seconds (default 0.01)"},
+        "NaN or infinity in an action or in the observation before it. safe: the safe action takes "
+        "over; hold: first the last good action is repeated for `missed` - 1 instants (default "
+        "safe)"},
+       {"link_timeout", time, false, "maximum time of a link to answer, in seconds (default 0.01)"},
        {"heartbeat_timeout", time, false,
-        "seconds without a heartbeat of a program for Linux that drives real hardware after which "
-        "another process kills it and applies the safe values; 0: never (default 0.5)"}});
+        "programs for Linux that drive real hardware: seconds without a heartbeat before another "
+        "process kills the program and applies the safe values; 0: never (default 0.5)"}});
 }
 
 }  // namespace eagerx::gen

@@ -1,5 +1,6 @@
 #include "generator/frontend/spec/settings.hpp"
 
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/read/scalar.hpp"
 
 namespace eagerx::gen {
@@ -68,7 +69,7 @@ ProcessorSpec read_processor(const YamlValue& yaml) {
 }
 
 QuantitySpec read_quantity(const YamlValue& yaml) {
-  if (const auto number = Rational::parse(yaml.text)) return {*number, yaml.span, yaml.with_unit};
+  if (const auto number = exact_of(yaml)) return {*number, yaml.span, yaml.with_unit};
   return {yaml, yaml.span, yaml.with_unit};
 }
 

@@ -1,7 +1,7 @@
 // `stages:` of a task: what a training begins with.
 #include <fmt/format.h>
 
-#include "generator/frontend/read/scalar.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/spec/graph_spec.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
@@ -17,7 +17,7 @@ FormatPtr drawn_states_format() {
 
 std::optional<double> number_at(const YamlValue& yaml, std::string_view key) {
   const YamlValue* value = yaml.find(key);
-  return value != nullptr ? parse_number(value->text) : std::nullopt;
+  return value != nullptr ? real_of(*value) : std::nullopt;
 }
 
 void read_until(const YamlValue& yaml, StageSpec& stage, Diagnostics& diagnostics) {
@@ -50,7 +50,7 @@ StageSpec read_stage(const YamlValue& yaml, Diagnostics& diagnostics) {
     stage.is_as_written = stage.is_as_written && weights->entries.empty();
     for (const auto& entry : weights->entries) {
       stage.weights.emplace_back(Spanned<std::string>{entry.key, entry.key_span},
-                                 parse_number(entry.value.text).value_or(0.0));
+                                 real_of(entry.value).value_or(0.0));
     }
   }
   read_until(*yaml.find("until"), stage, diagnostics);
@@ -64,9 +64,9 @@ FormatPtr stages_format() {
       "a list of stages",
       format::record(
           "a stage",
-          {{"name", format::name("a name"), true, "what progress and tables call it"},
+          {{"name", format::name("a name"), true, "name in progress messages and tables"},
            {"states", drawn_states_format(), false,
-            "states that it draws otherwise: `{pendulum.model_state: {uniform: …}}`"},
+            "distributions of states in this stage: `{pendulum.model_state: {uniform: …}}`"},
            {"weights", format::map("terms of the reward", format::number("a number")), false,
             "weights of terms that replace the graph's"},
            {"until",
@@ -74,7 +74,7 @@ FormatPtr stages_format() {
                                         "share of the episodes that succeed, 0 to 1"},
                                        {"return", format::number("a number"), false,
                                         "mean return of the episodes"}}),
-            true, "when the next stage begins: what the policy without noise must reach in it"}}),
+            true, "what the policy without noise must reach before the next stage begins"}}),
       1);
 }
 

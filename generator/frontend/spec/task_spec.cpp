@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/frontend/read/scalar.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/frontend/spec/graph_spec.hpp"
 #include "generator/support/diagnostics/search.hpp"
 
@@ -24,7 +24,7 @@ TermSpec read_term(const YamlValue::Entry& entry) {
   spec.name = {entry.key, entry.key_span};
   spec.value = entry.value.is_scalar() ? entry.value : *entry.value.find("value");
   if (const YamlValue* weight = entry.value.find("weight"))
-    spec.weight = parse_number(weight->text).value_or(1.0);
+    spec.weight = real_of(*weight).value_or(1.0);
   return spec;
 }
 
@@ -35,7 +35,7 @@ std::vector<TaskConditionSpec> read_conditions(const YamlValue* yaml, std::strin
   if (yaml == nullptr) return specs;
   for (const auto& entry : yaml->entries) {
     if (entry.key == time_key) {
-      time_s = {Rational::parse(entry.value.text).value_or(Rational{}), entry.value.span};
+      time_s = {exact_of(entry.value).value_or(Rational{}), entry.value.span};
     } else {
       specs.push_back({{entry.key, entry.key_span}, entry.value});
     }
@@ -72,7 +72,7 @@ FormatPtr noise_format() {
   return format::one_of(
       "a standard deviation, a list of one for each element, or `{range: …}`",
       {format::record("a range", {{"range", numbers("a number, or one for each element"), true,
-                                   "as much, less or more, evenly"}}),
+                                   "bound of uniform noise, from -range to range"}}),
        format::list("standard deviations", format::number("a number, at least 0"), 1),
        format::number("a standard deviation, at least 0")});
 }
@@ -94,18 +94,18 @@ FormatPtr task_format() {
   const FormatPtr value = format::text("an expression such as `theta^2`");
   const FormatPtr term = format::one_of(
       "an expression, or a mapping with its `value` and `weight`",
-      {format::record("a term of the reward",
-                      {{"value", value, true, "the expression, a number after every step"},
-                       {"weight", format::number("a number"), false,
-                        "what the value is multiplied by (default 1)"}}),
+      {format::record(
+           "a term of the reward",
+           {{"value", value, true, "the expression, a number after every step"},
+            {"weight", format::number("a number"), false, "factor of the value (default 1)"}}),
        value});
   const FormatPtr condition = condition_format();
   return format::record(
       "the task",
       {{"inputs", format::map("inputs of the task", input), false,
-        "what expressions call sensors, outputs of nodes and actions"},
+        "names of sensors, outputs of nodes and actions in expressions"},
        {"reward", format::map("terms of the reward", term), true,
-        "the terms, added after every step in the order of the file"},
+        "terms of the reward, summed after every step in the order of the file"},
        {"terminated", format::map("conditions", condition), false,
         "an episode ends with success or failure when one of these holds"},
        {"truncated",
@@ -118,17 +118,17 @@ FormatPtr task_format() {
         format::open_record(
             "`success`",
             {{"over_last", format::time("a time in seconds", true), false,
-              "seconds for which all of these have held without a gap (default: one step)"}},
+              "seconds for which all conditions must hold without a gap (default: one step)"}},
             condition),
-        false, "what counts as success, if all of these hold; it ends nothing"},
+        false, "conditions that together are success; success does not end an episode"},
        {"noise", format::map("observations", noise_format()), false,
-        "what is added to observations in simulation: the standard deviation, or `{range: …}`"},
+        "noise of observations in simulation: its standard deviation, or `{range: …}`"},
        {"critic",
         format::list("a list of inputs of the task and states",
                      format::text("an input of the task, or a state such as `pendulum.mass`")),
-        false, "what the critic of a training sees besides the observations"},
+        false, "additional inputs of the critic of a training"},
        {"stages", stages_format(), false,
-        "what a training begins with, one after the other, before the graph as it is written"}});
+        "curriculum: stages of a training, in order, before the graph as it is written"}});
 }
 
 TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics) {

@@ -13,20 +13,20 @@ constexpr std::int64_t kMaxLookUps = 3'000'000;                  // of one pair
 
 std::int64_t newest_bound(const Path& way) {
   std::int64_t sum = 0;
-  for (const PathEdge* hop : way) sum += hop->newest_bound;
+  for (const PathEdge* edge : way) sum += edge->newest_bound;
   return sum;
 }
 
 std::int64_t oldest_bound(const Path& way) {
   std::int64_t sum = 0;
-  for (const PathEdge* hop : way) sum += hop->oldest_bound;
+  for (const PathEdge* edge : way) sum += edge->oldest_bound;
   return sum;
 }
 
 /// When every tick on the way has settled.
 std::int64_t settled(const Path& way) {
   std::int64_t sum = 0;
-  for (const PathEdge* hop : way) sum += hop->settled * hop->period + hop->oldest_bound;
+  for (const PathEdge* edge : way) sum += edge->settled * edge->period + edge->oldest_bound;
   return sum;
 }
 
@@ -36,12 +36,12 @@ struct Worst {
 
 /// Tick by tick over a hyperperiod; nullopt if that is too long.
 std::optional<Worst> worst_tick(const Ways& ways) {
-  std::int64_t hyperperiod = 1, start = 0, hops = 0;
+  std::int64_t hyperperiod = 1, start = 0, edges = 0;
   for (const Path& way : ways.all) {
-    hops += static_cast<std::int64_t>(way.size());
+    edges += static_cast<std::int64_t>(way.size());
     start = std::max(start, settled(way));
-    for (const PathEdge* hop : way) {
-      for (const std::int64_t period : {hop->period, hop->source_period}) {
+    for (const PathEdge* edge : way) {
+      for (const std::int64_t period : {edge->period, edge->source_period}) {
         const std::int64_t factor = period / std::gcd(hyperperiod, period);
         if (factor > kMaxHyperperiod / hyperperiod) return std::nullopt;
         hyperperiod *= factor;
@@ -50,16 +50,16 @@ std::optional<Worst> worst_tick(const Ways& ways) {
   }
   const std::int64_t period = ways.all.front().front()->period;  // of the last reader
   const std::int64_t ticks = hyperperiod / period;
-  if (ticks > kMaxLookUps / hops) return std::nullopt;
+  if (ticks > kMaxLookUps / edges) return std::nullopt;
   const std::int64_t first = start / period + 1;
   Worst worst;
   for (std::int64_t tick = first; tick < first + ticks; ++tick) {
     std::int64_t freshest = kMaxHyperperiod;
     for (const Path& way : ways.all) {
       std::int64_t newest = tick, oldest = tick;
-      for (const PathEdge* hop : way) {
-        newest = hop->newest(newest);
-        oldest = hop->oldest(oldest);
+      for (const PathEdge* edge : way) {
+        newest = edge->newest(newest);
+        oldest = edge->oldest(oldest);
       }
       const std::int64_t born = way.back()->source_period;
       freshest = std::min(freshest, tick * period - newest * born);
@@ -78,7 +78,7 @@ class Ages {
       step_s_ = Rational(1) / plan.rates[plan.nodes.front().rate].rate_hz;
   }
 
-  DataAge of(const WayFinder::Pair& pair, const Ways& ways) const {
+  DataAge of(const PathFinder::Pair& pair, const Ways& ways) const {
     const Path& best = *std::ranges::min_element(ways.all, {}, newest_bound);
     DataAge age;
     age.from = pair.first;
@@ -94,9 +94,9 @@ class Ages {
       age.oldest_s = seconds(most) - step_s_;
     }
     const Path from_source(best.rbegin(), best.rend());
-    for (const PathEdge* hop : from_source) {
-      const Input& input = plan_.graph->nodes[hop->node].inputs[hop->input];
-      age.way.push_back({input.written, input.span, seconds(hop->newest_bound)});
+    for (const PathEdge* edge : from_source) {
+      const Input& input = plan_.graph->nodes[edge->node].inputs[edge->input];
+      age.way.push_back({input.written, input.span, seconds(edge->newest_bound)});
     }
     take_off_step(age.way);
     return age;
@@ -106,9 +106,9 @@ class Ages {
   /// All that happens within a step happens at one time: its end takes nothing of it.
   void take_off_step(std::vector<AgeHop>& way) const {
     Rational rest = step_s_;
-    for (auto hop = way.rbegin(); hop != way.rend() && rest > Rational(); ++hop) {
-      const Rational part = hop->newest_s < rest ? hop->newest_s : rest;
-      hop->newest_s = hop->newest_s - part;
+    for (auto edge = way.rbegin(); edge != way.rend() && rest > Rational(); ++edge) {
+      const Rational part = edge->newest_s < rest ? edge->newest_s : rest;
+      edge->newest_s = edge->newest_s - part;
       rest = rest - part;
     }
   }

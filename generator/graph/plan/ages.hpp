@@ -37,14 +37,14 @@ class DataAges {
  public:
   DataAges(const Plan& plan, const WayEnds& ends);
   [[nodiscard]] const std::vector<DataAge>& known() const { return known_; }
-  /// As WayFinder::unknown_between().
+  /// As PathFinder::unknown_between().
   [[nodiscard]] std::vector<const Input*> unknown(const std::string& from = "",
                                                   const std::string& to = "") const {
     return finder_.unknown_between(from, to);
   }
 
  private:
-  WayFinder finder_;
+  PathFinder finder_;
   std::vector<DataAge> known_;
 };
 

@@ -16,14 +16,14 @@ struct Settled {
 
 /// From the first ticks, which the formula treats apart, to the sum that continues without end;
 /// nullopt if that takes too long.
-std::optional<Settled> settle(const PathEdge& hop, const Counts& counts) {
+std::optional<Settled> settle(const PathEdge& edge, const Counts& counts) {
   std::int64_t total = 0;
   const std::int64_t most = ceil_div(counts.a, counts.b);
   for (std::int64_t n = 0; n < kMaxTicks; ++n) {
     total += counts.at(n);
     // From here on no count is cut short by what has not been sent yet.
-    if (n > 0 && counts.cum(n) >= most && total >= hop.window)
-      return Settled{total - counts.cum(n + hop.off), n};
+    if (n > 0 && counts.cum(n) >= most && total >= edge.window)
+      return Settled{total - counts.cum(n + edge.off), n};
   }
   return std::nullopt;
 }
@@ -40,36 +40,36 @@ std::int64_t PathEdge::oldest(std::int64_t n) const {
   return before == total(n) ? before - 1 : before;
 }
 
-std::optional<PathEdge> make_hop(const Plan& plan, std::size_t node, std::size_t input) {
+std::optional<PathEdge> make_path_edge(const Plan& plan, std::size_t node, std::size_t input) {
   const Input& what = plan.graph->nodes[node].inputs[input];
   const Reception& reception = plan.nodes[node].receptions[input];
   const RateClass& source = plan.rates[plan.nodes[what.source_node].rate];
   const RateClass& own = plan.rates[plan.nodes[node].rate];
-  PathEdge hop;
-  hop.node = node;
-  hop.input = input;
-  hop.a = reception.a;
-  hop.b = reception.b;
-  hop.off = reception.off;
-  hop.window = what.window;
+  PathEdge edge;
+  edge.node = node;
+  edge.input = input;
+  edge.a = reception.a;
+  edge.b = reception.b;
+  edge.off = reception.off;
+  edge.window = what.window;
   const Rational longest = what.max_delay_s.value_or(what.delay_s);
-  hop.x = (Rational(hop.b) * source.rate_hz * longest).ceil();
+  edge.x = (Rational(edge.b) * source.rate_hz * longest).ceil();
   if (source.period > kMaxQuanta || own.period > kMaxQuanta) return std::nullopt;
-  hop.source_period = static_cast<std::int64_t>(source.period);
-  hop.period = static_cast<std::int64_t>(own.period);
-  const auto settled = settle(hop, {hop.a, hop.b, hop.x, what.skip});
+  edge.source_period = static_cast<std::int64_t>(source.period);
+  edge.period = static_cast<std::int64_t>(own.period);
+  const auto settled = settle(edge, {edge.a, edge.b, edge.x, what.skip});
   if (!settled) return std::nullopt;
-  hop.received = settled->received;
-  hop.settled = settled->tick;
+  edge.received = settled->received;
+  edge.settled = settled->tick;
   // n / rate - newest(n) / source rate, in steps of a quantum common to both.
-  const std::int64_t step = std::gcd(hop.source_period, hop.period);
-  const std::int64_t steps = hop.x + hop.b - 1 - hop.b * (hop.received - 1) - hop.a * hop.off;
+  const std::int64_t step = std::gcd(edge.source_period, edge.period);
+  const std::int64_t steps = edge.x + edge.b - 1 - edge.b * (edge.received - 1) - edge.a * edge.off;
   if (steps > kMaxQuanta / step) return std::nullopt;
-  hop.newest_bound = steps * step;
-  const std::int64_t more = (hop.window == 0 ? ceil_div(hop.a, hop.b) : hop.window) - 1;
-  if (more > kMaxQuanta / hop.source_period) return std::nullopt;
-  hop.oldest_bound = hop.newest_bound + more * hop.source_period;
-  return hop;
+  edge.newest_bound = steps * step;
+  const std::int64_t more = (edge.window == 0 ? ceil_div(edge.a, edge.b) : edge.window) - 1;
+  if (more > kMaxQuanta / edge.source_period) return std::nullopt;
+  edge.oldest_bound = edge.newest_bound + more * edge.source_period;
+  return edge;
 }
 
 }  // namespace eagerx::gen

@@ -26,6 +26,6 @@ struct PathEdge {
 };
 
 /// nullopt if its numbers do not fit.
-std::optional<PathEdge> make_hop(const Plan& plan, std::size_t node, std::size_t input);
+std::optional<PathEdge> make_path_edge(const Plan& plan, std::size_t node, std::size_t input);
 
 }  // namespace eagerx::gen

@@ -42,40 +42,40 @@ std::vector<std::string> names_of_destinations(const Graph& graph, bool observat
   return {names.begin(), names.end()};
 }
 
-WayFinder::WayFinder(const Plan& plan, const WayEnds& ends) : plan_(plan), ends_(ends) {
+PathFinder::PathFinder(const Plan& plan, const WayEnds& ends) : plan_(plan), ends_(ends) {
   make_hops();
   mark_behind_sources();
-  on_way_.assign(hops_.size(), false);
-  for (std::size_t n = 0; n < hops_.size(); ++n) {
-    for (const PathEdge& hop : hops_[n]) {
-      const Input& input = plan.graph->nodes[n].inputs[hop.input];
+  on_way_.assign(edges_.size(), false);
+  for (std::size_t n = 0; n < edges_.size(); ++n) {
+    for (const PathEdge& edge : edges_[n]) {
+      const Input& input = plan.graph->nodes[n].inputs[edge.input];
       if (!is_last(plan.graph->nodes[n], input)) continue;
       steps_ = 0;
-      walk(input.written, hop);
-      if (steps_ > kMaxSteps) shortest(input.written, hop);
+      walk(input.written, edge);
+      if (steps_ > kMaxSteps) shortest(input.written, edge);
     }
   }
 }
 
-bool WayFinder::is_last(const GraphNode& node, const Input& input) const {
+bool PathFinder::is_last(const GraphNode& node, const Input& input) const {
   return ends_.to_observations ? node.role == NodeRole::environment : input.actuator;
 }
 
 /// Whether a way may lead through a node. It begins at the environment or does not go over it.
-bool WayFinder::is_passed(const GraphNode& node) const {
+bool PathFinder::is_passed(const GraphNode& node) const {
   if (node.role == NodeRole::environment) return ends_.through_agent && !ends_.from_actions;
   return node.role != NodeRole::engine_node && node.role != NodeRole::engine;
 }
 
-void WayFinder::make_hops() {
+void PathFinder::make_hops() {
   const auto& nodes = plan_.graph->nodes;
-  hops_.resize(nodes.size());
+  edges_.resize(nodes.size());
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     for (std::size_t i = 0; i < nodes[n].inputs.size(); ++i) {
       if (!passes_on(nodes[n], nodes[n].inputs[i])) continue;
       const Input& input = nodes[n].inputs[i];
-      if (auto hop = make_hop(plan_, n, i)) {
-        hops_[n].push_back(*hop);
+      if (auto edge = make_path_edge(plan_, n, i)) {
+        edges_[n].push_back(*edge);
       } else if (input.actuator || nodes[n].role == NodeRole::environment ||
                  nodes[n].role == NodeRole::node) {
         unknown_.emplace_back(n, i);
@@ -84,17 +84,17 @@ void WayFinder::make_hops() {
   }
 }
 
-void WayFinder::mark_behind_sources() {
+void PathFinder::mark_behind_sources() {
   const auto& nodes = plan_.graph->nodes;
   reached_.assign(nodes.size(), false);
   std::vector<std::vector<std::size_t>> readers(nodes.size());
   std::vector<std::size_t> todo;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    for (const PathEdge& hop : hops_[n]) {
-      const Input& input = nodes[n].inputs[hop.input];
+    for (const PathEdge& edge : edges_[n]) {
+      const Input& input = nodes[n].inputs[edge.input];
       if (!is_passed(nodes[n])) continue;
       readers[input.source_node].push_back(n);
-      if (!source_of(hop).empty()) todo.push_back(n);
+      if (!source_of(edge).empty()) todo.push_back(n);
     }
   }
   while (!todo.empty()) {
@@ -107,20 +107,20 @@ void WayFinder::mark_behind_sources() {
 }
 
 /// The beginning of a path; empty if the path continues.
-std::string WayFinder::source_of(const PathEdge& hop) const {
-  const Input& input = plan_.graph->nodes[hop.node].inputs[hop.input];
+std::string PathFinder::source_of(const PathEdge& edge) const {
+  const Input& input = plan_.graph->nodes[edge.node].inputs[edge.input];
   const GraphNode& source = plan_.graph->nodes[input.source_node];
   const Output& output = source.outputs[input.source_output];
   if (!ends_.from_actions) return input.sensor;
   return source.role == NodeRole::environment ? "actions." + output.name : std::string();
 }
 
-std::vector<const PathEdge*> WayFinder::behind(const PathEdge& hop) const {
-  const Input& input = plan_.graph->nodes[hop.node].inputs[hop.input];
+std::vector<const PathEdge*> PathFinder::behind(const PathEdge& edge) const {
+  const Input& input = plan_.graph->nodes[edge.node].inputs[edge.input];
   const GraphNode& source = plan_.graph->nodes[input.source_node];
   std::vector<const PathEdge*> result;
   if (!reached_[input.source_node]) return result;
-  for (const PathEdge& next : hops_[input.source_node]) {
+  for (const PathEdge& next : edges_[input.source_node]) {
     // Each output of a reset node has a feedthrough of its own.
     const Input& read = source.inputs[next.input];
     if (read.feedthrough && read.name != source.outputs[input.source_output].name) continue;
@@ -129,66 +129,66 @@ std::vector<const PathEdge*> WayFinder::behind(const PathEdge& hop) const {
   return result;
 }
 
-void WayFinder::walk(const std::string& destination, const PathEdge& hop) {
+void PathFinder::walk(const std::string& destination, const PathEdge& edge) {
   if (++steps_ > kMaxSteps) return;
-  const std::size_t sender = plan_.graph->nodes[hop.node].inputs[hop.input].source_node;
-  way_.push_back(&hop);
-  if (const std::string source = source_of(hop); !source.empty()) {
+  const std::size_t sender = plan_.graph->nodes[edge.node].inputs[edge.input].source_node;
+  way_.push_back(&edge);
+  if (const std::string source = source_of(edge); !source.empty()) {
     keep(source, destination, way_, true);
   } else if (!on_way_[sender]) {
     on_way_[sender] = true;
-    for (const PathEdge* next : behind(hop)) walk(destination, *next);
+    for (const PathEdge* next : behind(edge)) walk(destination, *next);
     on_way_[sender] = false;
   }
   way_.pop_back();
 }
 
 /// The way with the least sum to every source, from the destination backwards (Dijkstra).
-void WayFinder::shortest(const std::string& destination, const PathEdge& first) {
+void PathFinder::shortest(const std::string& destination, const PathEdge& first) {
   std::map<const PathEdge*, std::pair<std::int64_t, const PathEdge*>>
-      best;  // sum, the hop after it
+      best;  // sum, the edge after it
   std::set<std::pair<std::int64_t, const PathEdge*>> open;
   best[&first] = {first.newest_bound, nullptr};
   open.insert({first.newest_bound, &first});
   std::set<std::string> found;
   while (!open.empty()) {
-    const auto [sum, hop] = *open.begin();
+    const auto [sum, edge] = *open.begin();
     open.erase(open.begin());
-    if (const std::string source = source_of(*hop); !source.empty()) {
+    if (const std::string source = source_of(*edge); !source.empty()) {
       if (!found.insert(source).second) continue;
       std::vector<const PathEdge*> way;
-      for (const PathEdge* at = hop; at != nullptr; at = best[at].second)
+      for (const PathEdge* at = edge; at != nullptr; at = best[at].second)
         way.insert(way.begin(), at);
       keep(source, destination, way, false);
       continue;
     }
-    for (const PathEdge* next : behind(*hop)) {
+    for (const PathEdge* next : behind(*edge)) {
       const std::int64_t longer = sum + next->newest_bound;
       const auto known = best.find(next);
       if (known != best.end() && known->second.first <= longer) continue;
       if (known != best.end()) open.erase({known->second.first, next});
-      best[next] = {longer, hop};
+      best[next] = {longer, edge};
       open.insert({longer, next});
     }
   }
 }
 
-void WayFinder::keep(const std::string& source, const std::string& destination,
-                     const std::vector<const PathEdge*>& way, bool complete) {
+void PathFinder::keep(const std::string& source, const std::string& destination,
+                      const std::vector<const PathEdge*>& way, bool complete) {
   Ways& ways = ways_[{source, destination}];
   ways.all.push_back(way);
   ways.complete = ways.complete && complete;
 }
 
-std::vector<const Input*> WayFinder::unknown_between(const std::string& from,
-                                                     const std::string& to) const {
+std::vector<const Input*> PathFinder::unknown_between(const std::string& from,
+                                                      const std::string& to) const {
   std::vector<const Input*> result;
   if (unknown_.empty()) return result;
   const auto& nodes = plan_.graph->nodes;
   // Nodes that data reach from `from`, and nodes whose data reach `to`, over all connections.
   std::vector<bool> before(nodes.size(), false), after(nodes.size(), false);
-  const auto begins = [&](const PathEdge& hop) {
-    const std::string source = source_of(hop);
+  const auto begins = [&](const PathEdge& edge) {
+    const std::string source = source_of(edge);
     return !source.empty() && (from.empty() || source == from);
   };
   const auto ends = [&](std::size_t n, const Input& input) {
@@ -200,9 +200,9 @@ std::vector<const Input*> WayFinder::unknown_between(const std::string& from,
       for (std::size_t i = 0; i < nodes[n].inputs.size(); ++i) {
         const Input& input = nodes[n].inputs[i];
         if (!passes_on(nodes[n], input)) continue;
-        const PathEdge hop{.node = n, .input = i};
+        const PathEdge edge{.node = n, .input = i};
         const std::size_t source = input.source_node;
-        if (!before[n] && is_passed(nodes[n]) && (begins(hop) || before[source]))
+        if (!before[n] && is_passed(nodes[n]) && (begins(edge) || before[source]))
           more = before[n] = true;
         if (!after[source] && is_passed(nodes[source]) && (ends(n, input) || after[n]))
           more = after[source] = true;

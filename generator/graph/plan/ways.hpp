@@ -33,11 +33,11 @@ struct Ways {
 };
 
 /// Ways by the names of both ends. Hops live as long as this.
-class WayFinder {
+class PathFinder {
  public:
-  WayFinder(const Plan& plan, const WayEnds& ends);
-  WayFinder(const WayFinder&) = delete;
-  WayFinder& operator=(const WayFinder&) = delete;
+  PathFinder(const Plan& plan, const WayEnds& ends);
+  PathFinder(const PathFinder&) = delete;
+  PathFinder& operator=(const PathFinder&) = delete;
   using Pair = std::pair<std::string, std::string>;  // from, to
   [[nodiscard]] const std::map<Pair, Ways>& ways() const { return ways_; }
   /// Connections that a way from `from` to `to` may go over, but that are too slow or too long to
@@ -48,19 +48,19 @@ class WayFinder {
  private:
   void make_hops();
   void mark_behind_sources();
-  void walk(const std::string& destination, const PathEdge& hop);
-  void shortest(const std::string& destination, const PathEdge& hop);
+  void walk(const std::string& destination, const PathEdge& edge);
+  void shortest(const std::string& destination, const PathEdge& edge);
   void keep(const std::string& source, const std::string& destination,
             const std::vector<const PathEdge*>& way, bool complete);
   [[nodiscard]] bool is_last(const GraphNode& node, const Input& input) const;
   [[nodiscard]] bool is_passed(const GraphNode& node) const;
-  [[nodiscard]] std::vector<const PathEdge*> behind(const PathEdge& hop) const;
-  [[nodiscard]] std::string source_of(const PathEdge& hop) const;
+  [[nodiscard]] std::vector<const PathEdge*> behind(const PathEdge& edge) const;
+  [[nodiscard]] std::string source_of(const PathEdge& edge) const;
 
   const Plan& plan_;
   const WayEnds ends_;
-  std::vector<std::vector<PathEdge>> hops_;  // by node: those that its outputs come from
-  std::vector<bool> reached_;                // nodes that data of a source reach
+  std::vector<std::vector<PathEdge>> edges_;  // by node: those that its outputs come from
+  std::vector<bool> reached_;                 // nodes that data of a source reach
   std::vector<const PathEdge*> way_;
   std::vector<bool> on_way_;
   std::size_t steps_ = 0;

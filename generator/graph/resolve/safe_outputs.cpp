@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "generator/frontend/read/scalar.hpp"
+#include "generator/frontend/read/number.hpp"
 #include "generator/graph/resolve/bounds.hpp"
 
 namespace eagerx::gen {
@@ -73,8 +73,8 @@ class SafeOutputReader {
   void read_times() {
     result_.holds_always = spec_.holds_always;
     if (spec_.hold_s) result_.hold_s = spec_.hold_s->value;
-    if (!spec_.ramp) return;
-    const double ramp = parse_number(spec_.ramp->text).value_or(0.0);
+    if (!spec_.ramp_per_s) return;
+    const double ramp = *spec_.ramp_per_s;
     if (!is_floating(input_.space.dtype)) {
       fail(fmt::format("`{}` is {}, which cannot change little by little", input_.written,
                        input_.space.describe()))
@@ -129,9 +129,8 @@ void read_safe_outputs(const GraphNode& environment, const SafetySpec* written, 
   for (const auto& action : environment.outputs) {
     const Setting* const setting =
         written != nullptr ? find_named(written->frozen, action.name) : nullptr;
-    safety.frozen.push_back(setting == nullptr ? 0U
-                                               : static_cast<std::uint32_t>(
-                                                     parse_int(setting->value.text).value_or(0)));
+    safety.frozen.push_back(
+        setting == nullptr ? 0U : static_cast<std::uint32_t>(whole_of(setting->value).value_or(0)));
   }
   for (std::size_t i = 0; i < environment.inputs.size(); ++i) {
     const Input& input = environment.inputs[i];

@@ -9,6 +9,11 @@
 #include "generator/support/diagnostics/search.hpp"
 
 namespace eagerx::gen {
+namespace {
+
+constexpr const char* kExperimental = " (experimental)";
+
+}  // namespace
 
 std::vector<std::string> comma_separated(std::string_view text) {
   std::vector<std::string> parts;
@@ -55,6 +60,16 @@ Argument choice(std::string names, std::vector<std::string> choices, std::string
 Argument required(Argument argument) {
   argument.required = true;
   return argument;
+}
+
+Argument experimental(Argument argument) {
+  argument.about += kExperimental;
+  return argument;
+}
+
+Command experimental(Command command) {
+  command.about += kExperimental;
+  return command;
 }
 
 Argument checked(Argument argument, std::function<bool(const std::string&)> good,

@@ -262,10 +262,10 @@ int print_help(const CommandLine& line, const CLI::App& app,
 
 Command help_command() {
   return {.name = "help",
-          .about = "explain a command or a topic",
-          .examples = {{"which topics there are", "eagerx-gen help"},
-                       {"how generate is used", "eagerx-gen help generate"}},
-          .arguments = {{"words", "a command or a topic (default: list them)", "COMMAND|TOPIC",
+          .about = "print the help of a command or a topic",
+          .examples = {{"list commands and topics", "eagerx-gen help"},
+                       {"help of generate", "eagerx-gen help generate"}},
+          .arguments = {{"words", "command or topic (default: list them)", "COMMAND|TOPIC",
                          [](const auto&) {}}},
           .run = [] { return kDone; }};
 }

@@ -106,6 +106,9 @@ Argument reads(Argument argument, std::string continues = {});
 /// The argument names the file that is written; `otherwise`: its name if it is not given.
 Argument writes(Argument argument, std::string otherwise = {});
 Argument folder(Argument argument);
+/// What runtime/STABILITY.md does not promise yet; its description ends with "(experimental)".
+Argument experimental(Argument argument);
+Command experimental(Command command);
 
 /// Reads the arguments (without the program's name) and runs the command; returns the exit code. A
 /// command line that is wrong gets an `error:` line, where there is one a `help:` line, and

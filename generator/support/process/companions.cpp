@@ -28,7 +28,7 @@ std::string mark_of(const std::string& folder, std::size_t which) {
   return folder + "/ended." + std::to_string(which);
 }
 
-[[noreturn]] void become_companion(const Companion& companion) {
+[[noreturn]] void exec_companion(const Companion& companion) {
   std::vector<char*> words;
   words.reserve(companion.command.size() + 1);
   for (const std::string& word : companion.command)
@@ -62,7 +62,7 @@ class Supervisor {
     leave_terminal();
     for (const Companion& companion : companions_) {
       children_.push_back(fork());
-      if (children_.back() == 0) become_companion(companion);
+      if (children_.back() == 0) exec_companion(companion);
     }
     // It may have ended before it could be asked for a signal.
     while (getppid() == parent_) {

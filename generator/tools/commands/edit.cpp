@@ -257,38 +257,35 @@ int perform_rename(const EditOptions& options) {
 
 Arguments common(EditOptions& options, Argument file) {
   return {required(reads(std::move(file))),
-          flag("--dry-run", options.dry_run, "print the difference, and leave the file"),
+          flag("--dry-run", options.dry_run, "print the changes, but do not write them"),
           library(options)};
 }
 
 Command fix_table(EditOptions& options) {
-  return {.name = "fix",
-          .about =
-              "apply what the help of errors says, where it is a change of the file's text: of a "
-              "graph, a manifest or settings of a training",
-          .examples = {{"look first", "eagerx-gen fix pendulum.yaml --dry-run"},
-                       {"change the file", "eagerx-gen fix pendulum.yaml"},
-                       {"former names of settings", "eagerx-gen fix settings.yaml"},
-                       {"all manifests of a folder", "eagerx-gen fix entities/*/manifest.yaml"}},
-          .arguments = joined({common(options, texts("files", options.files,
-                                                     "the files, which are changed", "FILE.yaml")),
-                               diagnostics(options)}),
-          .run = [&options] { return perform_fix(options); }};
+  return {
+      .name = "fix",
+      .about = "apply the suggested fixes of errors to graphs, manifests and settings of trainings",
+      .examples = {{"show the changes only", "eagerx-gen fix pendulum.yaml --dry-run"},
+                   {"change the file", "eagerx-gen fix pendulum.yaml"},
+                   {"replace former names of settings", "eagerx-gen fix settings.yaml"},
+                   {"all manifests of a folder", "eagerx-gen fix entities/*/manifest.yaml"}},
+      .arguments =
+          joined({common(options, texts("files", options.files, "files to change", "FILE.yaml")),
+                  diagnostics(options)}),
+      .run = [&options] { return perform_fix(options); }};
 }
 
 Command rename_table(EditOptions& options) {
   Arguments arguments =
-      common(options, text("graph", options.graph, "the file, which is changed", "GRAPH.yaml"));
+      common(options, text("graph", options.graph, "file to change", "GRAPH.yaml"));
   arguments.insert(
       arguments.begin() + 1,
       {required(text("old", options.from,
-                     "an object, a node, an action or an observation of the graph", "OLD")),
-       required(text("new", options.to, "its new name", "NEW"))});
+                     "current name of an object, a node, an action or an observation", "OLD")),
+       required(text("new", options.to, "new name", "NEW"))});
   return {.name = "rename",
-          .about =
-              "give an object, a node, an action or an observation another name, wherever the "
-              "graph has it",
-          .examples = {{"in all of a graph", "eagerx-gen rename pendulum.yaml smooth filter"},
+          .about = "rename an object, a node, an action or an observation everywhere in a graph",
+          .examples = {{"a node", "eagerx-gen rename pendulum.yaml smooth filter"},
                        {"an action", "eagerx-gen rename pendulum.yaml actions.voltage u"}},
           .arguments = joined({std::move(arguments), diagnostics(options)}),
           .run = [&options] { return perform_rename(options); }};

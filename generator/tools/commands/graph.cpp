@@ -34,8 +34,8 @@ int perform(const GraphPictureOptions& options) {
 Command table(GraphPictureOptions& options) {
   Argument output = checked(
       writes(text("-o,--output", options.output,
-                  "file of the picture: .svg, .dot (Graphviz) or .mmd (Mermaid) (default: "
-                  "<graph name>.svg)",
+                  "file of the picture, .svg, .dot (Graphviz) or .mmd (Mermaid) (default: <graph "
+                  "name>.svg)",
                   "FILE")),
       [](const std::string& path) { return drawing_format_of(path).has_value(); },
       "ends in none of .svg, .dot, .mmd");
@@ -45,14 +45,13 @@ Command table(GraphPictureOptions& options) {
       .examples = {{"pendulum.svg, for a browser or a README", "eagerx-gen graph pendulum.yaml"},
                    {"with the nodes that run on the engine, for Graphviz",
                     "eagerx-gen graph pendulum.yaml --engine-graph -o pendulum.dot"}},
-      .arguments = joined(
-          {{graph(options), std::move(output),
-            flag("--engine-graph", options.engine_graph,
-                 "draw what runs on the engine: the nodes of each object instead of one box")},
-           {variant(options), engine(options)},
-           rates(options),
-           {library(options)},
-           diagnostics(options)}),
+      .arguments = joined({{graph(options), std::move(output),
+                            flag("--engine-graph", options.engine_graph,
+                                 "draw the engine nodes of each object instead of one box")},
+                           {variant(options), engine(options)},
+                           rates(options),
+                           {library(options)},
+                           diagnostics(options)}),
       .run = [&options] { return perform(options); }};
 }
 

@@ -3,19 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
-#include <runtime/host/base/nearest.hpp>
 #include <string>
 #include <vector>
 
-#include "generator/analysis/info/info.hpp"
-#include "generator/driver/build/built.hpp"
+#include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
-#include "generator/frontend/read/scalar.hpp"
-#include "generator/support/files/paths.hpp"
-#include "generator/support/process/process.hpp"
+#include "generator/tools/commands/linear_program.hpp"
+#include "generator/tools/commands/opened_loop.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
+#include "generator/tools/commands/trim_point.hpp"
+#include "generator/tools/linear/loop_svg.hpp"
 #include "generator/tools/linear/write.hpp"
 
 namespace eagerx::gen {
@@ -23,145 +21,30 @@ namespace {
 
 enum class LinearFormat : std::uint8_t { text, json, csv };
 
-struct LinearizeOptions : GenerateOptions {
-  std::vector<std::string> at, from, to;
-  std::string open;
-  std::optional<std::uint64_t> steps, seed;
+struct LinearizeOptions : LinearOptions {
+  std::vector<std::string> from, to;
+  std::string open, plot;
+  bool trim = false, corners = false;
+  TrimSettings point;  // of --trim
   LinearFormat format = LinearFormat::text;
 };
 
-std::size_t channel_at(const Plan& plan, std::size_t node, std::size_t output) {
-  const auto found = std::ranges::find_if(plan.channels, [&](const Channel& each) {
-    return each.node == node && each.output == output;
-  });
-  return static_cast<std::size_t>(found - plan.channels.begin());
-}
-
-/// A name of what a channel carries.
-struct PortName {
-  std::string name;
-  std::size_t channel;
-};
-/// All ports that send, and then those that receive, which stand for what they get.
-std::vector<PortName> port_names(const Plan& plan) {
-  std::vector<PortName> names;
-  for (std::size_t c = 0; c < plan.channels.size(); ++c) {
-    const Channel& channel = plan.channels[c];
-    if (plan.graph->nodes[channel.node].role == NodeRole::engine) continue;
-    names.push_back({channel.port, c});
-    for (const std::string& alias : channel.aliases) names.push_back({alias, c});
-    names.push_back({channel.name, c});
-  }
-  for (const GraphNode& node : plan.graph->nodes) {
-    for (const Input& input : node.inputs) {
-      const std::size_t channel = channel_at(plan, input.source_node, input.source_output);
-      // What only pictures need has none.
-      if (channel < plan.channels.size()) names.push_back({input.written, channel});
-    }
-  }
-  return names;
-}
-
-/// The channel of a port; nothing with a problem.
-std::optional<std::size_t> channel_of(const std::string& port, const Plan& plan,
-                                      Diagnostics& diagnostics) {
-  const std::vector<PortName> all = port_names(plan);
-  const auto find = [&](const std::string& name) -> std::optional<std::size_t> {
-    const auto found = std::ranges::find(all, name, &PortName::name);
-    return found != all.end() ? std::optional(found->channel) : std::nullopt;
-  };
-  if (const auto channel = find(port)) return channel;
-  std::vector<std::string> names;
-  for (const PortName& each : all) names.push_back(each.name);
-  if (const std::string* const meant = host::name_meant(port, names)) {
-    diagnostics.note(plan.graph->span, fmt::format("`{}` is `{}` here", port, *meant));
-    return find(*meant);
-  }
-  diagnostics.error("E0520", plan.graph->span, fmt::format("nothing sends `{}`", port)).help =
-      suggestion(port, names);
-  return std::nullopt;
-}
-
-/// Where a loop is opened.
-struct OpenedPort {
-  std::size_t channel = 0;
-  std::uint64_t element = 0;
-};
-/// "motor.y[2]" or, of a message of one number, "motor.u"; nothing with a problem.
-std::optional<OpenedPort> opened_port(const std::string& text, const Plan& plan,
-                                      Diagnostics& diagnostics) {
-  // Elements of arrays of nodes have an index too: "leg[2].u".
-  const std::size_t bracket = text.ends_with(']') ? text.rfind('[') : std::string::npos;
-  const auto channel = channel_of(text.substr(0, bracket), plan, diagnostics);
-  if (!channel) return std::nullopt;
-  const Channel& sent = plan.channels[*channel];
-  const Span& span = plan.graph->span;
-  if (sent.node == Graph::kEnvironment) {
-    diagnostics
-        .error("E0520", span,
-               fmt::format("no loop goes through `{}`: the derivatives are those without an agent",
-                           text))
-        .help = "open the loop at what a node or a sensor sends";
-    return std::nullopt;
-  }
-  const std::uint64_t size = plan.graph->nodes[sent.node].outputs[sent.output].space.size();
-  OpenedPort port{*channel, 0};
-  if (bracket == std::string::npos && size == 1) return port;
-  const auto index = bracket == std::string::npos
-                         ? std::nullopt
-                         : parse_int(text.substr(bracket + 1, text.size() - bracket - 2));
-  if (index && *index >= 0 && static_cast<std::uint64_t>(*index) < size) {
-    port.element = static_cast<std::uint64_t>(*index);
-    return port;
-  }
-  diagnostics
-      .error("E0520", span,
-             fmt::format("a loop is opened at one number, and `{}` has {}", sent.port, size))
-      .help = size == 1 ? fmt::format("write `{}`", sent.port)
-                        : fmt::format("write `{0}[0]` to `{0}[{1}]`", sent.port, size - 1);
-  return std::nullopt;
-}
-
-/// What cannot be linearized, at its place.
-bool check_graph(const Graph& graph, Diagnostics& diagnostics) {
-  if (graph.placement)
-    diagnostics.error("E0520", graph.span, "a graph with parts cannot be linearized").help =
-        "linearize a variant without `placement:`";
-  if (graph.has_reset_nodes())
-    diagnostics.error("E0520", graph.span, "a graph with reset nodes cannot be linearized");
-  return !diagnostics.has_errors();
-}
-
-/// Steps until every window is full and every delay has passed.
-std::uint64_t steps_until_full(const Plan& plan) {
-  const Graph& graph = *plan.graph;
-  double longest_s = 0.0;
-  for (const GraphNode& node : graph.nodes) {
-    for (const Input& input : node.inputs) {
-      const double source_hz = graph.nodes[input.source_node].rate_hz.to_double();
-      const Rational delay = input.max_delay_s ? *input.max_delay_s : input.delay_s;
-      longest_s = std::max(longest_s, delay.to_double() + (input.window + 1) / source_hz);
-    }
-  }
-  constexpr double kMost = 1e6;
-  return static_cast<std::uint64_t>(
-      std::min(kMost, 2.0 * longest_s * graph.environment().rate_hz.to_double() + 2.0));
-}
-
 /// The words for the program; nothing with a problem.
 std::optional<std::vector<std::string>> words_of(const LinearizeOptions& options, const Plan& plan,
-                                                 std::optional<OpenedPort>& opened,
+                                                 std::optional<PortElement>& opened,
                                                  Diagnostics& diagnostics) {
-  std::vector<std::string> words = {
-      "--steps", fmt::format("{}", options.steps.value_or(steps_until_full(plan))), "--seed",
-      fmt::format("{}", options.seed.value_or(1))};
-  for (const std::string& state : options.at) words.insert(words.end(), {"--at", state});
+  std::vector<std::string> words = first_words(options, plan);
+  for (const std::string& state : options.at) {
+    if (options.trim) break;  // the search begins there
+    check_state(state, *plan.graph, diagnostics);
+    words.insert(words.end(), {"--at", state});
+  }
   const auto add = [&](const char* name, std::size_t channel) {
     words.insert(words.end(), {name, fmt::format("{}", channel)});
   };
   const auto add_ports = [&](const char* name, const std::vector<std::string>& ports) {
     for (const std::string& port : ports) {
-      if (const auto channel = channel_of(port, plan, diagnostics)) add(name, *channel);
+      if (const auto channel = channel_of(port, name, plan, diagnostics)) add(name, *channel);
     }
   };
   add_ports("--from", options.from);
@@ -175,79 +58,116 @@ std::optional<std::vector<std::string>> words_of(const LinearizeOptions& options
   }
   if (diagnostics.has_errors()) return std::nullopt;
   const GraphNode& environment = plan.graph->environment();
-  for (std::size_t a = 0; options.from.empty() && a < environment.outputs.size(); ++a)
+  for (std::size_t a = 0; options.from.empty() && a < environment.outputs.size(); ++a) {
+    if (!is_floating(environment.outputs[a].space.dtype))
+      diagnostics.note(plan.graph->span, fmt::format("`actions.{}` is no input: it is {}",
+                                                     environment.outputs[a].name,
+                                                     environment.outputs[a].space.describe()));
     add("--from", channel_at(plan, Graph::kEnvironment, a));
+  }
   for (std::size_t i = 0; options.to.empty() && i < environment.inputs.size(); ++i)
     add("--to",
         channel_at(plan, environment.inputs[i].source_node, environment.inputs[i].source_output));
   return words;
 }
 
-/// Ages of data that go through the opened port.
-std::vector<DataAge> ages_through(const Plan& plan, std::size_t channel, const PlanInfo& info) {
-  std::vector<DataAge> result;
-  for (const DataAge& age : info.ages) {
-    const bool passes = std::ranges::any_of(age.way, [&](const AgeHop& hop) {
-      return std::ranges::any_of(plan.graph->nodes, [&](const GraphNode& node) {
-        return std::ranges::any_of(node.inputs, [&](const Input& input) {
-          return input.written == hop.input && input.source_node == plan.channels[channel].node &&
-                 input.source_output == plan.channels[channel].output;
-        });
-      });
-    });
-    if (passes) result.push_back(age);
-  }
-  return result;
-}
-
 int print(Run& run, const LinearizeOptions& options, const SampledSystem& system,
-          const std::optional<OpenedPort>& opened) {
-  LinearReport report{&system, modes_of(system), {}, options.open, {}};
-  if (opened) {
-    if (system.opened == 0) {
-      run.diagnostics.error("E0520", run.graph->span,
-                            fmt::format("`{}` has no numbers with derivatives", options.open));
-      return finish(run, options);
-    }
-    report.margins = margins_of(system);
-    report.ages = ages_through(*run.plan, opened->channel,
-                               info_of(*run.plan, run.spec->budget, run.diagnostics));
-  }
+          const std::optional<PortElement>& opened, const std::optional<WorstMargins>& corners) {
+  LinearReport report{&system, modes_of(system), {}, options.open, {}, corners};
+  if (opened && !add_loop(run, *opened, report)) return finish(run, options);
+  if (!options.plot.empty() &&
+      !write_file(options.plot, loop_svg(loop_curves_of(report), run.graph->name), run.diagnostics))
+    return finish(run, options);
   if (options.format == LinearFormat::text) say_text(linear_text(report));
   if (options.format == LinearFormat::json) say_text(dump_json(linear_json(report)) + "\n");
   if (options.format == LinearFormat::csv) say_text(response_csv(system));
   return kDone;
 }
 
+/// The system that the program has with these words, with `--trim` where the graph rests; nothing
+/// with a problem.
+std::optional<SampledSystem> system_at(Run& run, const std::string& image,
+                                       const LinearizeOptions& options,
+                                       std::vector<std::string> words, int& code) {
+  if (options.trim) {
+    const auto point = trim_point(run, image, options.point, options, code);
+    if (!point || !point->answer.found) return std::nullopt;
+    const auto there = words_at(*point);
+    words.insert(words.end(), there.begin(), there.end());
+  }
+  std::string failure;
+  const auto text = printed_by(image, words, failure, code);
+  if (!text) {
+    complain_text(failure);
+    return std::nullopt;
+  }
+  auto system = read_system(*text, *run.plan);
+  if (!system)
+    run.diagnostics.error("E0520", run.graph->span, "the program has printed no matrices");
+  return system;
+}
+
+/// The worst margins over the corners of what a reset draws; nothing with a problem.
+std::optional<WorstMargins> worst_of_corners(Run& run, const std::string& image,
+                                             const LinearizeOptions& options,
+                                             const std::vector<std::string>& words, int& code) {
+  std::vector<std::string> asked = words;
+  asked.insert(asked.end(), {"--compares", "0"});
+  std::string failure;
+  const auto text = printed_by(image, asked, failure, code);
+  const auto there = text ? read_hyperperiod(*text, *run.plan) : std::nullopt;
+  const auto corners = there ? corners_of(*there) : std::nullopt;
+  if (!corners) {
+    complain_text(failure);
+    if (there)
+      run.diagnostics
+          .error("E0520", run.graph->span,
+                 fmt::format("a reset draws {} parameters, and `--corners` takes at most 8",
+                             drawn_parameters(*there).size()))
+          .help = "give some a value in a variant, or use a campaign";
+    return std::nullopt;
+  }
+  WorstMargins worst;
+  for (const Corner& corner : *corners) {
+    LinearizeOptions there_options = options;
+    there_options.at.insert(there_options.at.end(), corner.begin(), corner.end());
+    std::vector<std::string> there_words = words;
+    for (const std::string& state : corner) there_words.insert(there_words.end(), {"--at", state});
+    const auto system = system_at(run, image, there_options, there_words, code);
+    if (!system || system->opened == 0) return std::nullopt;
+    worst.take(margins_of(*system), corner);
+  }
+  return worst;
+}
+
 int perform(const LinearizeOptions& given) {
   LinearizeOptions options = given;
-  options.targets = {"linearize"};
-  options.purpose = Purpose::simulation;
   Run run;
   int code = kDone;
-  if (!make(run, options) || !check_graph(*run.graph, run.diagnostics)) return finish(run, options);
-  std::optional<OpenedPort> opened;
-  const auto words = words_of(options, *run.plan, opened, run.diagnostics);
-  const auto built = words ? build_made_graph(run, options, code) : std::nullopt;
-  if (!built) return std::max(code, finish(run, options));
-  std::vector<std::string> command = {absolute_path(built->back().image).string()};
-  command.insert(command.end(), words->begin(), words->end());
-  const auto result = run_process(command);
-  if (!result || result->exit_code != 0) {
-    complain_text(result ? result->output : "error: the program could not be started\n");
-    const bool has_problem = result && result->exit_code == kProblems;
-    return std::max(finish(run, options), has_problem ? int{kProblems} : int{kWrongUsage});
-  }
-  const auto system = read_system(result->output, *run.plan);
-  if (!system) {
-    run.diagnostics.error("E0520", run.graph->span, "the program has printed no matrices");
-    return finish(run, options);
-  }
-  code = print(run, options, *system, opened);
+  if (!make_linear_graph(run, options)) return finish(run, options);
+  std::optional<PortElement> opened;
+  auto words = words_of(options, *run.plan, opened, run.diagnostics);
+  if (options.trim && !check_trim(options.point, options, *run.plan, run.diagnostics))
+    words.reset();
+  const auto image = words ? build_linear_program(run, options, code) : std::nullopt;
+  if (!image) return std::max(code, finish(run, options));
+  const auto system = system_at(run, *image, options, *words, code);
+  const auto corners = system && options.corners
+                           ? worst_of_corners(run, *image, options, *words, code)
+                           : std::nullopt;
+  if (!system || (options.corners && !corners)) return std::max(finish(run, options), code);
+  code = print(run, options, *system, opened, corners);
   return code != kDone ? code : finish(run, options);
 }
 
 std::string check(const LinearizeOptions& options) {
+  if (!options.plot.empty() && options.open.empty())
+    return "`--plot` draws a loop: it needs `--open PORT`";
+  const TrimSettings& point = options.point;
+  if (!options.trim && !(point.fix.empty() && point.moving.empty() && point.bounds.empty()))
+    return "`--fix`, `--moving` and `--bounds` are for the search of `--trim`";
+  if (options.corners && options.open.empty())
+    return "`--corners` is about the margins of a loop: it needs `--open PORT`";
   return options.format == LinearFormat::csv && options.open.empty()
              ? "`--format csv` is the frequency response of a loop: it needs `--open PORT`"
              : "";
@@ -262,17 +182,31 @@ Command table(LinearizeOptions& options) {
       .examples = {{"matrices and poles where the graph starts", "eagerx-gen linearize robot.yaml"},
                    {"gain, phase and delay margin of the loop through a motor",
                     "eagerx-gen linearize robot.yaml --open controller.u"},
+                   {"the same with a picture of it",
+                    "eagerx-gen linearize robot.yaml --open controller.u --plot loop.svg"},
                    {"at another state, from a setpoint to a sensor, for NumPy",
                     "eagerx-gen linearize robot.yaml --at pendulum.model_state=0,0 --from target.y "
-                    "--to pendulum.theta --format json"}},
+                    "--to pendulum.theta --format json"},
+                   {"where the graph rests with the pendulum at 0.1 rad",
+                    "eagerx-gen linearize robot.yaml --trim --fix 'pendulum.model_state[0]=0.1'"}},
       .arguments = joined(
           {{graph(options),
             text("--open", options.open,
                  "break the loop at this port, and print its stability margins", "PORT"),
+            writes(text("--plot", options.plot,
+                        "with --open: draw Bode and Nyquist plot, poles and step response",
+                        "FILE.svg")),
+            flag("--corners", options.corners,
+                 "also the worst margins over all combinations of the least and largest values of "
+                 "parameters and delays that a reset draws"),
             texts("--at", options.at,
                   "initial state, its elements separated by commas (default: that of the graph)",
                   "STATE=VALUE"),
-            whole("--steps", options.steps,
+            flag("--trim", options.trim,
+                 "linearize at the operating point that `eagerx-gen trim` finds with these --at, "
+                 "--fix, --moving and --bounds")},
+           trim_arguments(options.point),
+           {whole("--steps", options.steps,
                   "steps without an action before the operating point (default: until windows are "
                   "full and delays have passed)",
                   0, 1'000'000'000),
@@ -305,7 +239,7 @@ Command table(LinearizeOptions& options) {
 }  // namespace
 
 Command linearize_command() {
-  return with_options<LinearizeOptions>(table);
+  return experimental(with_options<LinearizeOptions>(table));
 }
 
 }  // namespace eagerx::gen

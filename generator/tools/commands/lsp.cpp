@@ -224,12 +224,13 @@ int perform(const LibraryOptions& options) {
 }
 
 Command table(LibraryOptions& options) {
-  return {.name = "lsp",
-          .about = "serve an editor, by the Language Server Protocol on standard input and output",
-          .examples = {{"what an editor starts for graph files and manifests", "eagerx-gen lsp"},
-                       {"with entities of your own", "eagerx-gen lsp --path my_models"}},
-          .arguments = {library(options)},
-          .run = [&options] { return perform(options); }};
+  return {
+      .name = "lsp",
+      .about = "serve an editor over the Language Server Protocol, on standard input and output",
+      .examples = {{"command for an editor's settings, for graphs and manifests", "eagerx-gen lsp"},
+                   {"with your own entities", "eagerx-gen lsp --path my_models"}},
+      .arguments = {library(options)},
+      .run = [&options] { return perform(options); }};
 }
 
 }  // namespace

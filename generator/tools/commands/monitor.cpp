@@ -70,59 +70,57 @@ int perform(const MonitorCommandOptions& options) {
 Command table(MonitorCommandOptions& options) {
   MonitorOptions& monitor = options.monitor;
   Argument record = checked(writes(text("--record", monitor.record,
-                                        "also write the messages into a file .mcap (Foxglove), or, "
-                                        "of a trace or a board, .trace",
+                                        "also record the messages in a file, .mcap (Foxglove) or, "
+                                        "from a trace or a board, .trace",
                                         "FILE")),
                             is_recording, "ends in none of .mcap, .trace, .log");
-  Argument forward =
-      checked(texts("--forward", monitor.forward,
-                    "also send the messages on: udp:HOST:PORT (PlotJuggler), "
-                    "teleplot:HOST:PORT, or foxglove:[HOST:]PORT, where Foxglove connects, or "
-                    "dds[:DOMAIN], for ROS 2; may be repeated",
-                    "KIND"),
-              is_destination,
-              "is none of udp:HOST:PORT, teleplot:HOST:PORT, foxglove:[HOST:]PORT, dds[:DOMAIN]");
-  return {
-      .name = "monitor",
-      .about = "watch the messages of a program while it runs",
-      .examples = {{"what a program sends that was started with --publish udp:127.0.0.1:9870",
-                    "eagerx-gen monitor udp:9870 --graph pendulum.yaml"},
-                   {"the telemetry of a board",
-                    "eagerx-gen monitor serial:/dev/ttyUSB0 --graph pendulum.yaml"},
-                   {"a trace that grows", "eagerx-gen monitor run.log"},
-                   {"and recorded for Foxglove",
-                    "eagerx-gen monitor udp:9870 --graph pendulum.yaml --record run.mcap"},
-                   {"a board's telemetry in Foxglove",
-                    "eagerx-gen monitor serial:/dev/ttyUSB0 --graph pendulum.yaml --forward "
-                    "foxglove:8765"},
-                   {"once, for a script", "eagerx-gen monitor udp:9870 --once"}},
-      .arguments = joined(
-          {{required(reads(
-                text("source", monitor.source,
-                     "udp:[HOST:]PORT, foxglove:[HOST:]PORT, serial:DEVICE, or a file, which may "
-                     "grow: a trace, or a recording .mcap",
-                     "SOURCE"))),
-            reads(text("--graph", options.graph,
-                       "the graph of the program: planned rates, limits, safe actions; the stream "
-                       "of another graph is refused",
-                       "GRAPH.yaml")),
-            reads(text("--layout", options.layout,
-                       "what a board sends, instead of the graph's channels: the file "
-                       "telemetry.json next to its program",
-                       "FILE")),
-            flag("--once", monitor.once, "print one table of lines, then end"),
-            flag("--lines", monitor.lines,
-                 "print tables of lines instead of a screen; so does a pipe"),
-            std::move(record), std::move(forward),
-            seconds("--every", monitor.every_s,
-                    "time between tables, of the first one from the first message on (default: 1)"),
-            seconds("--timeout", monitor.timeout_s,
-                    "how long to wait for a message before giving up (default: 10)")},
-           selection(options),
-           rates(options),
-           {agent_policy(options), library(options)},
-           diagnostics(options)}),
-      .run = [&options] { return perform(options); }};
+  Argument forward = checked(
+      texts(
+          "--forward", monitor.forward,
+          "also forward the messages to udp:HOST:PORT (PlotJuggler), teleplot:HOST:PORT, "
+          "foxglove:[HOST:]PORT (Foxglove connects there) or dds[:DOMAIN] (ROS 2); may be repeated",
+          "KIND"),
+      is_destination,
+      "is none of udp:HOST:PORT, teleplot:HOST:PORT, foxglove:[HOST:]PORT, dds[:DOMAIN]");
+  return {.name = "monitor",
+          .about = "show the messages of a running program in the terminal",
+          .examples = {{"a program that runs with --publish udp:127.0.0.1:9870",
+                        "eagerx-gen monitor udp:9870 --graph pendulum.yaml"},
+                       {"the telemetry of a board",
+                        "eagerx-gen monitor serial:/dev/ttyUSB0 --graph pendulum.yaml"},
+                       {"a growing trace", "eagerx-gen monitor run.log"},
+                       {"record for Foxglove, too",
+                        "eagerx-gen monitor udp:9870 --graph pendulum.yaml --record run.mcap"},
+                       {"a board's telemetry in Foxglove",
+                        "eagerx-gen monitor serial:/dev/ttyUSB0 --graph pendulum.yaml --forward "
+                        "foxglove:8765"},
+                       {"print once, for a script", "eagerx-gen monitor udp:9870 --once"}},
+          .arguments = joined(
+              {{required(reads(
+                    text("source", monitor.source,
+                         "source of the messages: udp:[HOST:]PORT, foxglove:[HOST:]PORT, "
+                         "serial:DEVICE, or a file that may grow, a trace or a recording (.mcap)",
+                         "SOURCE"))),
+                reads(text("--graph", options.graph,
+                           "graph of the program, for planned rates, limits and safe actions; "
+                           "messages of other graphs are refused",
+                           "GRAPH.yaml")),
+                reads(text(
+                    "--layout", options.layout,
+                    "file telemetry.json next to a board's program, which describes its messages",
+                    "FILE")),
+                flag("--once", monitor.once, "print one table as lines, then exit"),
+                flag("--lines", monitor.lines,
+                     "print tables as lines instead of a screen, as for a pipe"),
+                std::move(record), std::move(forward),
+                seconds("--every", monitor.every_s, "seconds between tables (default: 1)"),
+                seconds("--timeout", monitor.timeout_s,
+                        "seconds to wait for a message before exiting (default: 10)")},
+               selection(options),
+               rates(options),
+               {agent_policy(options), library(options)},
+               diagnostics(options)}),
+          .run = [&options] { return perform(options); }};
 }
 
 }  // namespace

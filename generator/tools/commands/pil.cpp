@@ -110,7 +110,7 @@ int perform(const PilOptions& options) {
   Run run;
   const auto pil = build_pil(run, options, folder, *log, code);
   code = std::max(finish(run, options), code);
-  return pil && code == kDone ? become_built(run, *pil, {}) : code;
+  return pil && code == kDone ? exec_built(run, *pil, {}) : code;
 }
 
 Command table(PilOptions& options) {
@@ -120,29 +120,28 @@ Command table(PilOptions& options) {
   return {
       .name = "pil",
       .about =
-          "processor in the loop: step a library of some nodes with what a simulation of the "
-          "whole graph recorded, and compare each output, bit for bit",
+          "processor in the loop: step a library of nodes with the recorded inputs of a "
+          "simulation, and compare each output bit by bit",
       .examples = {{"on this machine", "eagerx-gen pil robot.yaml --of controller"},
                    {"on an emulated board",
                     "eagerx-gen pil robot.yaml --of controller --target mps2-an386 --steps 200"}},
-      .arguments = joined(
-          {{graph(options),
-            required(cut_out_nodes(options, "nodes, composites or arrays to make the library of")),
-            option("--steps", "steps of the simulation's environment in an episode"),
-            option("--episodes", "episodes (default: 1)"),
-            option("--seed", "where random numbers start"),
-            folder(text("-o,--output", options.output,
-                        "folder for simulation, library and what was recorded (default: "
-                        "generated/<graph file>-pil, with the name of another target, of a "
-                        "variant, engine or "
-                        "policy behind it)",
-                        "DIR"))},
-           {variant(options), engine(options),
-            texts("--target", options.targets, "where the library runs (default: linux-sim)",
-                  "NAME")},
-           rates(options),
-           {agent_policy(options), library(options), warnings(options)},
-           diagnostics(options)}),
+      .arguments =
+          joined({{graph(options),
+                   required(cut_out_nodes(options, "nodes, composites or arrays of the library")),
+                   option("--steps", "steps of an episode of the simulation"),
+                   option("--episodes", "number of episodes (default: 1)"),
+                   option("--seed", "seed of random numbers"),
+                   folder(text("-o,--output", options.output,
+                               "folder for the simulation, the library and the recorded messages "
+                               "(default: generated/<graph file>-pil, followed by the name of "
+                               "another target, a variant, engine or policy)",
+                               "DIR"))},
+                  {variant(options), engine(options),
+                   texts("--target", options.targets,
+                         "target that runs the library (default: linux-sim)", "NAME")},
+                  rates(options),
+                  {agent_policy(options), library(options), warnings(options)},
+                  diagnostics(options)}),
       .check = [&options] { return check_one_target(options); },
       .run = [&options] { return perform(options); }};
 }

@@ -33,34 +33,35 @@ int perform(const ReplayOptions& options) {
 }
 
 Command table(ReplayOptions& options) {
-  Argument compare{"--compare", "compare two logs instead", "LOG LOG",
+  Argument compare{"--compare", "compare two traces instead", "LOG LOG",
                    [&options](const auto& logs) {
                      options.log = logs[0];
                      options.second_log = logs[1];
                    }};
   compare.values = 2;
   compare.use = FileUse::reads;
-  return {.name = "replay",
-          .about = "repeat the run of a log and find the first difference",
-          .examples = {{"repeat a run that was recorded with --trace",
-                        "eagerx-gen replay build/pendulum run.log"},
-                       {"the first difference of two runs",
-                        "eagerx-gen replay --compare run.log other.log"}},
-          .arguments = {reads(text("program", options.program, "the program, built for Linux",
-                                   "PROGRAM")),
-                        reads(text("log", options.log, "what a run wrote with --trace", "LOG")),
-                        text("--given", options.given,
-                             "messages to take from the log: actions, sensors, none or names of "
-                             "channels, separated by commas (default: actions,sensors)",
-                             "LIST"),
-                        std::move(compare)},
-          .check =
-              [&options] {
-                const bool wrong =
-                    options.second_log.empty() ? options.log.empty() : !options.program.empty();
-                return wrong ? "either PROGRAM and LOG or --compare LOG LOG is required" : "";
-              },
-          .run = [&options] { return perform(options); }};
+  return {
+      .name = "replay",
+      .about = "repeat the run of a trace, and find the first difference",
+      .examples = {{"repeat a run that was recorded with --trace",
+                    "eagerx-gen replay build/pendulum run.log"},
+                   {"the first difference of two runs",
+                    "eagerx-gen replay --compare run.log other.log"}},
+      .arguments = {reads(text("program", options.program, "program, built for Linux", "PROGRAM")),
+                    reads(text("log", options.log, "trace, which a program writes with --trace",
+                               "LOG")),
+                    text("--given", options.given,
+                         "messages to take from the trace: actions, sensors, none, or names of "
+                         "channels, separated by commas (default: actions,sensors)",
+                         "LIST"),
+                    std::move(compare)},
+      .check =
+          [&options] {
+            const bool wrong =
+                options.second_log.empty() ? options.log.empty() : !options.program.empty();
+            return wrong ? "either PROGRAM and LOG or --compare LOG LOG is required" : "";
+          },
+      .run = [&options] { return perform(options); }};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "generator/driver/pipeline/paths.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/support/diagnostics/join.hpp"
+#include "generator/tools/commands/opened_loop.hpp"
 #include "generator/tools/commands/report_training.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/monitor/live.hpp"
@@ -27,6 +28,7 @@ namespace fs = std::filesystem;
 /// `output` is the page: a file; empty: <graph name>.html.
 struct ReportOptions : GenerateOptions {
   std::vector<std::string> logs, images;
+  std::vector<std::string> open;        // ports of loops
   std::string build;                    // the images' folder; empty: that of each
   std::optional<std::uint64_t> points;  // of a plot; without: as many as fit
   bool simulate = false;
@@ -122,6 +124,10 @@ int perform(const ReportOptions& given) {
     contents.module = build_module(options, code);
     if (!contents.module) return code;
   }
+  if (!options.open.empty()) {
+    contents.loops = loops_json(options, options.open, code);
+    if (!contents.loops) return code;
+  }
   run.diagnostics.sort_by_place();
   contents.spec = &*run.spec;
   contents.policies = &run.policies;
@@ -152,47 +158,51 @@ Command table(ReportOptions& options) {
       .name = "report",
       .about = "show everything about a graph on one page for a browser",
       .examples =
-          {{"drawing, timetable, memory and ages, in pendulum.html",
+          {{"diagram, schedule, memory and ages, in pendulum.html",
             "eagerx-gen report pendulum.yaml"},
            {"with a run as plots, and the flash and RAM of an image",
             "eagerx-gen report pendulum.yaml --trace run.log --image build/pendulum.elf -o "
             "run.html"},
-           {"with the simulation, which runs in the browser; needs Emscripten",
+           {"with stability margins of the loop through a motor: Bode, Nyquist, step response",
+            "eagerx-gen report robot.yaml --open controller.u"},
+           {"with the simulation in the browser, which needs Emscripten",
             "eagerx-gen report pendulum.yaml --simulate"},
-           {"of a training: curves, settings, what holds it, its best and its worst episode",
+           {"of a training: curves, settings, and its best and worst episode",
             "eagerx-gen report pendulum.yaml --training training.json"},
-           {"of a program that was started with --publish foxglove:8765, while it runs",
+           {"live, of a program that runs with --publish foxglove:8765",
             "eagerx-gen report pendulum.yaml --live foxglove:8765"}},
       .arguments = joined(
           {{graph(options),
-            writes(text("-o,--output", options.output, "the page (default: <graph name>.html)",
-                        "FILE")),
-            reads(texts("--trace", options.logs, "what a run wrote with --trace, may be repeated",
-                        "LOG")),
-            reads(texts("--image", options.images, "an image of a board, may be repeated",
+            writes(text("-o,--output", options.output,
+                        "file of the page (default: <graph name>.html)", "FILE")),
+            reads(texts("--trace", options.logs, "trace to plot; may be repeated", "LOG")),
+            reads(texts("--image", options.images, "image of a board to measure; may be repeated",
                         "IMAGE.elf")),
             folder(text("--build", options.build,
-                        "build folder of the image (default: the folder that it lies in)", "DIR")),
+                        "build folder of the image (default: the image's folder)", "DIR")),
+            texts("--open", options.open,
+                  "break the loop at this port, as `eagerx-gen linearize` does, and show Bode and "
+                  "Nyquist plot, poles, margins and step response; may be repeated",
+                  "PORT"),
             whole("--points", options.points,
-                  "most points of a plot (default: as many as keep all plots below 3 MB, at most "
-                  "2000); of more messages, the least and the greatest of each part are kept",
+                  "maximum number of points of a plot; longer plots keep the minimum and maximum "
+                  "of each interval (default: at most 2000, fewer to keep all plots below 3 MB)",
                   2, kMostPoints),
-            reads(text("--live", options.live,
-                       "show the page at an address of this machine, which is printed, with what a "
-                       "running program sends: udp:[HOST:]PORT, foxglove:[HOST:]PORT, "
-                       "serial:DEVICE, or a trace that grows",
-                       "SOURCE")),
+            reads(text(
+                "--live", options.live,
+                "serve the page at a local address with the messages of a running program, from "
+                "udp:[HOST:]PORT, foxglove:[HOST:]PORT, serial:DEVICE, or a growing trace",
+                "SOURCE")),
             reads(text("--training", options.training,
-                       "what `train` has written with --record, or its table of --csv, or of a "
-                       "sweep that of --results: curves, settings, the last evaluation, and its "
-                       "best and worst episode, run again by the graph's program, which is built",
+                       "record of a training (`train --record`), or its table (--csv, or --results "
+                       "of a sweep): shows curves, settings, and the last evaluation with its best "
+                       "and worst episode, which the graph's program runs again",
                        "FILE")),
             flag("--no-episodes", options.no_episodes,
-                 "with --training: build nothing and run no episodes"),
+                 "with --training: build no program and run no episodes"),
             flag("--simulate", options.simulate,
-                 "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
-                 "into "
-                 "the page: reset, step, play, by the policy or by hand")},
+                 "include the simulation, to reset, step and play by the policy or by hand; it is "
+                 "compiled for target wasm in generated/<graph name>-wasm")},
            {variant(options), engine(options)},
            rates(options),
            {agent_policy(options), library(options)},

@@ -81,7 +81,8 @@ class ResolvedFacts {
     lsp::Resolved::Connection one;
     const GraphNode& source = graph_.nodes[input.source_node];
     one.per_tick = per_tick(source.rate_hz, node.rate_hz);
-    if (const auto hop = make_hop(plan_, n, i)) one.age = milliseconds(seconds(hop->newest_bound));
+    if (const auto edge = make_path_edge(plan_, n, i))
+      one.age = milliseconds(seconds(edge->newest_bound));
     one.defaulted = from_manifest(node, input);
     one.about = about(source, node, input, one);
     const std::string name = lsp::without_indices(input.written);

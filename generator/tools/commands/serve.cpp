@@ -144,14 +144,13 @@ Command table(ServeCommandOptions& options) {
   constexpr std::uint64_t kFirstPort = 1, kLastPort = 65535;
   return {
       .name = "serve",
-      .about = "show a graph in a browser and edit it there",
-      .examples = {{"open the address that it prints; the file need not be there yet",
+      .about = "edit, run and train a graph in a browser",
+      .examples = {{"open the printed address; the file need not exist",
                     "eagerx-gen serve pendulum.yaml"},
-                   {"with entities of your own, always at the same port",
+                   {"with your own entities, at a fixed port",
                     "eagerx-gen serve pendulum.yaml --path my_models --port 8080"}},
-      .arguments = {required(reads(
-                        text("graph", options.graph, "the file, which is changed", "GRAPH.yaml"))),
-                    whole("--port", options.port, "port of 127.0.0.1 (default: one that is free)",
+      .arguments = {required(reads(text("graph", options.graph, "file to change", "GRAPH.yaml"))),
+                    whole("--port", options.port, "port on 127.0.0.1 (default: a free one)",
                           kFirstPort, kLastPort),
                     library(options)},
       .run = [&options] { return perform(options); }};

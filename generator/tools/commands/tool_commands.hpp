@@ -10,6 +10,10 @@ namespace eagerx::gen {
 Command pil_command();
 /// Prints the sampled loop of a graph as matrices, poles and margins.
 Command linearize_command();
+/// Computes gains for it.
+Command design_command();
+/// Prints an operating point of a graph.
+Command trim_command();
 /// Writes a picture of the graph.
 Command graph_command();
 /// Writes a page for a browser.

@@ -104,18 +104,18 @@ int perform(const PlotOptions& options) {
 Command table(LogOptions& options) {
   Argument output = checked(
       required(writes(text("-o,--output", options.output,
-                           "the file to write: .csv, .json (Perfetto, chrome://tracing), "
-                           ".mcap (Foxglove) or .npz (NumPy)",
+                           "file to write, whose ending selects the format: .csv, .json (Perfetto, "
+                           "chrome://tracing), .mcap (Foxglove) or .npz (NumPy)",
                            "FILE"))),
       [](const std::string& path) { return trace_format_of(path).has_value(); },
       "ends in none of .csv, .json, .mcap, .npz");
   return {.name = "convert",
-          .about = "write a log as CSV, for NumPy, Foxglove or Perfetto",
-          .examples = {{"a table, a row for each instant",
+          .about = "convert a trace to CSV, or for NumPy, Foxglove or Perfetto",
+          .examples = {{"a table with a row for each instant",
                         "eagerx-gen trace convert run.log -o run.csv"},
                        {"for Foxglove", "eagerx-gen trace convert run.log -o run.mcap"}},
-          .arguments = {required(reads(
-                            text("log", options.log, "what a run wrote with --trace", "LOG"))),
+          .arguments = {required(reads(text("log", options.log,
+                                            "trace, which a program writes with --trace", "LOG"))),
                         std::move(output), quiet(options)},
           .run = [&options] { return perform(options); }};
 }
@@ -135,35 +135,34 @@ Command table(PlotOptions& options) {
   constexpr std::uint64_t kLastEpisode = 999'999'999;
   Argument output = checked(
       required(writes(text("-o,--output", options.output,
-                           "the picture to write, .svg, or - for the terminal", "FILE"))),
+                           "picture to write (.svg), or - to plot in the terminal", "FILE"))),
       [](const std::string& path) { return path == "-" || path.ends_with(".svg"); },
       "is neither .svg nor -");
   return {
       .name = "plot",
-      .about = "draw channels of a log over time, or the runs of a campaign",
+      .about = "plot channels of a trace over time, or the runs of a campaign",
       .examples = {{"a picture", "eagerx-gen plot run.log theta voltage -o run.svg"},
                    {"with units at the axes",
                     "eagerx-gen plot run.log theta --graph pendulum.yaml -o run.svg"},
                    {"in the terminal", "eagerx-gen plot run.log theta -o -"},
-                   {"returns of a campaign, and success over what it varied",
+                   {"returns of a campaign, and success over the varied states",
                     "eagerx-gen plot runs.csv -o runs.svg"},
                    {"two variants, run by run", "eagerx-gen plot plain.csv fast.csv -o both.svg"}},
-      .arguments =
-          {required(reads(text("log", options.log,
-                               "what a run wrote with --trace, or a campaign with --csv",
-                               "LOG|RUNS.csv"))),
-           reads(texts(
-               "channel", options.channels,
-               "channels: their names, or a part such as theta; one element: pose[3]; several in "
-               "one plot: theta,goal. Of a campaign: the table of another one with the same "
-               "--seed",
-               "CHANNEL|RUNS.csv")),
-           std::move(output),
-           reads(text("--graph", options.graph.graph,
-                      "take units, and names of channels, from this graph", "GRAPH.yaml")),
-           variant(options.graph), library(options.graph),
-           whole("--episode", options.episode, "only this episode, from 0", 0, kLastEpisode),
-           quiet(options)},
+      .arguments = {required(reads(text("log", options.log,
+                                        "trace, or a table written with `campaign --csv`",
+                                        "LOG|RUNS.csv"))),
+                    reads(texts("channel", options.channels,
+                                "channels to plot: names or unique parts of names; theta,goal for "
+                                "one plot, pose[3] for one element. For a campaign: table of "
+                                "another campaign with the same --seed, to compare with",
+                                "CHANNEL|RUNS.csv")),
+                    std::move(output),
+                    reads(text("--graph", options.graph.graph,
+                               "graph to take units and names of channels from", "GRAPH.yaml")),
+                    variant(options.graph), library(options.graph),
+                    whole("--episode", options.episode, "plot only this episode, counted from 0", 0,
+                          kLastEpisode),
+                    quiet(options)},
       .check = [&options] { return check(options); },
       .run = [&options] { return perform(options); }};
 }
@@ -171,10 +170,11 @@ Command table(PlotOptions& options) {
 }  // namespace
 
 Command trace_command() {
-  return {.name = "trace",
-          .about = "what a run wrote with --trace, for other tools",
-          .examples = {{"for NumPy", "eagerx-gen trace convert run.log -o run.npz"}},
-          .commands = {with_options<LogOptions>(table)}};
+  return {
+      .name = "trace",
+      .about = "convert traces, which programs write with --trace, for other tools",
+      .examples = {{"convert a trace for NumPy", "eagerx-gen trace convert run.log -o run.npz"}},
+      .commands = {with_options<LogOptions>(table)}};
 }
 
 Command plot_command() {

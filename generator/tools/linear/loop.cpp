@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "generator/tools/linear/matrices.hpp"
 #include "generator/tools/linear/modes.hpp"
+#include "generator/tools/linear/open_loop.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -19,50 +19,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kMostMessages = 200;  // of delay that are tried
-
-/// y = C·x + D·u of the opened port.
-struct OpenLoop {
-  Eigen::MatrixXd a, b, c, d;
-  double message_s = 0.0;  // from one message to the next
-
-  explicit OpenLoop(const SampledSystem& system)
-      : a(matrix_of(system.a, system.state.size())),
-        b(matrix_of(system.b, system.inputs.size()).rightCols(static_cast<Index>(system.opened))),
-        c(matrix_of(system.c, system.state.size()).bottomRows(static_cast<Index>(system.opened))),
-        d(matrix_of(system.d, system.inputs.size())
-              .bottomRightCorner(static_cast<Index>(system.opened),
-                                 static_cast<Index>(system.opened))),
-        message_s(system.period_s / static_cast<double>(system.opened)) {}
-
-  /// The map of a hyperperiod with u[k] = y[k - delay]: of the state and the messages on their way.
-  [[nodiscard]] Eigen::MatrixXd closed(std::size_t delay) const {
-    // Message i of a hyperperiod is u[i]; y[i] goes to u[i + delay], of this one or of a later.
-    const Index n = a.rows(), m = c.rows(), q = static_cast<Index>(delay);
-    // z = [x, the last `delay` messages of y, oldest first]; u = S·z + R·y.
-    Eigen::MatrixXd s = Eigen::MatrixXd::Zero(m, n + q), r = Eigen::MatrixXd::Zero(m, m);
-    for (Index i = 0; i < m; ++i) {
-      if (i < q)
-        s(i, n + i) = 1.0;
-      else
-        r(i, i - q) = 1.0;
-    }
-    Eigen::MatrixXd cz = Eigen::MatrixXd::Zero(m, n + q), az = Eigen::MatrixXd::Zero(n, n + q);
-    cz.leftCols(n) = c;
-    az.leftCols(n) = a;
-    const Eigen::MatrixXd y =
-        (Eigen::MatrixXd::Identity(m, m) - d * r).partialPivLu().solve(cz + d * s);
-    Eigen::MatrixXd next(n + q, n + q);
-    next.topRows(n) = az + b * (s + r * y);
-    for (Index k = 0; k < q; ++k) {
-      const Index at = k + m;  // of the old messages and then those of y
-      if (at < q)
-        next.row(n + k) = Eigen::RowVectorXd::Unit(n + q, n + at);
-      else
-        next.row(n + k) = y.row(at - q);
-    }
-    return next;
-  }
-};
+constexpr double kMostCost = 1e9;  // of their eigenvalues: the sum of n^3, some ten seconds
 
 /// G·u at frequencies, by the Schur form of A: a triangle to solve for each.
 class FrequencyResponse {
@@ -92,9 +49,10 @@ class FrequencyResponse {
   }
   /// Then L is not a number at 0 Hz, or a large one by rounding.
   [[nodiscard]] bool has_integrators() const {
-    const Eigen::VectorXcd poles = schur_.matrixT().diagonal();
-    return std::any_of(poles.begin(), poles.end(), is_integrator);
+    const Eigen::VectorXcd all = poles();
+    return std::any_of(all.begin(), all.end(), is_integrator);
   }
+  [[nodiscard]] Eigen::VectorXcd poles() const { return schur_.matrixT().diagonal(); }
 
  private:
   const OpenLoop& loop_;
@@ -102,16 +60,45 @@ class FrequencyResponse {
   Eigen::MatrixXcd b_, c_;
 };
 
-/// Up to half of the rate of the messages.
+/// Half of the rate of the messages. With an even number of them in a hyperperiod, integrators are
+/// an alias of it: L is large there within rounding, and a little below it is not.
+double last_frequency(const OpenLoop& loop) {
+  const double last = std::numbers::pi / loop.message_s;
+  return loop.c.rows() % 2 == 0 ? (1.0 - 1e-6) * last : last;
+}
+
 std::vector<double> frequencies(const OpenLoop& loop, std::size_t count) {
   constexpr double kDecades = 5.0;
   std::vector<double> all;
-  const double last = std::numbers::pi / loop.message_s;
+  const double last = last_frequency(loop);
   for (std::size_t i = 0; i < count; ++i) {
     const double part = static_cast<double>(count - 1 - i) / static_cast<double>(count - 1);
     all.push_back(last * std::pow(10.0, -kDecades * part));
   }
   return all;
+}
+
+/// Adds what a grid misses: the resonances of poles with little damping, and their flanks. Of a
+/// hyperperiod of several messages a pole has several frequencies up to half of their rate.
+void add_resonances(const Eigen::VectorXcd& poles, const OpenLoop& loop, std::vector<double>& all) {
+  constexpr double kBroad = 0.02;  // damping of which the grid has many points
+  const double last = last_frequency(loop), first = all.front();
+  const Index messages = loop.c.rows();
+  const double period_s = loop.message_s * static_cast<double>(messages);
+  for (const Complex z : poles) {
+    const double size = std::abs(z);
+    if (z.imag() <= 0.0 || size < 1e-6 || is_integrator(z)) continue;
+    const double decay = std::abs(std::log(size)) / period_s, turn = std::arg(z) / period_s;
+    for (Index k = -messages; k <= messages; ++k) {
+      const double w = std::abs(turn + kTurn * static_cast<double>(k) / period_s);
+      if (w < first || w >= last || decay > kBroad * w) continue;
+      for (const double width : {-10.0, -3.0, -1.0, -0.3, 0.0, 0.3, 1.0, 3.0, 10.0}) {
+        const double at = w + width * std::max(decay, 1e-9 * w);
+        if (at > first && at < last) all.push_back(at);
+      }
+    }
+  }
+  std::ranges::sort(all);
 }
 
 /// Where f changes its sign between low and high.
@@ -137,6 +124,9 @@ class MarginFinder {
     margins_.is_stable = margins_.spectral_radius < 1.0;
     constexpr std::size_t kFrequencies = 4000;
     std::vector<double> all = frequencies(loop_, kFrequencies);
+    const double ratio = all[1] / all[0];
+    add_resonances(response_.poles(), loop_, all);
+    add_resonances(poles, loop_, all);
     Complex before = response_.at(all.front());
     peak(all.front(), before);
     for (std::size_t i = 1; i < all.size(); ++i) {
@@ -150,7 +140,7 @@ class MarginFinder {
     // At both ends L is real, and its imaginary part changes sign by rounding at most.
     take_factor(all.back(), before);
     if (!response_.has_integrators()) take_factor(0.0, response_.at(0.0));
-    refine_peak(all[1] / all[0]);
+    refine_peak(ratio);
     if (margins_.is_stable) {
       count_messages();
       choose_delay();
@@ -193,7 +183,7 @@ class MarginFinder {
   }
   void peak(double w, Complex loop) {
     const double sensitivity = 1.0 / std::abs(1.0 + loop);
-    if (sensitivity <= margins_.sensitivity) return;
+    if (!(sensitivity > margins_.sensitivity)) return;  // also at a pole, where it is no number
     margins_.sensitivity = sensitivity;
     margins_.sensitivity_hz = w / kTurn;
   }
@@ -224,12 +214,35 @@ class MarginFinder {
       margins_.delay_frequency_hz = each.frequency_hz;
     }
   }
+  /// With one message a hyperperiod the response says where the limit is, which eigenvalues then
+  /// confirm. Otherwise it says too little, and they are computed for one delay after the other.
   void count_messages() {
-    for (std::size_t delay = 1; delay <= kMostMessages; ++delay) {
-      if (spectral_radius(poles_of(loop_.closed(delay))) < 1.0) continue;
+    std::size_t delay = 1;
+    if (loop_.c.rows() == 1) {
+      const std::size_t borne = messages_by_response();
+      if (borne > 0 && is_stable_with(borne)) delay = borne + 1;
+      margins_.tried_messages = delay - 1;
+    }
+    double cost = 0.0;
+    for (; delay <= kMostMessages && cost < kMostCost; ++delay) {
+      cost += std::pow(static_cast<double>(loop_.a.rows()) + static_cast<double>(delay), 3.0);
+      if (is_stable_with(delay)) {
+        margins_.tried_messages = delay;
+        continue;
+      }
       margins_.stable_messages = delay - 1;
       return;
     }
+  }
+  bool is_stable_with(std::size_t delay) const {
+    return spectral_radius(poles_of(loop_.closed(delay))) < 1.0;
+  }
+  /// Messages in the shortest delay at which a crossover reaches the limit, at most kMostMessages.
+  std::size_t messages_by_response() const {
+    double shortest_s = loop_.message_s * static_cast<double>(kMostMessages + 1);
+    for (const Delay& each : delays_) shortest_s = std::min(shortest_s, each.s);
+    const double messages = std::ceil(shortest_s / loop_.message_s * (1.0 - 1e-9)) - 1.0;
+    return static_cast<std::size_t>(std::max(0.0, messages));
   }
 
   struct Delay {
@@ -247,6 +260,11 @@ class MarginFinder {
 Margins margins_of(const SampledSystem& system) {
   const OpenLoop loop(system);
   return MarginFinder(loop).find();
+}
+
+std::vector<std::complex<double>> closed_poles_of(const SampledSystem& system) {
+  const Eigen::VectorXcd poles = poles_of(OpenLoop(system).closed(0));
+  return {poles.begin(), poles.end()};
 }
 
 std::vector<Response> responses_of(const SampledSystem& system, std::size_t count) {

@@ -46,7 +46,8 @@ struct Margins {
   std::optional<double> phase_deg, crossover_hz;              // the smallest
   std::optional<double> delay_s, delay_frequency_hz;          // the smallest, if it is stable
   std::optional<std::size_t>
-      stable_messages;  // more messages of delay, exactly; nothing: all tried
+      stable_messages;             // more messages of delay, exactly; nothing: all tried
+  std::size_t tried_messages = 0;  // with which it is stable, one after the other
   double sensitivity = 0.0, sensitivity_hz = 0.0;  // the largest |1/(1 + L)|
   double other_frequencies =
       0.0;  // what comes back at others, of what comes back, at the crossover
@@ -60,5 +61,17 @@ struct Response {
 };
 /// At `count` frequencies with equal ratios, up to half of the rate of the port's messages.
 std::vector<Response> responses_of(const SampledSystem& system, std::size_t count);
+
+/// Of the loop as it runs, closed: over a hyperperiod.
+std::vector<std::complex<double>> closed_poles_of(const SampledSystem& system);
+
+/// The closed loop after a unit step at the opened port, in one message.
+struct StepSample {
+  double time_s = 0.0;
+  double sent = 0.0;      // what the readers of the port get: the step and what returns, S
+  double returned = 0.0;  // what the loop does against it, T = 1 - S
+};
+/// Until the slowest pole has settled, at most 20,000 messages.
+std::vector<StepSample> step_response_of(const SampledSystem& system);
 
 }  // namespace eagerx::gen

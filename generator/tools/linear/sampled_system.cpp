@@ -26,8 +26,9 @@ Rows rows_of(const Json* list) {
 std::vector<StateWord> words_of(const Json* list) {
   std::vector<StateWord> words;
   for (const Json& item : *list->as<Json::List>()) {
-    const auto& pair = *item.as<Json::List>();
-    words.push_back({text_of(&pair[0]), number_of(&pair[1]).value_or(0.0)});
+    const auto& parts = *item.as<Json::List>();
+    words.push_back({text_of(&parts[0]), number_of(&parts[1]).value_or(0.0),
+                     number_of(&parts[2]).value_or(0.0) != 0.0});
   }
   return words;
 }
@@ -133,28 +134,34 @@ double drift_of(const Rows& a, const Rows& later) {
 
 }  // namespace
 
-std::optional<SampledSystem> read_system(std::string_view text, const Plan& plan) {
-  const auto json = parse_json(text);
-  const Json* const state = json ? member(&*json, "state") : nullptr;
+std::optional<SampledSystem> read_whole_system(const Json& printed, const Plan& plan) {
+  const Json* const json = &printed;
+  const Json* const state = member(json, "state");
   if (state == nullptr) return std::nullopt;
   SampledSystem system;
-  system.period_s = number_of(member(&*json, "period_s")).value_or(0.0);
-  system.steps = static_cast<std::uint64_t>(number_of(member(&*json, "steps")).value_or(1.0));
+  system.period_s = number_of(member(json, "period_s")).value_or(0.0);
+  system.steps = static_cast<std::uint64_t>(number_of(member(json, "steps")).value_or(1.0));
   system.state = words_of(state);
-  for (const Json& item : *member(&*json, "inputs")->as<Json::List>())
+  for (const Json& item : *member(json, "inputs")->as<Json::List>())
     system.inputs.push_back(port_of(item, plan));
-  for (const Json& item : *member(&*json, "outputs")->as<Json::List>())
+  for (const Json& item : *member(json, "outputs")->as<Json::List>())
     system.outputs.push_back(port_of(item, plan));
-  const auto opened = number_of(member(&*json, "opened")).value_or(0.0);
+  const auto opened = number_of(member(json, "opened")).value_or(0.0);
   system.opened = system.outputs.size() - static_cast<std::size_t>(opened);
-  system.losing = ports_of(member(&*json, "losing"), plan);
-  system.smoothing = ports_of(member(&*json, "smoothing"), plan);
-  system.a = rows_of(member(&*json, "A"));
-  system.b = rows_of(member(&*json, "B"));
-  system.c = rows_of(member(&*json, "C"));
-  system.d = rows_of(member(&*json, "D"));
-  system.drift = drift_of(system.a, rows_of(member(&*json, "later")));
-  StateReduction(system).run();
+  system.losing = ports_of(member(json, "losing"), plan);
+  system.smoothing = ports_of(member(json, "smoothing"), plan);
+  system.a = rows_of(member(json, "A"));
+  system.b = rows_of(member(json, "B"));
+  system.c = rows_of(member(json, "C"));
+  system.d = rows_of(member(json, "D"));
+  system.drift = drift_of(system.a, rows_of(member(json, "later")));
+  return system;
+}
+
+std::optional<SampledSystem> read_system(std::string_view text, const Plan& plan) {
+  const auto json = parse_json(text);
+  auto system = json ? read_whole_system(*json, plan) : std::nullopt;
+  if (system) StateReduction(*system).run();
   return system;
 }
 

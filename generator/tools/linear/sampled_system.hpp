@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/graph/plan/plan.hpp"
+#include "generator/support/json/json.hpp"
 
 namespace eagerx::gen {
 
@@ -15,6 +16,7 @@ namespace eagerx::gen {
 struct StateWord {
   std::string name;
   double value = 0.0;  // where it was linearized
+  bool is_message = false;
 };
 
 /// An element of the messages of a port.
@@ -42,8 +44,10 @@ struct SampledSystem {
   double drift = 0.0;                   // of A to the next hyperperiod, of its largest element
 };
 
-/// What the program of target linearize printed; nothing if it is none of this graph's. Numbers
-/// that neither change nor matter are left out.
+/// What the program of target linearize printed, with all numbers of its state; nothing if it is
+/// none of this graph's.
+std::optional<SampledSystem> read_whole_system(const Json& printed, const Plan& plan);
+/// The same from its text, without the numbers that neither change nor matter.
 std::optional<SampledSystem> read_system(std::string_view text, const Plan& plan);
 
 }  // namespace eagerx::gen

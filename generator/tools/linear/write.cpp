@@ -100,6 +100,9 @@ std::string delay_text(const Margins& margins) {
                         *margins.stable_messages,
                         1e3 * margins.port_period_s * static_cast<double>(*margins.stable_messages),
                         *margins.stable_messages + 1);
+  else
+    text += fmt::format("; stable with {} more messages of delay, and more were not tried",
+                        margins.tried_messages);
   return text + '\n';
 }
 
@@ -138,6 +141,26 @@ std::string margins_text(const LinearReport& report) {
   for (const DataAge& age : report.ages)
     text += fmt::format("  age of data   {:.6g} ms from {} to {}\n", age.newest_s.to_double() * 1e3,
                         age.from, age.to);
+  return text;
+}
+
+std::string corners_text(const WorstMargins& worst) {
+  const Margins& margins = worst.margins;
+  std::string text = fmt::format(
+      "\nover {} of drawn parameters\n  closed        {}, spectral radius {:.9g} at {}\n",
+      counted(worst.corners, "corner"), margins.is_stable ? "stable" : "unstable",
+      margins.spectral_radius, worst.stability_at);
+  if (margins.gain)
+    text +=
+        fmt::format("  gain margin   {:.4g} dB at {}\n", decibels(*margins.gain), worst.gain_at);
+  if (margins.least_gain)
+    text += fmt::format("  least gain    {:.4g} dB at {}\n", decibels(*margins.least_gain),
+                        worst.least_gain_at);
+  if (margins.phase_deg)
+    text += fmt::format("  phase margin  {:.6g} deg at {}\n", *margins.phase_deg, worst.phase_at);
+  if (margins.is_stable && margins.delay_s)
+    text +=
+        fmt::format("  delay margin  {:.6g} ms at {}\n", *margins.delay_s * 1e3, worst.delay_at);
   return text;
 }
 
@@ -194,6 +217,24 @@ Json poles_json(const LinearReport& report) {
   return list;
 }
 
+Json corners_json(const WorstMargins& worst) {
+  const Margins& margins = worst.margins;
+  return Json{{"corners", worst.corners},
+              {"stable", margins.is_stable},
+              {"spectral_radius", margins.spectral_radius},
+              {"gain", maybe(margins.gain)},
+              {"least_gain", maybe(margins.least_gain)},
+              {"phase_deg", maybe(margins.phase_deg)},
+              {"delay_s", margins.is_stable ? maybe(margins.delay_s) : Json(nullptr)},
+              {"at", Json{{"stable", worst.stability_at},
+                          {"gain", worst.gain_at},
+                          {"least_gain", worst.least_gain_at},
+                          {"phase_deg", worst.phase_at},
+                          {"delay_s", worst.delay_at}}}};
+}
+
+}  // namespace
+
 Json margins_json(const LinearReport& report) {
   const Margins& margins = *report.margins;
   Json ages = Json::list();
@@ -214,17 +255,17 @@ Json margins_json(const LinearReport& report) {
               {"delay_s", maybe(margins.delay_s)},
               {"delay_frequency_hz", maybe(margins.delay_frequency_hz)},
               {"stable_messages", maybe(margins.stable_messages)},
+              {"tried_messages", margins.tried_messages},
               {"sensitivity", margins.sensitivity},
               {"sensitivity_hz", margins.sensitivity_hz},
               {"other_frequencies", margins.other_frequencies},
               {"ages", std::move(ages)}};
 }
 
-}  // namespace
-
 std::string linear_text(const LinearReport& report) {
   return system_text(*report.system) + modes_text(report) +
-         (report.margins ? margins_text(report) : "") + notes_text(*report.system);
+         (report.margins ? margins_text(report) : "") +
+         (report.corners ? corners_text(*report.corners) : "") + notes_text(*report.system);
 }
 
 Json linear_json(const LinearReport& report) {
@@ -251,6 +292,7 @@ Json linear_json(const LinearReport& report) {
             {"mean_slope", system.smoothing},
             {"drift", system.drift}};
   if (report.margins) json["loop"] = margins_json(report);
+  if (report.corners) json["corners"] = corners_json(*report.corners);
   return json;
 }
 

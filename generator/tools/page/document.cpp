@@ -21,6 +21,7 @@ std::vector<std::string> entries_of(const PageContents& contents) {
   if (contents.module) entries.emplace_back("simulation_view.mjs");
   if (contents.is_live) entries.emplace_back("stream_view.mjs");
   if (contents.training) entries.emplace_back("training_view.mjs");
+  if (contents.loops) entries.emplace_back("loop_view.mjs");
   entries.emplace_back("main.mjs");
   return entries;
 }

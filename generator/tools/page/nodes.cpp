@@ -39,17 +39,18 @@ constexpr std::int64_t kMostTicks = 400'000;
 
 /// Messages of a connection at each tick of its reader: `begin` at the first ones, then `cycle`
 /// over and over. Null if these are more than `room`, which becomes smaller by them.
-Json received_json(const PathEdge& hop, bool skip, std::int64_t& room) {
-  const std::int64_t ticks = hop.settled + hop.b;
+Json received_json(const PathEdge& edge, bool skip, std::int64_t& room) {
+  const std::int64_t ticks = edge.settled + edge.b;
   if (ticks > room) return nullptr;
   room -= ticks;
-  const Counts counts{hop.a, hop.b, hop.x, skip};
+  const Counts counts{edge.a, edge.b, edge.x, skip};
   const auto list = [&](std::int64_t from, std::int64_t to) {
     Json numbers = Json::list();
     for (std::int64_t n = from; n < to; ++n) numbers.push_back(counts.at(n));
     return numbers;
   };
-  return Json{{"begin", list(0, hop.settled)}, {"cycle", list(hop.settled, hop.settled + hop.b)}};
+  return Json{{"begin", list(0, edge.settled)},
+              {"cycle", list(edge.settled, edge.settled + edge.b)}};
 }
 
 Json json_of(const Space& space) {
@@ -263,19 +264,19 @@ class Nodes {
               {"keep", reception.keep},
               {"line", line_of(input.span)}};
     json["longest_delay"] = input.max_delay_s ? time_json(*input.max_delay_s) : Json(nullptr);
-    const auto hop = graph_.asynchronous ? std::nullopt : make_hop(plan_, n, i);
-    json["hop"] = hop_json(hop);
-    json["received"] = hop ? received_json(*hop, input.skip, room_) : Json(nullptr);
+    const auto edge = graph_.asynchronous ? std::nullopt : make_path_edge(plan_, n, i);
+    json["hop"] = hop_json(edge);
+    json["received"] = edge ? received_json(*edge, input.skip, room_) : Json(nullptr);
     return json;
   }
 
   /// Null where messages do not come by count, or too far apart.
-  Json hop_json(const std::optional<PathEdge>& hop) const {
-    if (!hop) return nullptr;
-    return Json{{"a", hop->a},
-                {"b", hop->b},
-                {"newest", time_json(Rational(hop->newest_bound) * quantum_s())},
-                {"oldest", time_json(Rational(hop->oldest_bound) * quantum_s())}};
+  Json hop_json(const std::optional<PathEdge>& edge) const {
+    if (!edge) return nullptr;
+    return Json{{"a", edge->a},
+                {"b", edge->b},
+                {"newest", time_json(Rational(edge->newest_bound) * quantum_s())},
+                {"oldest", time_json(Rational(edge->oldest_bound) * quantum_s())}};
   }
 
   Json object_json(const Object& object) const {

@@ -86,6 +86,7 @@ Json page_json(const PageContents& contents) {
   page["logs"] = contents.logs;
   page["shows"] = shown_by(*plan.graph);
   if (contents.training) page["training"] = *contents.training;
+  if (contents.loops) page["loops"] = *contents.loops;
   if (contents.is_live) page["live"] = true;
   if (contents.module) page["module"] = base64(*contents.module);
   return page;

@@ -33,6 +33,7 @@ struct PageContents {
   Json logs = Json::list();                          // of read_logs()
   std::optional<std::string> module = std::nullopt;  // of WebAssembly, which simulates the graph
   std::optional<Json> training = std::nullopt;       // of read_training(), and what was run of it
+  std::optional<Json> loops = std::nullopt;          // opened at ports: margins and curves
   bool is_live = false;                              // who shows it also tells it what a run sends
 };
 

@@ -59,8 +59,8 @@ class Recorded {
 
 }  // namespace
 
-std::optional<Recording> recording_of(const std::string& path, const Graph& graph,
-                                      std::string& problem) {
+std::optional<PilRecording> recording_of(const std::string& path, const Graph& graph,
+                                         std::string& problem) {
   const auto log = trace_log::read_log_file(path, problem);
   if (!log) return std::nullopt;
   std::vector<Recorded> ports;
@@ -74,7 +74,7 @@ std::optional<Recording> recording_of(const std::string& path, const Graph& grap
       ports.emplace_back(*log, *channel, graph.environment().rate_hz / port.rate_hz);
     }
   }
-  Recording result;
+  PilRecording result;
   result.episodes = log->episodes();
   append_word(result.words, log->seed);
   append_word(result.words, log->seed >> kWordBits);

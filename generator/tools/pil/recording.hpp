@@ -9,14 +9,14 @@
 
 namespace eagerx::gen {
 
-struct Recording {
+struct PilRecording {
   std::string words;  // as targets/common/pil.hpp reads them
   std::uint64_t steps = 0;
   std::uint32_t episodes = 0;
 };
 
 /// Of the log in the file `path`, for a graph with a `cut`. `problem`: why there is none.
-std::optional<Recording> recording_of(const std::string& path, const Graph& graph,
-                                      std::string& problem);
+std::optional<PilRecording> recording_of(const std::string& path, const Graph& graph,
+                                         std::string& problem);
 
 }  // namespace eagerx::gen

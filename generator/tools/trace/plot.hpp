@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <string>
 #include <vector>

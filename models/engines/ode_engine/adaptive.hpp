@@ -33,11 +33,10 @@ enum class AdaptiveOutcome : std::uint8_t {
 
 /// Square of the norm of `error` [N] relative to the tolerances, for a step from `begin` [N] to
 /// `end` [N]; NaN if anything is.
-template <class Real, std::size_t N>
-[[gnu::always_inline]] inline constexpr Real error_squared(const Array<Real, N>& error,
-                                                           const Array<Real, N>& begin,
-                                                           const Array<Real, N>& end,
-                                                           const SettingsFor<Real>& settings) {
+template <class Real, std::size_t N, class Setting>
+[[gnu::always_inline]] inline constexpr Real error_squared(
+    const Array<Real, N>& error, const Array<Real, N>& begin, const Array<Real, N>& end,
+    const AdaptiveSettings<Setting>& settings) {
   const Real atol(settings.atol);
   const Real rtol(settings.rtol);
   Real sum(LaneOf<Real>(0));

@@ -32,7 +32,7 @@ class LinuxPin {
 
   BusError write(bool level) {
     if (!line_.is_open()) return BusError::link_lost;
-    if (!is_output_) return become_output(level);
+    if (!is_output_) return make_output(level);
     gpio_v2_line_values values{level ? 1U : 0U, 1U};
     return carry_out(GPIO_V2_LINE_SET_VALUES_IOCTL, &values);
   }
@@ -46,7 +46,7 @@ class LinuxPin {
 
  private:
   /// With its level from the beginning: it makes no spike.
-  BusError become_output(bool level) {
+  BusError make_output(bool level) {
     gpio_v2_line_config config{};
     config.flags = GPIO_V2_LINE_FLAG_OUTPUT;
     config.num_attrs = 1;

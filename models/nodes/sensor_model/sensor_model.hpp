@@ -100,7 +100,7 @@ class SensorModel {
     const auto seed = static_cast<std::uint32_t>(lane(difference_, k)) ^ kSeed;
     auto random = Random::of_step({seed, 0, 0}, entity_id("SensorModel"), tick.in_lane(k), kBlocks);
     for (std::size_t i = 0; i < kSize; ++i) {
-      set_lane(noise[i], k, random.normal(Lane(0), Lane(1)));
+      set_noise_lane(noise[i], k, random.normal(Lane(0), Lane(1)));
       set_lane(chance[i], k, random.uniform(Lane(0), Lane(1)));
     }
   }
@@ -112,7 +112,8 @@ class SensorModel {
     const auto seed = static_cast<std::uint32_t>(lane(difference_, k)) ^ kSeed;
     auto random =
         Random::of_step({seed, 0, 0}, entity_id("SensorModel/even"), tick.in_lane(k), kBlocks);
-    for (std::size_t i = 0; i < kSize; ++i) set_lane(even[i], k, random.uniform(Lane(-1), Lane(1)));
+    for (std::size_t i = 0; i < kSize; ++i)
+      set_noise_lane(even[i], k, random.uniform(Lane(-1), Lane(1)));
   }
 
   std::array<ResetNumber<Real>, kSize> scale_{};

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <eagerx/math/polynomial.hpp>
 #include <eagerx/math/vocabulary.hpp>
+#include <type_traits>
 
 namespace eagerx::detail {
 
@@ -114,6 +115,81 @@ constexpr auto quadrants_of(T x) {
     product = add(product, multiply(window, static_cast<std::uint32_t>(mantissa >> 32U), 1));
   }
   return product;
+}
+
+/// The upper word of high and low, together shifted to the left by less than 32.
+constexpr std::uint32_t shifted(std::uint32_t high, std::uint32_t low, unsigned by) {
+  return (high << by) | ((low >> 1U) >> (31 - by));
+}
+
+/// exact_product(), with the same bits from the core's fused multiply-add if it has one.
+[[gnu::always_inline]] constexpr TwoWords<float> exact_product_of_floats(float a, float b) {
+#if defined(__ARM_FEATURE_FMA) && defined(__OPTIMIZE__)
+  const float product = a * b;
+  if (!std::is_constant_evaluated()) return {product, __builtin_fmaf(a, b, -product)};
+#endif
+  return exact_product(a, b);
+}
+
+/// A reduced float that three floating-point registers can return: `quadrant` by its bits.
+struct ReducedFloat {
+  float angle, tail, quadrant;
+};
+
+/// What reduce_huge_angle() does, for floats. It has no loop and one branch, so that the bound of
+/// its instructions is what it takes: programs for boards are planned with this path.
+[[gnu::noinline]] constexpr ReducedFloat reduce_huge_float(float x) {
+  using Format = FloatFormat<float>;
+  constexpr unsigned kWordBits = 32;
+  const std::uint32_t pattern = bits(x);
+  const std::uint32_t exponent = (pattern & Format::kInfinity) >> Format::kMantissaBits;
+  if (exponent == Format::kInfinity >> Format::kMantissaBits) return {Format::nan, Format::nan, 0};
+  const std::uint32_t mantissa = (pattern & Format::kMantissa) | (1U << Format::kMantissaBits);
+  // As in quadrants_of(): three words of 2/pi, their product modulo 2^96.
+  const std::uint32_t first = exponent + (64 - 2 - Format::kBias - Format::kMantissaBits);
+  const std::uint32_t* word = kTwoOverPiWords.data() + first / kWordBits;
+  const unsigned by = first % kWordBits;
+  const std::uint64_t last = std::uint64_t{shifted(word[2], word[3], by)} * mantissa;
+  const std::uint64_t middle =
+      std::uint64_t{shifted(word[1], word[2], by)} * mantissa + (last >> kWordBits);
+  std::uint32_t high =
+      shifted(word[0], word[1], by) * mantissa + static_cast<std::uint32_t>(middle >> kWordBits);
+  // To the nearest quadrant: past the middle, count from the next one, backwards.
+  const std::uint32_t backwards = (high >> 29U) & 1U;
+  std::uint32_t quadrant = (high >> 30U) + backwards;
+  const std::uint32_t negated = 0U - backwards;  // all but the last bit
+  high = (high ^ negated) & 0x3fffffffU;
+  std::uint32_t low = static_cast<std::uint32_t>(middle) ^ negated;
+  std::uint32_t rest = static_cast<std::uint32_t>(last) ^ negated;
+  unsigned zeros = 0;
+  if (high == 0) {  // then not in `low`, too
+    high = low;
+    low = rest;
+    rest = 0;
+    zeros = kWordBits;
+  }
+  const auto leading = static_cast<unsigned>(std::countl_zero(high));
+  zeros += leading;
+  high = shifted(high, low, leading);
+  low = shifted(low, rest, leading);
+  // In quadrants, then in rad: (a + b) * pi/2, with the sign of all of it.
+  const std::uint32_t sign = pattern >> (kWordBits - 1);
+  const std::uint32_t scale =
+      ((static_cast<std::uint32_t>(Format::kBias + 2 - Format::kDigits) - zeros)
+       << Format::kMantissaBits) |
+      ((sign ^ backwards) << (kWordBits - 1));
+  const std::uint32_t scale_of_b =
+      scale - (std::uint32_t{Format::kDigits} << Format::kMantissaBits);
+  const float a = static_cast<float>(static_cast<std::int32_t>(high >> 8U)) * unbits(scale);
+  const float b =
+      static_cast<float>(static_cast<std::int32_t>(((high & 0xffU) << 16U) | (low >> 16U))) *
+      unbits(scale_of_b);
+  using Constants = PayneHanekConstants<float>;
+  const TwoWords<float> product = exact_product_of_floats(a, Constants::kHalfPi);
+  const float left = product.low + (a * Constants::kHalfPiLow + b * Constants::kHalfPi);
+  const float angle = product.high + left;
+  quadrant = (quadrant ^ (0U - sign)) + sign;  // -quadrant of a negative angle
+  return {angle, (product.high - angle) + left, unbits(quadrant)};
 }
 
 /// Reduces one angle beyond what the quick reduction takes; NaN for infinities and NaN.

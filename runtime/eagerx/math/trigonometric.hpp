@@ -42,13 +42,24 @@ struct TrigonometricConstants<double> {
                                                  -0x1.6c16c16c1500cp-10, 0x1.555555555554bp-5};
 };
 
+/// reduce_huge_angle(), for floats without its loops.
+template <class T>
+[[gnu::always_inline]] constexpr Reduced<T> reduce_huge(T x) {
+  if constexpr (sizeof(T) == sizeof(float)) {
+    const ReducedFloat reduced = reduce_huge_float(x);
+    return {reduced.angle, reduced.tail, bits(reduced.quadrant)};
+  } else {
+    return reduce_huge_angle(x);
+  }
+}
+
 /// Puts in what reduce_to_quadrant() cannot do: lanes beyond kLargest, one by one.
 template <class R>
 [[gnu::noinline, gnu::cold]] constexpr void reduce_huge_lanes(const R& x, Reduced<R>& reduced) {
   using T = LaneOf<R>;
   for (int i = 0; i < lanes<R>; ++i) {
     if (abs(lane(x, i)) <= TrigonometricConstants<T>::kLargest) continue;
-    const Reduced<T> one = reduce_huge_angle(lane(x, i));
+    const Reduced<T> one = reduce_huge(lane(x, i));
     set_lane(reduced.angle, i, one.angle);
     set_lane(reduced.tail, i, one.tail);
     set_lane(reduced.quadrant, i, one.quadrant);
@@ -60,6 +71,11 @@ template <class R>
 [[gnu::always_inline]] constexpr Reduced<R> reduce_to_quadrant(R x) {
   using T = LaneOf<R>;
   using Constants = TrigonometricConstants<T>;
+  const auto huge = !(abs(x) <= R(Constants::kLargest));  // and NaN
+  if constexpr (lanes<R> == 1) {
+    if (any(huge)) [[unlikely]]
+      return reduce_huge(x);
+  }
   const R shifted = x * R(Constants::kTwoOverPi) + R(FloatFormat<T>::kRounder);
   const R n = shifted - R(FloatFormat<T>::kRounder);
   R rest = x;
@@ -72,13 +88,13 @@ template <class R>
   const R angle = after_next - last;
   Reduced<R> reduced{angle, (after_next - angle) - last, bits(shifted)};
 
-  const auto huge = !(abs(x) <= R(Constants::kLargest));  // and NaN
-  if (any(huge)) [[unlikely]] {
-    if constexpr (lanes<R> == 1) return reduce_huge_angle(x);
-    // What has an address stays in memory: that is a copy.
-    Reduced<R> corrected = reduced;
-    reduce_huge_lanes(R(x), corrected);
-    reduced = corrected;
+  if constexpr (lanes < R >> 1) {
+    if (any(huge)) [[unlikely]] {
+      // What has an address stays in memory: that is a copy.
+      Reduced<R> corrected = reduced;
+      reduce_huge_lanes(R(x), corrected);
+      reduced = corrected;
+    }
   }
   return reduced;
 }

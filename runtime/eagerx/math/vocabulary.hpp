@@ -99,6 +99,11 @@ requires std::is_arithmetic_v<T>
 constexpr void set_lane(T& x, int /*i*/, T value) {
   x = value;
 }
+/// The same for noise, which numbers with derivatives replace by its mean.
+template <class T, class Lane>
+constexpr void set_noise_lane(T& x, int i, Lane value) {
+  set_lane(x, i, value);
+}
 
 /// The layout of IEEE 754 binary32 and binary64.
 template <class T>

@@ -43,7 +43,7 @@ Json& Json::end_list() {
   return *this;
 }
 Json& Json::key(std::string_view name) {
-  text(name).text_ += ": ";
+  text(name).text_ += is_compact_ ? ":" : ": ";
   wants_comma_ = false;
   return *this;
 }
@@ -69,8 +69,12 @@ Json& Json::null() {
   return raw("null");
 }
 
+Json& Json::written(std::string_view json) {
+  return json.empty() ? *this : raw(json);
+}
+
 Json& Json::raw(std::string_view value) {
-  if (wants_comma_) text_ += ", ";
+  if (wants_comma_) text_ += is_compact_ ? "," : ", ";
   text_ += value;
   wants_comma_ = true;
   return *this;

@@ -14,6 +14,10 @@ void append_json_string(std::string& to, std::string_view text);
 /// Writes JSON; the caller opens and closes. Commas come by themselves.
 class Json {
  public:
+  /// `compact`: without blanks.
+  enum class Style : std::uint8_t { spaced, compact };
+  explicit Json(Style style = Style::spaced) : is_compact_(style == Style::compact) {}
+
   Json& begin_object();
   Json& end_object();
   Json& begin_list();
@@ -27,6 +31,8 @@ class Json {
   Json& whole(std::uint64_t value);
   Json& boolean(bool value);
   Json& null();
+  /// What is JSON already: values with commas between them, or nothing.
+  Json& written(std::string_view json);
 
   const std::string& str() const { return text_; }
 
@@ -34,6 +40,7 @@ class Json {
   Json& raw(std::string_view value);
 
   std::string text_;
+  bool is_compact_ = false;
   bool wants_comma_ = false;
 };
 

@@ -42,19 +42,19 @@ std::int64_t now_ns() {
   return std::int64_t{now.tv_sec} * kSecondNs + now.tv_nsec;
 }
 
-enum class Seen : std::uint8_t { dismissed, ended, stands_still };
+enum class Outcome : std::uint8_t { dismissed, ended, hangs };
 
 /// The meaning of a received byte, or that the pipe is closed.
-Seen read_line(int line) {
+Outcome read_line(int line) {
   char byte = 0;
   ssize_t count = 0;
   do count = read(line, &byte, 1);
   while (count < 0 && errno == EINTR);
-  return count == 1 ? Seen::dismissed : Seen::ended;
+  return count == 1 ? Outcome::dismissed : Outcome::ended;
 }
 
 /// Looks are counted, not time: where the whole machine stood still, the program had no chance.
-Seen watch(int line, std::int64_t most_silent_ns) {
+Outcome watch(int line, std::int64_t most_silent_ns) {
   constexpr int kLooks = 16;
   constexpr std::int64_t kLongestMs = 1'000'000;
   const int look_ms =
@@ -74,7 +74,7 @@ Seen watch(int line, std::int64_t most_silent_ns) {
     looks = is_alive ? 0 : looks + 1;
     last = count;
   }
-  return Seen::stands_still;
+  return Outcome::hangs;
 }
 
 /// Files that the program had open are free once it is no longer our parent.
@@ -116,13 +116,13 @@ void tell(bool is_safe, std::int64_t most_silent_ns) {
   sched_param first{};
   first.sched_priority = sched_get_priority_max(SCHED_FIFO);
   syscall(SYS_sched_setscheduler, 0, SCHED_FIFO, &first);
-  const Seen seen = watch(line, most_silent_ns);
-  if (seen != Seen::dismissed) {
+  const Outcome seen = watch(line, most_silent_ns);
+  if (seen != Outcome::dismissed) {
     // A program that is stopped has its hardware for itself as long as it lives.
-    if (seen == Seen::stands_still) kill(program, SIGKILL);
+    if (seen == Outcome::hangs) kill(program, SIGKILL);
     wait_for_its_end(program);
     const bool is_safe = take_over(context);
-    if (seen == Seen::stands_still) tell(is_safe, most_silent_ns);
+    if (seen == Outcome::hangs) tell(is_safe, most_silent_ns);
   }
   _exit(0);
 }

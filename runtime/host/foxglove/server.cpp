@@ -6,6 +6,7 @@
 #include <random>
 #include <runtime/host/base/counted.hpp>
 #include <runtime/host/base/hash.hpp>
+#include <runtime/host/base/json.hpp>
 #include <runtime/host/foxglove/access.hpp>
 #include <runtime/host/foxglove/client_message.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
@@ -349,8 +350,9 @@ void FoxgloveServer::answer_calls() {
     append(text, call.id);
     append(text, static_cast<std::uint32_t>(kEncoding.size()));
     text += kEncoding;
-    text += "{\"episode\":" + std::to_string(step_.episode) +
-            ",\"step\":" + std::to_string(step_.step) + "}";
+    host::Json place(host::Json::Style::compact);
+    place.begin_object().key("episode").whole(step_.episode).key("step").whole(step_.step);
+    text += place.end_object().str();
     if (!server_->send(call.client, false, true, text)) server_->disconnect(call.client);
     calls_.pop_front();
   }

@@ -1,6 +1,4 @@
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <eagerx/scene.hpp>
 #include <runtime/host/base/json.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
@@ -10,33 +8,31 @@
 namespace eagerx::foxglove {
 namespace {
 
-std::string json(std::string_view text) {
-  std::string result;
-  host::append_json_string(result, text);
-  return result;
+/// An operation, without its end.
+host::Json operation(const char* name) {
+  host::Json json(host::Json::Style::compact);
+  json.begin_object().key("op").text(name);
+  return json;
 }
 
-template <class T>
-void append_json_number(std::string& to, T value) {
-  std::array<char, 32> text{};
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
-  if (std::isfinite(value)) {
-    to.append(text.data(), result.ptr);
-  } else {
-    to += "null";
-  }
+void add_schema(host::Json& json, std::string_view name, std::string_view schema) {
+  json.key("schemaName").text(name);
+  json.key("schemaEncoding").text("jsonschema").key("schema").text(schema);
 }
 
-std::string channel_text(std::size_t id, const std::string& topic, std::string_view schema_name,
-                         const std::string& schema) {
-  return "{\"id\":" + std::to_string(id) + ",\"topic\":" + json(topic) +
-         R"(,"encoding":"json","schemaName":)" + json(schema_name) +
-         R"(,"schemaEncoding":"jsonschema","schema":)" + json(schema) + "}";
+void add_channel(host::Json& json, std::size_t id, const std::string& topic,
+                 std::string_view schema_name, const std::string& schema) {
+  json.begin_object().key("id").whole(id).key("topic").text(topic).key("encoding").text("json");
+  add_schema(json, schema_name, schema);
+  json.end_object();
 }
 
-std::string schema_text(std::string_view name, std::string_view schema) {
-  return R"({"encoding":"json","schemaName":)" + json(name) +
-         R"(,"schemaEncoding":"jsonschema","schema":)" + json(schema) + "}";
+/// Of a request or a response.
+void add_message(host::Json& json, const char* what, std::string_view name,
+                 std::string_view schema) {
+  json.key(what).begin_object().key("encoding").text("json");
+  add_schema(json, name, schema);
+  json.end_object();
 }
 
 }  // namespace
@@ -52,40 +48,37 @@ Topic drawing_topic() {
 }
 
 std::string drawing_text(const float* rows, std::size_t count, std::uint32_t episode) {
-  std::string text = "{\"episode\":" + std::to_string(episode) + ",\"rows\":[";
-  for (std::size_t i = 0; i < count * kSceneColumns; ++i) {
-    if (i > 0) text += ',';
-    append_json_number(text, rows[i]);
-  }
-  return text + "]}";
+  host::Json json(host::Json::Style::compact);
+  json.begin_object().key("episode").whole(episode).key("rows").begin_list();
+  for (std::size_t i = 0; i < count * kSceneColumns; ++i) json.number(rows[i]);
+  return json.end_list().end_object().str();
 }
 
 std::string server_info_text(std::string_view name, bool has_services, std::string_view session,
                              const std::vector<std::pair<std::string, std::string>>& about) {
-  std::string text = R"({"op":"serverInfo","name":)" + json(name) +
-                     R"(,"capabilities":["time","parameters","parametersSubscribe")" +
-                     (has_services ? R"(,"services"])" : "]") +
-                     R"(,"supportedEncodings":["json"],"metadata":{)";
-  for (const auto& [key, value] : about)
-    text += (text.back() == '{' ? "" : ",") + json(key) + ":" + json(value);
-  return text + "},\"sessionId\":" + json(session) + "}";
+  host::Json json = operation("serverInfo");
+  json.key("name").text(name).key("capabilities").begin_list();
+  json.text("time").text("parameters").text("parametersSubscribe");
+  if (has_services) json.text("services");
+  json.end_list().key("supportedEncodings").begin_list().text("json").end_list();
+  json.key("metadata").begin_object();
+  for (const auto& [key, value] : about) json.key(key).text(value);
+  return json.end_object().key("sessionId").text(session).end_object().str();
 }
 
 std::string advertise_text(const publish::PublishedChannels& channels,
                            const std::vector<bool>& chosen, const std::vector<Topic>& topics) {
-  std::string text = R"({"op":"advertise","channels":[)";
+  host::Json json = operation("advertise");
+  json.key("channels").begin_list();
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    if (!chosen[c]) continue;
     const auto& channel = channels[c];
-    if (text.back() != '[') text += ',';
-    text += channel_text(c + 1, "/" + channel.name, channel.name, trace_log::json_schema(channel));
+    if (chosen[c])
+      add_channel(json, c + 1, "/" + channel.name, channel.name, trace_log::json_schema(channel));
   }
   std::size_t id = channels.size();
-  for (const Topic& topic : topics) {
-    if (text.back() != '[') text += ',';
-    text += channel_text(++id, topic.name, topic.schema_name, topic.schema);
-  }
-  return text + "]}";
+  for (const Topic& topic : topics)
+    add_channel(json, ++id, topic.name, topic.schema_name, topic.schema);
+  return json.end_list().end_object().str();
 }
 
 std::string advertise_services_text() {
@@ -95,50 +88,49 @@ std::string advertise_services_text() {
       R"({"type":"object","properties":{"steps":{"type":"integer","minimum":1}}})";
   constexpr std::string_view kPlace =
       R"({"type":"object","properties":{"episode":{"type":"integer"},"step":{"type":"integer"}}})";
-  std::string text = R"({"op":"advertiseServices","services":[)";
+  host::Json json = operation("advertiseServices");
+  json.key("services").begin_list();
   for (std::uint32_t i = 0; i < kServices; ++i) {
     const std::string name(kNames[i]);
-    if (i > 0) text += ',';
-    text += "{\"id\":" + std::to_string(i + 1) + ",\"name\":" + json("/" + name) +
-            ",\"type\":" + json("eagerx/" + name) + ",\"request\":" +
-            schema_text("eagerx/" + name + "_request", name == "step" ? kSteps : kNothing) +
-            ",\"response\":" + schema_text("eagerx/place", kPlace) + "}";
+    json.begin_object().key("id").whole(i + 1).key("name").text("/" + name);
+    json.key("type").text("eagerx/" + name);
+    add_message(json, "request", "eagerx/" + name + "_request", name == "step" ? kSteps : kNothing);
+    add_message(json, "response", "eagerx/place", kPlace);
+    json.end_object();
   }
-  return text + "]}";
+  return json.end_list().end_object().str();
 }
 
 std::string parameter_values_text(const std::vector<ParameterValue>& parameters,
                                   std::string_view id) {
-  std::string text = R"({"op":"parameterValues","parameters":[)";
+  host::Json json = operation("parameterValues");
+  json.key("parameters").begin_list();
   for (const ParameterValue& parameter : parameters) {
-    if (text.back() != '[') text += ',';
-    text += "{\"name\":" + json(parameter.name);
+    json.begin_object().key("name").text(parameter.name);
     if (!parameter.numbers.empty()) {
-      text += parameter.is_array ? R"(,"type":"float64_array","value":[)"
-                                 : R"(,"type":"float64","value":)";
-      for (std::size_t i = 0; i < parameter.numbers.size(); ++i) {
-        if (i > 0) text += ',';
-        const double value = parameter.numbers[i];
-        parameter.is_float32 ? append_json_number(text, static_cast<float>(value))
-                             : append_json_number(text, value);
-      }
-      if (parameter.is_array) text += ']';
+      json.key("type").text(parameter.is_array ? "float64_array" : "float64").key("value");
+      if (parameter.is_array) json.begin_list();
+      for (const double value : parameter.numbers)
+        parameter.is_float32 ? json.number(static_cast<float>(value)) : json.number(value);
+      if (parameter.is_array) json.end_list();
     }
-    text += '}';
+    json.end_object();
   }
-  text += ']';
-  if (!id.empty()) text += ",\"id\":" + json(id);
-  return text + "}";
+  json.end_list();
+  if (!id.empty()) json.key("id").text(id);
+  return json.end_object().str();
 }
 
 std::string status_text(StatusLevel level, std::string_view message) {
-  return R"({"op":"status","level":)" + std::to_string(static_cast<int>(level)) +
-         ",\"message\":" + json(message) + "}";
+  host::Json json = operation("status");
+  json.key("level").whole(static_cast<std::uint64_t>(level));
+  return json.key("message").text(message).end_object().str();
 }
 
 std::string call_failure_text(std::uint32_t service, std::uint32_t call, std::string_view message) {
-  return R"({"op":"serviceCallFailure","serviceId":)" + std::to_string(service) +
-         ",\"callId\":" + std::to_string(call) + ",\"message\":" + json(message) + "}";
+  host::Json json = operation("serviceCallFailure");
+  json.key("serviceId").whole(service).key("callId").whole(call);
+  return json.key("message").text(message).end_object().str();
 }
 
 }  // namespace eagerx::foxglove

@@ -8,11 +8,8 @@
 namespace eagerx::identification {
 namespace {
 
-constexpr double kStateStep = 1e-4;      // of a difference, of a state's typical size
-constexpr double kParameterStep = 1e-2;  // of half the range
-
+constexpr double kStateStep = 1e-4;  // of a difference, of a state's typical size
 constexpr double kFirstDamping = 1e-6, kLess = 0.1, kMore = 10.0;
-constexpr double kDone = 1e-7;  // relative decrease of the cost
 
 bool damp_and_factor(Matrix& states, std::size_t n, double damping) {
   double largest = 0.0;
@@ -112,7 +109,7 @@ bool LeastSquares::refine(Trial& trial) {
   constexpr int kRounds = 4;
   constexpr int kSteps = 15;
   start_again(trial, true);
-  return repeat(trial, kRounds, kSteps);
+  return repeat(trial, kRounds, kSteps) && settle_delays(trial);
 }
 
 /// Standard deviations and fit in turn.

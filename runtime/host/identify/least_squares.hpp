@@ -13,7 +13,9 @@ namespace eagerx::identification {
 
 /// All samples of a segment.
 inline constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max();
-inline constexpr double kTiny = 1e-9;  // keeps what nothing is known of where it is
+inline constexpr double kTiny = 1e-9;           // keeps what nothing is known of where it is
+inline constexpr double kParameterStep = 1e-2;  // of a difference, of half the range
+inline constexpr double kDone = 1e-7;           // relative decrease of the cost
 
 /// A parameter that lies somewhere in [low, high].
 struct Range {
@@ -89,6 +91,9 @@ class LeastSquares {
   bool take_better_states(Trial& trial, Trial& tried);
   bool descend(Trial& trial, int iterations);
   bool descend_states(Trial& trial, std::uint32_t window, int iterations);
+  bool settle_delays(Trial& trial);
+  bool settle(Trial& trial, std::size_t delay, double step);
+  double cost_of_delay(Trial& trial, std::size_t delay, double value);
   void move_state(Trial& trial, const Equations::Segment& segment, std::size_t index,
                   double damping) const;
   bool differentiate(const Trial& trial, bool with_parameters);

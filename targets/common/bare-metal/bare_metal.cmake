@@ -72,7 +72,8 @@ function(eagerx_configure_bare_metal executable)
   # All of it: only weak references call what the board's own sources define instead of a weak function.
   target_link_libraries(${executable} PRIVATE -Wl,--whole-archive eagerx_board -Wl,--no-whole-archive)
   target_compile_options(${executable} PRIVATE ${EAGERX_BARE_METAL_FLAGS})
-  target_compile_definitions(${executable} PRIVATE EAGERX_TRACE=$<BOOL:${EAGERX_TRACE}>
+  get_filename_component(board ${arg_FOLDER} NAME)
+  target_compile_definitions(${executable} PRIVATE EAGERX_TRACE=$<BOOL:${EAGERX_TRACE}> EAGERX_BOARD="${board}"
                                                    $<$<BOOL:${EAGERX_ARGUMENTS}>:EAGERX_STARTS_ALONE=1>)
   target_link_options(
     ${executable}

@@ -1,12 +1,12 @@
-// What the file of an image says of its graph, for who starts it.
+// What the file of an image says of its graph and its board, for who starts or measures it.
 #pragma once
 
 #include <cstdint>
 
 namespace eagerx::board {
 
-/// `eagerx graph ` and the graph's hash, the lowest byte first, in a section that is in the file
-/// and not on the board. It is never called: naming it is enough.
+/// `eagerx graph ` and the graph's hash, the lowest byte first, and `eagerx board NAME`, in a
+/// section that is in the file and not on the board. It is never called: naming it is enough.
 template <class Graph>
 [[gnu::used]] void note_graph() {
   constexpr unsigned kWordBits = 32;
@@ -26,6 +26,13 @@ template <class Graph>
       : "i"(static_cast<std::uint32_t>(Graph::kGraphHash)),
         "i"(static_cast<std::uint32_t>(Graph::kGraphHash >> kWordBits)));
 #undef EAGERX_NUMBERS
+#ifdef EAGERX_BOARD
+  asm volatile(
+      ".pushsection .eagerx.graph,\"\",%progbits\n"
+      ".asciz \"eagerx board " EAGERX_BOARD
+      "\"\n"
+      ".popsection");
+#endif
 }
 
 }  // namespace eagerx::board

@@ -30,10 +30,11 @@ std::string describe(const Description& description) {
   json.key("isa").text(description.isa);
   json.key("lanes").whole(description.lanes);
   if (description.why_no_lanes != nullptr) json.key("why_no_lanes").text(description.why_no_lanes);
-  return json.str() + ", \"observations\": " + description.observations +
-         ", \"actions\": " + description.actions + ", \"states\": " + description.states +
-         ", \"tunable\": " + description.tunable + ", \"agent\": \"" + description.agent + "\"" +
-         ", \"task\": " + description.task + ", \"render\": " + description.render + "}";
+  json.key("observations").written(description.observations);
+  json.key("actions").written(description.actions).key("states").written(description.states);
+  json.key("tunable").written(description.tunable).key("agent").text(description.agent);
+  json.key("task").written(description.task).key("render").written(description.render);
+  return json.end_object().str();
 }
 
 std::string describe_task(const TaskDescription& task) {
@@ -42,7 +43,8 @@ std::string describe_task(const TaskDescription& task) {
   for (const char* name : task.terms) json.text(name);
   json.end_list().key("success").boolean(task.success);
   json.key("episode_steps").whole(task.episode_steps);
-  return json.str() + ", \"critic\": " + task.critic + ", \"stages\": " + task.stages + "}";
+  json.key("critic").written(task.critic).key("stages").written(task.stages);
+  return json.end_object().str();
 }
 
 std::string describe_stages(std::span<const char* const> names, std::span<const Until> until) {

@@ -78,7 +78,7 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.curve);
   visitor(progressed.recent);
   visitor(progressed.best.parameters);
-  for (auto* score : {&progressed.best.seen, &progressed.best.judged}) {
+  for (auto* score : {&progressed.best.seen, &progressed.best.confirmed}) {
     visitor(score->success);
     visitor(score->mean_return);
   }

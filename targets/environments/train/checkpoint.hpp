@@ -30,9 +30,9 @@ struct Best {
   std::vector<float> parameters;  // folded; empty: none was evaluated
   Score seen;                     // of the evaluation that each policy has
   /// Of that and those that only what seems good has; a return that is no number: it has none.
-  Score judged{0, std::numeric_limits<double>::quiet_NaN()};
+  Score confirmed{0, std::numeric_limits<double>::quiet_NaN()};
 
-  bool is_judged() const { return !std::isnan(judged.mean_return); }
+  bool is_confirmed() const { return !std::isnan(confirmed.mean_return); }
 };
 
 /// Episodes that the mean return of a training is taken of.

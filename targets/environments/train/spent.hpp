@@ -30,7 +30,7 @@ class Stopwatch {
 /// Seconds of processor time, over all threads of this process.
 struct Spent {
   double simulation_s = 0.0;  // steps of the environments
-  double inference_s = 0.0;   // actor and critic choose and judge actions
+  double inference_s = 0.0;   // actor and critic choose and evaluate actions
   double learning_s = 0.0;    // advantages, gradients, updates
   double evaluation_s = 0.0;
 

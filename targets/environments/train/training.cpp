@@ -46,7 +46,7 @@ Training::Training(const Options& options, const Library& library,
       interface_(interface_of(options.settings, library.description())),
       pool_(chosen_threads(options.threads), ThreadPool::Size::at_most),
       algorithm_(chosen_algorithm(settings_, library, kernels_, pool_, ranks)),
-      judge_(options.settings, library, kernels_, pool_, ranks),
+      selection_(options.settings, library, kernels_, pool_, ranks),
       saving_(ranks.is_first() ? options.checkpoint : std::string(), options.checkpoint_every_s,
               [this] { return checkpoint(); }),
       report_(options, library.description(), begin(), std::move(table)) {}
@@ -94,7 +94,7 @@ int Training::run(const Stop& stop) {
     print((options_.name.empty() ? "" : options_.name + "\n") + summary(ended(ending), last_));
   if (unsaved) throw *unsaved;
   if (ending == Ending::interrupted) return kInterrupted;
-  return ending == Ending::success || !judge_.has_aim() ? kDone : kProblems;
+  return ending == Ending::success || !selection_.has_aim() ? kDone : kProblems;
 }
 
 /// With what a problem of the graph is hard to find without.
@@ -126,17 +126,17 @@ Ending Training::learn(const Stop& stop) {
 /// or the evaluation that is due.
 Ending Training::iterate(const Stop& stop) {
   while (!progressed_.succeeded) {
-    if (judge_.is_due(progressed_.curve)) {
+    if (selection_.is_due(progressed_.curve)) {
       const double begin_s = report_.seconds();
       evaluate_all(progressed_.curve.back());
       evaluating_s_ += report_.seconds() - begin_s;
       if (progressed_.succeeded) {
-        report_.show(progressed_.curve, judge_.seen());
+        report_.show(progressed_.curve, selection_.seen());
         break;
       }
     }
     if (algorithm_->pace.iteration > first_iteration_)
-      report_.show(progressed_.curve, judge_.seen());
+      report_.show(progressed_.curve, selection_.seen());
     if (steps() >= options_.steps) return Ending::steps;
     if (ranks_.is_any(static_cast<bool>(stop))) return Ending::interrupted;
     start_iteration();
@@ -146,7 +146,7 @@ Ending Training::iterate(const Stop& stop) {
 }
 
 bool Training::evaluate(CurvePoint& point) {
-  return judge_.evaluate(*algorithm_, progressed_.best, point);
+  return selection_.evaluate(*algorithm_, progressed_.best, point);
 }
 
 /// The best policy; if none was evaluated yet, the last one.
@@ -154,12 +154,12 @@ void Training::evaluate_at_last() {
   const double begin_s = report_.seconds();
   constexpr double kLong = 1.0;  // s
   if (ranks_.is_first() && (evaluating_s_ > kLong || progressed_.best.parameters.empty()))
-    report_.tell_last_evaluation(judge_.episodes_at_last());
+    report_.tell_last_evaluation(selection_.episodes_at_last());
   if (progressed_.best.parameters.empty()) {
     CurvePoint unused{};
     evaluate(unused);
   }
-  last_ = judge_.evaluate_at_last(*algorithm_, progressed_.best);
+  last_ = selection_.evaluate_at_last(*algorithm_, progressed_.best);
   evaluating_s_ += report_.seconds() - begin_s;
 }
 
@@ -169,7 +169,7 @@ void Training::evaluate_all(CurvePoint& point) {
   const std::vector<client::Stage>& stages = library_.description().stages;
   const std::size_t stage = progressed_.curriculum.stage;
   std::optional<Evaluation> in_stage;
-  if (stage < stages.size()) in_stage = judge_.evaluate_in(stages[stage].name, *algorithm_);
+  if (stage < stages.size()) in_stage = selection_.evaluate_in(stages[stage].name, *algorithm_);
   progressed_.succeeded = evaluate(point);
   if (!in_stage) return;
   const double success = in_stage->success();
@@ -237,7 +237,7 @@ CurvePoint Training::note(const Algorithm::Result& result) {
 
 Ended Training::ended(Ending ending) const {
   Spent spent = algorithm_->spent();
-  spent.evaluation_s = judge_.spent_s();
+  spent.evaluation_s = selection_.spent_s();
   return {.options = options_,
           .description = library_.description(),
           .curve = progressed_.curve,
@@ -249,11 +249,11 @@ Ended Training::ended(Ending ending) const {
           .done = algorithm_->done(),
           .threads = pool_.size(),
           .ending = ending,
-          .has_aim = judge_.has_aim()};
+          .has_aim = selection_.has_aim()};
 }
 
 void Training::write_policy(const std::string& path) const {
-  const Policy best = judge_.policy(*algorithm_, progressed_.best.parameters);
+  const Policy best = selection_.policy(*algorithm_, progressed_.best.parameters);
   const std::size_t width = best.network.inputs();
   // Observations as they are in an episode: around the mean that was seen, by their deviation.
   constexpr std::size_t kRows = 256;

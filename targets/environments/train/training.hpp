@@ -8,7 +8,7 @@
 
 #include "targets/environments/train/algorithm.hpp"
 #include "targets/environments/train/checkpoint.hpp"
-#include "targets/environments/train/judge.hpp"
+#include "targets/environments/train/model_selection.hpp"
 #include "targets/environments/train/options.hpp"
 #include "targets/environments/train/progress_report.hpp"
 #include "targets/environments/train/saving.hpp"
@@ -58,7 +58,7 @@ class Training {
   const std::string conditions_, interface_;
   ThreadPool pool_;
   const std::unique_ptr<Algorithm> algorithm_;
-  Judge judge_;
+  ModelSelection selection_;
   Progressed progressed_;
   Evaluation last_;            // of the best policy, when all is over
   double evaluating_s_ = 0.0;  // of report_.seconds()

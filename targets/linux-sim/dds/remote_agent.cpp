@@ -135,14 +135,14 @@ bool RemoteAgent::take_all() {
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     Input& input = inputs_[i];
     exchange_->read(i, [this, &input](dds::Stamp when, std::span<const double> numbers) {
-      judge(input, when, numbers);
+      check(input, when, numbers);
     });
     complete = complete && input.has_come;
   }
   return complete;
 }
 
-void RemoteAgent::judge(Input& input, dds::Stamp when, std::span<const double> numbers) {
+void RemoteAgent::check(Input& input, dds::Stamp when, std::span<const double> numbers) {
   if (when != now_) {
     // One that was answered may have been asked for twice.
     if (when != before_ || !has_answered_) ++(when < now_ ? late_ : others_);

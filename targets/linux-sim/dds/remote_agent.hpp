@@ -59,7 +59,7 @@ class RemoteAgent {
   bool write(ObservationRow observations);
   /// Takes what has come. True: all actions are there.
   bool take_all();
-  void judge(Input& input, dds::Stamp when, std::span<const double> numbers);
+  void check(Input& input, dds::Stamp when, std::span<const double> numbers);
   /// Null, or what is wrong with its numbers.
   std::uint64_t* wrong_with(const Field& field, std::span<const double> numbers);
   void look_for_strangers();

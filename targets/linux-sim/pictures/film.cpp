@@ -34,7 +34,7 @@ std::vector<std::string> command(const std::string& path, int width, int height,
 }
 
 /// In the new process, where nothing may allocate.
-[[noreturn]] void become_ffmpeg(int input, char* const* arguments) {
+[[noreturn]] void exec_ffmpeg(int input, char* const* arguments) {
   setpgid(0, 0);  // Ctrl-C ends our run, and we the film
   std::signal(SIGPIPE, SIG_DFL);
   std::signal(SIGXFSZ, SIG_DFL);
@@ -79,7 +79,7 @@ std::string Film::open(const std::string& path, int width, int height, const std
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   child_ = fork();
-  if (child_ == 0) become_ffmpeg(ends[0], arguments.data());
+  if (child_ == 0) exec_ffmpeg(ends[0], arguments.data());
   close(ends[0]);
   pipe_ = ends[1];
   if (child_ < 0) {

@@ -7,13 +7,15 @@ The reference: of the build folder here, opened where there are a display and a 
   file://<build>/site/codes/E0307.html
   $ eagerx-gen docs budget
   file://<build>/site/keys.html#budget
+  $ eagerx-gen docs linearize
+  file://<build>/site/commands/linearize.html
   $ eagerx-gen docs ButerworthFilter
   error: the reference has no page for `ButerworthFilter`
   help: did you mean `ButterworthFilter`?
   [2]
   $ eagerx-gen docs pid
   error: the reference has no page for `pid`
-  help: did you mean `PidController`?
+  help: did you mean `PidController` or `design pid`?
   [2]
   $ eagerx-gen docs lqr
   error: the reference has no page for `lqr`

@@ -17,7 +17,7 @@ Help of each command ends with examples, and `help COMMAND` is the same.
   Usage: eagerx-gen graph [OPTIONS] graph
   2
   Usage: eagerx-gen report [OPTIONS] graph
-  5
+  6
   Usage: eagerx-gen explain [OPTIONS] [code]
   2
   Usage: eagerx-gen import [OPTIONS] state
@@ -34,6 +34,8 @@ Help of each command ends with examples, and `help COMMAND` is the same.
   1
   Usage: eagerx-gen policy [OPTIONS] SUBCOMMAND
   2
+  $ eagerx-gen help linearize | head -n 1
+  linearize the sampled loop as it runs, with its rates, delays and windows: matrices, poles, and stability margins (experimental)
   $ eagerx-gen help policy test | grep "^Usage:"
   Usage: eagerx-gen policy test [OPTIONS] file golden
   $ eagerx-gen help | sed -n '/^Topics of `help`:/,$p' | grep -e Topics -e graph-file -e units
@@ -48,6 +50,8 @@ Help of each command ends with examples, and `help COMMAND` is the same.
   
   rates   Hz, kHz, MHz, mHz
   times   s, ms, us, ns, min, h (or µs)
+  angles  deg
+  gains   dB (of margins)
   memory  kB, KiB, MB, MiB, B, k, K, M, KB (of `budget:`; k is 1024, M is 1024 k)
   $ eagerx-gen help gaph
   error: there is no help for `gaph`

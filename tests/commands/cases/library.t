@@ -65,3 +65,8 @@ A standalone tree in the folder of the library is no part of the library, also t
   
   1 error
   [1]
+What is to be filled in of a main loop: an output is within the limits of `safety:`, whatever its node may send.
+  $ eagerx-gen generate "$root/tests/own_loop/poisoned.yaml" --package arduino --library -o loop -q
+  $ grep "FILL IN ." loop/examples/poisoned/hardware.h
+    // FILL IN speed: float32 [1], from -2 to 2; one number
+    // FILL IN position: float32 [1], from -1 to 1; the sum

@@ -32,6 +32,9 @@ Known answers of a policy.
   file's own     0; in row 6 at most 0.000324 is allowed
   with int8      off by mean 0.014, largest 0.042 in a range of 6.5, on 20 golden rows
   actions        not compared: the file does not say their bounds
+Its own first layer may normalize, which the file does not say.
+  $ eagerx-gen policy info "$policies/ppo_64.onnx" | grep normalised
+    normalised     by nothing but its own layers (give statistics with --normalize)
   $ eagerx-gen policy test "$policies/sac_64.onnx" g.csv
   error[E0633]: the policy `<root>/tests/data/policy/sac_64.onnx` does not answer the golden rows `g.csv`: row 15 is 4.5 off
   help: give the statistics of its observations as `normalize`

@@ -1,7 +1,7 @@
 Wrong usage is answered with what would be right.
   $ eagerx-gen
   error: `eagerx-gen` alone is not enough
-  help: give a graph, or one of generate, build, run, train, campaign, pil, check, info, diff, graph, report, explain, import, schema, new, size, replay, identify, trace, plot, monitor, policy, key, docs, linearize, fix, rename, lsp, serve, help
+  help: give a graph, or one of generate, build, run, train, campaign, pil, check, info, diff, graph, report, explain, import, schema, new, size, replay, identify, trace, plot, monitor, policy, key, docs, linearize, design, trim, fix, rename, lsp, serve, help
   [2]
   $ eagerx-gen generte graph.yaml
   error: `generte` is neither a command nor a file

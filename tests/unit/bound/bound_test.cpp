@@ -212,8 +212,8 @@ TEST(Loops, OneThatIsNotCountedInNeedsNoBound) {
 TEST(Bound, IsAnErrorForWhatIsNoImage) {
   Tools tools;
   Diagnostics diagnostics;
-  EXPECT_FALSE(bound_instructions(tools.file("x.txt", "no image"), {}, diagnostics));
-  EXPECT_FALSE(bound_instructions(tools.image(), {}, diagnostics));
+  EXPECT_FALSE(bound_instructions(tools.file("x.txt", "no image"), {}, nullptr, diagnostics));
+  EXPECT_FALSE(bound_instructions(tools.image(), {}, nullptr, diagnostics));
   ASSERT_EQ(diagnostics.all().size(), 2U);
   for (const auto& problem : diagnostics.all()) EXPECT_EQ(problem.code, "E0911");
 }

@@ -121,6 +121,22 @@ TEST(Compose, AConnectionToACompositeGoesToAllThatItsPortIsBoundTo) {
   EXPECT_EQ(connections[5].find("window")->text, "3");
 }
 
+// W0114 takes a delay without a unit for milliseconds.
+TEST(Compose, ADelayAtACompositeKeepsThatItHasAUnit) {
+  std::string text = kComposite;
+  text.insert(text.find("actions:"), "    inputs: {setpoint: {delay: 1/3 s}}\n");
+  text += "  - {from: actions.x, to: control.setpoint}\n";
+  Composed composite(text);
+  const auto spec = read_graph_spec(composite.flat.root, "graph.yaml", composite.diagnostics,
+                                    composite.flat.form);
+  EXPECT_EQ(composite.codes(), "");
+  ASSERT_TRUE(spec);
+  const auto& delay = spec->connections.back().settings.delay;
+  ASSERT_TRUE(delay && delay->number() != nullptr);
+  EXPECT_EQ(*delay->number(), Rational(1, 3));
+  EXPECT_TRUE(delay->with_unit);
+}
+
 TEST(Compose, ReadsOnlyWhatTheGraphUses) {
   const Composed composite(kComposite);
   EXPECT_TRUE(composite.library.entities.contains("CascadeController"));

@@ -127,6 +127,34 @@ TEST(Wrapped, AllLinesOfAStatementHaveTheSameIndent) {
   }
 }
 
+// As clang-format 14 writes them; the lines are joined before.
+TEST(Wrapped, AnExpressionIsAsideOrBelow) {
+  for (
+      const std::string text : {
+          R"(    out.near = -sqrt(square(Real(0.5) * (sin(q[0]) + sin(q[0] + q[1] + q[2])) - goal[0]) +
+                     square(Real(0.5) * (sin(q[0]) + sin(q[0] + q[1] + q[2])) - goal[0]));)",
+          R"(    out.near = -eagerx::sqrt(
+        square(Real(0.5) * (sin(q[0]) + sin(q[0] + q[1] + q[2])) - goal[0] - goals[10]) +
+        square(Real(0.5) * (sin(q[0]) + sin(q[0] + q[1] + q[2])) - goal[0] - goals[10]));)",
+          R"(    const auto at_goal =
+        eagerx::sqrt(
+            square(Real(0.5) * (sin(q[0]) + sin(q[0] + q[1] + q[2])) - goal[0] - goals[10]) +
+            square(Real(0.5) * (sin(q[0]) + sin(q[0] + q[1] + q[2])) - goal[0] - goals[10])) <
+        Real(0.05);)",
+          R"(    out.wild = Real(-0.001) *
+               exp(Real(200) * max(abs(seen[2]) - Real(7.5), square(seen[3]) + square(seen[4])));)",
+          R"(    const auto fallen = pose[2] < Real(0.2) ||
+                        eagerx::square(pose[3]) + eagerx::square(pose[4]) > Real(0.5) ||
+                        pose[11] > Real(0.777);)"}) {
+    std::string line = text;
+    for (std::size_t at = line.find('\n'); at != std::string::npos; at = line.find('\n')) {
+      const std::size_t end = line.find_first_not_of(' ', at + 1);
+      line.replace(at, end - at, line[at - 1] == '(' ? "" : " ");
+    }
+    EXPECT_EQ(wrapped(line), text);
+  }
+}
+
 TEST(Wrapped, ComparisonsStayWhole) {
   const std::string word(30, 'a');
   const std::string term = word + ".received() == 0";

@@ -313,9 +313,11 @@ TEST(TorchScript, StatesAreKeptAndBeginWithZeros) {
   expect_refused(with_state("_2 = torch.copy_(hidden_state0, torch.relu(h))"), "E0756",
                  "not the state of a GRU or LSTM");
   // A history in a buffer, newest last.
-  expect_refused(with_state("self.hidden_state = torch.cat([torch.slice(hidden_state0, 2, 1), "
-                            "torch.slice(h, 2, 0, 1)], 2)"),
-                 "E0756", "not the state of a GRU or LSTM");
+  const std::string history = with_state(
+      "self.hidden_state = torch.cat([torch.slice(hidden_state0, 2, 1), "
+      "torch.slice(h, 2, 0, 1)], 2)");
+  expect_refused(history, "E0756", "not the state of a GRU or LSTM");
+  EXPECT_THAT(read_bad(history).help.text, HasSubstr("oldest first, and set `window: N`"));
   std::size_t refused = 0;  // the storage of the state is one of those of 8 numbers
   for (int i = 0; i < 13; ++i) {
     Diagnostics diagnostics;

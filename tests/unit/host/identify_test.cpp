@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <random>
 #include <string>
@@ -151,13 +152,14 @@ TEST(Identify, ASensorThatReadsALateInput) {
   EXPECT_NEAR(found.delay_s, 0.02, 1e-5);
 }
 
-/// A pendulum with friction, whose accelerometer (100 Hz) is all that it has: [angle, speed].
+/// A pendulum with friction, an accelerometer and a gyroscope at 100 Hz: [angle, speed].
 class Swing {
  public:
   static constexpr std::uint64_t kHz = 200;
   static constexpr Seq kSwingTicks = 2000;
   double mass = 1.0, friction = 0.5, stiffness = 4.0;
   std::array<double, 2> state{};
+  Seq late = 0;  // ticks from a message of the actuator to its force
 
   void run(const std::vector<double>& force, Experiment* experiment,
            const std::function<void(std::uint32_t, Seq, double&)>& message) {
@@ -174,10 +176,12 @@ class Swing {
       if (tick % 2 == 0) {
         double acceleration = derivative(state)[1];
         message(0, tick / 2, acceleration);
+        double speed = state[1];
+        message(2, tick / 2, speed);
       }
+      if (tick >= late && (tick - late) % 4 == 0) input_[0] = force[(tick - late) / 4];
       if (tick % 4 != 0) continue;
       double applied = force[tick / 4];
-      input_[0] = applied;
       message(1, tick / 4, applied);
     }
   }
@@ -195,78 +199,100 @@ class Swing {
   std::array<double, 1> input_{};
 };
 
+struct FoundSwing {
+  Swing truth;
+  std::vector<Parameter> parameters;
+  Delay delay;
+};
+
+/// What is found of a swing that is drawn. `noise`: standard deviation of the accelerometer.
+FoundSwing identify_swing(unsigned seed, Seq late, double noise, const std::string& sensors) {
+  constexpr std::array<Channel, 4> kOfSwing{{
+      {"cart/acceleration/y", "float64", 1, 100, 1, Publisher::engine_node},
+      {"cart/force/action_applied", "float64", 1, 50, 1, Publisher::engine_node},
+      {"cart/speed/y", "float64", 1, 100, 1, Publisher::engine_node},
+      {"engine/tick", "int64", 1, Swing::kHz, 1, Publisher::engine},
+  }};
+  std::mt19937 bits(seed);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(bits()) / 4294967296.0;
+  };
+  std::vector<double> force(Swing::kSwingTicks / 4);
+  FoundSwing found;
+  found.truth.stiffness = uniform(3.0, 8.0);
+  found.truth.state = {uniform(-0.5, 0.5), uniform(-0.5, 0.5)};
+  found.truth.late = late;
+  for (double& each : force) each = uniform(-5.0, 5.0);
+  trace_log::Log log;
+  log.engine = "OdeEngine";
+  log.complete = true;
+  for (const Channel& channel : kOfSwing)
+    log.channels.push_back({channel.name,
+                            channel.publisher == Publisher::engine ? trace_log::Dtype::int64
+                                                                   : trace_log::Dtype::float64,
+                            1, channel.rate_num, 1});
+  Swing(found.truth).run(force, nullptr, [&](std::uint32_t channel, Seq seq, double& value) {
+    trace_log::Row row;
+    row.first = log.values.size();
+    row.seq = seq;
+    row.channel = channel;
+    log.rows.push_back(row);
+    double more = -6.0;  // of twelve uniform numbers: nearly normal, with a deviation of 1
+    for (int i = 0; i < 12 && channel != 2; ++i) more += uniform(0.0, 1.0);
+    log.values.push_back(std::bit_cast<std::uint64_t>(value + (channel == 0 ? noise * more : 0.0)));
+  });
+  Experiment experiment;
+  std::string problem;
+  EXPECT_TRUE(experiment.prepare(log, {kOfSwing, "OdeEngine", 50, 1}, sensors, 0.5, problem));
+  found.parameters = {{"cart.mass", 0, 1, true, 0.7, 1.7},
+                      {"cart.friction", 0, 1, true, 0.1, 1.0},
+                      {"cart.stiffness", 0, 1, true, 2.0, 9.0}};
+  Swing swing;
+  const auto run = [&](const Trial* trial) -> const std::vector<double>& {
+    swing.mass = trial != nullptr ? trial->parameters[0] : 1.2;
+    swing.friction = trial != nullptr ? trial->parameters[1] : 0.55;
+    swing.stiffness = trial != nullptr ? trial->parameters[2] : 5.5;
+    swing.state = {0.3, 0.3};
+    experiment.begin(trial);
+    experiment.episode(0);
+    swing.run(force, &experiment, [&](std::uint32_t channel, Seq seq, double& value) {
+      experiment.message(channel, seq, &value, 1);
+    });
+    return experiment.residuals();
+  };
+  run(nullptr);
+  experiment.find_actuators();
+  run(nullptr);
+  Identification identification(
+      experiment, found.parameters, [&](const Trial& trial) -> const auto& { return run(&trial); });
+  EXPECT_TRUE(identification.find(1.0 / Swing::kHz, 0.1, problem)) << problem;
+  found.delay = identification.delays().at(0);
+  return found;
+}
+
 /// The angle and its supplement give the same acceleration: each piece of the log has several
 /// minima, and a band around a wrong one does not have the truth in it.
 TEST(Identify, FirstStatesWithSeveralMinima) {
-  constexpr std::array<Channel, 3> kOfSwing{{
-      {"cart/acceleration/y", "float64", 1, 100, 1, Publisher::engine_node},
-      {"cart/force/action_applied", "float64", 1, 50, 1, Publisher::engine_node},
-      {"engine/tick", "int64", 1, Swing::kHz, 1, Publisher::engine},
-  }};
-  constexpr double kNoise = 0.1;
   for (const unsigned seed : {1U, 3U}) {
-    std::mt19937 bits(seed);
-    const auto uniform = [&](double low, double high) {
-      return low + (high - low) * static_cast<double>(bits()) / 4294967296.0;
-    };
-    std::vector<double> force(Swing::kSwingTicks / 4);
-    Swing truth;
-    truth.stiffness = uniform(3.0, 8.0);
-    truth.state = {uniform(-0.5, 0.5), uniform(-0.5, 0.5)};
-    for (double& each : force) each = uniform(-5.0, 5.0);
-    trace_log::Log log;
-    log.engine = "OdeEngine";
-    log.complete = true;
-    for (const Channel& channel : kOfSwing)
-      log.channels.push_back({channel.name,
-                              channel.publisher == Publisher::engine ? trace_log::Dtype::int64
-                                                                     : trace_log::Dtype::float64,
-                              1, channel.rate_num, 1});
-    truth.run(force, nullptr, [&](std::uint32_t channel, Seq seq, double& value) {
-      trace_log::Row row;
-      row.first = log.values.size();
-      row.seq = seq;
-      row.channel = channel;
-      log.rows.push_back(row);
-      double noise = -6.0;  // of twelve uniform numbers: nearly normal, with a deviation of 1
-      for (int i = 0; i < 12; ++i) noise += uniform(0.0, 1.0);
-      log.values.push_back(
-          std::bit_cast<std::uint64_t>(value + (channel == 0 ? kNoise * noise : 0.0)));
-    });
-    Experiment experiment;
-    std::string problem;
-    ASSERT_TRUE(experiment.prepare(log, {kOfSwing, "OdeEngine", 50, 1}, "", 0.5, problem));
-    std::vector<Parameter> parameters{{"cart.mass", 0, 1, true, 0.7, 1.7},
-                                      {"cart.friction", 0, 1, true, 0.1, 1.0},
-                                      {"cart.stiffness", 0, 1, true, 2.0, 9.0}};
-    Swing swing;
-    const auto run = [&](const Trial* trial) -> const std::vector<double>& {
-      swing.mass = trial != nullptr ? trial->parameters[0] : 1.2;
-      swing.friction = trial != nullptr ? trial->parameters[1] : 0.55;
-      swing.stiffness = trial != nullptr ? trial->parameters[2] : 5.5;
-      swing.state = {0.3, 0.3};
-      experiment.begin(trial);
-      experiment.episode(0);
-      swing.run(force, &experiment, [&](std::uint32_t channel, Seq seq, double& value) {
-        experiment.message(channel, seq, &value, 1);
-      });
-      return experiment.residuals();
-    };
-    run(nullptr);
-    experiment.find_actuators();
-    run(nullptr);
-    Identification identification(
-        experiment, parameters, [&](const Trial& trial) -> const auto& { return run(&trial); });
-    ASSERT_TRUE(identification.find(1.0 / Swing::kHz, 0.1, problem)) << problem;
+    const auto [truth, parameters, delay] = identify_swing(seed, 0, 0.1, "cart/acceleration/y");
     const std::array<double, 3> known{truth.mass, truth.friction, truth.stiffness};
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_NEAR(parameters[i].value, known[i], 3 * parameters[i].deviation) << seed << " " << i;
       EXPECT_LT(parameters[i].deviation, (parameters[i].high - parameters[i].low) / 4) << seed;
     }
     // The accelerometer sees an input two ticks later, so a delay below that is no other one.
-    const Delay& delay = identification.delays().at(0);
     EXPECT_LE(delay.value_s, 2.5 / Swing::kHz) << seed;
     EXPECT_LE(delay.value_s, 3 * delay.deviation_s + 1e-9) << seed;
+  }
+}
+
+/// Below two ticks the accelerometer reads a force that it has not read, and above them only the
+/// motion differs: a difference over both sides is the slope of neither.
+TEST(Identify, ADelayNextToAWall) {
+  for (const unsigned seed : {1U, 2U}) {
+    const FoundSwing found = identify_swing(seed, 2, 0.0, "");
+    EXPECT_NEAR(found.delay.value_s, 2.0 / Swing::kHz, 5e-6) << seed;
+    EXPECT_NEAR(found.parameters[2].value, found.truth.stiffness, 1e-3) << seed;
   }
 }
 
@@ -277,6 +303,30 @@ TEST(Identify, StepsOfAGraphWithoutActions) {
   const trace_log::Log log = log_of_cart(0);
   ASSERT_TRUE(experiment.prepare(log, {kChannels, "OdeEngine", 50, 1}, "", 0.5, problem));
   EXPECT_EQ(experiment.steps(0), 200U);
+}
+
+/// The YAML is pasted into a graph, where the states of a composite's objects are `body.mass`
+/// below the composite.
+TEST(Identify, StatesOfCompositesAreWrittenAsGraphsHaveThem) {
+  Experiment experiment;
+  std::vector<Parameter> parameters{{"cart.mass", 0, 1, true, 0.8, 2.0, true, 1.3, 0.1},
+                                    {"robot/body.mass", 0, 2, false, 1.0, 3.0, true, 2.0, 0.125},
+                                    {"robot/body.mass", 1, 2, false, 5.0, 5.0},
+                                    {"robot/arm/hand.grip", 0, 1, true, 0.0, 1.0, true, 0.5, 0.25}};
+  const Identification identification(
+      experiment, parameters, [](const Trial&) -> const std::vector<double>& { std::abort(); });
+  trace_log::Log log;
+  log.path = "run.log";
+  EXPECT_EQ(identification.yaml(log, kChannels),
+            "# From run.log by `eagerx-gen identify`: values +- 3 standard deviations.\n"
+            "objects:\n"
+            "  cart:\n"
+            "    states:\n"
+            "      mass: {space: {low: 1, high: 1.6}, uniform: space}\n"
+            "  robot:\n"
+            "    states:\n"
+            "      body.mass: {space: {low: [1.625, 5], high: [2.375, 5]}, uniform: space}\n"
+            "      arm.hand.grip: {space: {low: 0, high: 1}, uniform: space}\n");
 }
 
 }  // namespace

@@ -1,11 +1,23 @@
 // runtime/host/base: JSON that somebody else has written.
 #include <gtest/gtest.h>
 
+#include <runtime/host/base/json.hpp>
 #include <runtime/host/base/json_reader.hpp>
 #include <string>
 
 namespace eagerx::host {
 namespace {
+
+TEST(Json, IsCompactOrSpaced) {
+  for (const auto& [style, text] :
+       {std::pair(Json::Style::spaced, R"({"a": [1, 2, 3], "b": [], "c": "x"})"),
+        {Json::Style::compact, R"({"a":[1,2, 3],"b":[],"c":"x"})"}}) {
+    Json json(style);
+    json.begin_object().key("a").begin_list().whole(1).written("2, 3").end_list();
+    json.key("b").begin_list().written("").end_list().key("c").text("x").end_object();
+    EXPECT_EQ(json.str(), text);
+  }
+}
 
 TEST(JsonReader, ReadsWhatRfc8259Says) {
   const auto value = read_json(

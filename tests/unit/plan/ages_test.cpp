@@ -15,9 +15,9 @@ std::string ages(const GraphOfText& graph, const WayEnds& ends) {
   for (const DataAge& age : found.known()) {
     text += age.from + " -> " + age.to + " " + age.newest_s.to_string() + "\n";
     Rational sum;
-    for (const AgeHop& hop : age.way) {
-      EXPECT_GE(hop.newest_s, Rational()) << hop.input;
-      sum = sum + hop.newest_s;
+    for (const AgeHop& edge : age.way) {
+      EXPECT_GE(edge.newest_s, Rational()) << edge.input;
+      sum = sum + edge.newest_s;
     }
     EXPECT_LE(age.newest_s, sum) << age.from;
   }

@@ -15,6 +15,9 @@ TEST(Quantity, IsReadInItsBaseUnitExactly) {
   EXPECT_EQ(parse_quantity("50 \u00b5s", Quantity::time), Rational(1, 20'000));
   EXPECT_EQ(parse_quantity("1e3 \u03bcs", Quantity::time), Rational(1, 1'000));
   EXPECT_EQ(parse_quantity("-2 min", Quantity::time), Rational(-120));
+  EXPECT_EQ(parse_quantity("80 %", Quantity::share), Rational(4, 5));
+  EXPECT_EQ(parse_quantity("12.5%", Quantity::share), Rational(1, 8));
+  EXPECT_EQ(parse_quantity("0.8", Quantity::share), Rational(4, 5));
 }
 
 TEST(Quantity, OtherTextsAreNone) {
@@ -25,9 +28,9 @@ TEST(Quantity, OtherTextsAreNone) {
 }
 
 TEST(Quantity, IsGivenInAnotherUnit) {
-  EXPECT_EQ(number_in("10 ms", *find_unit("s")), "0.01");
-  EXPECT_EQ(number_in("0.01 s", *find_unit("ms")), "10");
-  EXPECT_EQ(number_in("10", *find_unit("ms")), "10");
+  EXPECT_EQ(number_in("10 ms", *find_unit("s")), Rational(1, 100));
+  EXPECT_EQ(number_in("1/3 s", *find_unit("ms")), Rational(1000, 3));
+  EXPECT_EQ(number_in("10", *find_unit("ms")), std::nullopt);
   EXPECT_EQ(number_in("soon", *find_unit("ms")), std::nullopt);
   EXPECT_EQ(number_in("10 Hz", *find_unit("ms")), std::nullopt);
 }
@@ -38,6 +41,8 @@ TEST(Quantity, SaysWhatWasMeant) {
   EXPECT_EQ(with_right_unit("30 hz", Quantity::rate), "30 Hz");
   EXPECT_EQ(with_right_unit("0 s", Quantity::rate), "");
   EXPECT_EQ(with_right_unit("30 fps", Quantity::rate), "");
+  EXPECT_EQ(with_right_unit("30 %", Quantity::rate), "");  // no inverse of a share
+  EXPECT_EQ(with_right_unit("10 ms", Quantity::share), "");
 }
 
 }  // namespace

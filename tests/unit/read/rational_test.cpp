@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -174,6 +175,24 @@ TEST_F(RationalLaws, Field) {
       ASSERT_EQ(a / b * b, a);
     }
   }
+}
+
+// Of up to 18 digits: more than a double has, so that a division of doubles would round twice.
+TEST(Rational, IsTheSameDoubleAsItsDecimal) {
+  std::mt19937_64 engine{42};
+  constexpr std::int64_t kMost = 1'000'000'000'000'000'000;
+  std::uniform_int_distribution<std::int64_t> digits{1, kMost - 1};
+  for (int i = 0; i < 20'000; ++i) {
+    std::string text = std::to_string(digits(engine));
+    text.insert(text.size() - static_cast<std::size_t>(i) % text.size(), ".");
+    if (text.starts_with('.')) text.insert(0, "0");
+    const auto exact = Rational::parse(text);
+    ASSERT_TRUE(exact) << text;
+    ASSERT_EQ(exact->to_double(), std::strtod(text.c_str(), nullptr)) << text;
+    ASSERT_EQ((-*exact).to_double(), -exact->to_double());
+  }
+  EXPECT_EQ(Rational(kMin).to_double(), -0x1p63);
+  EXPECT_EQ(Rational(1, kMax).to_double(), 0x1p-63);
 }
 
 TEST_F(RationalLaws, OrderAgreesWithDoubles) {

@@ -222,6 +222,26 @@ TYPED_TEST(Math, ReductionsAgreeWhereBothWork) {
   }
 }
 
+TEST(Math, HugeFloatsAreReducedToTheBitsOfAllTypes) {
+  constexpr std::uint32_t kStep = 997;  // a prime; with 1 there is no difference, either
+  constexpr std::uint32_t kFirst = 0x46000000;
+  constexpr std::uint32_t kInfinity = 0x7f800000;
+  std::uint32_t different = 0;
+  for (std::uint32_t pattern = kFirst; pattern < kInfinity; pattern += kStep) {
+    for (const std::uint32_t sign : {0U, 0x80000000U}) {
+      const float x = unbits(pattern | sign);
+      const auto whole = detail::reduce_huge_angle(x);
+      const auto quick = detail::reduce_huge_float(x);
+      const bool same = bits(quick.angle) == bits(whole.angle) && quick.tail == whole.tail &&
+                        bits(quick.quadrant) % 4 == whole.quadrant % 4;
+      different += same ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(different, 0U);
+  for (const float x : {unbits(kInfinity), -unbits(kInfinity), unbits(kInfinity + 1)})
+    EXPECT_TRUE(sin(x) != sin(x)) << x;
+}
+
 TYPED_TEST(Math, SigmoidIsSafeEverywhere) {
   using T = TypeParam;
   const T infinity = std::numeric_limits<T>::infinity();

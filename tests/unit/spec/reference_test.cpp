@@ -24,6 +24,13 @@ TEST(Reference, OtherTextsAreNone) {
     EXPECT_FALSE(parse_reference(text)) << text;
 }
 
+TEST(Reference, IsNotReadAgainIfItWasMade) {
+  YamlValue value = made_reference({"size", "gains"}, {});
+  value.text = "as messages show it";
+  EXPECT_TRUE(is_expression(value));
+  EXPECT_EQ(reference_in(value), (Reference{"size", "gains"}));
+}
+
 TEST(Reference, WhatIsQuotedIsAText) {
   YamlValue value = made_scalar("$(config x)", {});
   EXPECT_TRUE(reference_in(value));

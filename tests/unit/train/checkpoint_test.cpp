@@ -94,25 +94,29 @@ TEST_F(TrainCheckpoint, ATruthValueThatIsNoneIsRefused) {
   EXPECT_EQ(said(changed(bytes(), kSucceeded, 2)), "`it` is not complete");
 }
 
-/// tests/data/stability: a later version reads it, too.
-TEST(Stability, ReadsTheCheckpointOfAnEarlierVersion) {
+/// The networks of a checkpoint of tests/data/stability, which every later version reads.
+template <class SomeModel>
+SomeModel begun_from(const std::string& name, const Settings& settings) {
   Description description;
+  description.observations = {{.name = "angle", .size = 2}, {.name = "speed", .size = 2}};
   description.actions.push_back(
-      {.name = "voltage", .dtype = "float32", .low = {-2.0}, .high = {2.0}});
+      {.name = "voltage", .dtype = "float32", .size = 1, .low = {-2.0}, .high = {2.0}});
+  constexpr std::size_t kObservations = 4;
+  SomeModel model(settings, kObservations, Head(description));
+  begin_from(read_file(EAGERX_SOURCE_DIR "/tests/data/stability/1.0/" + name), "it",
+             interface_of(settings, description), model);
+  return model;
+}
+
+bool has_learnt(const std::vector<float>& parameters) {
+  return std::ranges::any_of(parameters, [](float x) { return x != 0.0F; }) &&
+         std::ranges::all_of(parameters, [](float x) { return std::isfinite(x); });
+}
+
+TEST(Stability, ReadsTheCheckpointOfAnEarlierVersion) {
   Settings settings;
   settings.net_arch = {4};
-  constexpr std::size_t kObservations = 4;
-  Model model(settings, kObservations, Head(description));
-  const std::string bytes =
-      read_file(EAGERX_SOURCE_DIR "/tests/data/stability/pendulum.checkpoint");
-  begin_from(bytes, "it",
-             "algorithm ppo; observations angle[2] speed[2]; actions voltage[1]; net_arch 4; "
-             "activation_fn tanh",
-             model);
-  ASSERT_FALSE(model.actor_parameters.empty());
-  EXPECT_TRUE(std::ranges::any_of(model.actor_parameters, [](float x) { return x != 0.0F; }));
-  EXPECT_TRUE(
-      std::ranges::all_of(model.actor_parameters, [](float x) { return std::isfinite(x); }));
+  EXPECT_TRUE(has_learnt(begun_from<Model>("pendulum.checkpoint", settings).actor_parameters));
 }
 
 }  // namespace

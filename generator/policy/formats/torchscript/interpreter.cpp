@@ -140,7 +140,7 @@ bool TorchInterpreter::assign(const std::vector<TorchExpression>& targets, Torch
                   fmt::format("has a buffer `{}` that is changed, and is not the state of a GRU or "
                               "LSTM ({})",
                               printable(target.text), where()),
-                  kStateAsInput);
+                  kHistoryAsInput);
   }
   // Holders of the old tensor keep it.
   auto cell = std::make_shared<TorchTensor>();

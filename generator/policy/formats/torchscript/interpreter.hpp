@@ -13,10 +13,14 @@
 
 namespace eagerx::gen {
 
-/// Help where a module keeps something other than the state of a GRU or LSTM.
+/// Help where the state of a GRU or LSTM is not kept as it should be.
 inline constexpr const char* kStateAsInput =
-    "give a history of observations to the policy as its input (`window: 5` at a connection), or "
     "export the actor with its state as an input and an output, to ONNX";
+/// Help where a module keeps something else.
+inline constexpr const char* kHistoryAsInput =
+    "only GRU and LSTM may keep a state; if the buffer has the last N observations, export a "
+    "module whose `forward` takes them as its argument, oldest first, and set `window: N` on the "
+    "observation's connection";
 
 class TorchInterpreter {
  public:

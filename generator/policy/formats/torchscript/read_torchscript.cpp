@@ -320,9 +320,10 @@ class TorchReading {
 
   /// Buffers that are written hold what cells remember, each its own, from zeros on.
   bool check_states(const TorchTry& made) {
-    const auto fail = [&](const std::string& name, const char* what) {
+    const auto fail = [&](const std::string& name, const char* what,
+                          const char* help = kStateAsInput) {
       return refuse(problem_, "E0756", fmt::format("has a buffer `{}` {}", printable(name), what),
-                    kStateAsInput);
+                    help);
     };
     PolicyProblem ignored;
     const std::vector<NetStep>& steps = made.state.steps;
@@ -332,7 +333,7 @@ class TorchReading {
       const std::vector<NetRemembered>& parts = cell->value.remembered;
       if (parts.empty())
         return fail(std::string(cell->buffer),
-                    "that is changed, and is not the state of a GRU or LSTM");
+                    "that is changed, and is not the state of a GRU or LSTM", kHistoryAsInput);
       for (std::size_t slot = 0; slot < parts.size(); ++slot) {
         const NetStateSource* from = state_before(steps, parts[slot]);
         const bool is_own = from != nullptr && from->name.data() == cell->buffer.data() &&

@@ -65,7 +65,7 @@ void Learner::learn(const Frozen& frozen, const std::vector<std::size_t>& places
   for (std::size_t tile = 0; tile < tiles_; ++tile) {
     load(frozen, places, tile);
     estimate_target(frozen, random);
-    judge(frozen, tile);
+    evaluate(frozen, tile);
     improve(frozen, tile, random);
   }
   backward(frozen);
@@ -129,7 +129,7 @@ void Learner::estimate_target(const Frozen& frozen, Random& random) {
 }
 
 /// The critics' derivatives of half their squared error.
-void Learner::judge(const Frozen& frozen, std::size_t tile) {
+void Learner::evaluate(const Frozen& frozen, std::size_t tile) {
   const Model& model = frozen.model;
   const std::size_t output = model.critic.output();
   for (std::size_t c = 0; c < 2; ++c) {

@@ -51,7 +51,7 @@ class Learner {
   void load(const Frozen& frozen, const std::vector<std::size_t>& places, std::size_t tile);
   void sample(const Frozen& frozen, const Simd* row, Random& random);
   void estimate_target(const Frozen& frozen, Random& random);
-  void judge(const Frozen& frozen, std::size_t tile);
+  void evaluate(const Frozen& frozen, std::size_t tile);
   void improve(const Frozen& frozen, std::size_t tile, Random& random);
   void slopes(const Frozen& frozen, Simd* actor_deltas);
   void backward(const Frozen& frozen);

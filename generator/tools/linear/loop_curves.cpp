@@ -1,0 +1,81 @@
+#include "generator/tools/linear/loop_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::size_t kFrequencies = 400, kSteps = 600;
+
+std::vector<BodePoint> bode_of(const SampledSystem& system) {
+  constexpr double kMost_dB = 800.0;  // where the gain is 0 or infinite
+  std::vector<BodePoint> points;
+  for (const Response& each : responses_of(system, kFrequencies)) {
+    double phase_deg = std::arg(each.loop) * 180.0 / std::numbers::pi;
+    if (!points.empty())
+      phase_deg += 360.0 * std::round((points.back().phase_deg - phase_deg) / 360.0);
+    const double gain_db = 20.0 * std::log10(std::abs(each.loop));
+    points.push_back(
+        {each.frequency_hz, std::clamp(gain_db, -kMost_dB, kMost_dB), phase_deg, each.loop});
+  }
+  return points;
+}
+
+/// Half as long again as it takes until the response stays within 1 % of its end; every n-th
+/// message, so that at most kSteps are left.
+std::vector<StepSample> seen_of(std::vector<StepSample> all) {
+  constexpr std::size_t kFewest = 40;
+  std::size_t settled = all.size();
+  while (settled > 0 && std::abs(all[settled - 1].sent - all.back().sent) < 0.01) --settled;
+  all.resize(std::min(all.size(), std::max(kFewest, settled + settled / 2)));
+  const std::size_t stride = (all.size() + kSteps - 1) / kSteps;
+  std::vector<StepSample> kept;
+  for (std::size_t i = 0; i < all.size(); i += stride) kept.push_back(all[i]);
+  return kept;
+}
+
+double rounded(double value) {
+  if (value == 0.0 || !std::isfinite(value)) return 0.0;
+  const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
+  return std::isfinite(scale) ? std::round(value * scale) / scale : value;
+}
+
+Json complex_json(const std::vector<std::complex<double>>& values) {
+  Json list = Json::list();
+  for (const auto z : values) list.push_back(Json::List{rounded(z.real()), rounded(z.imag())});
+  return list;
+}
+
+}  // namespace
+
+LoopCurves loop_curves_of(const LinearReport& report) {
+  LoopCurves curves;
+  curves.port = report.opened;
+  curves.margins = *report.margins;
+  curves.bode = bode_of(*report.system);
+  for (const Pole& pole : report.modes.poles) {
+    curves.open_poles.push_back(pole.z);
+    if (pole.z.imag() != 0.0) curves.open_poles.push_back(std::conj(pole.z));
+  }
+  curves.closed_poles = closed_poles_of(*report.system);
+  curves.step = seen_of(step_response_of(*report.system));
+  return curves;
+}
+
+Json loop_curves_json(const LoopCurves& curves) {
+  Json bode = Json::list(), step = Json::list();
+  for (const BodePoint& each : curves.bode)
+    bode.push_back(Json::List{rounded(each.frequency_hz), rounded(each.gain_db),
+                              rounded(each.phase_deg), rounded(each.loop.real()),
+                              rounded(each.loop.imag())});
+  for (const StepSample& each : curves.step)
+    step.push_back(Json::List{rounded(each.time_s), rounded(each.returned), rounded(each.sent)});
+  return Json{{"bode", std::move(bode)},
+              {"open_poles", complex_json(curves.open_poles)},
+              {"closed_poles", complex_json(curves.closed_poles)},
+              {"step", std::move(step)}};
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,47 @@
+// Linear-quadratic control of a system whose maps repeat after some phases. Inside linear/ only.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "generator/tools/linear/riccati.hpp"
+
+namespace eagerx::gen {
+
+/// A phase: x' = A·x + B·u with the cost of LinearQuadratic, and what is received, C·x.
+struct PeriodicPhase {
+  LinearQuadratic cost;
+  Eigen::MatrixXd c;
+};
+using PeriodicProblem = std::vector<PeriodicPhase>;
+
+/// The regulator of the whole state: a gain and a cost x'·P·x for each phase, before it.
+struct PeriodicRegulator {
+  std::vector<Eigen::MatrixXd> p, gain;
+};
+/// By lifting: the phases are one step with all of their inputs (Bittanti, Colaneri: Periodic
+/// Systems, 2009, 6.2). Nothing if there is none, as of solve_riccati().
+std::optional<PeriodicRegulator> solve_periodic(const PeriodicProblem& problem);
+
+/// The covariance of the state before each phase, with white noise of variance 1 on each input;
+/// `closed`: the maps of the phases, stable.
+std::vector<Eigen::MatrixXd> covariances(const PeriodicProblem& problem,
+                                         const std::vector<Eigen::MatrixXd>& closed);
+
+/// u = -K·C·x with the same K in all phases: the mean cost of a hyperperiod under that noise, and
+/// its derivatives by K.
+struct OutputFeedback {
+  double spectral_radius = 0.0;  // of the closed loop, over all phases
+  double cost = 0.0;             // if it is stable
+  Eigen::MatrixXd slope;
+};
+/// `shrink`: the factor of A and B of each phase.
+OutputFeedback output_feedback(const PeriodicProblem& problem, const Eigen::MatrixXd& gain,
+                               double shrink = 1.0);
+
+/// The K of least cost that descending from `gain` finds: one that is stable if that is, or if
+/// shrinking the system less and less leads to one; nothing else.
+std::optional<Eigen::MatrixXd> least_output_feedback(const PeriodicProblem& problem,
+                                                     Eigen::MatrixXd gain);
+
+}  // namespace eagerx::gen

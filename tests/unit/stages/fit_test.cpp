@@ -1,0 +1,112 @@
+// Bounds of slots against the rates of a graph, and budgets of time.
+#include "generator/analysis/fit/fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "tests/unit/graph_of_text.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// A servo: 1 kHz, 500 Hz and, with the environment, 100 Hz.
+std::unique_ptr<GraphOfText> cascade(const std::string& budget = "{}") {
+  std::ifstream file(EAGERX_SOURCE_DIR "/tests/budget/cascade.yaml");
+  return graph_of_text(std::string(std::istreambuf_iterator<char>(file), {}) + "budget: " + budget);
+}
+
+InstructionBound row(const std::string& name, std::uint64_t cycles) {
+  return {name, cycles, cycles, true};
+}
+
+/// At 10 MHz, 1000 cycles are 100 us.
+BoundReport report() {
+  BoundReport report;
+  report.time = TimeModel{"board", "Cortex-M4F", 10'000'000, 0, {}};
+  report.parts = {row("step", 20'000), row("schedule", 10), row("policy", 500), row("guard", 90)};
+  report.slots = {{row("1000 Hz", 1000), 1},
+                  {row("1000 Hz, 500 Hz", 2000), 3},
+                  {row("1000 Hz, 500 Hz, 100 Hz", 4000), 7}};
+  report.nodes = {row("speed", 300), row("engine", 700), row("position", 1400)};
+  return report;
+}
+
+TEST(Fit, AddsUpTheSlotsOfAHyperperiod) {
+  const auto graph = cascade();
+  const auto fit = fit_of(report(), *graph->plan);
+  ASSERT_TRUE(fit);
+  EXPECT_EQ(fit->busiest.name, "1000 Hz, 500 Hz, 100 Hz");
+  EXPECT_NEAR(fit->busiest.busy_s, 460e-6, 1e-12);
+  EXPECT_NEAR(fit->busiest.until_next_s, 1e-3, 1e-12);
+  EXPECT_NEAR(fit->hyperperiod_s, 10e-3, 1e-12);
+  EXPECT_NEAR(fit->busy_s, 460e-6 + 4 * 201e-6 + 5 * 101e-6, 1e-12);
+  ASSERT_EQ(fit->outputs.size(), 3U);
+  // Each rate is due in the longest slot, whose outputs do not wait for the policy.
+  for (const Fit::Outputs& outputs : fit->outputs) EXPECT_NEAR(outputs.latest_s, 401e-6, 1e-12);
+}
+
+TEST(Fit, TakesTheLongestSlotWhereSlotsAreNotToldApart) {
+  const auto graph = cascade();
+  BoundReport any = report();
+  any.slots = {{row("any slot", 3000), std::nullopt}};
+  const auto fit = fit_of(any, *graph->plan);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->busy_s, 10 * 301e-6 + 59e-6, 1e-12);
+}
+
+TEST(Fit, NeedsTimesAndAllBounds) {
+  const auto graph = cascade();
+  BoundReport without = report();
+  without.time.reset();
+  EXPECT_FALSE(fit_of(without, *graph->plan));
+  BoundReport unbound = report();
+  unbound.slots[0].is_bound = false;
+  EXPECT_FALSE(fit_of(unbound, *graph->plan));
+}
+
+std::vector<Diagnostic> problems(const std::string& budget, const BoundReport& bounds) {
+  const auto graph = cascade(budget);
+  Diagnostics diagnostics;
+  check_time_budget(bounds, fit_of(bounds, *graph->plan), *graph->plan, *graph->spec->budget,
+                    diagnostics);
+  return diagnostics.all();
+}
+
+TEST(TimeBudget, IsKeptUpToItsLimit) {
+  EXPECT_TRUE(problems("{time: 46 %, slot: 460 us}", report()).empty());
+  EXPECT_TRUE(problems("{time: 0.5, slot: 1 ms}", report()).empty());
+}
+
+TEST(TimeBudget, NamesTheSlotAndTheNodesThatTakeMost) {
+  const auto found = problems("{time: 40 %, slot: 400 us}", report());
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].code, "E0420");
+  EXPECT_EQ(found[0].message,
+            "the slot of 1000 Hz, 500 Hz, 100 Hz takes up to 46.0 % of the time until the next "
+            "one, over its budget of 40 %");
+  EXPECT_EQ(found[1].message,
+            "the slot of 1000 Hz, 500 Hz, 100 Hz takes up to 460.0 us, 60.0 us over its budget of "
+            "400 us");
+  for (const Diagnostic& problem : found) {
+    EXPECT_GT(problem.span.line, 0U);
+    EXPECT_EQ(problem.help.text,
+              "most of it, in a step: `position` 140.0 us, `engine` 70.0 us, `policy` 50.0 us");
+  }
+}
+
+TEST(TimeBudget, OfWhatHasNoTimeIsAnError) {
+  BoundReport without = report();
+  without.time.reset();
+  without.why_no_time = "no cycles are known of a core `Cortex-M7`";
+  const auto found = problems("{slot: 1 s}", without);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "E0422");
+  EXPECT_EQ(found[0].message,
+            "the time of slots has a budget, but no bound: no cycles are known of a core "
+            "`Cortex-M7`");
+}
+
+}  // namespace
+}  // namespace eagerx::gen
