@@ -179,13 +179,12 @@ void check_state(const std::string& text, const Graph& graph, Diagnostics& diagn
     begin = end + 1;
   }
   if (found && good && numbers == found->size) return;
-  auto& error =
-      diagnostics.error("E0520", graph.span,
-                        fmt::format("`--at {}`: {}", text,
-                                    found ? "not one finite number for each element of the state"
-                                          : "there is no such state"));
-  error.help = "states are " + join(names, ", ");
-  error.usage = true;
+  diagnostics
+      .usage_error("E0520",
+                   fmt::format("`--at {}`: {}", text,
+                               found ? "not one finite number for each element of the state"
+                                     : "there is no such state"))
+      .help = "states are " + join(names, ", ");
 }
 
 std::vector<std::string> first_words(const LinearOptions& options, const Plan& plan) {

@@ -30,11 +30,8 @@ WrittenCondition written(const std::string& option, const std::string& text) {
   return result;
 }
 
-void wrong(const Plan& plan, Diagnostics& diagnostics, const std::string& message,
-           const Help& help) {
-  auto& error = diagnostics.error("E0521", plan.graph->span, message);
-  error.help = help;
-  error.usage = true;
+void wrong(Diagnostics& diagnostics, const std::string& message, const Help& help) {
+  diagnostics.usage_error("E0521", message).help = help;
 }
 
 /// Whether a state, a port, or the owner of a number of the program has this name.
@@ -146,7 +143,7 @@ class TrimAsker {
     if (!found.empty()) return found;
     std::vector<std::string> names;
     for (const NamedNumber& each : all_) names.push_back(each.name);
-    wrong(plan_, diagnostics_,
+    wrong(diagnostics_,
           fmt::format("`{} {}`: neither a state nor a port has this name", option.option,
                       option.name),
           suggestion(option.name, names));
@@ -155,8 +152,7 @@ class TrimAsker {
   TrimNumber& number_at(const NamedNumber& number, const WrittenCondition& option) {
     if (number.kind == NamedNumber::Kind::input) return question_.inputs[number.index];
     if (number.kind == NamedNumber::Kind::word) return question_.words[number.index];
-    wrong(plan_, diagnostics_,
-          fmt::format("`{} {}`: this port is an output", option.option, option.name),
+    wrong(diagnostics_, fmt::format("`{} {}`: this port is an output", option.option, option.name),
           "`--fix` gives it a value; `--from` makes it an input");
     return ignored_;
   }
@@ -165,7 +161,7 @@ class TrimAsker {
                                   std::size_t count) {
     if (option.numbers.size() == count) return option.numbers[i];
     if (i == 0)
-      wrong(plan_, diagnostics_,
+      wrong(diagnostics_,
             fmt::format("`{} {}`: not one number for each element", option.option, option.name),
             fmt::format("it takes {}", counted(count, "number")));
     return std::nullopt;
@@ -173,8 +169,7 @@ class TrimAsker {
   void take_bounds(const WrittenCondition& option) {
     const auto& numbers = option.numbers;
     if (numbers.size() != 2 || numbers[0] > numbers[1]) {
-      wrong(plan_, diagnostics_,
-            fmt::format("`--bounds {}`: no lower and upper bound", option.name),
+      wrong(diagnostics_, fmt::format("`--bounds {}`: no lower and upper bound", option.name),
             "write `--bounds NAME=LOW,HIGH`; `-inf` and `inf` are none");
       return;
     }
@@ -192,7 +187,7 @@ class TrimAsker {
       if (!value) return;
       number.value = *value;
       if (*value >= number.low && *value <= number.high) continue;
-      wrong(plan_, diagnostics_,
+      wrong(diagnostics_,
             fmt::format("`--at {}`: {:.9g} is not from {:.9g} to {:.9g}", option.name, *value,
                         number.low, number.high),
             fmt::format("`--bounds {}=-inf,inf` removes the bounds of its space", found[i]->name));
@@ -253,12 +248,11 @@ bool check_trim(const TrimSettings& settings, const LinearOptions& options, cons
   for (const WrittenCondition& each : written_options(settings, options)) {
     if ((each.has_numbers || each.option == "--at" || each.option == "--bounds") &&
         each.numbers.empty())
-      wrong(plan, diagnostics,
-            fmt::format("`{} {}`: no numbers follow the name", each.option, each.name),
+      wrong(diagnostics, fmt::format("`{} {}`: no numbers follow the name", each.option, each.name),
             fmt::format("write `{} NAME=NUMBER,NUMBER`", each.option));
     if (!may_be_known(each.name, plan))
       wrong(
-          plan, diagnostics,
+          diagnostics,
           fmt::format("`{} {}`: neither a state nor a port has this name", each.option, each.name),
           suggestion(each.name, known_names(plan)));
   }
