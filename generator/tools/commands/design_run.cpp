@@ -77,16 +77,13 @@ std::optional<Margins> DesignRun::margins(const PortElement& at) {
   std::vector<std::string> all = words();
   all.insert(all.end(),
              {"--open", fmt::format("{}", at.channel), "--element", fmt::format("{}", at.element)});
-  const auto text = print(all);
-  const auto system = text ? read_system(*text, plan()) : std::nullopt;
-  if (!system || system->opened == 0) {
-    if (text)
-      run_.diagnostics.error(
-          "E0520", run_.graph->span,
-          fmt::format("`{}` has no numbers with derivatives", port_name(plan(), at)));
-    return std::nullopt;
-  }
-  return margins_of(*system);
+  const auto system = system_of(run_, image_, all, code_);
+  if (!system) return std::nullopt;
+  if (system->opened > 0) return margins_of(*system);
+  run_.diagnostics.error(
+      "E0520", run_.graph->span,
+      fmt::format("`{}` has no numbers with derivatives", port_name(plan(), at)));
+  return std::nullopt;
 }
 
 bool DesignRun::build(bool for_plant) {

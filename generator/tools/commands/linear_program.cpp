@@ -211,4 +211,33 @@ std::optional<std::string> printed_by(const std::string& image,
   return std::nullopt;
 }
 
+namespace {
+
+/// `read` of what the program prints; a problem is reported.
+template <class Read>
+auto read_printed(Run& run, const std::string& image, const std::vector<std::string>& words,
+                  int& code, const Read& read) -> decltype(read(std::string_view(), *run.plan)) {
+  std::string failure;
+  const auto text = printed_by(image, words, failure, code);
+  if (!text) {
+    complain_text(failure);
+    return std::nullopt;
+  }
+  auto result = read(*text, *run.plan);
+  if (!result)
+    run.diagnostics.error("E0520", run.graph->span, "the program has printed no matrices");
+  return result;
+}
+
+}  // namespace
+
+std::optional<SampledSystem> system_of(Run& run, const std::string& image,
+                                       const std::vector<std::string>& words, int& code) {
+  return read_printed(run, image, words, code, read_system);
+}
+std::optional<Hyperperiod> hyperperiod_of(Run& run, const std::string& image,
+                                          const std::vector<std::string>& words, int& code) {
+  return read_printed(run, image, words, code, read_hyperperiod);
+}
+
 }  // namespace eagerx::gen

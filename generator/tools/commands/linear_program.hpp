@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/driver/build/built.hpp"
+#include "generator/tools/linear/hyperperiod.hpp"
 
 namespace eagerx::gen {
 
@@ -65,5 +66,11 @@ std::optional<std::string> build_linear_program(Run& run, const LinearOptions& o
 std::optional<std::string> printed_by(const std::string& image,
                                       const std::vector<std::string>& words, std::string& failure,
                                       int& code);
+/// The same, read: nothing where it fails or prints none, which has been reported; then `code` is
+/// the least that the exit code may be.
+std::optional<SampledSystem> system_of(Run& run, const std::string& image,
+                                       const std::vector<std::string>& words, int& code);
+std::optional<Hyperperiod> hyperperiod_of(Run& run, const std::string& image,
+                                          const std::vector<std::string>& words, int& code);
 
 }  // namespace eagerx::gen

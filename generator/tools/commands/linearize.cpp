@@ -95,16 +95,7 @@ std::optional<SampledSystem> system_at(Run& run, const std::string& image,
     const auto there = words_at(*point);
     words.insert(words.end(), there.begin(), there.end());
   }
-  std::string failure;
-  const auto text = printed_by(image, words, failure, code);
-  if (!text) {
-    complain_text(failure);
-    return std::nullopt;
-  }
-  auto system = read_system(*text, *run.plan);
-  if (!system)
-    run.diagnostics.error("E0520", run.graph->span, "the program has printed no matrices");
-  return system;
+  return system_of(run, image, words, code);
 }
 
 /// The worst margins over the corners of what a reset draws; nothing with a problem.
@@ -113,12 +104,9 @@ std::optional<WorstMargins> worst_of_corners(Run& run, const std::string& image,
                                              const std::vector<std::string>& words, int& code) {
   std::vector<std::string> asked = words;
   asked.insert(asked.end(), {"--compares", "0"});
-  std::string failure;
-  const auto text = printed_by(image, asked, failure, code);
-  const auto there = text ? read_hyperperiod(*text, *run.plan) : std::nullopt;
+  const auto there = hyperperiod_of(run, image, asked, code);
   const auto corners = there ? corners_of(*there) : std::nullopt;
   if (!corners) {
-    complain_text(failure);
     if (there)
       run.diagnostics
           .error("E0520", run.graph->span,

@@ -36,10 +36,7 @@ std::optional<Json> loop_json(Run& run, const LinearOptions& options, const std:
   std::vector<std::string> words = first_words(options, *run.plan);
   words.insert(words.end(), {"--open", fmt::format("{}", opened->channel), "--element",
                              fmt::format("{}", opened->element)});
-  std::string failure;
-  const auto text = printed_by(image, words, failure, code);
-  if (!text) complain_text(failure);
-  const auto system = text ? read_system(*text, *run.plan) : std::nullopt;
+  const auto system = system_of(run, image, words, code);
   if (!system) return std::nullopt;
   LinearReport report{&*system, modes_of(*system), {}, port, {}, {}};
   if (!add_loop(run, *opened, report)) return std::nullopt;

@@ -175,16 +175,12 @@ std::optional<TrimReport> trim_point(Run& run, const std::string& image,
       words.insert(words.end(), {"--to", fmt::format("{}", channel)});
   }
 
-  std::string failure;
-  const auto first = printed_by(image, words, failure, code);
-  const auto there = first ? read_hyperperiod(*first, plan) : std::nullopt;
-  if (!there) {
-    complain_text(failure);
-    return std::nullopt;
-  }
+  const auto there = hyperperiod_of(run, image, words, code);
+  if (!there) return std::nullopt;
   TrimReport report;
   report.question = trim_question(*there, all, plan, run.diagnostics);
   if (run.diagnostics.has_errors()) return std::nullopt;
+  std::string failure;
   int ignored = kDone;
   const Evaluate evaluate = [&](const std::vector<double>& numbers,
                                 const std::vector<double>& values) -> std::optional<Hyperperiod> {
