@@ -96,6 +96,8 @@ std::optional<std::size_t> channel_of(const std::string& port, const std::string
     channel = find(*meant);
   }
   if (!channel) {
+    // Without the names of channels, which repeat those of ports.
+    std::erase_if(names, [](const std::string& name) { return name.find('.') == name.npos; });
     diagnostics.error("E0520", plan.graph->span, fmt::format("nothing sends `{}`", port)).help =
         suggestion(port, names);
     return std::nullopt;
