@@ -88,7 +88,7 @@ template <class R>
   const R angle = after_next - last;
   Reduced<R> reduced{angle, (after_next - angle) - last, bits(shifted)};
 
-  if constexpr (lanes < R >> 1) {
+  if constexpr (lanes<R> != 1) {
     if (any(huge)) [[unlikely]] {
       // What has an address stays in memory: that is a copy.
       Reduced<R> corrected = reduced;
