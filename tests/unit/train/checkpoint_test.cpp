@@ -98,9 +98,9 @@ TEST_F(TrainCheckpoint, ATruthValueThatIsNoneIsRefused) {
 template <class SomeModel>
 SomeModel begun_from(const std::string& name, const Settings& settings) {
   Description description;
-  for (const char* const name : {"angle", "speed"})
+  for (const char* const channel : {"angle", "speed"})
     description.observations.push_back(
-        {.name = name, .dtype = "float32", .size = 2, .low = {}, .high = {}});
+        {.name = channel, .dtype = "float32", .size = 2, .low = {}, .high = {}});
   description.actions.push_back(
       {.name = "voltage", .dtype = "float32", .size = 1, .low = {-2.0}, .high = {2.0}});
   constexpr std::size_t kObservations = 4;
