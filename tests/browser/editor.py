@@ -10,7 +10,7 @@ import time
 
 try:
     from selenium import webdriver
-    from selenium.common.exceptions import WebDriverException
+    from selenium.common.exceptions import StaleElementReferenceException, WebDriverException
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
@@ -216,6 +216,14 @@ class Editor:
 
     def type(self, key, text, enter=True, settle=True):
         """Types into a field, or chooses; Enter sends it."""
+        try:
+            self.type_once(key, text, enter)
+        except StaleElementReferenceException:  # a change on the disk made the form anew before the first event
+            self.type_once(key, text, enter)
+        if settle:
+            self.settle()
+
+    def type_once(self, key, text, enter):
         element = self.field(key)
         self.js("arguments[0].scrollIntoView({block: 'center'})", element)
         if element.tag_name == "select":
@@ -227,8 +235,6 @@ class Editor:
             # To whatever has the focus: a change on the disk makes the form anew, and gives the focus back.
             chain = self.pointer_and_keys().click(element).key_down(Keys.CONTROL).send_keys("a").key_up(Keys.CONTROL)
             chain.send_keys(Keys.BACKSPACE + text + (Keys.ENTER if enter else "")).perform()
-        if settle:
-            self.settle()
 
     def press(self, text):
         self.all("button", text)[0].click()
