@@ -146,7 +146,8 @@ struct ReducedFloat {
   if (exponent == Format::kInfinity >> Format::kMantissaBits) return {Format::nan, Format::nan, 0};
   const std::uint32_t mantissa = (pattern & Format::kMantissa) | (1U << Format::kMantissaBits);
   // As in quadrants_of(): three words of 2/pi, their product modulo 2^96.
-  const std::uint32_t first = exponent + (64 - 2 - Format::kBias - Format::kMantissaBits);
+  constexpr unsigned kBelowFirst = Format::kBias + Format::kMantissaBits - 64 + 2;
+  const std::uint32_t first = exponent - kBelowFirst;
   const std::uint32_t* word = kTwoOverPiWords.data() + first / kWordBits;
   const unsigned by = first % kWordBits;
   const std::uint64_t last = std::uint64_t{shifted(word[2], word[3], by)} * mantissa;
