@@ -281,9 +281,13 @@ bool has_text(const std::string& path, const std::string& text) {
 
 }  // namespace
 
+bool spares_inputs(const std::string& path, Diagnostics& diagnostics) {
+  const auto input = input_at(path);
+  return !input || refuse_input(path, *input, diagnostics);
+}
+
 bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
-  if (!are_different({}, {}, diagnostics)) return false;
-  if (const auto input = input_at(path)) return refuse_input(path, *input, diagnostics);
+  if (!are_different({}, {}, diagnostics) || !spares_inputs(path, diagnostics)) return false;
   const std::string parent = fs::path(path).parent_path().string();
   std::error_code error;
   if (!parent.empty()) fs::create_directories(parent, error);

@@ -28,6 +28,10 @@ bool are_different(const std::string& folder, const std::vector<GeneratedFile>& 
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics);
 
+/// Whether a file that a command is going to write is none that it has read; E0906 if it is. For
+/// commands that work for long before they write: write_file() looks, too.
+bool spares_inputs(const std::string& path, Diagnostics& diagnostics);
+
 /// Writes one file, and the folders that it is in, as runtime/host/base/files.hpp does: links are
 /// followed, owner and mode stay, a FIFO or device is written. False: E0901, E0906.
 bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics);
