@@ -8,6 +8,11 @@
 
 namespace eagerx::gen {
 
+/// Functions of more nodes take the optimizer more than linear time (templates/README.md); below 100
+/// nodes one function is easier to read.
+inline constexpr std::size_t kMostNodesInOneFunction = 100;
+inline constexpr std::size_t kNodesInPart = 32;
+
 /// A data member of the program: "servo_", "drawing_.overlay_", "now.force_" or "servo_[3]".
 struct EmitMember {
   /// Which struct has it.

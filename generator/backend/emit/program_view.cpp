@@ -16,11 +16,6 @@
 namespace eagerx::gen {
 namespace {
 
-// Functions of more nodes take the optimiser more than linear time (templates/README.md); below 100
-// nodes one function is easier to read.
-constexpr std::size_t kMostNodesInOneFunction = 100;
-constexpr std::size_t kChunk = 32;
-
 class ProgramView {
  public:
   ProgramView(const Plan& plan, const ProgramNames& names)
@@ -196,13 +191,13 @@ class ProgramView {
       return view;
     }
     View chunks = list();
-    for (std::size_t i = 0; i < nodes.size(); i += kChunk) {
+    for (std::size_t i = 0; i < nodes.size(); i += kNodesInPart) {
       const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(i);
-      const std::size_t count = std::min(kChunk, nodes.size() - i);
+      const std::size_t count = std::min(kNodesInPart, nodes.size() - i);
       View groups = groups_view(plan_, names_, {begin, begin + static_cast<std::ptrdiff_t>(count)});
       if (!groups.is_non_empty_list()) continue;
       View chunk = object();
-      chunk.set("function", fmt::format("{}_{}", phase, i / kChunk));
+      chunk.set("function", fmt::format("{}_{}", phase, i / kNodesInPart));
       chunk["groups"] = std::move(groups);
       chunks.push_back(chunk);
     }

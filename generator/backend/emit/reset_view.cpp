@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/backend/emit/types.hpp"
 #include "generator/support/diagnostics/join.hpp"
 
@@ -20,6 +22,7 @@ class ResetView {
     view_["engine"] = names_.has_engine() ? engine() : View(false);
     add_delays();
     add_cursors();
+    add_parts();
     view_["routine"] = graph_.has_reset_nodes() ? routine() : View(false);
     view_.set("uses_states", uses_states_);
     view_.set("resets_use_states", resets_use_states_);
@@ -235,6 +238,28 @@ class ResetView {
     }
     view_.set("has_cursors", cursors.is_non_empty_list());
     view_["cursors"] = std::move(cursors);
+  }
+
+  /// The resets of nodes and of cursors, of many nodes in functions of their own.
+  void add_parts() {
+    const bool in_parts = graph_.nodes.size() > kMostNodesInOneFunction;
+    view_.set("in_parts", in_parts);
+    view_["node_parts"] = in_parts ? parts_of("reset_nodes", "resets") : list();
+    view_["cursor_parts"] = in_parts ? parts_of("reset_cursors", "cursors") : list();
+  }
+
+  View parts_of(const char* function, const char* what) {
+    View parts = list();
+    const auto& items = view_[what].list_value();
+    for (std::size_t i = 0; i < items.size(); i += kNodesInPart) {
+      View part = object(), own = list();
+      for (std::size_t k = i; k < std::min(i + kNodesInPart, items.size()); ++k)
+        own.push_back(items[k]);
+      part.set("function", fmt::format("{}_{}", function, i / kNodesInPart));
+      part[what] = std::move(own);
+      parts.push_back(part);
+    }
+    return parts;
   }
 
   /// The routine of the reset nodes.
