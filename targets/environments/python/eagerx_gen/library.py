@@ -153,6 +153,8 @@ class Environments(checks.Single):
         self._rows = _Rows(ctypes.sizeof(_Rows), *(row.ctypes.data for row in rows.values()))
         self._step = library.c.eagerx_step
         self._arguments = (self._action.ctypes.data, ctypes.addressof(self._rows))
+        self._critic_row = _zeros((count, library._sizes["critic"]), np.float32)
+        self._critic_address = self._critic_row.ctypes.data
         self._memory = (*rows.values(), self._action)
 
     @property
@@ -251,10 +253,10 @@ class Environments(checks.Single):
 
         final: rows whose episode ended with the last step, with autoreset "same_step".
         """
-        row = np.zeros((self._count, self._library._sizes["critic"]), np.float32)
-        address = row.ctypes.data
+        address = self._critic_address
         if self._call(self._library.c.eagerx_critic, None if final else address, address if final else None) != 0:
             self._fail()
+        row = self._critic_row.copy()
         return {field.name: row[:, field.columns].reshape(self._count, *field.shape) for field in self._library.critic}
 
     def trace(self, environment, path):
