@@ -12,13 +12,6 @@ namespace {
 constexpr std::size_t kArguments = 4;        // registers: AAPCS 6.4
 constexpr std::int64_t kStackArguments = 8;  // words that are looked at
 
-bool returns(const Flow& flow) {
-  for (const BlockIndex b : flow.order) {
-    if (flow.blocks[b].returns || flow.blocks[b].lost) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 /// Of functions that call others which never return, in turns until nothing is new.
@@ -27,7 +20,7 @@ void Analysis::find_never_returning() {
     changed = false;
     for (const auto& [entry, name] : image_.functions()) {
       if (never_returns_.contains(entry)) continue;
-      if (returns(flow_of(image_, entry, never_returns_))) continue;
+      if (may_return(image_, entry, never_returns_)) continue;
       never_returns_.insert(entry);
       changed = true;
     }

@@ -119,14 +119,10 @@ class Report {
   }
 
  private:
-  /// Once: there are as many functions as names, and many more instructions.
+  /// Once: there are many more instructions than functions.
   void name_functions() {
-    for (const auto& [at, instruction] : image_.instructions()) {
-      for (const auto& frame : places_.of(at)) {
-        if (!names_.contains(frame.function))
-          names_[frame.function] = function_name(frame.function);
-      }
-    }
+    for (const std::string& mangled : places_.functions())
+      names_.push_back(function_name(mangled));
   }
 
   void take_model(const Machine* machine) {
@@ -164,7 +160,7 @@ class Report {
   }
 
   std::vector<Region> named(const std::string& name) {
-    return regions_.find([&](const std::string& mangled) { return names_.at(mangled) == name; });
+    return regions_.find([&](std::uint32_t function) { return names_[function] == name; });
   }
 
   InstructionBound row(const std::string& name, const Both& most) {
@@ -213,17 +209,17 @@ class Report {
   /// A slot is what is before the environment's action and what is after it; the schedule of the
   /// step comes on top, once.
   void add_slots() {
-    std::map<std::optional<std::uint64_t>, std::vector<std::string>> functions;
-    for (const auto& [mangled, name] : names_) {
-      if (std::ranges::find(kHalves, name) != kHalves.end())
-        functions[due_in(mangled)].push_back(mangled);
+    std::map<std::optional<std::uint64_t>, std::set<std::uint32_t>> functions;
+    for (std::uint32_t i = 0; i < names_.size(); ++i) {
+      if (std::ranges::find(kHalves, names_[i]) != kHalves.end())
+        functions[due_in(places_.functions()[i])].insert(i);
     }
     std::vector<Region> all;
     for (const auto& [due, of_slot] : functions) {
       Both sum;
       for (const std::string_view half : kHalves) {
-        const auto regions = regions_.find([&, &of_slot = of_slot](const std::string& mangled) {
-          return names_.at(mangled) == half && std::ranges::find(of_slot, mangled) != of_slot.end();
+        const auto regions = regions_.find([&, &of_slot = of_slot](std::uint32_t function) {
+          return names_[function] == half && of_slot.contains(function);
         });
         sum.add(both([&](bound::Regions& in) { return in.most(regions); }));
         all.insert(all.end(), regions.begin(), regions.end());
@@ -236,11 +232,12 @@ class Report {
   }
 
   void add_nodes(const ProgramMap& map) {
+    const std::vector<const std::string*> owners = places_.nodes(map);
     for (const auto& [node, type] : map.type_of_node) {
-      const auto is_of_node = [&, &node = node](bound::Address at) {
-        const std::string* owner = places_.node(at, map);
-        return owner != nullptr && *owner == node;
-      };
+      std::vector<bool> is_its(owners.size());
+      for (std::size_t i = 0; i < owners.size(); ++i)
+        is_its[i] = owners[i] != nullptr && *owners[i] == node;
+      const auto is_of_node = [&](const bound::Instruction& one) { return is_its[one.index]; };
       const Both most = both([&](bound::Regions& in) { return in.most(step_, is_of_node); });
       if (most.instructions.most > 0) report_.nodes.push_back(row(node, most));
     }
@@ -252,12 +249,14 @@ class Report {
       const Words words = words_of(obstacle.reason);
       NoBound missing{
           words.what, "", function_name(image_.function_of(obstacle.at)), words.help, {}};
-      const auto& frames = places_.of(obstacle.at);
-      if (!frames.empty() && frames.front().line > 0) {
+      const bound::Instruction* instruction = image_.instruction(obstacle.at);
+      if (instruction != nullptr && !places_.of(*instruction).empty() &&
+          places_.of(*instruction).front().line > 0) {
+        const bound::Frame frame = places_.of(*instruction).front();
         const std::string file =
-            std::filesystem::path(frames.front().file).lexically_normal().string();
-        missing.place = fmt::format("{}:{}", file, frames.front().line);
-        missing.function = names_.at(frames.front().function);
+            std::filesystem::path(places_.files()[frame.file]).lexically_normal().string();
+        missing.place = fmt::format("{}:{}", file, frame.line);
+        missing.function = names_[frame.function];
       }
       const auto same = std::ranges::find_if(report_.missing, [&](const NoBound& other) {
         return other.what == missing.what && other.place == missing.place &&
@@ -313,7 +312,7 @@ class Report {
   bound::Regions regions_;
   std::optional<bound::Cycles> cycles_;
   std::optional<bound::Regions> timed_;  // by cycles
-  std::map<std::string, std::string> names_;
+  std::vector<std::string> names_;  // of places_.functions(), as users write them
   std::vector<Region> step_;
   std::map<Obstacle, std::set<std::string>> obstacles_;
   BoundReport report_;

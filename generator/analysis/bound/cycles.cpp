@@ -70,9 +70,15 @@ bool is_arithmetic(std::string_view name) {
              "vfma", "vfms", "vfnma", "vfnms", "vcvt", "vcmp", "vabs", "vneg"});
 }
 
+/// A move from or to core registers.
+bool is_of_core(const Instruction& instruction) {
+  return std::ranges::any_of(instruction.values,
+                             [](const Operand& operand) { return operand.reg < kCore; });
+}
+
 /// Whether the result may be an operand of the next instruction; of a jump's target, always.
 bool may_use(const Instruction* next, const Instruction& made) {
-  if (next == nullptr || turn_of(*next) != Turn::none) return true;
+  if (next == nullptr || next->turn != Turn::none) return true;
   if (!next->name.starts_with("v")) return false;
   if (made.name.starts_with("vcmp")) return next->name == "vmrs";
   return std::ranges::any_of(next->operands, [&](const std::string& operand) {
@@ -108,7 +114,7 @@ std::uint64_t Cycles::refill() const {
 
 std::uint64_t Cycles::integer(const Instruction& i) const {
   const std::string& name = i.name;
-  const Turn turn = turn_of(i);
+  const Turn turn = i.turn;
   const std::uint64_t leaves = turn == Turn::back || turn == Turn::call_pointer ? refill() : 0;
   if (starts_with_any(name, {"ldm", "pop", "stm", "push"}))
     return 1 + words_of(i.operands.back()) + leaves;
@@ -136,7 +142,7 @@ std::uint64_t Cycles::floating(const Instruction& i) const {
   if (starts_with_any(name, {"vmla", "vmls", "vnmla", "vnmls", "vfma", "vfms", "vfnma", "vfnms"})) {
     own = 3;
   } else if (name == "vmov") {
-    own = i.operands.size() > 2 ? 2 : 1;
+    own = is_of_core(i) ? 2 : 1;
   } else if (starts_with_any(name, {"vadd", "vsub", "vmul", "vnmul", "vabs", "vneg", "vcmp", "vcvt",
                                     "vmrs", "vmsr"})) {
     own = 1;
@@ -154,12 +160,12 @@ std::uint64_t Cycles::of(const Instruction& i, const Instruction* before) const 
   cycles += std::uint64_t{wait_states_} * (last + 1 - first);
   if (!is_of_stack(i)) cycles += wait_states_ * words_read(i);
   // The target of a branch that is not taken may have been fetched.
-  if (turn_of(i) == Turn::branch) cycles += wait_states_;
+  if (i.turn == Turn::branch) cycles += wait_states_;
   return cycles;
 }
 
 std::uint64_t Cycles::taken(const Instruction& jump) const {
-  const Turn turn = turn_of(jump);
+  const Turn turn = jump.turn;
   return turn == Turn::branch ? kRefill : turn == Turn::table ? refill() : 0;
 }
 

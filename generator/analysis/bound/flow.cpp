@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
+#include <unordered_set>
 
 namespace eagerx::gen::bound {
 namespace {
@@ -10,16 +11,15 @@ namespace {
 /// The last entry of a table, by the comparison before a jump through it: `cmp r3, #4`, `bhi`,
 /// `tbb [pc, r3]`. Without one: as many as there can be.
 Address last_entry(const Image& image, const Instruction& jump) {
-  constexpr int kFar = 12;
+  constexpr std::uint32_t kFar = 12;
   constexpr Address kAny = 0xffff;
   if (jump.operands.empty()) return kAny;
   const std::string_view text = jump.operands[0];
   const auto begin = std::min(text.find(", ") + 2, text.size());
   const std::string_view index = text.substr(begin, text.find_first_of(",]", begin) - begin);
-  auto at = image.instructions().find(jump.at);
   bool is_checked = false;
-  for (int i = 0; i < kFar && at != image.instructions().begin(); ++i) {
-    const Instruction& before = (--at)->second;
+  for (std::uint32_t i = 1; i <= kFar && i <= jump.index; ++i) {
+    const Instruction& before = image.instructions()[jump.index - i];
     is_checked |= before.name == "b" && before.condition == "hi";
     if (before.operands.empty() || before.operands[0] != index) continue;
     if (before.name != "cmp" || !is_checked || before.operands.size() != 2) return kAny;
@@ -53,6 +53,25 @@ class Builder {
   Builder(const Image& image, Flow& flow, const std::set<Address>& never_returns)
       : image_(image), flow_(flow), never_returns_(never_returns) {}
 
+  [[nodiscard]] bool may_return() const {
+    std::vector<Address> open = {flow_.entry};
+    std::unordered_set<Address> seen;
+    while (!open.empty()) {
+      Address at = open.back();
+      open.pop_back();
+      while (seen.insert(at).second) {
+        const Instruction* i = image_.instruction(at);
+        if (i == nullptr) return true;
+        const Exit exit = exit_of(*i);
+        if (exit.returns || exit.lost) return true;
+        open.insert(open.end(), exit.targets.begin(), exit.targets.end());
+        if (!exit.falls) break;
+        at = i->next;
+      }
+    }
+    return false;
+  }
+
   void build() {
     find_starts();
     std::map<Address, BlockIndex> index;
@@ -77,7 +96,7 @@ class Builder {
   Exit exit_of(const Instruction& instruction) const {
     const bool is_conditional = !instruction.condition.empty();
     Exit exit;
-    switch (turn_of(instruction)) {
+    switch (instruction.turn) {
       case Turn::none:
       case Turn::call_pointer:
         exit.falls = true;
@@ -113,7 +132,7 @@ class Builder {
   /// All addresses at which blocks begin.
   void find_starts() {
     std::vector<Address> open = {flow_.entry};
-    std::set<Address> seen;
+    std::unordered_set<Address> seen;
     while (!open.empty()) {
       Address at = open.back();
       open.pop_back();
@@ -260,26 +279,6 @@ void find_loops(Flow& flow) {
 
 }  // namespace
 
-Turn turn_of(const Instruction& instruction) {
-  const std::string& name = instruction.name;
-  const auto operand = [&](std::size_t i) {
-    return i < instruction.operands.size() ? instruction.operands[i] : std::string();
-  };
-  if (name == "b" || name == "cbz" || name == "cbnz") return Turn::branch;
-  if (name == "bl") return Turn::call;
-  if (name == "blx") return instruction.target != 0 ? Turn::call : Turn::call_pointer;
-  if (name == "bx") return operand(0) == "lr" ? Turn::back : Turn::unknown;
-  if (name == "tbb" || name == "tbh") return Turn::table;
-  if (name == "udf") return Turn::halt;
-  const bool loads_many = name == "pop" || name.starts_with("ldm");
-  if (loads_many)
-    return instruction.operands.back().find("pc") != std::string::npos ? Turn::back : Turn::none;
-  if (operand(0) != "pc") return Turn::none;
-  if (name == "ldr" && operand(1).starts_with("[sp")) return Turn::back;
-  if (name == "mov" && operand(1) == "lr") return Turn::back;
-  return Turn::unknown;
-}
-
 bool Flow::dominates(BlockIndex above, BlockIndex below) const {
   while (below != above && below != 0 && dominator[below] != kNone) below = dominator[below];
   return below == above;
@@ -299,6 +298,12 @@ Flow flow_of(const Image& image, Address entry, const std::set<Address>& never_r
   Dominance(flow).find();
   find_loops(flow);
   return flow;
+}
+
+bool may_return(const Image& image, Address entry, const std::set<Address>& never_returns) {
+  Flow flow;
+  flow.entry = entry;
+  return Builder(image, flow, never_returns).may_return();
 }
 
 }  // namespace eagerx::gen::bound

@@ -50,11 +50,9 @@ struct Flow {
   [[nodiscard]] LoopIndex child(LoopIndex outer, BlockIndex block) const;
 };
 
-/// The effect of an instruction on the flow.
-enum class Turn : std::uint8_t { none, branch, call, call_pointer, back, table, halt, unknown };
-Turn turn_of(const Instruction& instruction);
-
 /// `never_returns`: functions whose calls are the end of a path.
 Flow flow_of(const Image& image, Address entry, const std::set<Address>& never_returns);
+/// Whether a path from the entry comes to a return, or to where it cannot be followed.
+bool may_return(const Image& image, Address entry, const std::set<Address>& never_returns);
 
 }  // namespace eagerx::gen::bound

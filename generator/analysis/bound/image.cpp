@@ -1,5 +1,6 @@
 #include "generator/analysis/bound/image.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -87,19 +88,23 @@ void Image::read_notes(const std::string& file) {
 
 bool Image::read_code() {
   InstructionReader reader;
+  std::map<Address, Instruction> code;
   for_each_line({prefix_ + "objdump", "-d", "--no-show-raw-insn", "-z", path_},
                 [&](std::string_view line) {
                   if (auto instruction = reader.line(line)) {
                     const Address at = instruction->at;
-                    code_[at] = std::move(*instruction);
+                    code.insert_or_assign(at, std::move(*instruction));
                   } else if (const auto data = reader.data()) {
-                    code_.erase(*data);
+                    code.erase(*data);
                   }
                 });
-  for (auto it = code_.begin(); it != code_.end(); ++it) {
-    const auto next = std::next(it);
-    it->second.next = next == code_.end() ? it->first + 2 : next->first;
-    if (it->second.next - it->first > kWord) it->second.next = it->first + kWord;
+  code_.reserve(code.size());
+  for (auto& [at, instruction] : code) {
+    if (!code_.empty()) code_.back().next = std::min(at, code_.back().at + kWord);
+    instruction.index = static_cast<std::uint32_t>(code_.size());
+    instruction.next = at + 2;
+    index_.emplace(at, instruction.index);
+    code_.push_back(std::move(instruction));
   }
   return !code_.empty();
 }
@@ -113,7 +118,7 @@ bool Image::read_functions() {
     if (std::string_view("tTwW").find(line[space + 1]) == std::string_view::npos) return;
     const auto at = static_cast<Address>(std::strtoull(line.c_str(), nullptr, kHexadecimal)) & ~1U;
     const std::string name = line.substr(space + 3);
-    if (name.starts_with("$") || name.starts_with(".L") || !code_.contains(at)) return;
+    if (name.starts_with("$") || name.starts_with(".L") || !index_.contains(at)) return;
     functions_.emplace(at, name);
     addresses_.emplace(name, at);
   });
@@ -121,8 +126,8 @@ bool Image::read_functions() {
 }
 
 const Instruction* Image::instruction(Address at) const {
-  const auto found = code_.find(at);
-  return found == code_.end() ? nullptr : &found->second;
+  const auto found = index_.find(at);
+  return found == index_.end() ? nullptr : &code_[found->second];
 }
 
 std::optional<std::uint32_t> Image::constant(Address at, unsigned size) const {

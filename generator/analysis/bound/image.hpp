@@ -5,19 +5,70 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace eagerx::gen::bound {
 
 using Address = std::uint32_t;
 
-/// One instruction as objdump prints it, without its condition and width.
+/// The effect of an instruction on the flow.
+enum class Turn : std::uint8_t { none, branch, call, call_pointer, back, table, halt, unknown };
+
+/// The kinds of effects on values.
+enum class Kind : std::uint8_t { nothing, supervisor, compare, stack, many, other };
+
+/// What a known result is made by.
+enum class Operation : std::uint8_t {
+  unknown,
+  mov,
+  vmov,
+  movt,
+  mvn,
+  add,
+  sub,
+  rsb,
+  neg,
+  lsl,
+  lsr,
+  bit_and,
+  bic,
+  orr,
+  mul,
+  ubfx,
+  uxtb,
+  uxth
+};
+
+/// An operand that is one register or one number.
+struct Operand {
+  static constexpr std::uint8_t kNoRegister = 0xff;
+  std::uint8_t reg = kNoRegister;  // as register_of() counts them
+  std::optional<std::int64_t> number;
+};
+
+/// [base, #offset], [base, #offset]!, [base], #offset, [base, index, lsl #n]
+struct Memory {
+  std::size_t base = 0;
+  std::int64_t offset = 0, after = 0;
+  bool writes_back = false, has_index = false;
+};
+
+/// One instruction as objdump prints it, without its condition and width, and what that means.
 struct Instruction {
   Address at = 0, next = 0;           // of the next one
+  std::uint32_t index = 0;            // among all instructions of the image
   std::string name;                   // "mov", "adds", "vldr"
   std::string condition;              // "eq"; empty: always
   std::vector<std::string> operands;  // "r0", "[r1, #4]!", "#12", "{r4, pc}"
   Address target = 0;                 // of a branch or call, or of a load from the code
+
+  Turn turn = Turn::none;
+  Kind kind = Kind::other;
+  Operation operation = Operation::unknown;
+  bool sets_flags = false;
+  std::vector<Operand> values;  // of `operands`
+  std::optional<Memory> memory;
 };
 
 /// The bound that a loop's source states, in a section of notes (runtime/eagerx/bounded.hpp).
@@ -36,7 +87,8 @@ class Image {
   [[nodiscard]] const Instruction* instruction(Address at) const;
   /// `size` bytes (1, 2 or 4) of memory that no instruction writes, little-endian.
   [[nodiscard]] std::optional<std::uint32_t> constant(Address at, unsigned size) const;
-  [[nodiscard]] const std::map<Address, Instruction>& instructions() const { return code_; }
+  /// By their addresses.
+  [[nodiscard]] const std::vector<Instruction>& instructions() const { return code_; }
   /// Names of functions (mangled), by their addresses; of several names the first.
   [[nodiscard]] const std::map<Address, std::string>& functions() const { return functions_; }
   /// The same by name, all of them.
@@ -59,7 +111,8 @@ class Image {
 
   std::string path_, prefix_;
   std::vector<Segment> constants_;
-  std::map<Address, Instruction> code_;
+  std::vector<Instruction> code_;
+  std::unordered_map<Address, std::uint32_t> index_;  // of instructions
   std::map<Address, std::string> functions_;
   std::multimap<std::string, Address> addresses_;
   std::map<Address, LoopNote> notes_;

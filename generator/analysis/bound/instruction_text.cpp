@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "generator/analysis/bound/operands.hpp"
+
 namespace eagerx::gen::bound {
 namespace {
 
@@ -94,6 +96,7 @@ std::optional<Instruction> InstructionReader::line(std::string_view text) {
   const bool from_code = rest.find("[pc") != std::string_view::npos;
   instruction.target = target_of(instruction, from_code ? comment : std::string_view());
   condition(instruction);
+  decode(instruction);
   return instruction;
 }
 

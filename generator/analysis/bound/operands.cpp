@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <string>
 
 namespace eagerx::gen::bound {
 
@@ -47,8 +48,7 @@ std::vector<std::string_view> parts_of(std::string_view list) {
   return parts;
 }
 
-}  // namespace
-
+/// The operand in brackets and what is behind it; nullopt: there is none with a known base.
 std::optional<Memory> memory_of(const Instruction& instruction) {
   const auto& operands = instruction.operands;
   for (std::size_t i = 0; i < operands.size(); ++i) {
@@ -71,6 +71,74 @@ std::optional<Memory> memory_of(const Instruction& instruction) {
     return memory;
   }
   return std::nullopt;
+}
+
+/// Whether an instruction of this name sets the flags: "adds", not "mls".
+bool is_setter(std::string_view name) {
+  static constexpr std::array<std::string_view, 19> kSetters = {
+      "adds", "subs", "movs", "ands", "orrs", "eors", "bics", "lsls", "lsrs", "asrs",
+      "rsbs", "muls", "mvns", "adcs", "sbcs", "rors", "rrxs", "orns", "negs"};
+  return std::ranges::find(kSetters, name) != kSetters.end() || name == "msr";
+}
+
+Kind kind_of(std::string_view name) {
+  if (name.starts_with("it") || name == "nop") return Kind::nothing;
+  if (name == "bkpt" || name == "svc") return Kind::supervisor;
+  if (name == "tst" || name == "teq" || name == "cmn" || name == "cmp" || name.starts_with("vcmp"))
+    return Kind::compare;
+  if (name == "push" || name == "pop" || starts_with_any(name, {"vpush", "vpop"}))
+    return Kind::stack;
+  return starts_with_any(name, {"ldm", "stm", "vldm", "vstm"}) ? Kind::many : Kind::other;
+}
+
+Operation operation_of(std::string_view name) {
+  using enum Operation;
+  static constexpr std::array<std::pair<std::string_view, Operation>, 20> kOperations = {
+      {{"mov", mov},   {"movw", mov}, {"vmov", vmov}, {"movt", movt}, {"mvn", mvn},
+       {"add", add},   {"addw", add}, {"sub", sub},   {"subw", sub},  {"rsb", rsb},
+       {"neg", neg},   {"lsl", lsl},  {"lsr", lsr},   {"and", bit_and}, {"bic", bic},
+       {"orr", orr},   {"mul", mul},  {"ubfx", ubfx}, {"uxtb", uxtb}, {"uxth", uxth}}};
+  const auto* found =
+      std::ranges::find(kOperations, name, &std::pair<std::string_view, Operation>::first);
+  return found == kOperations.end() ? unknown : found->second;
+}
+
+Turn turn_of(const Instruction& instruction) {
+  const std::string& name = instruction.name;
+  const auto operand = [&](std::size_t i) {
+    return i < instruction.operands.size() ? instruction.operands[i] : std::string();
+  };
+  if (name == "b" || name == "cbz" || name == "cbnz") return Turn::branch;
+  if (name == "bl") return Turn::call;
+  if (name == "blx") return instruction.target != 0 ? Turn::call : Turn::call_pointer;
+  if (name == "bx") return operand(0) == "lr" ? Turn::back : Turn::unknown;
+  if (name == "tbb" || name == "tbh") return Turn::table;
+  if (name == "udf") return Turn::halt;
+  const bool loads_many = name == "pop" || name.starts_with("ldm");
+  if (loads_many)
+    return instruction.operands.back().find("pc") != std::string::npos ? Turn::back : Turn::none;
+  if (operand(0) != "pc") return Turn::none;
+  if (name == "ldr" && operand(1).starts_with("[sp")) return Turn::back;
+  if (name == "mov" && operand(1) == "lr") return Turn::back;
+  return Turn::unknown;
+}
+
+}  // namespace
+
+void decode(Instruction& instruction) {
+  const std::string_view name = instruction.name;
+  instruction.turn = turn_of(instruction);
+  instruction.kind = kind_of(name);
+  instruction.sets_flags = is_setter(name);
+  instruction.operation =
+      operation_of(instruction.sets_flags ? name.substr(0, name.size() - 1) : name);
+  instruction.memory = memory_of(instruction);
+  for (const std::string& text : instruction.operands) {
+    Operand operand;
+    if (const auto found = register_of(text)) operand.reg = static_cast<std::uint8_t>(*found);
+    operand.number = number_of(text);
+    instruction.values.push_back(operand);
+  }
 }
 
 bool starts_with_any(std::string_view name, std::initializer_list<std::string_view> beginnings) {
@@ -101,13 +169,6 @@ std::pair<std::size_t, std::size_t> range_of_doubles(std::string_view list) {
   std::from_chars(list.data() + end, list.data() + list.size(), last);
   constexpr std::size_t kLast = 31;
   return {std::min(first, kLast), std::min(std::max(first, last), kLast)};
-}
-
-bool sets_flags(std::string_view name) {
-  static constexpr std::array<std::string_view, 19> kSetters = {
-      "adds", "subs", "movs", "ands", "orrs", "eors", "bics", "lsls", "lsrs", "asrs",
-      "rsbs", "muls", "mvns", "adcs", "sbcs", "rors", "rrxs", "orns", "negs"};
-  return std::ranges::find(kSetters, name) != kSetters.end() || name == "msr";
 }
 
 }  // namespace eagerx::gen::bound

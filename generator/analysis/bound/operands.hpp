@@ -12,25 +12,16 @@
 
 namespace eagerx::gen::bound {
 
-/// [base, #offset], [base, #offset]!, [base], #offset, [base, index, lsl #n]
-struct Memory {
-  std::size_t base = 0;
-  std::int64_t offset = 0, after = 0;
-  bool writes_back = false, has_index = false;
-};
-
 /// "#12"; nullopt: something else.
 std::optional<std::int64_t> number_of(std::string_view operand);
 /// The lowest 32 bits, with a sign.
 std::int64_t as_signed(std::int64_t value);
-/// The operand in brackets and what is behind it; nullopt: there is none with a known base.
-std::optional<Memory> memory_of(const Instruction& instruction);
+/// Fills in what name and operands mean.
+void decode(Instruction& instruction);
 /// Registers of "{r4, r5-r7, lr}".
 std::vector<std::size_t> listed_registers(std::string_view list);
 /// The first and the last of "{d8-d11}".
 std::pair<std::size_t, std::size_t> range_of_doubles(std::string_view list);
-/// Whether an instruction of this name sets the flags: "adds", not "mls".
-bool sets_flags(std::string_view name);
 bool starts_with_any(std::string_view name, std::initializer_list<std::string_view> beginnings);
 
 }  // namespace eagerx::gen::bound

@@ -61,7 +61,7 @@ std::uint64_t LongestPath::block(const Analysed& function, BlockIndex b) {
     if (weight_.counts(*instruction, &function == first_))
       sum += weight_.cost->of(*instruction, before);
     before = instruction;
-    if (turn_of(*instruction) != Turn::call) continue;
+    if (instruction->turn != Turn::call) continue;
     sum += call(function, *instruction);
     before = nullptr;  // the callee was fetched meanwhile
   }

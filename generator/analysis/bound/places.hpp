@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "generator/analysis/bound/image.hpp"
@@ -12,10 +12,24 @@
 
 namespace eagerx::gen::bound {
 
+/// Texts that many frames share, by their numbers.
+class Texts {
+ public:
+  std::uint32_t number_of(std::string_view text);
+  [[nodiscard]] const std::vector<std::string>& all() const { return all_; }
+
+ private:
+  struct Hash : std::hash<std::string_view> {
+    using is_transparent = void;
+  };
+  std::vector<std::string> all_;
+  std::unordered_map<std::string, std::uint32_t, Hash, std::equal_to<>> numbers_;
+};
+
 /// A function, and the line in it that an instruction, or what is inlined there, comes from.
 struct Frame {
-  std::string function;  // mangled
-  std::string file;
+  std::uint32_t function = 0;  // of Places::functions()
+  std::uint32_t file = 0;      // of Places::files()
   std::uint32_t line = 0;
 };
 
@@ -25,14 +39,23 @@ class Places {
   explicit Places(const Image& image);
 
   /// From the innermost function that is inlined there to the one that has the instruction.
-  [[nodiscard]] const std::vector<Frame>& of(Address at) const;
+  [[nodiscard]] const std::vector<Frame>& of(const Instruction& instruction) const {
+    return frames_[instruction.index];
+  }
+  /// Mangled names.
+  [[nodiscard]] const std::vector<std::string>& functions() const { return functions_.all(); }
+  [[nodiscard]] const std::vector<std::string>& files() const { return files_.all(); }
   /// The path of the program.hpp that the image was made of; empty: none.
   [[nodiscard]] std::string program() const;
-  /// The node whose lines of program.hpp an instruction comes from; nullptr: none.
-  [[nodiscard]] const std::string* node(Address at, const ProgramMap& map) const;
+  /// [instructions] the node whose lines of program.hpp each comes from; nullptr: none.
+  [[nodiscard]] std::vector<const std::string*> nodes(const ProgramMap& map) const;
 
  private:
-  std::map<Address, std::vector<Frame>> frames_;
+  /// [files()] whether a file is the program.hpp.
+  [[nodiscard]] std::vector<bool> are_programs() const;
+
+  Texts functions_, files_;
+  std::vector<std::vector<Frame>> frames_;  // [instructions]
 };
 
 }  // namespace eagerx::gen::bound

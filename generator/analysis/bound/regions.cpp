@@ -1,8 +1,7 @@
 #include "generator/analysis/bound/regions.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <tuple>
 
 namespace eagerx::gen::bound {
 namespace {
@@ -32,18 +31,20 @@ std::set<LoopIndex> loops_around(const Flow& flow, const std::set<Address>& code
 }  // namespace
 
 std::vector<Region> Regions::find(const IsNamed& is_named) const {
-  std::map<std::pair<Address, std::string>, Region> found;
-  for (const auto& [at, instruction] : analysis_.image().instructions()) {
-    const auto& frames = places_.of(at);
+  std::vector<bool> named;
+  for (std::uint32_t i = 0; i < places_.functions().size(); ++i) named.push_back(is_named(i));
+  // By the function and, where it is inlined, the file and the line of its caller.
+  std::map<std::tuple<Address, bool, std::uint32_t, std::uint32_t>, Region> found;
+  for (const Instruction& instruction : analysis_.image().instructions()) {
+    const auto& frames = places_.of(instruction);
     for (std::size_t i = frames.size(); i-- > 0;) {
-      if (!is_named(frames[i].function)) continue;
+      if (!named[frames[i].function]) continue;
       const bool is_whole = i + 1 == frames.size();
-      const Address function = function_at(analysis_.image(), at);
-      const std::string from =
-          is_whole ? std::string() : fmt::format("{}:{}", frames[i + 1].file, frames[i + 1].line);
-      Region& region = found[{function, from}];
+      const Address function = function_at(analysis_.image(), instruction.at);
+      const Frame from = is_whole ? Frame{} : frames[i + 1];
+      Region& region = found[{function, is_whole, from.file, from.line}];
       region.function = function;
-      if (!is_whole) region.code.insert(at);
+      if (!is_whole) region.code.insert(instruction.at);
       break;
     }
   }
@@ -62,7 +63,7 @@ Regions::Most Regions::longest(const Region& region, Weight weight) {
 }
 
 Regions::Most Regions::most(const std::vector<Region>& regions,
-                            const std::function<bool(Address)>& counts) {
+                            const std::function<bool(const Instruction&)>& counts) {
   Most result;
   for (const Region& region : regions) {
     const auto is_in = [&region](const Instruction& i, bool is_first) {
@@ -70,11 +71,11 @@ Regions::Most Regions::most(const std::vector<Region>& regions,
     };
     Weight weight;
     weight.counts = [&](const Instruction& i, bool is_first) {
-      return is_in(i, is_first) && (!counts || counts(i.at));
+      return is_in(i, is_first) && (!counts || counts(i));
     };
     weight.callee = [&](const Instruction& call, bool is_first) {
       if (!is_in(call, is_first)) return Weight::Callee::nothing;
-      return counts && counts(call.at) ? Weight::Callee::whole : Weight::Callee::by_weight;
+      return counts && counts(call) ? Weight::Callee::whole : Weight::Callee::by_weight;
     };
     const Most one = longest(region, std::move(weight));
     result.most = std::max(result.most, one.most);

@@ -18,8 +18,8 @@ struct Region {
   std::set<Address> code;  // empty: all of that function
 };
 
-/// Whether a function's mangled name is that of the part that is looked for.
-using IsNamed = std::function<bool(const std::string& mangled)>;
+/// Whether a function of Places::functions() is that of the part that is looked for.
+using IsNamed = std::function<bool(std::uint32_t function)>;
 
 class Regions {
  public:
@@ -33,7 +33,8 @@ class Regions {
     std::uint64_t most = 0;
     std::set<Obstacle> obstacles;
   };
-  Most most(const std::vector<Region>& regions, const std::function<bool(Address)>& counts = {});
+  Most most(const std::vector<Region>& regions,
+            const std::function<bool(const Instruction&)>& counts = {});
   /// The same, all counted, without calls of these functions.
   Most most_without_calls(const std::vector<Region>& regions, const std::set<Address>& functions);
   /// The same without what is in `others`.

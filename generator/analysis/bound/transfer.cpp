@@ -19,24 +19,42 @@ class Step {
       : image_(image), instruction_(instruction), name_(instruction.name), state_(state) {}
 
   void apply() {
-    const Turn turn = turn_of(instruction_);
+    const Turn turn = instruction_.turn;
     if (turn == Turn::call || turn == Turn::call_pointer) return call();
     if (turn == Turn::branch || turn == Turn::table || turn == Turn::halt) return;
-    if (name_.starts_with("it") || name_ == "nop") return;
-    if (name_ == "bkpt" || name_ == "svc") return supervisor();
-    if (compare()) return;
-    if (name_ == "push" || name_ == "pop" || starts_with_any(name_, {"vpush", "vpop"}))
-      return move_stack();
-    if (starts_with_any(name_, {"ldm", "stm", "vldm", "vstm"})) return transfer_many();
-    if (const auto memory = memory_of(instruction_)) return access(*memory);
-    if (calculate()) return;
-    forget_written();
+    switch (instruction_.kind) {
+      case Kind::nothing:
+        return;
+      case Kind::supervisor:
+        return supervisor();
+      case Kind::compare:
+        return compare();
+      case Kind::stack:
+        return move_stack();
+      case Kind::many:
+        return transfer_many();
+      case Kind::other:
+        break;
+    }
+    if (instruction_.memory) return access(*instruction_.memory);
+    if (!calculate()) forget_written();
   }
 
  private:
   [[nodiscard]] std::string_view operand(std::size_t i) const {
     return i < instruction_.operands.size() ? std::string_view(instruction_.operands[i])
                                             : std::string_view();
+  }
+
+  /// As State::registers has it; nullopt: the operand is no register.
+  [[nodiscard]] std::optional<std::size_t> register_at(std::size_t i) const {
+    if (i >= instruction_.values.size()) return std::nullopt;
+    const std::uint8_t found = instruction_.values[i].reg;
+    return found == Operand::kNoRegister ? std::nullopt : std::optional<std::size_t>(found);
+  }
+
+  [[nodiscard]] std::optional<std::int64_t> number_at(std::size_t i) const {
+    return i < instruction_.values.size() ? instruction_.values[i].number : std::nullopt;
   }
 
   Value made(std::size_t r) const {
@@ -54,28 +72,41 @@ class Step {
   /// A register that an instruction writes only under its condition: what it is between. So
   /// `cmp r3, #5`, `it cs`, `movcs r3, #5` is a number up to 5.
   void limit_either(std::size_t r, const Value& value, const Value& old) {
-    State when = state_, otherwise = state_;
-    if (state_.comparison) {
-      when.learn(instruction_.condition, *state_.comparison);
-      otherwise.learn(opposite(instruction_.condition), *state_.comparison);
-    }
-    const Value a = when.resolve(value), b = otherwise.resolve(old);
+    const Value a = resolved_where(instruction_.condition, value);
+    const Value b = resolved_where(opposite(instruction_.condition), old);
     state_.limits.erase(made(r).base);
     if (a.base == 0 && b.base == 0)
       state_.limits[made(r).base] = {0, std::min(a.low, b.low), std::max(a.high, b.high)};
   }
 
+  /// What a value is where a condition of the last comparison holds.
+  Value resolved_where(std::string_view condition, const Value& value) {
+    const auto fact =
+        state_.comparison ? state_.learned(condition, *state_.comparison) : std::nullopt;
+    if (!fact) return state_.resolve(value);
+    const auto known = state_.limits.find(fact->first);
+    const auto before =
+        known == state_.limits.end() ? std::nullopt : std::optional(known->second);
+    state_.limits[fact->first] = fact->second;
+    const Value result = state_.resolve(value);
+    if (before)
+      state_.limits[fact->first] = *before;
+    else
+      state_.limits.erase(fact->first);
+    return result;
+  }
+
   void forget_written() {
     const bool two = starts_with_any(
         name_, {"umull", "smull", "umlal", "smlal", "umaal", "smlald", "smlsld", "ldrexd"});
-    if (sets_flags(name_)) state_.comparison.reset();
+    if (instruction_.sets_flags) state_.comparison.reset();
     const bool is_vector = name_.starts_with("v");
     for (std::size_t i = 0; i < instruction_.operands.size(); ++i) {
       if (i >= (is_vector ? 4U : two ? 2U : 1U)) break;
-      const auto r = register_of(operand(i));
+      const auto r = register_at(i);
       if (is_vector && operand(i).starts_with("d")) forget_double(operand(i));
       if (!r) continue;
-      if (is_vector && i > 0 && (*r < kCore) != (register_of(operand(0)).value_or(kCore) < kCore))
+      if (is_vector && i > 0 && (*r < kCore) != (register_at(0).value_or(kCore) < kCore))
         break;
       write(*r, std::nullopt);
     }
@@ -90,29 +121,25 @@ class Step {
     }
   }
 
-  [[nodiscard]] std::optional<Value> read(std::string_view text) const {
-    if (const auto number = number_of(text)) return Value::of(as_signed(*number));
-    const auto r = register_of(text);
+  [[nodiscard]] std::optional<Value> read(std::size_t i) const {
+    if (const auto number = number_at(i)) return Value::of(as_signed(*number));
+    const auto r = register_at(i);
     return r && *r != kCore - 1 ? std::optional(state_.registers[*r]) : std::nullopt;
   }
 
-  bool compare() {
-    if (name_ == "tst" || name_ == "teq" || name_ == "cmn") {
-      state_.comparison.reset();
-      return true;
-    }
-    if (name_ != "cmp") return starts_with_any(name_, {"vcmp"});
-    const auto left = read(operand(0)), right = read(operand(1));
+  void compare() {
+    if (name_.starts_with("v")) return;
+    const auto left = read(0), right = read(1);
     state_.comparison.reset();
-    if (left && right && instruction_.operands.size() == 2 && instruction_.condition.empty())
+    if (name_ == "cmp" && left && right && instruction_.operands.size() == 2 &&
+        instruction_.condition.empty())
       state_.comparison = Comparison{*left, *right, false};
-    return true;
   }
 
   void call() {
     // A part of a function, which assembly calls, preserves nothing.
     const bool is_function = image_.functions().contains(instruction_.target) ||
-                             turn_of(instruction_) == Turn::call_pointer;
+                             instruction_.turn == Turn::call_pointer;
     for (std::size_t r = 0; r < kCore; ++r) {
       if (r != kSp && (!is_function || r < 4 || r == 12 || r == 14)) write(r, std::nullopt);
     }
@@ -122,7 +149,7 @@ class Step {
     forget_stack();
     const Value& sp = state_.registers[kSp];
     if (sp.base != kStack) return state_.stack.clear();
-    std::erase_if(state_.stack, [&](const auto& slot) { return slot.first < sp.low; });
+    state_.stack.erase_if([&](const auto& slot) { return slot.first < sp.low; });
   }
 
   /// Semihosting answers in r0, and may write where a pointer leads.
@@ -239,7 +266,7 @@ class Step {
     if (operand(0).starts_with("d")) return forget_double(operand(0));
     const bool two = name_.starts_with("ldrd");
     for (std::size_t i = 0; i < (two ? 2U : 1U); ++i) {
-      const auto r = register_of(operand(i));
+      const auto r = register_at(i);
       if (!r || *r == kCore - 1) continue;
       std::optional<Value> value;
       if (at)
@@ -264,14 +291,14 @@ class Step {
 
   void store_registers(const std::optional<Value>& at, const std::optional<Value>& base) {
     if (name_.starts_with("strex")) {
-      if (const auto r = register_of(operand(0))) write(*r, std::nullopt);
+      if (const auto r = register_at(0)) write(*r, std::nullopt);
       return store_unknown(base.value_or(Value{~Base{0}, 0, 0}), 8);
     }
     if (!at || operand(0).starts_with("d"))
       return store_unknown(at.value_or(base.value_or(Value{~Base{0}, 0, 0})), at ? 8 : 0);
     const bool two = name_.starts_with("strd");
     for (std::size_t i = 0; i < (two ? 2U : 1U); ++i) {
-      const auto r = register_of(operand(i));
+      const auto r = register_at(i);
       const Value where = *sum(*at, Value::of(static_cast<std::int64_t>(i) * kWordBytes), 1);
       store(where, width(), r ? state_.registers[*r] : Value{~Base{0}, 0, 0});
     }
@@ -296,35 +323,41 @@ class Step {
       return;
     }
     if (bytes > 0) return forget_around(at.low, bytes + at.high - at.low);
-    std::erase_if(state_.stack, [&](const auto& slot) { return slot.first >= at.low; });
+    state_.stack.erase_if([&](const auto& slot) { return slot.first >= at.low; });
   }
 
   void forget_around(std::int64_t at, std::int64_t bytes) {
-    std::erase_if(state_.stack, [&](const auto& slot) {
+    state_.stack.erase_if([&](const auto& slot) {
       return slot.first + kWordBytes > at && slot.first < at + bytes;
     });
   }
 
   bool calculate() {
-    const auto destination = register_of(operand(0));
+    const auto destination = register_at(0);
     if (!destination || instruction_.operands.size() < 2) return false;
-    const bool flags = sets_flags(name_);
-    const std::string_view name = flags ? name_.substr(0, name_.size() - 1) : name_;
     std::optional<Value> value;
-    if (!result(name, value)) return false;
-    const auto before = flags ? comparison_of(name, value) : std::nullopt;
+    if (!result(value)) return false;
+    const auto before = instruction_.sets_flags ? comparison_of(value) : std::nullopt;
     write(*destination, value);
-    if (!flags) return true;
+    if (value && instruction_.condition.empty()) keep_apart(*destination, *value);
+    if (!instruction_.sets_flags) return true;
     state_.comparison = instruction_.condition.empty() ? before : std::nullopt;
     if (!state_.comparison && instruction_.condition.empty())
       state_.comparison = Comparison{state_.registers[*destination], Value::of(0), true};
     return true;
   }
 
+  /// A pointer that is somewhere in an array is a number of its own, so that its difference to
+  /// what is made of it stays known.
+  void keep_apart(std::size_t r, const Value& value) {
+    if (!is_wide(value)) return;
+    state_.limits[made(r).base] = value;
+    state_.registers[r] = made(r);
+  }
+
   /// The operands that the flags compare: subs its two operands, others the result with 0.
-  [[nodiscard]] std::optional<Comparison> comparison_of(std::string_view name,
-                                                        const std::optional<Value>& value) const {
-    if (name == "sub") {
+  [[nodiscard]] std::optional<Comparison> comparison_of(const std::optional<Value>& value) const {
+    if (instruction_.operation == Operation::sub) {
       const auto [left, right] = two_operands();
       if (left && right) return Comparison{*left, *right, false};
     }
@@ -334,12 +367,12 @@ class Step {
 
   [[nodiscard]] std::pair<std::optional<Value>, std::optional<Value>> two_operands() const {
     const bool three = instruction_.operands.size() >= 3;
-    return {read(operand(three ? 1 : 0)), shifted(three ? 2 : 1)};
+    return {read(three ? 1 : 0), shifted(three ? 2 : 1)};
   }
 
   /// "r3" or "r3, lsl #2".
   [[nodiscard]] std::optional<Value> shifted(std::size_t i) const {
-    auto value = read(operand(i));
+    auto value = read(i);
     if (instruction_.operands.size() <= i + 1 || !value) return value;
     if (!operand(i + 1).starts_with("lsl ")) return std::nullopt;
     return scaled(*value, number_of(operand(i + 1).substr(4)));
@@ -347,7 +380,7 @@ class Step {
 
   /// A number of its own with these bits.
   [[nodiscard]] std::optional<Value> of_bits(unsigned bits) const {
-    const auto r = register_of(operand(0));
+    const auto r = register_at(0);
     if (!r || bits > 31) return std::nullopt;
     const Location where{false, static_cast<std::int64_t>(*r)};
     return Value{base_of_bits(instruction_.at, where, bits), 0, 0};
@@ -362,76 +395,119 @@ class Step {
     return result.high <= INT32_MAX ? std::optional(result) : std::nullopt;
   }
 
-  /// False: not an operation that is known. An empty value: its result is not known.
-  bool result(std::string_view name, std::optional<Value>& value) const {
-    const auto [left, right] = two_operands();
-    if (name == "mov" && instruction_.operands.size() == 3) {
-      const std::string_view shift = operand(2);
-      const auto from = read(operand(1));
-      const auto by = shift.size() > 4 ? number_of(shift.substr(4)) : std::nullopt;
-      if (!by) return false;
-      return bits(shift.substr(0, 3), from, Value::of(*by), value);
-    }
-    if (name == "mov" || name == "movw" || name == "vmov") {
-      if (instruction_.operands.size() != 2) return false;
-      if (name == "vmov" && !register_of(operand(1))) return false;  // a float's bits
-      value = read(operand(1));
-    } else if (name == "movt") {
-      const auto low = read(operand(0)), high = read(operand(1));
-      if (low && high && low->is_number())
-        value = Value::of(as_signed((low->low & 0xffff) | (high->low << 16)));
-    } else if (name == "mvn") {
-      if (right && right->is_number() && instruction_.operands.size() == 2)
-        value = Value::of(as_signed(~right->low));
-    } else if (name == "add" || name == "addw") {
-      if (left && right) value = sum(*left, *right, 1);
-    } else if (name == "sub" || name == "subw") {
-      if (left && right) value = sum(*left, *right, -1);
-    } else if (name == "rsb" || name == "neg") {
-      if (left && right)
-        value = name == "neg" ? sum(Value::of(0), *right, -1) : sum(*right, *left, -1);
-    } else {
-      return bits(name, left, right, value);
-    }
-    return true;
+  /// A sum, or a difference with `sign` -1. Numbers wrap as those of the machine do.
+  static std::optional<Value> total(const std::optional<Value>& a, const std::optional<Value>& b,
+                                    int sign) {
+    if (!a || !b) return std::nullopt;
+    if (a->is_number() && b->is_number()) return Value::of(as_signed(a->low + sign * b->low));
+    return sum(*a, *b, sign);
   }
 
-  bool bits(std::string_view name, const std::optional<Value>& left,
+  /// False: not an operation that is known. An empty value: its result is not known.
+  bool result(std::optional<Value>& value) const {
+    const auto [left, right] = two_operands();
+    const std::size_t count = instruction_.operands.size();
+    switch (instruction_.operation) {
+      case Operation::mov:
+        if (count == 3) return shift(value);
+        if (count != 2) return false;
+        value = read(1);
+        return true;
+      case Operation::vmov:
+        if (count != 2 || !register_at(1)) return false;  // a float's bits
+        value = read(1);
+        return true;
+      case Operation::movt: {
+        const auto low = read(0), high = read(1);
+        if (low && high && low->is_number())
+          value = Value::of(as_signed((low->low & 0xffff) | (high->low << 16)));
+        return true;
+      }
+      case Operation::mvn:
+        if (right && right->is_number() && count == 2) value = Value::of(as_signed(~right->low));
+        return true;
+      case Operation::add:
+        value = total(left, right, 1);
+        return true;
+      case Operation::sub:
+        value = total(left, right, -1);
+        return true;
+      case Operation::rsb:
+        value = total(right, left, -1);
+        return true;
+      case Operation::neg:
+        value = left && right ? total(Value::of(0), right, -1) : std::nullopt;
+        return true;
+      default:
+        return bits(instruction_.operation, left, right, value);
+    }
+  }
+
+  /// mov r0, r1, lsl #2
+  bool shift(std::optional<Value>& value) const {
+    const std::string_view text = operand(2);
+    const auto by = text.size() > 4 ? number_of(text.substr(4)) : std::nullopt;
+    if (!by) return false;
+    const Operation operation = text.starts_with("lsl")   ? Operation::lsl
+                                : text.starts_with("lsr") ? Operation::lsr
+                                                          : Operation::unknown;
+    return bits(operation, read(1), Value::of(*by), value);
+  }
+
+  bool bits(Operation operation, const std::optional<Value>& left,
             const std::optional<Value>& right, std::optional<Value>& value) const {
     const bool numbers = left && right && left->is_number() && right->is_number();
-    if (name == "lsl") {
-      if (left && right && right->is_number()) value = scaled(*left, right->low);
-    } else if (name == "lsr") {
-      const auto from = left ? std::optional(state_.resolve(*left)) : left;
-      const bool shifts = right && right->is_number() && right->low > 0 && right->low < 32;
-      if (shifts && from && from->base == 0 && from->low >= 0)
-        value = Value{0, from->low >> right->low, from->high >> right->low};
-      else if (shifts)
-        value = of_bits(static_cast<unsigned>(32 - right->low));
-    } else if (name == "and") {
-      if (numbers)
-        value = Value::of(left->low & right->low);
-      else if (right && right->is_number() && right->low >= 0)
-        value =
-            of_bits(static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(right->low))));
-    } else if (name == "bic") {
-      if (numbers) value = Value::of(left->low & ~right->low);
-    } else if (name == "orr") {
-      if (numbers) value = Value::of(left->low | right->low);
-    } else if (name == "mul") {
-      if (numbers) value = Value::of(as_signed(left->low * right->low));
-    } else if (name == "ubfx") {
-      if (const auto width = number_of(operand(3)); width && *width < 31)
-        value = of_bits(static_cast<unsigned>(*width));
-    } else if (name == "uxtb" || name == "uxth") {
-      const unsigned width = name == "uxtb" ? 8 : 16;
-      value = of_bits(width);
-      const auto from = right ? state_.resolve(*right) : Value{~Base{0}, 0, 0};
-      if (from.base == 0 && from.low >= 0 && from.high < (std::int64_t{1} << width)) value = right;
-    } else {
-      return false;
+    switch (operation) {
+      case Operation::lsl:
+        if (left && right && right->is_number()) value = scaled(*left, right->low);
+        return true;
+      case Operation::lsr:
+        shift_right(left, right, value);
+        return true;
+      case Operation::bit_and:
+        if (numbers)
+          value = Value::of(left->low & right->low);
+        else if (right && right->is_number() && right->low >= 0)
+          value = of_bits(
+              static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(right->low))));
+        return true;
+      case Operation::bic:
+        if (numbers) value = Value::of(left->low & ~right->low);
+        return true;
+      case Operation::orr:
+        if (numbers) value = Value::of(left->low | right->low);
+        return true;
+      case Operation::mul:
+        if (numbers) value = Value::of(as_signed(left->low * right->low));
+        return true;
+      case Operation::ubfx:
+        if (const auto width = number_at(3); width && *width < 31)
+          value = of_bits(static_cast<unsigned>(*width));
+        return true;
+      case Operation::uxtb:
+      case Operation::uxth:
+        extend(right, operation == Operation::uxtb ? 8 : 16, value);
+        return true;
+      default:
+        return false;
     }
-    return true;
+  }
+
+  void shift_right(const std::optional<Value>& left, const std::optional<Value>& right,
+                   std::optional<Value>& value) const {
+    if (!right || !right->is_number() || right->low <= 0 || right->low >= 32) return;
+    const auto from = left ? state_.resolve(*left) : Value{~Base{0}, 0, 0};
+    if (from.base == 0 && from.low >= 0)
+      value = Value{0, from.low >> right->low, from.high >> right->low};
+    else
+      value = of_bits(static_cast<unsigned>(32 - right->low));
+  }
+
+  void extend(const std::optional<Value>& right, unsigned width,
+              std::optional<Value>& value) const {
+    value = of_bits(width);
+    const auto from = right ? state_.resolve(*right) : Value{~Base{0}, 0, 0};
+    if (from.base == 0 && from.low >= 0 && from.high < (std::int64_t{1} << width)) value = right;
   }
 
   const Image& image_;

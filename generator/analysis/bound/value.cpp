@@ -80,6 +80,12 @@ std::optional<Address> place_of(Base base) {
   return static_cast<Address>(base >> kAddress) << 1U;
 }
 
+bool is_wide(const Value& value) {
+  constexpr std::uint64_t kOrigins = 7;
+  if (value.is_exact() || value.base >> kIsPlace == 0) return false;
+  return static_cast<Origin>(value.base >> kOrigin & kOrigins) != Origin::header;
+}
+
 Value resolved(const Value& value) {
   const auto bits = static_cast<unsigned>(value.base >> kBits) & kMostBits;
   if (value.base >> kIsPlace == 0 || bits == 0) return value;
@@ -96,18 +102,18 @@ Value resolved_once(const State& state, const Value& value) {
   return {limit.base, value.low + limit.low, value.high + limit.high};
 }
 
-constexpr int kMostSteps = 8;
+constexpr std::size_t kMostSteps = 8;
 
 }  // namespace
 
 Value State::resolve(const Value& value) const {
   Value result = value;
-  for (int i = 0; i < kMostSteps && result.base != 0; ++i) result = resolved_once(*this, result);
+  for (std::size_t i = 0; i < kMostSteps && result.base != 0; ++i) result = resolved_once(*this, result);
   return result.base == 0 ? result : value;
 }
 
 bool State::relate(Value& a, Value& b) const {
-  for (int i = 0; i < kMostSteps && a.base != b.base; ++i) {
+  for (std::size_t i = 0; i < kMostSteps && a.base != b.base; ++i) {
     const Value next_a = resolved_once(*this, a), next_b = resolved_once(*this, b);
     if (next_a == a && next_b == b) return false;
     if (next_a.base == b.base) {
@@ -127,56 +133,81 @@ bool is_same(const State& a, const State& b) {
 }
 
 void State::learn(std::string_view condition, const Comparison& compared) {
+  if (const auto fact = learned(condition, compared)) limits[fact->first] = fact->second;
+}
+
+std::optional<std::pair<Base, Value>> State::learned(std::string_view condition,
+                                                     const Comparison& compared) const {
   const Value right = resolve(compared.right);
   const Value& left = compared.left;
-  if (right.base != 0 || left.base == 0 || left.base == kStack || !left.is_exact()) return;
+  if (right.base != 0 || left.base == 0 || left.base == kStack || !left.is_exact())
+    return std::nullopt;
   Value limit{0, INT32_MIN, INT32_MAX};
   if (condition == "eq") {
     limit = right;
   } else if (compared.zero_only) {
-    return;
+    return std::nullopt;
   } else if (condition == "cc" || condition == "lo" || condition == "ls") {
     const std::int64_t most = right.high - (condition == "ls" ? 0 : 1);
-    if (right.low < 0 || most < 0) return;
+    if (right.low < 0 || most < 0) return std::nullopt;
     limit = {0, 0, most};
   } else if (condition == "lt" || condition == "le") {
     limit.high = right.high - (condition == "lt" ? 1 : 0);
   } else if (condition == "gt" || condition == "ge") {
     limit.low = right.low + (condition == "gt" ? 1 : 0);
   } else {
-    return;
+    return std::nullopt;
   }
   // A sum that may wrap says nothing of its base, but a range of it that is known whole does.
-  if (left.low != 0 && (limit.low == INT32_MIN || limit.high == INT32_MAX)) return;
+  if (left.low != 0 && (limit.low == INT32_MIN || limit.high == INT32_MAX)) return std::nullopt;
   limit.low -= left.low;
   limit.high -= left.low;
   const Value known = resolve({left.base, 0, 0});
   if (known.base == 0)
     limit = {0, std::max(limit.low, known.low), std::min(limit.high, known.high)};
-  if (limit.low <= limit.high) limits[left.base] = limit;
+  if (limit.low > limit.high) return std::nullopt;
+  return std::pair(left.base, limit);
 }
 
 namespace {
 
 Value joined(const Value& a, const Value& b, Address at, const Location& location) {
   if (a == b) return a;
-  if (a.base == b.base) return {a.base, std::min(a.low, b.low), std::max(a.high, b.high)};
+  const Value both{a.base, std::min(a.low, b.low), std::max(a.high, b.high)};
+  if (a.base == b.base && !is_wide(both)) return both;
   return {base_of(Origin::joined, at, location), 0, 0};
 }
 
-}  // namespace
+/// What a value is, by what is known of its base, of the base of that, and so on: each step.
+std::array<Value, kMostSteps> chain_of(const State& state, const Value& value) {
+  std::array<Value, kMostSteps> chain{value};
+  for (std::size_t i = 1; i < kMostSteps; ++i) chain[i] = resolved_once(state, chain[i - 1]);
+  return chain;
+}
 
-namespace {
+/// The range of two values that have one base somewhere, each in its state.
+std::optional<Value> range_of(const State& a, const Value& left, const State& b,
+                              const Value& right) {
+  const auto chain_a = chain_of(a, left), chain_b = chain_of(b, right);
+  for (const Value& from : chain_a) {
+    for (const Value& to : chain_b) {
+      if (from.base == to.base)
+        return Value{from.base, std::min(from.low, to.low), std::max(from.high, to.high)};
+    }
+  }
+  return std::nullopt;
+}
 
-/// Puts what a location is on either way into `result`; of two numbers, what they are between.
+/// Puts what a location is on either way into `result`; of two values with one base, what they are
+/// between.
 void join_at(const Location& where, const State& a, const State& b, Address at, State& result) {
   const Value &left = *a.find(where), &right = *b.find(where);
   const Value both = joined(left, right, at, where);
   result.set(where, both);
-  if (left == right || left.base == right.base) return;
-  const Value from = a.resolve(left), to = b.resolve(right);
-  if (from.base != 0 || to.base != 0) return;
-  result.limits[both.base] = {0, std::min(from.low, to.low), std::max(from.high, to.high)};
+  if (left == right || (left.base == both.base && right.base == both.base)) return;
+  result.limits.erase(both.base);
+  const auto range = range_of(a, left, b, right);
+  if (range && range->base != both.base) result.limits[both.base] = *range;
 }
 
 }  // namespace

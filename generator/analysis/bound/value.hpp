@@ -3,11 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "generator/analysis/bound/flat_map.hpp"
 #include "generator/analysis/bound/image.hpp"
 
 namespace eagerx::gen::bound {
@@ -49,10 +50,10 @@ struct Comparison {
 
 struct State {
   std::array<Value, kRegisters> registers{};
-  std::map<std::int64_t, Value> stack;
+  FlatMap<std::int64_t, Value> stack;
   std::optional<Comparison> comparison;
   std::int64_t escaped = INT64_MAX;  // from here on other pointers may lead to the stack
-  std::map<Base, Value> limits;      // what numbers that are not known are between
+  FlatMap<Base, Value> limits;       // what numbers that are not known are between
 
   [[nodiscard]] const Value* find(const Location& location) const;
   void set(const Location& location, const Value& value);
@@ -60,6 +61,9 @@ struct State {
   [[nodiscard]] Value resolve(const Value& value) const;
   /// The same until both have one base; false if they have none.
   bool relate(Value& a, Value& b) const;
+  /// The base that a condition says something of, and what it is between then.
+  [[nodiscard]] std::optional<std::pair<Base, Value>> learned(std::string_view condition,
+                                                              const Comparison& compared) const;
   /// Adds the consequences of a condition that holds.
   void learn(std::string_view condition, const Comparison& compared);
 };
@@ -72,6 +76,9 @@ enum class Origin : std::uint8_t { made, joined, header, entry };
 Base base_of(Origin origin, Address at, const Location& location);
 /// The same of a number from 0 to 2^bits - 1; `bits` up to 31.
 Base base_of_bits(Address at, const Location& location, unsigned bits);
+/// Whether a value is an unknown number plus one of several, and not that of a loop's header or the
+/// stack.
+bool is_wide(const Value& value);
 /// The address that a base was made at; nullopt: it is none.
 std::optional<Address> place_of(Base base);
 /// The same by its bits alone: from 0 to 255, say.

@@ -24,8 +24,10 @@ std::string condition_of(const Instruction& branch) {
   return branch.name == "cbz" ? "eq" : "ne";
 }
 
-void add(std::map<BlockIndex, State>& open, BlockIndex to, const State& state, Address at) {
-  const auto [found, is_new] = open.emplace(to, state);
+/// Brings a state to a place that another one may have come to.
+template <class Key>
+void add(std::map<Key, State>& states, const Key& to, State&& state, Address at) {
+  const auto [found, is_new] = states.try_emplace(to, std::move(state));
   if (!is_new) found->second = join(found->second, state, at);
 }
 
@@ -52,14 +54,14 @@ Walk::Pass Walk::pass(LoopIndex loop_index, const State& header, bool record) {
   for (const BlockIndex b : flow_.order) {
     const auto found = open.find(b);
     if (found == open.end()) continue;
-    const State state = std::move(found->second);
+    State state = std::move(found->second);
     open.erase(found);
     const LoopIndex inner = flow_.child(loop_index, b);
     if (inner == kNone) {
-      block(loop_index, b, state, record, result, open);
+      block(loop_index, b, std::move(state), record, result, open);
     } else {
-      for (const auto& [edge, out] : loop(inner, state, record))
-        deliver(loop_index, edge, out, record, result, open);
+      for (auto& [edge, out] : loop(inner, state, record))
+        deliver(loop_index, edge, std::move(out), record, result, open);
     }
   }
   return result;
@@ -70,7 +72,7 @@ void Walk::block(LoopIndex loop_index, BlockIndex b, State state, bool record, P
   const Block& here = flow_.blocks[b];
   if (record) result_.reached[b] = true;
   for (const Instruction* instruction : here.code) {
-    const Turn turn = turn_of(*instruction);
+    const Turn turn = instruction->turn;
     if (record && turn == Turn::call_pointer)
       result_.obstacles.push_back({Reason::pointer_call, instruction->at});
     if (record && turn == Turn::call) {
@@ -86,11 +88,12 @@ void Walk::block(LoopIndex loop_index, BlockIndex b, State state, bool record, P
   if (branch) to.tests[b] = branch->comparison;
   const auto is_taken = branch ? branch->is_taken : std::nullopt;
   for (std::size_t i = 0; i < here.next.size(); ++i) {
+    to.decides |= is_taken && !flow_.is_in(here.next[i], loop_index);
     if (is_taken && *is_taken != (i == 1)) continue;
-    State after = state;
+    State after = i + 1 < here.next.size() ? state : std::move(state);
     if (branch)
       after.learn(i == 1 ? branch->condition : opposite(branch->condition), branch->comparison);
-    deliver(loop_index, {b, here.next[i]}, after, record, to, open);
+    deliver(loop_index, {b, here.next[i]}, std::move(after), record, to, open);
   }
 }
 
@@ -98,7 +101,7 @@ void Walk::block(LoopIndex loop_index, BlockIndex b, State state, bool record, P
 std::optional<Walk::Branch> Walk::branch_of(const Block& block, const State& state) {
   if (block.code.empty()) return std::nullopt;
   const Instruction& last = *block.code.back();
-  if (turn_of(last) != Turn::branch || block.next.size() != 2) return std::nullopt;
+  if (last.turn != Turn::branch || block.next.size() != 2) return std::nullopt;
   Branch branch{condition_of(last), {}, std::nullopt};
   if (last.name.starts_with("cb")) {
     const auto tested = register_of(last.operands.front());
@@ -114,25 +117,26 @@ std::optional<Walk::Branch> Walk::branch_of(const Block& block, const State& sta
   return branch;
 }
 
-void Walk::deliver(LoopIndex loop_index, Edge edge, const State& state, bool record, Pass& to,
+void Walk::deliver(LoopIndex loop_index, Edge edge, State&& state, bool record, Pass& to,
                    std::map<BlockIndex, State>& open) {
   if (record) result_.possible.insert(edge);
   const BlockIndex target = edge.second;
   if (loop_index != kNone && target == flow_.loops[loop_index].header) {
     auto& escaped = escapes_.emplace(loop_index, state.escaped).first->second;
     escaped = std::min(escaped, state.escaped);
-    to.latch = to.latch ? join(*to.latch, state, address(target)) : state;
+    to.latch = to.latch ? join(*to.latch, state, address(target)) : std::move(state);
   } else if (flow_.is_in(target, loop_index)) {
-    add(open, target, state, address(target));
+    add(open, target, std::move(state), address(target));
   } else {
-    const auto [found, is_new] = to.exits.emplace(edge, state);
-    if (!is_new) found->second = join(found->second, state, address(target));
+    add(to.exits, edge, std::move(state), address(target));
   }
 }
 
-/// Forgets the limits of numbers that the loop makes anew.
+/// Forgets the limits of numbers that the loop makes anew, and by such.
 void Walk::forget_limits(LoopIndex l, State& state) {
-  std::erase_if(state.limits, [&](const auto& limit) { return is_made_in(l, limit.first); });
+  state.limits.erase_if([&](const auto& limit) {
+    return is_made_in(l, limit.first) || is_made_in(l, limit.second.base);
+  });
 }
 
 /// The header's state where all that may change is a number of its own.
@@ -172,14 +176,16 @@ Walk::Changes Walk::changes(LoopIndex l, const State& in, const State& header, c
 bool Walk::is_made_in(LoopIndex l, Base base) {
   const auto place = place_of(base);
   if (!place) return false;
-  std::set<Address>& addresses = addresses_[l];
+  std::vector<Address>& addresses = addresses_[l];
   if (addresses.empty()) {
     for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
       if (!flow_.loops[l].has[b]) continue;
-      for (const Instruction* instruction : flow_.blocks[b].code) addresses.insert(instruction->at);
+      for (const Instruction* instruction : flow_.blocks[b].code)
+        addresses.push_back(instruction->at);
     }
+    std::ranges::sort(addresses);
   }
-  return addresses.contains(*place);
+  return std::ranges::binary_search(addresses, *place);
 }
 
 std::optional<Progress> Walk::progress(LoopIndex l, const State& in, const Changes& changes,
@@ -296,23 +302,26 @@ State Walk::running_header(LoopIndex l, const State& in, const Changes& changes,
   return header;
 }
 
-/// Turn by turn with what is known of each, while that is not the same again: flags, shifts.
+/// Turn by turn with what is known of each, while that is not the same again: flags, shifts. Given
+/// up where the first turns decide no test of the loop.
 std::optional<Turns> Walk::one_by_one(LoopIndex l, const State& in) {
-  constexpr std::uint64_t kMostTurns = 64;
+  constexpr std::uint64_t kMostTurns = 64, kUndecided = 2;
   if (depth_ > 0) return std::nullopt;  // not in each turn of another one
   ++depth_;
   std::optional<State> header = in;
   std::uint64_t turns = 0;
+  bool decides = false;
   while (header && turns < kMostTurns) {
     // What a turn before made is another number than what this one makes.
     State open = open_header(l, *header, {});
     for (const Location& where : locations_of(*header)) {
       if (!is_made_in(l, header->find(where)->base)) open.set(where, *header->find(where));
     }
-    auto next = pass(l, open, false).latch;
+    Pass turn = pass(l, open, false);
+    decides |= turn.decides;
     ++turns;
-    if (next && is_same(*next, *header)) break;
-    header = std::move(next);
+    if (turn.latch && (is_same(*turn.latch, *header) || (turns >= kUndecided && !decides))) break;
+    header = std::move(turn.latch);
   }
   --depth_;
   return header ? std::nullopt : std::optional(Turns{turns, false});

@@ -29,6 +29,7 @@ class Walk {
     std::optional<State> latch;   // at its end, before it goes back to the header
     std::map<Edge, State> exits;  // that leave it
     std::map<BlockIndex, Comparison> tests;
+    bool decides = false;  // whether the way is known at one of the branches that leave
   };
   /// Changes of the places that a loop writes.
   struct Changes {
@@ -39,7 +40,7 @@ class Walk {
   Pass pass(LoopIndex loop, const State& header, bool record);
   void block(LoopIndex loop, BlockIndex b, State state, bool record, Pass& to,
              std::map<BlockIndex, State>& open);
-  void deliver(LoopIndex loop, Edge edge, const State& state, bool record, Pass& to,
+  void deliver(LoopIndex loop, Edge edge, State&& state, bool record, Pass& to,
                std::map<BlockIndex, State>& open);
   struct Branch {
     std::string condition;  // when it is taken
@@ -72,7 +73,7 @@ class Walk {
   const Image& image_;
   const Flow& flow_;
   Analysed& result_;
-  std::map<LoopIndex, std::set<Address>> addresses_;  // of loops
+  std::map<LoopIndex, std::vector<Address>> addresses_;  // of loops, in order
   std::map<LoopIndex, std::int64_t> escapes_;         // the least of State::escaped in a loop
   State entry_;
   unsigned depth_ = 0;  // of loops that are gone through one by one

@@ -148,7 +148,7 @@ Executed execute(const Image& image, unsigned inputs) {
       returns.push_back(i->next);
       next = i->target;
     }
-    const bool is_return = turn_of(*i) == Turn::back;
+    const bool is_return = i->turn == Turn::back;
     if (is_return && returns.empty()) return run;
     if (is_return) {
       next = returns.back();
