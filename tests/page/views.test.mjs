@@ -86,7 +86,8 @@ test("keys go from view to view and from box to box, and Enter opens composites"
 test("Fit shows all of a graph, and again its whole width, if only the height made it small", () => {
   const {run, document, frames} = open("tests/compose/graphs/levels.yaml");
   run("showView('graph')");
-  const fit = document.getElementById("view-graph").querySelectorAll("button").find((each) => each.textContent === "Fit");
+  const fit =
+      document.getElementById("view-graph").querySelectorAll("button").find((each) => each.textContent === "Fit");
   const press = () => (fit.click(), passFrames(frames), run("({...graphView, shown: null})"));
   const graphs = [{width: 2000, height: 3000}, {width: 6000, height: 500}, {width: 100, height: 500}];
   const [tall, wide, small] = graphs.map((size) => {

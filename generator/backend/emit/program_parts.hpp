@@ -8,8 +8,8 @@
 
 namespace eagerx::gen {
 
-/// Functions of more nodes take the optimizer more than linear time (templates/README.md); below 100
-/// nodes one function is easier to read.
+/// Functions of more nodes take the optimizer more than linear time (templates/README.md); below
+/// 100 nodes one function is easier to read.
 inline constexpr std::size_t kMostNodesInOneFunction = 100;
 inline constexpr std::size_t kNodesInPart = 32;
 
