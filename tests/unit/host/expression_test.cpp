@@ -21,12 +21,12 @@ const std::vector<Variable>& variables() {
   return kVariables;
 }
 
-/// a.x is 3 (before: 2), a.y is 4 and 5, a/b.c is 7, a.on is true, time is 2; before all others
-/// were 0.
+/// a.x is 3 (before: 2), a.y is 4 and 5, a/b.c is 7, a.on is true, a.big counts from 0, time is 2;
+/// before all others were 0.
 double number_of(const Read& read) {
   if (read.variable == Read::kTime) return 2.0;
   if (read.is_before) return read.variable == 0 ? 2.0 : 0.0;
-  constexpr double kValues[] = {3.0, 4.0, 7.0, kNaN, 1.0};
+  constexpr double kValues[] = {3.0, 4.0, 7.0, kNaN, 1.0, 0.0};
   return kValues[read.variable] + static_cast<double>(read.element);
 }
 

@@ -113,7 +113,8 @@ class Outside : public testing::Test {
     const Request request{what, number, 9, ++asked};
     std::vector<char> bytes(sizeof request + row.size() * sizeof(float));
     std::memcpy(bytes.data(), &request, sizeof request);
-    std::memcpy(bytes.data() + sizeof request, row.data(), row.size() * sizeof(float));
+    if (!row.empty())  // data() may be null, which memcpy() must not get
+      std::memcpy(bytes.data() + sizeof request, row.data(), row.size() * sizeof(float));
     ASSERT_EQ(send(mine, bytes.data(), bytes.size(), 0), static_cast<ssize_t>(bytes.size()));
   }
   /// The answer, and the text behind it.
