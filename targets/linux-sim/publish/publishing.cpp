@@ -287,7 +287,8 @@ std::size_t Publishing::take_scene(std::uint32_t episode, const std::uint64_t* r
       episode, trace_log::time_of_tick(record[1], facts_.render_num, facts_.render_den));
   const std::size_t rows = record[kHeadWords];
   scene_.resize(rows * kSceneColumns);
-  std::memcpy(scene_.data(), record + kSceneHeadWords, rows * kSceneColumns * sizeof(float));
+  if (rows != 0)  // data() may be null, which memcpy() must not get
+    std::memcpy(scene_.data(), record + kSceneHeadWords, rows * kSceneColumns * sizeof(float));
   for (const auto& sink : sinks_) sink->scene({episode, time_ns, scene_.data(), rows});
   return kSceneHeadWords + rows * kRowWords;
 }
