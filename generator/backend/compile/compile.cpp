@@ -275,10 +275,13 @@ class CompileCheck {
       message.line = asking.line;
       message.column = asking.column;
     }
+    // The rest of the text is about solvers of models.
+    message.text.resize(
+        std::min(message.text.find(": the derivative of a model"), message.text.size()));
     report(message).help =
         "`eagerx-gen linearize` computes it over numbers with derivatives: then `Io::Real` and the "
-        "elements of messages are `eagerx::Number`. Write `Real` for `float` and `double`, and "
-        "`element(out.y, i) = value` without a cast";
+        "elements of messages are `eagerx::Number`. In all of the class write `Real` for `float` "
+        "and `double`, and `out.y[0] = value` or `element(out.y, i) = value` without a cast";
   }
 
   void look_for_calls() {

@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 // Of tables of a policy: what is more makes compilers slow, as text.
 constexpr std::size_t kLargePolicy = 100'000;
 
+constexpr const char* kDualNumber = "eagerx::Number";  // of target linearize
+
 constexpr const char* kEqualsHash = " = 0x";  // what is between the name of a hash and its digits
 
 class Emitter {
@@ -266,7 +268,19 @@ class Emitter {
                   const NodePolicy* node, PolicyTables& tables) {
     View view = policy_view(network, tables);
     view.set("policy", name);
-    view["node"] = node == nullptr ? View(false) : policy_node_view(plan_, *node);
+    const bool has_derivatives =
+        node != nullptr && ranges::any_of(options_.targets, &Target::derivatives);
+    view["derivatives"] = View(false);
+    view["node"] = View(false);
+    if (has_derivatives) {
+      PolicyTables none(PolicyTables::Kind::none);
+      view["derivatives"] = policy_view(network, none, kDualNumber);
+    }
+    if (node != nullptr) {
+      view["node"] =
+          policy_node_view(plan_, *node, has_derivatives ? Numbers::dual : Numbers::plain);
+      view["node"].set("real", has_derivatives ? kDualNumber : "float");
+    }
     add(path, "cpp/policy.hpp.mustache", std::move(view));
   }
 

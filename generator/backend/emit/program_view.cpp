@@ -267,7 +267,7 @@ class ProgramView {
     const auto add = [](View& to, const std::string& type, const std::string& member,
                         const std::string& label) {
       View item = object();
-      item.set("label", label);
+      item.set("label", text_or_false(label));
       item.set("type", type);
       item.set("member", member);
       to.push_back(item);
@@ -292,7 +292,7 @@ class ProgramView {
         continue;
       }
       if (const std::string member = names_.nodes[n].member.declaration(); !member.empty())
-        add(members, type, member, graph_.nodes[n].name);
+        add(members, type, member, is_task(n) ? "" : graph_.nodes[n].name);
       if (entity.counts.empty()) continue;
       View item = object();
       item.set("node", graph_.nodes[n].name);
@@ -317,6 +317,11 @@ class ProgramView {
     drawing["drawn_rings"] = std::move(drawn_rings);
     drawing["drawn_members"] = std::move(drawn_members);
     view_["drawing"] = std::move(drawing);
+  }
+
+  /// It judges an episode, and nothing of the graph reads what it remembers.
+  [[nodiscard]] bool is_task(std::size_t node) const {
+    return graph_.task && graph_.task->node == node;
   }
 
   /// Differences between the chains of a loop, besides members.

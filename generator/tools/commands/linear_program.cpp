@@ -15,6 +15,34 @@
 namespace eagerx::gen {
 namespace {
 
+/// What keeps a policy from having derivatives; empty if it has some.
+std::string why_no_derivative(const Network& network) {
+  if (network.has_memory()) return "it remembers former observations";
+  if (!network.is_chain()) return "its layers are no chain";
+  for (const Layer& layer : network.layers) {
+    if (!layer.is_dense()) return "it has other layers than dense ones";
+    if (!layer.rounded.empty()) return "its weights have eight bits";
+  }
+  return "";
+}
+
+/// Nodes with policies that the program cannot differentiate.
+void check_policies_of(const Run& run, Diagnostics& diagnostics) {
+  for (const NodePolicy& policy : node_policies(*run.spec, *run.graph, run.policies)) {
+    std::string why = why_no_derivative(*policy.network);
+    const ActionKind kind = policy.use.kind(*policy.network);
+    if (kind == ActionKind::argmax || kind == ActionKind::binary) why = "it chooses among actions";
+    if (why.empty()) continue;
+    const GraphNode& node = run.graph->nodes[policy.node];
+    diagnostics
+        .error("E0520", node.span,
+               fmt::format("the policy of `{}` has no derivatives: {}", node.name, why))
+        .help =
+        "linearize a variant with another controller, or with a policy of dense layers in "
+        "float32";
+  }
+}
+
 /// What cannot be linearized, at its place.
 bool check_graph(const Graph& graph, Diagnostics& diagnostics) {
   if (graph.placement)
@@ -46,7 +74,9 @@ std::uint64_t steps_until_full(const Plan& plan) {
 bool make_linear_graph(Run& run, LinearOptions& options) {
   options.targets = {"linearize"};
   options.purpose = Purpose::simulation;
-  return make(run, options) && check_graph(*run.graph, run.diagnostics);
+  if (!make(run, options) || !check_graph(*run.graph, run.diagnostics)) return false;
+  check_policies_of(run, run.diagnostics);
+  return !run.diagnostics.has_errors();
 }
 
 std::size_t channel_at(const Plan& plan, std::size_t node, std::size_t output) {

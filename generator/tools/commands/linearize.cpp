@@ -13,17 +13,18 @@
 #include "generator/tools/commands/opened_loop.hpp"
 #include "generator/tools/commands/tool_commands.hpp"
 #include "generator/tools/commands/trim_point.hpp"
+#include "generator/tools/linear/export.hpp"
 #include "generator/tools/linear/loop_svg.hpp"
 #include "generator/tools/linear/write.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-enum class LinearFormat : std::uint8_t { text, json, csv };
+enum class LinearFormat : std::uint8_t { text, json, csv, yaml };
 
 struct LinearizeOptions : LinearOptions {
   std::vector<std::string> from, to;
-  std::string open, plot;
+  std::string open, plot, npz;
   bool trim = false, corners = false;
   TrimSettings point;  // of --trim
   LinearFormat format = LinearFormat::text;
@@ -71,6 +72,17 @@ std::optional<std::vector<std::string>> words_of(const LinearizeOptions& options
   return words;
 }
 
+/// The system as a node of a graph.
+int print_node(Run& run, const LinearizeOptions& options, const LinearReport& report) {
+  std::string problem;
+  const std::string text = state_space_yaml(report, problem);
+  if (problem.empty())
+    say_text(text);
+  else
+    run.diagnostics.error("E0520", run.graph->span, problem);
+  return finish(run, options);
+}
+
 int print(Run& run, const LinearizeOptions& options, const SampledSystem& system,
           const std::optional<PortElement>& opened, const std::optional<WorstMargins>& corners) {
   LinearReport report{&system, modes_of(system), {}, options.open, {}, corners};
@@ -78,6 +90,9 @@ int print(Run& run, const LinearizeOptions& options, const SampledSystem& system
   if (!options.plot.empty() &&
       !write_file(options.plot, loop_svg(loop_curves_of(report), run.graph->name), run.diagnostics))
     return finish(run, options);
+  if (!options.npz.empty() && !write_file(options.npz, linear_npz(report), run.diagnostics))
+    return finish(run, options);
+  if (options.format == LinearFormat::yaml) return print_node(run, options, report);
   if (options.format == LinearFormat::text) say_text(linear_text(report));
   if (options.format == LinearFormat::json) say_text(dump_json(linear_json(report)) + "\n");
   if (options.format == LinearFormat::csv) say_text(response_csv(system));
@@ -177,7 +192,7 @@ Command table(LinearizeOptions& options) {
                     "eagerx-gen linearize robot.yaml --open controller.u --plot loop.svg"},
                    {"at another state, from a setpoint to a sensor, for NumPy",
                     "eagerx-gen linearize robot.yaml --at pendulum.model_state=0,0 --from target.y "
-                    "--to pendulum.theta --format json"},
+                    "--to pendulum.theta --npz plant.npz"},
                    {"at the operating point with the pendulum at 0.1 rad",
                     "eagerx-gen linearize robot.yaml --trim --fix 'pendulum.model_state[0]=0.1'"}},
       .arguments = joined(
@@ -187,6 +202,9 @@ Command table(LinearizeOptions& options) {
             writes(text("--plot", options.plot,
                         "with --open: draw Bode and Nyquist plots, poles and the step response",
                         "FILE.svg")),
+            writes(text("--npz", options.npz,
+                        "write all matrices, names and poles as arrays for numpy.load()",
+                        "FILE.npz")),
             flag("--corners", options.corners,
                  "also print the worst margins over all combinations of the least and largest "
                  "values of parameters and delays that a reset samples"),
@@ -206,13 +224,14 @@ Command table(LinearizeOptions& options) {
             texts("--from", options.from,
                   "inputs u: ports whose messages get an offset (default: the actions)", "PORT"),
             texts("--to", options.to, "outputs y: ports (default: the observations)", "PORT"),
-            choice("--format", {"text", "json", "csv"},
-                   "text, JSON with all matrices, or with --open the frequency response as a table "
-                   "(default: text)",
+            choice("--format", {"text", "json", "csv", "yaml"},
+                   "text, JSON with all matrices, with --open the frequency response as a table, "
+                   "or a node StateSpace for a graph (default: text)",
                    [&options](const std::string& name) {
-                     options.format = name == "json"  ? LinearFormat::json
-                                      : name == "csv" ? LinearFormat::csv
-                                                      : LinearFormat::text;
+                     options.format = name == "json"   ? LinearFormat::json
+                                      : name == "csv"  ? LinearFormat::csv
+                                      : name == "yaml" ? LinearFormat::yaml
+                                                       : LinearFormat::text;
                    }),
             folder(text(
                 "-o,--output", options.output,

@@ -186,7 +186,10 @@ ModelDesign model_of(std::string_view printed, const Plan& plan) {
     result.problem = fmt::format(
         "the plant is another one from tick to tick of the filter, with {} until it repeats",
         counted(plant->phases.size(), "tick"));
-    result.help = "give the filter the slowest rate of what is in between";
+    result.help =
+        "give the filter the slowest rate of what is in between; if that is its own rate, the "
+        "graph "
+        "moves there: choose a state at which it rests with `--at`";
     return result;
   }
   plant->phases.resize(1);

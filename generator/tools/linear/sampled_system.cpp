@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "generator/support/json/json.hpp"
+#include "generator/tools/linear/hyperperiod.hpp"
 #include "generator/tools/page/units.hpp"
 
 namespace eagerx::gen {
@@ -120,11 +121,14 @@ class StateReduction {
   std::vector<bool> keeps_;
 };
 
-/// The largest change of an element of A, of the largest element.
-double drift_of(const Rows& a, const Rows& later) {
+/// The largest change of an element of A, of the largest element; without columns of parameters,
+/// whose effect may grow with the time.
+double drift_of(const SampledSystem& system, const Rows& later) {
   double change = 0.0, largest = 0.0;
-  for (std::size_t i = 0; i < a.size() && i < later.size(); ++i) {
-    for (std::size_t k = 0; k < a.size(); ++k) {
+  const Rows& a = system.a;
+  for (std::size_t k = 0; k < a.size() && later.size() == a.size(); ++k) {
+    if (is_constant(system, k)) continue;
+    for (std::size_t i = 0; i < a.size(); ++i) {
       change = std::max(change, std::abs(later[i][k] - a[i][k]));
       largest = std::max(largest, std::abs(a[i][k]));
     }
@@ -154,7 +158,7 @@ std::optional<SampledSystem> read_whole_system(const Json& printed, const Plan& 
   system.b = rows_of(member(json, "B"));
   system.c = rows_of(member(json, "C"));
   system.d = rows_of(member(json, "D"));
-  system.drift = drift_of(system.a, rows_of(member(json, "later")));
+  system.drift = drift_of(system, rows_of(member(json, "later")));
   return system;
 }
 

@@ -260,6 +260,12 @@ class TrimSearch {
     answer.words = std::move(point_.words);
     answer.inputs = std::move(point_.inputs);
     answer.there = std::move(point_.there);
+    // What quadratic convergence leaves of a zero.
+    constexpr double kNothing = 1e-30;
+    for (auto* const numbers :
+         {&answer.words, &answer.inputs, &answer.residual, &answer.there.observed}) {
+      for (double& x : *numbers) x = std::abs(x) < kNothing ? 0.0 : x;
+    }
     return answer;
   }
   /// What rests now does not in the next hyperperiod, even though this one ends where it began.
