@@ -1,5 +1,6 @@
 // The states that a loop's header can have.
 #include <algorithm>
+#include <tuple>
 
 #include "generator/analysis/bound/walk.hpp"
 
@@ -28,17 +29,33 @@ State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& 
   return header;
 }
 
-/// Pointers into the same object, which may grow by the same in each turn.
+/// Numbers, or pointers into the same object, which may grow by the same in each turn.
 Walk::Ties Walk::likely_ties(const State& in, const std::set<Location>& fixed) const {
   Ties ties;
   std::map<Base, Location> firsts;
   for (const Location& where : in.locations()) {
     const Value& value = *in.find(where);
-    if (fixed.contains(where) || value.base == 0 || !value.is_exact()) continue;
+    if (fixed.contains(where) || !value.is_exact()) continue;
     const auto [first, is_new] = firsts.emplace(value.base, where);
     if (!is_new) ties.emplace(where, first->second);
   }
   return ties;
+}
+
+/// Those of the locations that are as far from each other after a turn as they are at first.
+Walk::Ties Walk::kept_ties(const Ties& ties, const State& in, const State& latch) {
+  std::set<Location> all;
+  for (const auto& [where, first] : ties) all.insert({where, first});
+  Ties kept;
+  std::map<std::tuple<Base, Base, std::int64_t>, Location> firsts;
+  for (const Location& where : all) {
+    const Value &before = *in.find(where), *after = latch.find(where);
+    if (after == nullptr || !after->is_exact()) continue;
+    const auto [first, is_new] =
+        firsts.emplace(std::tuple(before.base, after->base, after->low - before.low), where);
+    if (!is_new) kept.emplace(where, first->second);
+  }
+  return kept;
 }
 
 /// Whether all are as far from each other after a turn as they are at first.

@@ -275,9 +275,10 @@ std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
     header = open_header(l, in, found.fixed);
     tie(l, in, ties, header);
     Pass second = pass(l, header, false);
-    if (second.latch && !hold(ties, in, *second.latch)) {
-      ties.clear();
+    for (bool again = true; second.latch && !hold(ties, in, *second.latch); again = false) {
+      ties = again ? kept_ties(ties, in, *second.latch) : Ties();
       header = open_header(l, in, found.fixed);
+      tie(l, in, ties, header);
       second = pass(l, header, false);
     }
     if (second.latch) {

@@ -65,6 +65,7 @@ class Walk {
   using Ties = std::map<Location, Location>;
   void tie(LoopIndex l, const State& in, const Ties& ties, State& header) const;
   [[nodiscard]] Ties likely_ties(const State& in, const std::set<Location>& fixed) const;
+  [[nodiscard]] static Ties kept_ties(const Ties& ties, const State& in, const State& latch);
   [[nodiscard]] static bool hold(const Ties& ties, const State& in, const State& latch);
   void forget_limits(LoopIndex l, State& state);
   [[nodiscard]] bool separates(LoopIndex l, const std::set<BlockIndex>& tests) const;
