@@ -1,7 +1,7 @@
 // The timetable as a view: zoom, keys, what the pointer is at, measured times.
 import {data, nodes} from "./data.mjs";
 import {add, button, el, segment, table} from "./elements.mjs";
-import {counted, floats, seconds} from "./numbers.mjs";
+import {count, counted, floats, seconds} from "./numbers.mjs";
 import {draggable, hideTip, showTip} from "./pointer.mjs";
 import {newestAt, order, periodOf, quantum, rowOf, wholePeriod} from "./schedule.mjs";
 import {select, state, watch} from "./selection.mjs";
@@ -19,6 +19,11 @@ import {
 
 function lateText(late) {
   return `measured ${seconds(Math.abs(late))} ${late < 0 ? "before" : "after"} its time`;
+}
+
+function boundText(node) {
+  const latest = timetable.bound && timetable.bound[nodes[node].rate_class];
+  return latest ? `at most ${seconds(latest)} after its time, by the image's bound` : null;
 }
 
 function hoverTimetable(event) {
@@ -39,9 +44,15 @@ function hoverTimetable(event) {
       lateText(stamps.late[n - stamps.first]) :
       null;
   showTip(event, [
-    `${nodes[node].name}, tick ${n}`, `at ${seconds(n * period)}, ${row + 1}. in the order`, late,
+    `${nodes[node].name}, tick ${n}`, `at ${seconds(n * period)}, ${row + 1}. in the order`, boundText(node), late,
     ...(data.schedule.asynchronous ? [] : reads)
   ]);
+}
+
+function latestOf(channel) {
+  const known = data.channels.find((other) => other.name === channel.name);
+  const latest = known && timetable.bound[nodes[known.node].rate_class];
+  return latest ? seconds(latest) : "–";
 }
 
 /** Times of a paced trace: of each node those of its first channel. */
@@ -58,6 +69,36 @@ function measure(log) {
   timetable.draw();
 }
 
+/** The image whose bounds are shown: the first one with times of all slots. */
+function boundImage() {
+  return data.images.find((image) => image.time && image.time.fit);
+}
+
+/** "the slot of 30 Hz takes up to 6.8 % of its time" */
+function loadText({name, time}) {
+  const {busiest} = time.fit;
+  const percent = (100 * busiest.load).toFixed(1);
+  return `Bound of ${name}: the slot of ${busiest.name} takes up to ${seconds(busiest.us * 1e-6)} of ` +
+      `${seconds(busiest.until_next_us * 1e-6)}, ${percent} %.`;
+}
+
+function boundTable({name, time}) {
+  const number = (key, text) =>
+      ({name: text, number: true, cell: (row) => row[key] === undefined ? "–" : count(Math.round(row[key]))});
+  const rows = [...time.slots, ...time.parts, ...time.nodes].filter((row) => row.bound);
+  const missing =
+      time.missing.map(({what, place, of}) => el("li", {}, `${what} at ${place}: none for ${of.join(", ")}`));
+  return el(
+      "details", {}, el("summary", {}, `Bounds from ${name}: the most of each slot, part of a step, and node`),
+      table(
+          [
+            {name: "what", cell: (row) => row.name}, number("most", "instructions"), number("cycles", "cycles"),
+            {name: "time", number: true, cell: (row) => row.us === undefined ? "–" : seconds(row.us * 1e-6)}
+          ],
+          rows),
+      missing.length ? el("p.note", {}, "Without a bound:") : null, missing.length ? el("ul", {}, missing) : null);
+}
+
 function latenessTable(log) {
   const rows = log.episodes[0].channels.filter((channel) => channel.late);
   return el(
@@ -69,6 +110,8 @@ function latenessTable(log) {
             {name: "channel", cell: (row) => log.channels[row.channel].name},
             ...[["least", "least"], ["mean", "mean"], ["p99", "99 %"], ["most", "most"]].map(
                 ([key, name]) => ({name, number: true, cell: (row) => seconds(row.late[key])})),
+            ...(timetable.bound ? [{name: "bound", number: true, cell: (row) => latestOf(log.channels[row.channel])}] :
+                                  []),
           ],
           rows));
 }
@@ -94,6 +137,8 @@ function timetableKey(event) {
 
 export function makeTimetableView(panel) {
   const {slots, form, asynchronous} = data.schedule;
+  const bound = boundImage();
+  timetable.bound = bound ? bound.time.fit.outputs.map(({latest_us}) => latest_us * 1e-6) : null;
   const facts = [
     slots ? `${counted(slots, "slot")} in a hyperperiod` + (wholePeriod ? ` of ${seconds(wholePeriod)}` : "") :
                                                                           "too many slots in a hyperperiod to count",
@@ -117,7 +162,8 @@ export function makeTimetableView(panel) {
           data.schedule.rates.slice(0, 8).map((rate, i) => el("span", {}, el(`i.shade${i % 8}`), `${rate.rate} Hz`)))),
     el("p.note", {}, facts.join(" · "),
        ". Rows are in the order in which nodes run within a slot. Select a node to see what it reads at each tick."),
-    stage, ...paced.map(latenessTable)
+    bound ? el("p.note", {}, loadText(bound)) : null, stage, ...paced.map(latenessTable),
+    ...data.images.filter((image) => image.time).map(boundTable)
   ]);
   draggable(
       stage,

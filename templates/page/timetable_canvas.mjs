@@ -1,5 +1,5 @@
-// The timetable as it is painted: the ticks of the schedule, what the selected node reads at each, and measured times
-// of a paced trace. Times are in seconds since the beginning of an episode.
+// The timetable as it is painted: the ticks of the schedule, what the selected node reads at each, measured times of a
+// paced trace, and the latest times by the bound of an image. Times are in seconds since the beginning of an episode.
 import {colour, onFrame, prepare, shade} from "./canvas.mjs";
 import {data, nodes} from "./data.mjs";
 import {el} from "./elements.mjs";
@@ -13,6 +13,7 @@ export const timetable = {
   span: 1,
   scroll: 0,
   measured: null,
+  bound: null,   // [rate classes] the latest time of outputs in their slots
   stream: null,  // of pages that receive the messages of a run: {choose(whether its times are shown)}
   canvas: el("canvas"),
   draw: null
@@ -141,7 +142,18 @@ function drawTicks({context, width, left, x}, node, y) {
       for (let n = from; n <= to; ++n) context.fillText(String(n), x(n * period) + thick / 2 + 4, y);
     }
   }
+  drawBound(context, node, y, x, step, from, to);
   drawMeasured(context, node, y, x, step, from, to);
+}
+
+function drawBound(context, node, y, x, step, from, to) {
+  const latest = timetable.bound && timetable.bound[nodes[node].rate_class];
+  if (!latest || step < 3) return;
+  const period = periodOf(node);
+  context.fillStyle = colour("measured");
+  context.globalAlpha = 0.25;
+  for (let n = from; n <= to; ++n) context.fillRect(x(n * period), y + 5, x(n * period + latest) - x(n * period), 5);
+  context.globalAlpha = 1;
 }
 
 function drawMeasured(context, node, y, x, step, from, to) {

@@ -1,9 +1,10 @@
-// A plugin of QEMU that counts the instructions of functions from their first one to their return, those of callees
-// included, without exception handlers.
+// A plugin of QEMU that counts the instructions of functions from their first one to their return,
+// those of callees included, without exception handlers.
 //   qemu-system-arm … -plugin counter.so,plan=FILE,counts=FILE
-// Lines of the plan, in hexadecimal: `e ADDRESS 0`, the entry of a function to count; `c ADDRESS NEXT`, a call and the
-// instruction behind it; `h FIRST END`, a handler. Lines of the counts: address, the most of a call, the number of calls.
-// Debian has no header of the interface: https://www.qemu.org/docs/master/devel/tcg-plugins.html
+// Lines of the plan, in hexadecimal: `e ADDRESS 0`, the entry of a function to count; `c ADDRESS
+// NEXT`, a call and the instruction behind it; `h FIRST END`, a handler. Lines of the counts:
+// address, the most of a call, the number of calls. Debian has no header of the interface:
+// https://www.qemu.org/docs/master/devel/tcg-plugins.html
 #include <inttypes.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -14,12 +15,14 @@
 
 struct qemu_plugin_tb;
 struct qemu_plugin_insn;
-void qemu_plugin_register_vcpu_tb_trans_cb(uint64_t id, void (*call)(uint64_t id, struct qemu_plugin_tb* block));
+void qemu_plugin_register_vcpu_tb_trans_cb(uint64_t id,
+                                           void (*call)(uint64_t id, struct qemu_plugin_tb* block));
 size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb* block);
 struct qemu_plugin_insn* qemu_plugin_tb_get_insn(const struct qemu_plugin_tb* block, size_t i);
 uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn* instruction);
 void qemu_plugin_register_vcpu_insn_exec_cb(struct qemu_plugin_insn* instruction,
-                                            void (*call)(unsigned cpu, void* data), int flags, void* data);
+                                            void (*call)(unsigned cpu, void* data), int flags,
+                                            void* data);
 void qemu_plugin_register_atexit_cb(uint64_t id, void (*call)(uint64_t id, void* data), void* data);
 
 EXPORT int qemu_plugin_version = PLUGIN_VERSION;
@@ -33,9 +36,7 @@ struct place {
   bool is_entry;
 };
 static struct place* places[kMostEntries];
-static struct {
-  uint32_t first, end;
-} handlers[kMostHandlers];
+static struct { uint32_t first, end; } handlers[kMostHandlers];
 static unsigned handler_count, frame_count;
 static struct {
   struct place* function;
@@ -88,13 +89,14 @@ static void on_block(uint64_t id, struct qemu_plugin_tb* block) {
   }
 }
 
-static void on_exit(uint64_t id, void* data) {
+static void write_counts(uint64_t id, void* data) {
   (void)id, (void)data;
   FILE* file = fopen(counts_file, "w");
   if (file == NULL) return;
   for (unsigned i = 0; i < kMostEntries; ++i)
     if (places[i] != NULL && places[i]->calls > 0)
-      fprintf(file, "%" PRIx32 " %" PRIu64 " %" PRIu64 "\n", places[i]->at, places[i]->most, places[i]->calls);
+      fprintf(file, "%" PRIx32 " %" PRIu64 " %" PRIu64 "\n", places[i]->at, places[i]->most,
+              places[i]->calls);
   fclose(file);
 }
 
@@ -124,6 +126,6 @@ EXPORT int qemu_plugin_install(uint64_t id, const void* info, int argc, char** a
   }
   if (plan == NULL || counts_file == NULL || !read_plan(plan)) return 1;
   qemu_plugin_register_vcpu_tb_trans_cb(id, on_block);
-  qemu_plugin_register_atexit_cb(id, on_exit, NULL);
+  qemu_plugin_register_atexit_cb(id, write_counts, NULL);
   return 0;
 }

@@ -2,8 +2,9 @@
 """Compares the bounds of `eagerx-gen size IMAGE --worst --json` with what QEMU executes.
 
 most_executed.py BOUNDS.json MACHINE IMAGE OPTION...: runs the image with counter.c and counts, for each function that
-has a bound, the instructions from its first one to its return, those of its callees included. Prints a line for each function that ran: its name, the bound, the most executed. Exits with 1 if more were executed than a
-bound allows, or if no function with a bound ran.
+has a bound, the instructions from its first one to its return, those of its callees included. Prints a line for each
+function that ran: its name, the bound, the most executed. Exits with 1 if more were executed than a bound allows, or if no
+function with a bound ran.
 """
 import json
 import pathlib
@@ -11,7 +12,6 @@ import re
 import subprocess
 import sys
 import tempfile
-
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -60,7 +60,8 @@ def most_of_each(machine, image, options, entries):
                         "-semihosting-config", "enable=on,target=native", "-icount", "shift=5", "-plugin",
                         f"{built_counter(folder)},plan={folder}/plan,counts={folder}/counts",
                         "-kernel", image, "-append", " ".join(options)],
-                       check=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+                       check=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
         lines = (folder / "counts").read_text().splitlines()
     return {int(at, 16): int(most) for at, most, _ in (line.split() for line in lines)}
 

@@ -9,7 +9,11 @@ import {pageOf} from "./generator.mjs";
 
 /** A page that has been opened; `run` evaluates text within it. */
 function open(graph, ...options) {
-  const {data, script} = pageOf(graph, ...options), browser = browserWith(data);
+  return opened(graph, pageOf(graph, ...options));
+}
+
+function opened(graph, {data, script}) {
+  const browser = browserWith(data);
   const context = vm.createContext(
       {...browser.globals, atob, performance, TextDecoder, setTimeout: (call) => browser.timers.push(call)});
   context.window = context;
@@ -132,6 +136,32 @@ test("the timetable says what a tick reads, and what is not known", () => {
   };
   assert.match(tip("a"), /^a, tick \d+.*actions\.u: message \d+, /);
   assert.match(tip("d"), /c\.y: not known/);
+});
+
+test("the timetable shows the bound of an image", () => {
+  const page = pageOf("examples/pendulum_swing_up/graph.yaml");
+  const row = (name, most, bound) => ({name, most, bound, cycles: 2 * most, us: 0.08 * most});
+  const slot = {name: "30 Hz", us: 2275.6, until_next_us: 33333.3, load: 0.068};
+  const time = {
+    parts: [row("step", 26026, true), row("policy", 10401, false)],
+    slots: [row("30 Hz", 25969, true)],
+    nodes: [row("smooth", 77, true)],
+    missing: [{what: "the loop", place: "x.hpp:3", function: "f", of: ["policy"]}],
+    fit: {busiest: slot, longest: slot, outputs: [{rate: "30 Hz", latest_us: 1588.9}]}
+  };
+  page.data.images =
+      [{name: "swing.elf", size: {nodes: {}, others: {}, flash: 1, ram: 1, stack: {bytes: 1, calls: []}}, time}];
+  const {run, document, frames} = opened("swing_up", page);
+  run("showView('timetable')");
+  passFrames(frames);
+  const text = document.getElementById("view-timetable").textContent;
+  assert.match(text, /Bound of swing\.elf: the slot of 30 Hz takes up to .* of .*, 6\.8 %\./);
+  assert.match(text, /step26.026/);
+  assert.match(text, /the loop at x\.hpp:3: none for policy/);
+  assert.ok(!/policy10.401/.test(text), "a row without a bound");
+  readable(document.getElementById("view-timetable"), "timetable");
+  run("timetable.canvas").parentElement.send("pointermove", {clientX: 300, clientY: run("kHead + kRow / 2")});
+  assert.match(document.getElementById("tip").textContent, /at most 1\.589 ms after its time, by the image's bound/);
 });
 
 test("search finds what has a name, the nearest first", () => {

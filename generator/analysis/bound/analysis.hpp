@@ -60,6 +60,7 @@ class Analysis {
   const Analysed* analyse(Address entry, const State& state);
 
   const Image& image_;
+  Sums sums_;
   std::map<Address, LibraryLoop> library_;
   std::set<Address> never_returns_;
   std::map<Address, Flow> flows_;

@@ -121,8 +121,7 @@ class Report {
  private:
   /// Once: there are many more instructions than functions.
   void name_functions() {
-    for (const std::string& mangled : places_.functions())
-      names_.push_back(function_name(mangled));
+    for (const std::string& mangled : places_.functions()) names_.push_back(function_name(mangled));
   }
 
   void take_model(const Machine* machine) {
@@ -312,13 +311,17 @@ class Report {
   bound::Regions regions_;
   std::optional<bound::Cycles> cycles_;
   std::optional<bound::Regions> timed_;  // by cycles
-  std::vector<std::string> names_;  // of places_.functions(), as users write them
+  std::vector<std::string> names_;       // of places_.functions(), as users write them
   std::vector<Region> step_;
   std::map<Obstacle, std::set<std::string>> obstacles_;
   BoundReport report_;
 };
 
 }  // namespace
+
+bool has_cycles(const Machine& machine) {
+  return bound::core_of(machine.cpu) && machine.clock_hz > 0;
+}
 
 std::optional<BoundReport> bound_instructions(const std::string& image,
                                               const std::vector<std::string>& rates,

@@ -81,6 +81,9 @@ std::optional<BoundReport> bound_instructions(const std::string& image,
                                               const Machine* machine, Diagnostics& diagnostics);
 
 std::string bound_text(const BoundReport& report);
-Json bound_json(const BoundReport& report);
+/// `with_functions`: with the bound of each function of the image, for comparisons.
+Json bound_json(const BoundReport& report, bool with_functions = true);
+/// Whether cycles of this board are known.
+bool has_cycles(const Machine& machine);
 
 }  // namespace eagerx::gen

@@ -109,7 +109,7 @@ std::string bound_text(const BoundReport& report) {
   return text;
 }
 
-Json bound_json(const BoundReport& report) {
+Json bound_json(const BoundReport& report, bool with_functions) {
   Json json;
   json["parts"] = rows_json(report.parts, report.time);
   json["slots"] = rows_json(report.slots, report.time);
@@ -118,7 +118,7 @@ Json bound_json(const BoundReport& report) {
   Json functions = Json::list();
   for (const FunctionBound& one : report.functions)
     functions.push_back(Json{{"name", one.name}, {"address", one.address}, {"most", one.most}});
-  json["functions"] = std::move(functions);
+  if (with_functions) json["functions"] = std::move(functions);
   Json missing = Json::list();
   for (const NoBound& one : report.missing)
     missing.push_back(

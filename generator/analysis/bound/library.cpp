@@ -21,11 +21,11 @@ struct LibraryFunction {
   std::vector<Row> loops;
 };
 
-/// libgcc's ieee754-df.S and ieee754-sf.S, newlib's memset.c, memcpy-armv7m.S and memmove.c (nano),
-/// as Debian 12 compiles them for v7-m (soft) and v7e-m+fp (hard). A number that is denormal is
-/// shifted until its highest bit is in place: 52 or 23 times at most, for it is not 0. A division
-/// makes four bits a turn: 5 turns for the high word of the quotient, 8 for the low one; 6 of a
-/// float.
+/// libgcc's ieee754-df.S and ieee754-sf.S, newlib's e_sqrt.c, memset.c, memcpy-armv7m.S and
+/// memmove.c (nano), as Debian 12 compiles them for v7-m (soft) and v7e-m+fp (hard). A number that
+/// is denormal is shifted until its highest bit is in place: 52 or 23 times at most, for it is not
+/// 0. A division makes four bits a turn: 5 turns for the high word of the quotient, 8 for the low
+/// one; 6 of a float.
 const std::vector<LibraryFunction>& library_functions() {
   static const std::vector<Row> kMemset = {{0x16, 3, 0}, {0x44, 0, 16}, {0x70, 3, 0}, {0x82, 3, 0}};
   static const std::vector<LibraryFunction> kAll = {
@@ -33,6 +33,7 @@ const std::vector<LibraryFunction>& library_functions() {
       {"__aeabi_ddiv", 464, 0x711fdbf38e1692f9U, {{0x82, 13, 0}}},
       {"__aeabi_fmul", 360, 0xe01f8b84c35552d3U, {{0xce, 23, 0}, {0xe6, 23, 0}}},
       {"__aeabi_fdiv", 310, 0xdf182ce31006f658U, {{0x46, 6, 0}, {0xc2, 23, 0}, {0xda, 23, 0}}},
+      {"__ieee754_sqrt", 408, 0x83e9443617d93451U, {{0xd4, 2, 0}, {0x17e, 20, 0}}},
       {"memset", 162, 0x8caab2a8f0554b75U, kMemset},
       {"memset", 160, 0xde06bc811463fab4U, kMemset},
       {"memcpy",

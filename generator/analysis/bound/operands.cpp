@@ -94,10 +94,10 @@ Kind kind_of(std::string_view name) {
 Operation operation_of(std::string_view name) {
   using enum Operation;
   static constexpr std::array<std::pair<std::string_view, Operation>, 20> kOperations = {
-      {{"mov", mov},   {"movw", mov}, {"vmov", vmov}, {"movt", movt}, {"mvn", mvn},
-       {"add", add},   {"addw", add}, {"sub", sub},   {"subw", sub},  {"rsb", rsb},
-       {"neg", neg},   {"lsl", lsl},  {"lsr", lsr},   {"and", bit_and}, {"bic", bic},
-       {"orr", orr},   {"mul", mul},  {"ubfx", ubfx}, {"uxtb", uxtb}, {"uxth", uxth}}};
+      {{"mov", mov}, {"movw", mov}, {"vmov", vmov}, {"movt", movt},   {"mvn", mvn},
+       {"add", add}, {"addw", add}, {"sub", sub},   {"subw", sub},    {"rsb", rsb},
+       {"neg", neg}, {"lsl", lsl},  {"lsr", lsr},   {"and", bit_and}, {"bic", bic},
+       {"orr", orr}, {"mul", mul},  {"ubfx", ubfx}, {"uxtb", uxtb},   {"uxth", uxth}}};
   const auto* found =
       std::ranges::find(kOperations, name, &std::pair<std::string_view, Operation>::first);
   return found == kOperations.end() ? unknown : found->second;

@@ -12,18 +12,25 @@ Address function_at(const Image& image, Address at) {
   return after == image.functions().begin() ? at : std::prev(after)->first;
 }
 
-/// Loops that have all of a region: it is within one of their turns.
+/// Loops that a region is within one turn of: they have all of it, or are mostly other code (some
+/// of the region's was moved out of them).
 std::set<LoopIndex> loops_around(const Flow& flow, const std::set<Address>& code) {
   std::set<LoopIndex> around;
   for (LoopIndex l = 0; l < flow.loops.size(); ++l) {
     bool has_all = true;
-    for (BlockIndex b = 0; has_all && b < flow.blocks.size(); ++b) {
-      if (flow.loops[l].has[b]) continue;
-      has_all = std::ranges::none_of(flow.blocks[b].code, [&](const Instruction* instruction) {
-        return code.contains(instruction->at);
-      });
+    std::size_t own = 0, all = 0;
+    for (BlockIndex b = 0; b < flow.blocks.size(); ++b) {
+      const auto here = static_cast<std::size_t>(std::ranges::count_if(
+          flow.blocks[b].code,
+          [&](const Instruction* instruction) { return code.contains(instruction->at); }));
+      if (!flow.loops[l].has[b]) {
+        has_all &= here == 0;
+        continue;
+      }
+      own += here;
+      all += flow.blocks[b].code.size();
     }
-    if (has_all) around.insert(l);
+    if (has_all || 2 * own < all) around.insert(l);
   }
   return around;
 }

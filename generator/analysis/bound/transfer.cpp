@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <vector>
 
-#include "generator/analysis/bound/flow.hpp"
+#include "generator/analysis/bound/calculation.hpp"
 #include "generator/analysis/bound/operands.hpp"
 #include "generator/analysis/bound/trips.hpp"
 #include "generator/analysis/bound/value.hpp"
@@ -13,10 +12,15 @@ namespace eagerx::gen::bound {
 namespace {
 
 /// The effect of an instruction on the values; one object for each.
-class Step {
+class Step : Calculation {
  public:
-  Step(const Image& image, const Instruction& instruction, State& state)
-      : image_(image), instruction_(instruction), name_(instruction.name), state_(state) {}
+  Step(const Image& image, const Instruction& instruction, State& state, Sums& sums)
+      : Calculation(instruction, state, sums),
+        image_(image),
+        instruction_(instruction),
+        name_(instruction.name),
+        state_(state),
+        sums_(sums) {}
 
   void apply() {
     const Turn turn = instruction_.turn;
@@ -41,22 +45,6 @@ class Step {
   }
 
  private:
-  [[nodiscard]] std::string_view operand(std::size_t i) const {
-    return i < instruction_.operands.size() ? std::string_view(instruction_.operands[i])
-                                            : std::string_view();
-  }
-
-  /// As State::registers has it; nullopt: the operand is no register.
-  [[nodiscard]] std::optional<std::size_t> register_at(std::size_t i) const {
-    if (i >= instruction_.values.size()) return std::nullopt;
-    const std::uint8_t found = instruction_.values[i].reg;
-    return found == Operand::kNoRegister ? std::nullopt : std::optional<std::size_t>(found);
-  }
-
-  [[nodiscard]] std::optional<std::int64_t> number_at(std::size_t i) const {
-    return i < instruction_.values.size() ? instruction_.values[i].number : std::nullopt;
-  }
-
   Value made(std::size_t r) const {
     return {base_of(Origin::made, instruction_.at, {false, static_cast<std::int64_t>(r)}), 0, 0};
   }
@@ -65,8 +53,15 @@ class Step {
     const Value old = state_.registers[r];
     state_.registers[r] = value && instruction_.condition.empty() ? *value : made(r);
     if (!instruction_.condition.empty() && value) limit_either(r, *value, old);
-    if (r < kCore && state_.registers[r].base == kStack && r != kSp)
-      state_.escaped = std::min(state_.escaped, state_.registers[r].low);
+    if (r < kCore && r != kSp) escape(state_.registers[r]);
+  }
+
+  /// The address of a word of the stack is where others may find it. Objects of this function lie
+  /// below what its caller has put there.
+  void escape(const Value& value) {
+    if (value.base != kStack) return;
+    if (value.high >= 0) state_.arguments_escaped = true;
+    if (value.low < 0) state_.escaped = std::min(state_.escaped, value.low);
   }
 
   /// A register that an instruction writes only under its condition: what it is between. So
@@ -85,8 +80,7 @@ class Step {
         state_.comparison ? state_.learned(condition, *state_.comparison) : std::nullopt;
     if (!fact) return state_.resolve(value);
     const auto known = state_.limits.find(fact->first);
-    const auto before =
-        known == state_.limits.end() ? std::nullopt : std::optional(known->second);
+    const auto before = known == state_.limits.end() ? std::nullopt : std::optional(known->second);
     state_.limits[fact->first] = fact->second;
     const Value result = state_.resolve(value);
     if (before)
@@ -106,8 +100,7 @@ class Step {
       const auto r = register_at(i);
       if (is_vector && operand(i).starts_with("d")) forget_double(operand(i));
       if (!r) continue;
-      if (is_vector && i > 0 && (*r < kCore) != (register_at(0).value_or(kCore) < kCore))
-        break;
+      if (is_vector && i > 0 && (*r < kCore) != (register_at(0).value_or(kCore) < kCore)) break;
       write(*r, std::nullopt);
     }
     if (operand(0) == "APSR_nzcv") state_.comparison.reset();
@@ -121,12 +114,6 @@ class Step {
     }
   }
 
-  [[nodiscard]] std::optional<Value> read(std::size_t i) const {
-    if (const auto number = number_at(i)) return Value::of(as_signed(*number));
-    const auto r = register_at(i);
-    return r && *r != kCore - 1 ? std::optional(state_.registers[*r]) : std::nullopt;
-  }
-
   void compare() {
     if (name_.starts_with("v")) return;
     const auto left = read(0), right = read(1);
@@ -138,8 +125,8 @@ class Step {
 
   void call() {
     // A part of a function, which assembly calls, preserves nothing.
-    const bool is_function = image_.functions().contains(instruction_.target) ||
-                             instruction_.turn == Turn::call_pointer;
+    const bool is_function =
+        image_.functions().contains(instruction_.target) || instruction_.turn == Turn::call_pointer;
     for (std::size_t r = 0; r < kCore; ++r) {
       if (r != kSp && (!is_function || r < 4 || r == 12 || r == 14)) write(r, std::nullopt);
     }
@@ -161,7 +148,7 @@ class Step {
   /// A write through a pointer that is not known: it may lead to what has its address taken.
   void forget_stack() {
     for (auto& [offset, value] : state_.stack) {
-      if (offset >= state_.escaped)
+      if (offset >= 0 ? state_.arguments_escaped : offset >= state_.escaped)
         value = {base_of(Origin::made, instruction_.at, {true, offset}), 0, 0};
     }
   }
@@ -313,7 +300,7 @@ class Step {
     slot = instruction_.condition.empty()
                ? value
                : Value{base_of(Origin::made, instruction_.at, {true, at.low}), 0, 0};
-    if (value.base == kStack) state_.escaped = std::min(state_.escaped, value.low);
+    escape(value);
   }
 
   /// bytes 0: not known how far.
@@ -327,9 +314,8 @@ class Step {
   }
 
   void forget_around(std::int64_t at, std::int64_t bytes) {
-    state_.stack.erase_if([&](const auto& slot) {
-      return slot.first + kWordBytes > at && slot.first < at + bytes;
-    });
+    state_.stack.erase_if(
+        [&](const auto& slot) { return slot.first + kWordBytes > at && slot.first < at + bytes; });
   }
 
   bool calculate() {
@@ -350,9 +336,22 @@ class Step {
   /// A pointer that is somewhere in an array is a number of its own, so that its difference to
   /// what is made of it stays known.
   void keep_apart(std::size_t r, const Value& value) {
-    if (!is_wide(value)) return;
+    if (const auto limit = limit_of_sum(value.base)) state_.limits[value.base] = *limit;
+    if (!is_wide(value) && (value.base != 0 || value.is_exact())) return;
     state_.limits[made(r).base] = value;
     state_.registers[r] = made(r);
+  }
+
+  /// What a sum of several numbers is between, if all but one are between numbers.
+  [[nodiscard]] std::optional<Value> limit_of_sum(Base base) const {
+    const std::vector<Base> parts = sums_.parts(base);
+    if (parts.size() < 2) return std::nullopt;
+    std::optional<Value> total = Value{};
+    for (const Base part : parts) {
+      total = sum(*total, state_.resolve({part, 0, 0}), 1);
+      if (!total) return std::nullopt;
+    }
+    return total;
   }
 
   /// The operands that the flags compare: subs its two operands, others the result with 0.
@@ -365,161 +364,17 @@ class Step {
     return Comparison{*value, Value::of(0), true};
   }
 
-  [[nodiscard]] std::pair<std::optional<Value>, std::optional<Value>> two_operands() const {
-    const bool three = instruction_.operands.size() >= 3;
-    return {read(three ? 1 : 0), shifted(three ? 2 : 1)};
-  }
-
-  /// "r3" or "r3, lsl #2".
-  [[nodiscard]] std::optional<Value> shifted(std::size_t i) const {
-    auto value = read(i);
-    if (instruction_.operands.size() <= i + 1 || !value) return value;
-    if (!operand(i + 1).starts_with("lsl ")) return std::nullopt;
-    return scaled(*value, number_of(operand(i + 1).substr(4)));
-  }
-
-  /// A number of its own with these bits.
-  [[nodiscard]] std::optional<Value> of_bits(unsigned bits) const {
-    const auto r = register_at(0);
-    if (!r || bits > 31) return std::nullopt;
-    const Location where{false, static_cast<std::int64_t>(*r)};
-    return Value{base_of_bits(instruction_.at, where, bits), 0, 0};
-  }
-
-  [[nodiscard]] std::optional<Value> scaled(const Value& unscaled,
-                                            std::optional<std::int64_t> shift) const {
-    const Value value = state_.resolve(unscaled);
-    if (!shift || *shift < 0 || *shift > 31 || value.base != 0 || value.low < 0)
-      return std::nullopt;
-    const Value result{0, value.low << *shift, value.high << *shift};
-    return result.high <= INT32_MAX ? std::optional(result) : std::nullopt;
-  }
-
-  /// A sum, or a difference with `sign` -1. Numbers wrap as those of the machine do.
-  static std::optional<Value> total(const std::optional<Value>& a, const std::optional<Value>& b,
-                                    int sign) {
-    if (!a || !b) return std::nullopt;
-    if (a->is_number() && b->is_number()) return Value::of(as_signed(a->low + sign * b->low));
-    return sum(*a, *b, sign);
-  }
-
-  /// False: not an operation that is known. An empty value: its result is not known.
-  bool result(std::optional<Value>& value) const {
-    const auto [left, right] = two_operands();
-    const std::size_t count = instruction_.operands.size();
-    switch (instruction_.operation) {
-      case Operation::mov:
-        if (count == 3) return shift(value);
-        if (count != 2) return false;
-        value = read(1);
-        return true;
-      case Operation::vmov:
-        if (count != 2 || !register_at(1)) return false;  // a float's bits
-        value = read(1);
-        return true;
-      case Operation::movt: {
-        const auto low = read(0), high = read(1);
-        if (low && high && low->is_number())
-          value = Value::of(as_signed((low->low & 0xffff) | (high->low << 16)));
-        return true;
-      }
-      case Operation::mvn:
-        if (right && right->is_number() && count == 2) value = Value::of(as_signed(~right->low));
-        return true;
-      case Operation::add:
-        value = total(left, right, 1);
-        return true;
-      case Operation::sub:
-        value = total(left, right, -1);
-        return true;
-      case Operation::rsb:
-        value = total(right, left, -1);
-        return true;
-      case Operation::neg:
-        value = left && right ? total(Value::of(0), right, -1) : std::nullopt;
-        return true;
-      default:
-        return bits(instruction_.operation, left, right, value);
-    }
-  }
-
-  /// mov r0, r1, lsl #2
-  bool shift(std::optional<Value>& value) const {
-    const std::string_view text = operand(2);
-    const auto by = text.size() > 4 ? number_of(text.substr(4)) : std::nullopt;
-    if (!by) return false;
-    const Operation operation = text.starts_with("lsl")   ? Operation::lsl
-                                : text.starts_with("lsr") ? Operation::lsr
-                                                          : Operation::unknown;
-    return bits(operation, read(1), Value::of(*by), value);
-  }
-
-  bool bits(Operation operation, const std::optional<Value>& left,
-            const std::optional<Value>& right, std::optional<Value>& value) const {
-    const bool numbers = left && right && left->is_number() && right->is_number();
-    switch (operation) {
-      case Operation::lsl:
-        if (left && right && right->is_number()) value = scaled(*left, right->low);
-        return true;
-      case Operation::lsr:
-        shift_right(left, right, value);
-        return true;
-      case Operation::bit_and:
-        if (numbers)
-          value = Value::of(left->low & right->low);
-        else if (right && right->is_number() && right->low >= 0)
-          value = of_bits(
-              static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(right->low))));
-        return true;
-      case Operation::bic:
-        if (numbers) value = Value::of(left->low & ~right->low);
-        return true;
-      case Operation::orr:
-        if (numbers) value = Value::of(left->low | right->low);
-        return true;
-      case Operation::mul:
-        if (numbers) value = Value::of(as_signed(left->low * right->low));
-        return true;
-      case Operation::ubfx:
-        if (const auto width = number_at(3); width && *width < 31)
-          value = of_bits(static_cast<unsigned>(*width));
-        return true;
-      case Operation::uxtb:
-      case Operation::uxth:
-        extend(right, operation == Operation::uxtb ? 8 : 16, value);
-        return true;
-      default:
-        return false;
-    }
-  }
-
-  void shift_right(const std::optional<Value>& left, const std::optional<Value>& right,
-                   std::optional<Value>& value) const {
-    if (!right || !right->is_number() || right->low <= 0 || right->low >= 32) return;
-    const auto from = left ? state_.resolve(*left) : Value{~Base{0}, 0, 0};
-    if (from.base == 0 && from.low >= 0)
-      value = Value{0, from.low >> right->low, from.high >> right->low};
-    else
-      value = of_bits(static_cast<unsigned>(32 - right->low));
-  }
-
-  void extend(const std::optional<Value>& right, unsigned width,
-              std::optional<Value>& value) const {
-    value = of_bits(width);
-    const auto from = right ? state_.resolve(*right) : Value{~Base{0}, 0, 0};
-    if (from.base == 0 && from.low >= 0 && from.high < (std::int64_t{1} << width)) value = right;
-  }
-
   const Image& image_;
   const Instruction& instruction_;
   std::string_view name_;
   State& state_;
+  const Sums& sums_;
 };
 
 }  // namespace
 
-void apply(const Image& image, const Instruction& instruction, State& state) {
-  Step(image, instruction, state).apply();
+void apply(const Image& image, const Instruction& instruction, State& state, Sums& sums) {
+  Step(image, instruction, state, sums).apply();
 }
 
 }  // namespace eagerx::gen::bound

@@ -46,6 +46,13 @@ const Value* State::find(const Location& location) const {
   return found == stack.end() ? nullptr : &found->second;
 }
 
+std::vector<Location> State::locations() const {
+  std::vector<Location> all;
+  for (std::size_t r = 0; r < kRegisters; ++r) all.push_back({false, static_cast<std::int64_t>(r)});
+  for (const auto& [offset, value] : stack) all.push_back({true, offset});
+  return all;
+}
+
 void State::set(const Location& location, const Value& value) {
   if (location.on_stack)
     stack[location.at] = value;
@@ -75,20 +82,45 @@ Base base_of_bits(Address at, const Location& location, unsigned bits) {
   return base_of(Origin::made, at, location) | (std::uint64_t{bits & kMostBits} << kBits);
 }
 
+Origin origin_of(Base base) {
+  constexpr std::uint64_t kOrigins = 7;
+  return static_cast<Origin>(base >> kOrigin & kOrigins);
+}
+
 std::optional<Address> place_of(Base base) {
-  if (base >> kIsPlace == 0) return std::nullopt;
+  if (base >> kIsPlace == 0 || origin_of(base) == Origin::sum) return std::nullopt;
   return static_cast<Address>(base >> kAddress) << 1U;
 }
 
 bool is_wide(const Value& value) {
-  constexpr std::uint64_t kOrigins = 7;
   if (value.is_exact() || value.base >> kIsPlace == 0) return false;
-  return static_cast<Origin>(value.base >> kOrigin & kOrigins) != Origin::header;
+  return origin_of(value.base) != Origin::header;
+}
+
+std::optional<Base> Sums::of(Base a, Base b) {
+  constexpr std::size_t kMost = 4;
+  std::vector<Base> all = parts(a), others = parts(b);
+  all.insert(all.end(), others.begin(), others.end());
+  if (all.size() > kMost) return std::nullopt;
+  std::ranges::sort(all);
+  const Base next = (std::uint64_t{1} << kIsPlace) |
+                    (static_cast<std::uint64_t>(Origin::sum) << kOrigin) | sums_.size();
+  const auto [found, is_new] = known_.emplace(std::move(all), next);
+  if (is_new) sums_.push_back(found->first);
+  return found->second;
+}
+
+std::vector<Base> Sums::parts(Base base) const {
+  if (base >> kIsPlace == 0 || origin_of(base) != Origin::sum) return {base};
+  constexpr std::uint64_t kIndex = 0xffffffff;
+  const std::size_t index = base & kIndex;
+  return index < sums_.size() ? sums_[index] : std::vector{base};
 }
 
 Value resolved(const Value& value) {
   const auto bits = static_cast<unsigned>(value.base >> kBits) & kMostBits;
-  if (value.base >> kIsPlace == 0 || bits == 0) return value;
+  if (value.base >> kIsPlace == 0 || bits == 0 || origin_of(value.base) == Origin::sum)
+    return value;
   return {0, value.low, value.high + (std::int64_t{1} << bits) - 1};
 }
 
@@ -108,7 +140,8 @@ constexpr std::size_t kMostSteps = 8;
 
 Value State::resolve(const Value& value) const {
   Value result = value;
-  for (std::size_t i = 0; i < kMostSteps && result.base != 0; ++i) result = resolved_once(*this, result);
+  for (std::size_t i = 0; i < kMostSteps && result.base != 0; ++i)
+    result = resolved_once(*this, result);
   return result.base == 0 ? result : value;
 }
 
@@ -133,7 +166,30 @@ bool is_same(const State& a, const State& b) {
 }
 
 void State::learn(std::string_view condition, const Comparison& compared) {
-  if (const auto fact = learned(condition, compared)) limits[fact->first] = fact->second;
+  const auto fact = learned(condition, compared);
+  if (!fact) return;
+  limits[fact->first] = fact->second;
+  if (!fact->second.is_number()) return;
+  const auto replace = [&](Value& value) {
+    if (value.base == fact->first)
+      value = {0, value.low + fact->second.low, value.high + fact->second.low};
+  };
+  for (Value& value : registers) replace(value);
+  for (auto& [offset, value] : stack) replace(value);
+}
+
+/// A number that is not the least or the most that it could be.
+std::optional<std::pair<Base, Value>> State::not_at_end(const Value& left,
+                                                        const Value& right) const {
+  Value known = resolve({left.base, 0, 0});
+  if (known.base != 0 || !right.is_exact()) return std::nullopt;
+  const std::int64_t other = right.low - left.low;
+  if (other == known.high)
+    --known.high;
+  else if (other == known.low)
+    ++known.low;
+  if (known.low > known.high) return std::nullopt;
+  return std::pair(left.base, known);
 }
 
 std::optional<std::pair<Base, Value>> State::learned(std::string_view condition,
@@ -145,6 +201,8 @@ std::optional<std::pair<Base, Value>> State::learned(std::string_view condition,
   Value limit{0, INT32_MIN, INT32_MAX};
   if (condition == "eq") {
     limit = right;
+  } else if (condition == "ne") {
+    return not_at_end(left, right);
   } else if (compared.zero_only) {
     return std::nullopt;
   } else if (condition == "cc" || condition == "lo" || condition == "ls") {
@@ -227,6 +285,7 @@ State join(const State& a, const State& b, Address at) {
   }
   if (a.comparison == b.comparison) result.comparison = a.comparison;
   result.escaped = std::min(a.escaped, b.escaped);
+  result.arguments_escaped = a.arguments_escaped || b.arguments_escaped;
   return result;
 }
 

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "generator/analysis/bound/flat_map.hpp"
 #include "generator/analysis/bound/image.hpp"
@@ -53,9 +55,12 @@ struct State {
   FlatMap<std::int64_t, Value> stack;
   std::optional<Comparison> comparison;
   std::int64_t escaped = INT64_MAX;  // from here on other pointers may lead to the stack
+  bool arguments_escaped = false;    // and to the words that the caller has put there
   FlatMap<Base, Value> limits;       // what numbers that are not known are between
 
   [[nodiscard]] const Value* find(const Location& location) const;
+  /// Registers, and the words of the stack that are known.
+  [[nodiscard]] std::vector<Location> locations() const;
   void set(const Location& location, const Value& value);
   /// A number by what is known of its base, and of the base of that. Else the value itself.
   [[nodiscard]] Value resolve(const Value& value) const;
@@ -66,13 +71,17 @@ struct State {
                                                               const Comparison& compared) const;
   /// Adds the consequences of a condition that holds.
   void learn(std::string_view condition, const Comparison& compared);
+
+ private:
+  [[nodiscard]] std::optional<std::pair<Base, Value>> not_at_end(const Value& left,
+                                                                 const Value& right) const;
 };
 
 /// a + sign * b, if the sum has one base.
 std::optional<Value> sum(const Value& a, const Value& b, int sign);
 
-/// The number that is made at an address, or that two paths bring to it.
-enum class Origin : std::uint8_t { made, joined, header, entry };
+/// The number that is made at an address, or that two paths bring to it; a sum of several.
+enum class Origin : std::uint8_t { made, joined, header, entry, sum };
 Base base_of(Origin origin, Address at, const Location& location);
 /// The same of a number from 0 to 2^bits - 1; `bits` up to 31.
 Base base_of_bits(Address at, const Location& location, unsigned bits);
@@ -84,6 +93,20 @@ std::optional<Address> place_of(Base base);
 /// The same by its bits alone: from 0 to 255, say.
 Value resolved(const Value& value);
 
+/// Sums of numbers that are not known, each of which is a number of its own: those of a pointer
+/// and an index, say, so that two such sums differ by what is known.
+class Sums {
+ public:
+  /// The same for the same numbers in any order; nullopt: of too many.
+  std::optional<Base> of(Base a, Base b);
+  /// The numbers of a sum; of another number itself.
+  [[nodiscard]] std::vector<Base> parts(Base base) const;
+
+ private:
+  std::vector<std::vector<Base>> sums_;
+  std::map<std::vector<Base>, Base> known_;
+};
+
 /// Whether the numbers of two states are the same.
 bool is_same(const State& a, const State& b);
 
@@ -91,7 +114,7 @@ bool is_same(const State& a, const State& b);
 State join(const State& a, const State& b, Address at);
 
 /// Applies an instruction that is no jump. A call leaves what a callee must preserve (AAPCS 6.1).
-void apply(const Image& image, const Instruction& instruction, State& state);
+void apply(const Image& image, const Instruction& instruction, State& state, Sums& sums);
 
 /// The core register ("r0", "sp") or the word of the floating-point unit ("s1"); nullopt: neither.
 std::optional<std::size_t> register_of(std::string_view operand);

@@ -2,16 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace eagerx::gen::bound {
 namespace {
-
-std::vector<Location> locations_of(const State& state) {
-  std::vector<Location> all;
-  for (std::size_t r = 0; r < kRegisters; ++r) all.push_back({false, static_cast<std::int64_t>(r)});
-  for (const auto& [offset, value] : state.stack) all.push_back({true, offset});
-  return all;
-}
 
 bool is_on_every_turn(const Flow& flow, const Loop& loop, BlockIndex block) {
   return std::ranges::all_of(loop.latches,
@@ -82,13 +76,13 @@ void Walk::block(LoopIndex loop_index, BlockIndex b, State state, bool record, P
       else
         result_.calls[instruction->at] = analysis_.analyse(callee, entry_state(callee, &state));
     }
-    apply(image_, *instruction, state);
+    apply(image_, *instruction, state, analysis_.sums_);
   }
   const auto branch = branch_of(here, state);
   if (branch) to.tests[b] = branch->comparison;
   const auto is_taken = branch ? branch->is_taken : std::nullopt;
   for (std::size_t i = 0; i < here.next.size(); ++i) {
-    to.decides |= is_taken && !flow_.is_in(here.next[i], loop_index);
+    if (!flow_.is_in(here.next[i], loop_index)) (is_taken ? to.decides : to.hesitates) = true;
     if (is_taken && *is_taken != (i == 1)) continue;
     State after = i + 1 < here.next.size() ? state : std::move(state);
     if (branch)
@@ -122,70 +116,15 @@ void Walk::deliver(LoopIndex loop_index, Edge edge, State&& state, bool record, 
   if (record) result_.possible.insert(edge);
   const BlockIndex target = edge.second;
   if (loop_index != kNone && target == flow_.loops[loop_index].header) {
-    auto& escaped = escapes_.emplace(loop_index, state.escaped).first->second;
+    auto& [escaped, arguments] = escapes_.try_emplace(loop_index, INT64_MAX, false).first->second;
     escaped = std::min(escaped, state.escaped);
+    arguments |= state.arguments_escaped;
     to.latch = to.latch ? join(*to.latch, state, address(target)) : std::move(state);
   } else if (flow_.is_in(target, loop_index)) {
     add(open, target, std::move(state), address(target));
   } else {
     add(to.exits, edge, std::move(state), address(target));
   }
-}
-
-/// Forgets the limits of numbers that the loop makes anew, and by such.
-void Walk::forget_limits(LoopIndex l, State& state) {
-  state.limits.erase_if([&](const auto& limit) {
-    return is_made_in(l, limit.first) || is_made_in(l, limit.second.base);
-  });
-}
-
-/// The header's state where all that may change is a number of its own.
-State Walk::open_header(LoopIndex l, const State& in, const std::set<Location>& fixed) {
-  State header = in;
-  forget_limits(l, header);
-  const Address at = address(flow_.loops[l].header);
-  for (const Location& where : locations_of(in)) {
-    if (!fixed.contains(where)) header.set(where, {base_of(Origin::header, at, where), 0, 0});
-  }
-  header.comparison.reset();
-  if (const auto found = escapes_.find(l); found != escapes_.end())
-    header.escaped = std::min(header.escaped, found->second);
-  return header;
-}
-
-Walk::Changes Walk::changes(LoopIndex l, const State& in, const State& header, const State& latch,
-                            const std::set<Location>& fixed) const {
-  Changes result;
-  const Address at = address(flow_.loops[l].header);
-  for (const Location& where : locations_of(in)) {
-    const Value* after = latch.find(where);
-    if (after == nullptr) continue;
-    if (fixed.contains(where)) {
-      if (*after == *header.find(where)) result.fixed.insert(where);
-      continue;
-    }
-    if (after->base != base_of(Origin::header, at, where)) continue;
-    if (after->low == 0 && after->high == 0)
-      result.fixed.insert(where);
-    else
-      result.steps[where] = Value{0, after->low, after->high};
-  }
-  return result;
-}
-
-bool Walk::is_made_in(LoopIndex l, Base base) {
-  const auto place = place_of(base);
-  if (!place) return false;
-  std::vector<Address>& addresses = addresses_[l];
-  if (addresses.empty()) {
-    for (BlockIndex b = 0; b < flow_.blocks.size(); ++b) {
-      if (!flow_.loops[l].has[b]) continue;
-      for (const Instruction* instruction : flow_.blocks[b].code)
-        addresses.push_back(instruction->at);
-    }
-    std::ranges::sort(addresses);
-  }
-  return std::ranges::binary_search(addresses, *place);
 }
 
 std::optional<Progress> Walk::progress(LoopIndex l, const State& in, const Changes& changes,
@@ -283,62 +222,70 @@ std::optional<std::uint64_t> Walk::of_library(LoopIndex l) const {
   return loop.most + static_cast<std::uint64_t>(bytes.high) / loop.bytes_a_turn;
 }
 
-/// The header's state in all turns, or in the last one.
-State Walk::running_header(LoopIndex l, const State& in, const Changes& changes,
-                           const std::optional<Turns>& turns, bool last) {
-  State header = open_header(l, in, changes.fixed);
-  if (!turns) return header;
-  const auto count = static_cast<std::int64_t>(std::min<std::uint64_t>(turns->most - 1, INT32_MAX));
-  for (const auto& [where, step] : changes.steps) {
-    const std::int64_t down = step.low * count, up = step.high * count;
-    if (last) {
-      if (const auto value = sum(*in.find(where), {0, down, up}, 1)) header.set(where, *value);
-      continue;
-    }
-    const Value way{0, std::min<std::int64_t>(down, 0), std::max<std::int64_t>(up, 0)};
-    if (const auto value = sum(*in.find(where), way, 1))
-      header.limits[header.find(where)->base] = *value;
-  }
-  return header;
-}
-
 /// Turn by turn with what is known of each, while that is not the same again: flags, shifts. Given
-/// up where the first turns decide no test of the loop.
-std::optional<Turns> Walk::one_by_one(LoopIndex l, const State& in) {
+/// up where the first turns decide no test of the loop and their number is not known.
+Walk::Enumerated Walk::one_by_one(LoopIndex l, const State& in, std::optional<Turns> known) {
   constexpr std::uint64_t kMostTurns = 64, kUndecided = 2;
-  if (depth_ > 0) return std::nullopt;  // not in each turn of another one
+  if (depth_ > 0) return {known, {}};  // not in each turn of another one
+  if (known && known->most > kMostTurns) return {known, {}};
   ++depth_;
   std::optional<State> header = in;
+  std::map<Location, Value> ranges;
+  const std::uint64_t most = known ? known->most : kMostTurns;
   std::uint64_t turns = 0;
-  bool decides = false;
-  while (header && turns < kMostTurns) {
+  bool decides = false, hesitates = false;
+  Counts outside = std::exchange(inner_, {});
+  while (header && turns < most) {
+    widen(ranges, *header, turns == 0);
     // What a turn before made is another number than what this one makes.
     State open = open_header(l, *header, {});
-    for (const Location& where : locations_of(*header)) {
+    for (const Location& where : header->locations()) {
       if (!is_made_in(l, header->find(where)->base)) open.set(where, *header->find(where));
     }
     Pass turn = pass(l, open, false);
     decides |= turn.decides;
     ++turns;
-    if (turn.latch && (is_same(*turn.latch, *header) || (turns >= kUndecided && !decides))) break;
+    hesitates |= turn.hesitates;
+    const bool is_lost = turns >= kUndecided && hesitates && !decides;
+    if (!known && turn.latch && (is_same(*turn.latch, *header) || is_lost)) break;
     header = std::move(turn.latch);
   }
   --depth_;
-  return header ? std::nullopt : std::optional(Turns{turns, false});
+  if (known || !header) {
+    for (const auto& [loop, count] : inner_) outside[loop] = count;
+  }
+  inner_ = std::move(outside);
+  if (known) return {known, std::move(ranges)};
+  if (header) return {};
+  return {Turns{turns, false}, std::move(ranges)};
 }
 
 std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
-  // First with all values open, then with those that stay.
+  // First with all values open, then with those that stay and those that keep their distance.
   State header = open_header(l, in, {{false, kSp}});
   Pass first = pass(l, header, false);
   Changes found;
-  std::optional<Turns> count;
+  Ties ties;
+  Enumerated turned;
+  std::optional<Turns>& count = turned.count;
+  const unsigned unbounded = unbounded_;
   if (first.latch) {
     found = changes(l, in, header, *first.latch, {{false, kSp}});
+    ties = likely_ties(in, found.fixed);
     header = open_header(l, in, found.fixed);
+    tie(l, in, ties, header);
     Pass second = pass(l, header, false);
+    for (bool again = true; second.latch && !hold(ties, in, *second.latch); again = false) {
+      ties = again ? kept_ties(ties, in, *second.latch) : Ties();
+      header = open_header(l, in, found.fixed);
+      tie(l, in, ties, header);
+      second = pass(l, header, false);
+    }
     if (second.latch) {
       found = changes(l, in, header, *second.latch, found.fixed);
+      std::erase_if(ties, [&](const auto& tie) {
+        return found.fixed.contains(tie.first) || found.fixed.contains(tie.second);
+      });
       count = turns(l, in, second, found);
     } else {
       count = Turns{1, true};
@@ -346,20 +293,37 @@ std::map<Edge, State> Walk::loop(LoopIndex l, const State& in, bool record) {
   } else {
     count = Turns{1, true};  // it never goes back
     header = in;
-    for (const Location& where : locations_of(in)) found.fixed.insert(where);
+    for (const Location& where : in.locations()) found.fixed.insert(where);
   }
   if (const auto known = of_library(l); known && !count) count = Turns{*known, false};
-  if (!count && !noted(l)) count = one_by_one(l, in);
+  const bool inner_depends = record && count && unbounded_ > unbounded;
+  if ((!count && !noted(l)) || inner_depends) turned = one_by_one(l, in, count);
   if (const auto note = noted(l); note && (!count || *note < count->most))
-    count = Turns{*note, false};
+    turned = {Turns{*note, false}, {}};
+  count_inner(l, record, count);
   if (record) {
     result_.most_turns[l] = count ? std::optional(count->most) : std::nullopt;
     if (!count) result_.obstacles.push_back({Reason::loop, address(flow_.loops[l].header)});
   }
-  auto exits = pass(l, running_header(l, in, found, count, false), record).exits;
+  auto exits = pass(l, running_header(l, in, found, ties, turned, false), record).exits;
   if (count && count->is_exact && exits.size() == 1)
-    return pass(l, running_header(l, in, found, count, true), false).exits;
+    return pass(l, running_header(l, in, found, ties, turned, true), false).exits;
   return exits;
+}
+
+/// Within a loop that is gone through turn by turn, the most turns of an inner loop in each of
+/// them; later, in the record of it, this number.
+void Walk::count_inner(LoopIndex l, bool record, std::optional<Turns>& count) {
+  if (!count) ++unbounded_;
+  const auto most = count ? std::optional(count->most) : std::nullopt;
+  if (depth_ > 0) {
+    const auto [known, is_new] = inner_.emplace(l, most);
+    if (!is_new)
+      known->second = known->second && most ? std::max(known->second, most) : std::nullopt;
+  }
+  const auto known = inner_.find(l);
+  if (record && !count && known != inner_.end() && known->second)
+    count = Turns{*known->second, false};
 }
 
 }  // namespace eagerx::gen::bound

@@ -29,7 +29,8 @@ class Walk {
     std::optional<State> latch;   // at its end, before it goes back to the header
     std::map<Edge, State> exits;  // that leave it
     std::map<BlockIndex, Comparison> tests;
-    bool decides = false;  // whether the way is known at one of the branches that leave
+    // Whether the way is known at one of the branches that leave; whether it is not known at one.
+    bool decides = false, hesitates = false;
   };
   /// Changes of the places that a loop writes.
   struct Changes {
@@ -49,9 +50,23 @@ class Walk {
   };
   static std::optional<Branch> branch_of(const Block& block, const State& state);
 
-  std::optional<Turns> one_by_one(LoopIndex l, const State& in);
+  /// What a loop's header has in all turns.
+  struct Enumerated {
+    std::optional<Turns> count;        // until it leaves; nullopt: that is not known
+    std::map<Location, Value> ranges;  // of numbers that are known in each of these turns
+  };
+  using Counts = std::map<LoopIndex, std::optional<std::uint64_t>>;
+  Enumerated one_by_one(LoopIndex l, const State& in, std::optional<Turns> known);
+  static void widen(std::map<Location, Value>& ranges, const State& header, bool is_first);
   std::map<Edge, State> loop(LoopIndex l, const State& in, bool record);
+  void count_inner(LoopIndex l, bool record, std::optional<Turns>& count);
   State open_header(LoopIndex l, const State& in, const std::set<Location>& fixed);
+  /// [location] another one, from which it stays as far as it is at first.
+  using Ties = std::map<Location, Location>;
+  void tie(LoopIndex l, const State& in, const Ties& ties, State& header) const;
+  [[nodiscard]] Ties likely_ties(const State& in, const std::set<Location>& fixed) const;
+  [[nodiscard]] static Ties kept_ties(const Ties& ties, const State& in, const State& latch);
+  [[nodiscard]] static bool hold(const Ties& ties, const State& in, const State& latch);
   void forget_limits(LoopIndex l, State& state);
   [[nodiscard]] bool separates(LoopIndex l, const std::set<BlockIndex>& tests) const;
   [[nodiscard]] Changes changes(LoopIndex l, const State& in, const State& header,
@@ -63,8 +78,8 @@ class Walk {
   [[nodiscard]] bool is_made_in(LoopIndex l, Base base);
   [[nodiscard]] std::optional<std::uint64_t> noted(LoopIndex l) const;
   [[nodiscard]] std::optional<std::uint64_t> of_library(LoopIndex l) const;
-  State running_header(LoopIndex l, const State& in, const Changes& changes,
-                       const std::optional<Turns>& turns, bool last);
+  State running_header(LoopIndex l, const State& in, const Changes& changes, const Ties& ties,
+                       const Enumerated& turns, bool last);
   [[nodiscard]] Address address(BlockIndex b) const {
     return flow_.blocks[b].code.empty() ? 0 : flow_.blocks[b].code.front()->at;
   }
@@ -73,10 +88,12 @@ class Walk {
   const Image& image_;
   const Flow& flow_;
   Analysed& result_;
-  std::map<LoopIndex, std::vector<Address>> addresses_;  // of loops, in order
-  std::map<LoopIndex, std::int64_t> escapes_;         // the least of State::escaped in a loop
+  std::map<LoopIndex, std::vector<Address>> addresses_;         // of loops, in order
+  std::map<LoopIndex, std::pair<std::int64_t, bool>> escapes_;  // of a loop: what escapes in it
   State entry_;
-  unsigned depth_ = 0;  // of loops that are gone through one by one
+  unsigned depth_ = 0;      // of loops that are gone through one by one
+  Counts inner_;            // of loops in a loop that was, in each of its turns
+  unsigned unbounded_ = 0;  // loops without a number of turns so far
 };
 
 }  // namespace eagerx::gen::bound

@@ -167,6 +167,13 @@ std::string fit_text(const Fit& fit) {
   return text;
 }
 
+std::string busiest_text(const Fit& fit) {
+  const SlotFit& slot = fit.busiest;
+  return fmt::format("the slot of {} takes up to {:.1f} % of its time, {:.1f} us of {:.1f} us",
+                     slot.name, kPercent * slot.load(), slot.busy_s * kMicro,
+                     slot.until_next_s * kMicro);
+}
+
 Json fit_json(const Fit& fit) {
   Json json{{"busiest", slot_json(fit.busiest)},
             {"longest", slot_json(fit.longest)},

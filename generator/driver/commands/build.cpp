@@ -16,6 +16,7 @@
 #include "generator/driver/commands/arguments.hpp"
 #include "generator/driver/commands/commands.hpp"
 #include "generator/driver/commands/image_budget.hpp"
+#include "generator/driver/commands/image_time.hpp"
 #include "generator/driver/commands/margin_budget.hpp"
 #include "generator/driver/commands/program_options.hpp"
 #include "generator/driver/commands/start_parts.hpp"
@@ -233,6 +234,7 @@ int perform(const BuildOptions& options) {
   if (programs) check_built_budget(run, options, *programs);
   if (programs) check_margin_budget(run, options);
   if (programs && !options.quiet) {
+    tell_built_time(run, options, *programs);
     for (const BuiltProgram& program : *programs) say("{}\n", program.image);
   }
   return std::max(finish(run, options), code);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/analysis/fit/fit.hpp"
 #include "generator/driver/build/built.hpp"
@@ -18,6 +19,14 @@ std::optional<Machine> machine_of_image(Run& run, const LibraryOptions& options,
 /// bound_instructions() with the names of the plan's rates, if there is a plan.
 std::optional<BoundReport> bound_of_image(Run& run, const std::string& image,
                                           const Machine* machine);
+
+/// What a page shows of an image of the graph: its bounds without those of functions, and with
+/// `fit` whether they fit. nullopt: it has none, which is no problem of the page.
+std::optional<Json> time_json(Run& run, const LibraryOptions& options, const std::string& image);
+
+/// Says how much of their time the slots of images that were just built take at most.
+void tell_built_time(Run& run, const GraphOptions& options,
+                     const std::vector<BuiltProgram>& programs);
 
 /// The keys `time` and `slot` of the graph's `budget:`, of an image that was just built.
 void check_built_time(Run& run, const BuiltProgram& program);

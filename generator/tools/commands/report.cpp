@@ -11,6 +11,7 @@
 #include "generator/driver/build/targets.hpp"
 #include "generator/driver/build/write.hpp"
 #include "generator/driver/commands/arguments.hpp"
+#include "generator/driver/commands/image_time.hpp"
 #include "generator/driver/pipeline/paths.hpp"
 #include "generator/driver/pipeline/pipeline.hpp"
 #include "generator/support/diagnostics/join.hpp"
@@ -41,7 +42,7 @@ std::vector<PageImage> read_images(Run& run, const ReportOptions& options) {
   std::vector<PageImage> images;
   for (const std::string& image : options.images) {
     if (auto size = measure_image(image, build_folder_of(image, options.build), run.diagnostics)) {
-      images.push_back({image, std::move(*size)});
+      images.push_back({image, std::move(*size), time_json(run, options, image)});
       check_image(images.back(), *run.graph, run.diagnostics);
     }
   }

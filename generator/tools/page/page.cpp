@@ -65,8 +65,11 @@ const char* shown_by(const Graph& graph) {
 
 Json images_json(const std::vector<PageImage>& images) {
   Json list = Json::list();
-  for (const PageImage& image : images)
-    list.push_back(Json{{"name", image.name}, {"size", size_json(image.size)}});
+  for (const PageImage& image : images) {
+    Json item{{"name", image.name}, {"size", size_json(image.size)}};
+    if (image.time) item["time"] = *image.time;
+    list.push_back(std::move(item));
+  }
   return list;
 }
 

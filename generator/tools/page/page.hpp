@@ -20,6 +20,7 @@ namespace eagerx::gen {
 struct PageImage {
   std::string name;
   SizeReport size;
+  std::optional<Json> time = std::nullopt;  // the bounds of its slots; nullopt: it has none
 };
 
 /// The contents of the page. It points to its sources.

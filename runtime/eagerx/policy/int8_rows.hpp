@@ -65,10 +65,10 @@ constexpr std::size_t int8_place(std::size_t i) {
   for (std::size_t i = 0; i < whole; i += 4) {
     for (std::size_t k = 0; k < 4; ++k) q[i + int8_place(k)] = rounded(x[i + k]);
   }
-  if (whole < inputs) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      q[whole + int8_place(k)] = whole + k < inputs ? rounded(x[whole + k]) : std::int16_t{0};
-    }
+  const std::size_t rest = inputs & 3U;
+  for (std::size_t k = 0; k < rest; ++k) q[whole + int8_place(k)] = rounded(x[whole + k]);
+  if (rest > 0) {
+    for (std::size_t k = rest; k < 4; ++k) q[whole + int8_place(k)] = 0;
   }
   return std::bit_cast<float>(largest) / static_cast<float>(int8_limit(inputs));
 }

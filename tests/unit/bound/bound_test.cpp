@@ -111,6 +111,71 @@ TEST(Loops, CountDown) {
             std::set{Reason::loop});
 }
 
+TEST(Loops, CountersWrap) {
+  EXPECT_EQ(bound_of("   0:\tmov.w\tr7, #2654435769\t@ 0x9e3779b9\n"
+                     "   4:\tmov.w\tr4, #774553914\t@ 0x2e2ac13a\n   8:\tmovs\tr2, #0\n"
+                     "   a:\tadds\tr2, r2, r7\n   c:\tcmp\tr2, r4\n   e:\tbne.n\ta <f+0xa>\n"
+                     "  10:\tbx\tlr\n"),
+            only(3 + 10 * 3 + 1));
+}
+
+TEST(Loops, StartBelowAnEndThatWasExcluded) {
+  EXPECT_EQ(bound_of("   0:\tldr\tr6, [r0, #0]\n   2:\tcmp\tr6, #11\n   4:\tbhi.n\t14 <f+0x14>\n"
+                     "   6:\tcmp\tr6, #11\n   8:\tbeq.n\t14 <f+0x14>\n   a:\tadds\tr3, r6, #1\n"
+                     "   c:\tadds\tr3, #1\n   e:\tcmp\tr3, #12\n  10:\tbne.n\tc <f+0xc>\n"
+                     "  12:\tnop\n  14:\tbx\tlr\n"),
+            only(6 + 11 * 3 + 2));
+}
+
+TEST(Loops, PointersWithAnUnknownIndexMeetAnEndWithTheSame) {
+  EXPECT_EQ(bound_of("   0:\tadd.w\tr2, r0, #176\t@ 0xb0\n   4:\tadd.w\tr3, r0, #188\t@ 0xbc\n"
+                     "   8:\tadd\tr3, r1\n   a:\tadd\tr2, r1\n   c:\tvldmia\tr2!, {s15}\n"
+                     "  10:\tcmp\tr3, r2\n  12:\tbne.n\tc <f+0xc>\n  14:\tbx\tlr\n"),
+            only(4 + 3 * 3 + 1));
+  EXPECT_EQ(bound_of("   0:\tadd.w\tr3, r0, #12\n   4:\tadd\tr3, r1\n   6:\tadds\tr2, r0, r4\n"
+                     "   8:\tvldmia\tr2!, {s15}\n   c:\tcmp\tr3, r2\n   e:\tbne.n\t8 <f+0x8>\n"
+                     "  10:\tbx\tlr\n")
+                .why,
+            std::set{Reason::loop});
+}
+
+TEST(Loops, PointersThatGrowTogetherStayAsFarApart) {
+  EXPECT_EQ(bound_of("   0:\tmov\tr4, r0\n   2:\tadd.w\tr5, r0, #16\n   6:\tmovs\tr6, #3\n"
+                     "   8:\tmov\tr2, r4\n   a:\tvldmia\tr2!, {s15}\n   e:\tcmp\tr2, r5\n"
+                     "  10:\tbne.n\ta <f+0xa>\n  12:\tadds\tr4, #16\n  14:\tadds\tr5, #16\n"
+                     "  16:\tsubs\tr6, #1\n  18:\tbne.n\t8 <f+0x8>\n  1a:\tbx\tlr\n"),
+            only(3 + 3 * (1 + 4 * 3 + 4) + 1));
+  // One of them grows by less, and the outer loop turns too often to be followed.
+  EXPECT_EQ(bound_of("   0:\tmov\tr4, r0\n   2:\tadd.w\tr5, r0, #16\n   6:\tmovs\tr6, #100\n"
+                     "   8:\tmov\tr2, r4\n   a:\tvldmia\tr2!, {s15}\n   e:\tcmp\tr2, r5\n"
+                     "  10:\tbne.n\ta <f+0xa>\n  12:\tadds\tr4, #16\n  14:\tadds\tr5, #12\n"
+                     "  16:\tsubs\tr6, #1\n  18:\tbne.n\t8 <f+0x8>\n  1a:\tbx\tlr\n")
+                .why,
+            std::set{Reason::loop});
+}
+
+TEST(Loops, DependOnWhatAnOuterLoopHalves) {
+  EXPECT_EQ(bound_of("   0:\tmovs\tr4, #4\n   2:\tmovs\tr0, #8\n   4:\tmovs\tr3, #0\n"
+                     "   6:\tadds\tr3, #1\n   8:\tcmp\tr3, r0\n   a:\tbne.n\t6 <f+0x6>\n"
+                     "   c:\tsubs\tr4, #1\n   e:\tmov.w\tr0, r0, lsr #1\n  12:\tbne.n\t4 <f+0x4>\n"
+                     "  14:\tbx\tlr\n"),
+            only(2 + 4 * (1 + 8 * 3 + 3) + 1));
+}
+
+TEST(Loops, CountAnArgumentThatTheCallerHasPutOnTheStack) {
+  const auto called = [](const char* taken) {
+    return bound_of(
+        "   0:\tpush\t{lr}\n   2:\tsub\tsp, #4\n   4:\tmovs\tr3, #6\n   6:\tstr\tr3, [sp, #0]\n"
+        "   8:\tbl\t100 <g>\n   c:\tadd\tsp, #4\n   e:\tpop\t{pc}\n",
+        std::string(" 100:\tpush\t{r4, lr}\n 102:\tsub\tsp, #8\n 104:\tadd\tr1, sp, ") + taken +
+            "\n 106:\tstr\tr2, [r0, #0]\n 108:\tldr\tr3, [sp, #16]\n 10a:\tsubs\tr3, #1\n"
+            " 10c:\tbne.n\t10a <g+0xa>\n 10e:\tadd\tsp, #8\n 110:\tpop\t{r4, pc}\n");
+  };
+  EXPECT_EQ(called("#4"), only(7 + 5 + 6 * 2 + 2));
+  // Its own address is taken: the write may change it.
+  EXPECT_EQ(called("#16").why, std::set{Reason::loop});
+}
+
 TEST(Loops, PointersMeetAnEndThatIsAsFarAsTheyStart) {
   EXPECT_EQ(bound_of("   0:\tadd.w\tr1, r0, #48\t@ 0x30\n   4:\tvldmia\tr0!, {s15}\n"
                      "   8:\tcmp\tr0, r1\n   a:\tbne.n\t4 <f+0x4>\n   c:\tbx\tlr\n"),

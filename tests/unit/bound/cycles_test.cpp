@@ -83,7 +83,8 @@ TEST(Cycles, OfTheFloatingPointUnit) {
   EXPECT_EQ(cycles_of("vpush\t{d8-d11}"), 9U);
   EXPECT_EQ(cycles_of("vldmia\tr0!, {s12-s15}"), 5U);
   EXPECT_EQ(cycles_of("vmov\tr0, r1, d4"), 2U);
-  EXPECT_EQ(cycles_of("vmov\ts0, r1"), 1U);
+  EXPECT_EQ(cycles_of("vmov\ts0, r1"), 2U);
+  EXPECT_EQ(cycles_of("vmov.f32\ts0, s1"), 1U);
 }
 
 TEST(Cycles, AResultThatIsUsedAtOnceTakesOneMore) {

@@ -47,6 +47,13 @@ TEST(Fit, AddsUpTheSlotsOfAHyperperiod) {
   for (const Fit::Outputs& outputs : fit->outputs) EXPECT_NEAR(outputs.latest_s, 401e-6, 1e-12);
 }
 
+TEST(Fit, SaysTheBusiestSlotInOneLine) {
+  const auto graph = cascade();
+  EXPECT_EQ(
+      busiest_text(*fit_of(report(), *graph->plan)),
+      "the slot of 1000 Hz, 500 Hz, 100 Hz takes up to 46.0 % of its time, 460.0 us of 1000.0 us");
+}
+
 TEST(Fit, TakesTheLongestSlotWhereSlotsAreNotToldApart) {
   const auto graph = cascade();
   BoundReport any = report();
