@@ -45,7 +45,7 @@ if(EAGERX_BUILD_LIBRARIES AND NOT CMAKE_CROSSCOMPILING)
   file(GLOB_RECURSE texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/runtime/*.[ch]pp ${PROJECT_SOURCE_DIR}/runtime/*.cmake
        ${PROJECT_SOURCE_DIR}/targets/common/*.[ch]pp ${PROJECT_SOURCE_DIR}/targets/linux-sim/*.[ch]pp
        ${PROJECT_SOURCE_DIR}/targets/environments/*.[ch]pp ${PROJECT_SOURCE_DIR}/targets/*/libraries.cmake)
-  # Who tests judges these texts, too, in a build type of its own: the libraries are those of every type.
+  # Tests check these texts, too, in a build type of its own: the libraries are those of every type.
   set(warnings)
   if(EAGERX_BUILD_TESTS)
     set(warnings "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror")
@@ -81,7 +81,7 @@ configure_file(${cmake_files}/eagerx_gen-config.cmake.in ${PROJECT_BINARY_DIR}/e
 
 # Independent of the architecture, so that a build for a 32-bit board accepts the package of a 64-bit host.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/eagerx_gen-config-version.cmake
-                                 COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+                                 COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/installed/eagerx_gen-config.cmake
               ${PROJECT_BINARY_DIR}/eagerx_gen-config-version.cmake DESTINATION ${package_dir})
 

@@ -2,7 +2,7 @@
 """The bytes of targets/PROTOCOL.md are those of programs:
 
     protocol.py PAGE FIXED_RANDOM PART...      exit code 1 if a program answers otherwise
-    protocol.py --update PAGE                  writes the sealed bytes of the page anew
+    protocol.py --update PAGE                  writes the bytes of the page anew, for the version of the runtime
 
 Each PART is a part of the page's graph: a program, or the folder of a part in Python. What the page says that the hub
 says is sent, and what the part says must be the page's, byte by byte. For the bytes with a key, FIXED_RANDOM is loaded
@@ -17,6 +17,7 @@ import sys
 import tempfile
 import time
 
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
 KEY = "eagerx-gen key 1 " + bytes(range(32)).hex() + "\n"
 SOON_S = 60
 
@@ -171,21 +172,52 @@ def sealed_lines(script):
     return [greetings, records, [next_of("hub"), next_of("part")]]
 
 
+def runtime_version():
+    """The number that greetings have."""
+    with open(os.path.join(ROOT, "runtime/eagerx/version.hpp"), encoding="utf-8") as file:
+        major, minor, _ = map(int, re.findall(r"kVersion\w* = (\d+);", file.read()))
+    return major * 256 + minor
+
+
+def plain_lines(script):
+    """The lines of the page's session with the greetings, and so the checksums, of this runtime."""
+    sys.path.insert(0, os.path.join(ROOT, "targets/python"))
+    import eagerx_link as link  # noqa: PLC0415  it needs numpy, which the parts do not
+    start, lines = 0, []
+    for who, data in script:
+        kind, number, payload, _ = link.decode_frame(data.strip(b"\0"))
+        if kind in (link.HELLO, link.WELCOME):
+            payload = payload[:2] + runtime_version().to_bytes(2, "little") + payload[4:]
+            lines.append((who, link.encode_frame(kind, number, payload)))
+            start = link.crc32c(payload)
+        else:
+            lines.append((who, link.encode_frame(kind, number, payload, start)))
+    return lines, start
+
+
 def update(page):
-    blocks = iter(sealed_lines([line for block in lines_of(page, "bytes") for line in block]))
+    plain = lines_of(page, "bytes")
+    session, start = plain_lines([line for block in plain for line in block])
     with open(page, encoding="utf-8") as file:
         text = file.read()
-
-    def write(_):
-        lines = []
-        for who, data in next(blocks):
-            pieces = [data[i:i + 38] for i in range(0, len(data), 38)]
-            lines += [f"{who + ':':5} {piece.hex(' ')}" for piece in pieces]
-        return "```sealed\n" + "\n".join(lines) + "\n```"
-
-    text = re.sub(r"^```sealed\n.*?^```", write, text, flags=re.S | re.M)
+    text = re.sub(r"(the CRCs of session 7 begin from\s+)0x[0-9a-f]{8}", rf"\g<1>0x{start:08x}", text)
+    lines = iter(session)
+    text = with_blocks(text, "bytes", [[next(lines) for _ in block] for block in plain], 1024)
+    text = with_blocks(text, "sealed", sealed_lines(session), 38)
     with open(page, "w", encoding="utf-8") as file:
         file.write(text)
+
+
+def with_blocks(text, fence, blocks, width):
+    """`text` with these blocks ```FENCE, of lines of at most `width` bytes."""
+    def write(_):
+        lines = []
+        for who, data in next(rest):
+            lines += [f"{who + ':':5} {data[i:i + width].hex(' ')}" for i in range(0, len(data), width)]
+        return f"```{fence}\n" + "\n".join(lines) + "\n```"
+
+    rest = iter(blocks)
+    return re.sub(rf"^```{fence}\n.*?^```", write, text, flags=re.S | re.M)
 
 
 def main():
