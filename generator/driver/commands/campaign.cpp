@@ -29,7 +29,7 @@ Command table(CampaignOptions& options) {
               {{"run 10,000 episodes, and print the success rate and commands that repeat the "
                 "worst runs",
                 "eagerx-gen campaign pendulum.yaml --runs 10000"},
-               {"draw the mass from a range, and write a row for each run",
+               {"sample the mass from a range, and write a row for each run",
                 "eagerx-gen campaign pendulum.yaml --vary pendulum.mass=0.1:0.2 --csv runs.csv"},
                {"interrupt an observation for 10 steps",
                 "eagerx-gen campaign pendulum.yaml --faults angle=silent+10"},
@@ -37,7 +37,7 @@ Command table(CampaignOptions& options) {
                 "eagerx-gen campaign robot.yaml --runs 1000000 --checkpoint robot.campaign"},
                {"continue from the checkpoint",
                 "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"},
-               {"use four processes of an eagerx-gen with MPI",
+               {"use four processes (eagerx-gen built with MPI)",
                 "mpirun -n 4 eagerx-gen campaign robot.yaml --runs 1000000"}},
           .arguments = joined({{graph(options), agent_policy(options)},
                                handed_on(eagerx::options::kCampaign, options),

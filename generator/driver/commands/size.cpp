@@ -255,9 +255,10 @@ Command table(SizeOptions& options) {
             library(options),
             experimental(flag(
                 "--worst", options.worst,
-                "also compute an upper bound of the instructions of each step, slot and node from "
-                "the image, of a Cortex-M; with the cycles of a Cortex-M3 or M4, and with --graph "
-                "whether slots fit into their time")),
+                "also compute upper bounds from the image: instructions of each step, slot and "
+                "node "
+                "(Cortex-M), cycles (Cortex-M3, M4), and with --graph whether slots fit into their "
+                "time")),
             text("--run", options.run_on,
                  "also run the image in this target's emulator, and count instructions", "TARGET"),
             reads(text(

@@ -75,7 +75,7 @@ Command table(TrainOptions& options) {
             "eagerx-gen train robot.yaml --sweep sweep.yaml --csv settings.csv"},
            {"fine-tune a trained policy on another graph",
             "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"},
-           {"use four processes of an eagerx-gen with MPI, which train the same policy",
+           {"train one policy with four processes (eagerx-gen built with MPI)",
             "mpirun -n 4 eagerx-gen train robot.yaml"}},
       .arguments = joined(
           {{graph(options),

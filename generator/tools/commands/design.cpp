@@ -10,10 +10,10 @@ namespace eagerx::gen {
 
 Arguments design_arguments(DesignOptions& options, std::string types) {
   return joined(
-      {{required(text("--of", options.of, "the node: " + std::move(types), "NODE"))},
+      {{required(text("--of", options.of, "node to design: " + std::move(types), "NODE"))},
        {text("--open", options.open,
-             "open the loop whose margins are printed at this port (default: the output of the "
-             "controller)",
+             "print the margins of the loop that is opened at this port (default: the output of "
+             "the controller)",
              "PORT"),
         texts("--at", options.at,
               "initial state, its elements separated by commas (default: that of the graph)",
@@ -39,11 +39,11 @@ Arguments design_arguments(DesignOptions& options, std::string types) {
 }
 
 Command design_command() {
-  return {.name = "design",
-          .about =
-              "compute gains of a controller or an observer for the sampled loop as it runs, "
-              "with margins before and after",
-          .commands = {design_lqr_command(), design_kalman_command(), design_pid_command()}};
+  return experimental(
+      {.name = "design",
+       .about = "compute the gains of a controller or an observer for the sampled loop, and print "
+                "its margins before and after",
+       .commands = {design_lqr_command(), design_kalman_command(), design_pid_command()}});
 }
 
 }  // namespace eagerx::gen

@@ -211,9 +211,9 @@ Command kalman_table(KalmanOptions& options) {
   return {
       .name = "kalman",
       .about =
-          "covariances of a KalmanFilter or the gain of an Observer, from the noise of "
+          "compute the covariances of a KalmanFilter or the gain of an Observer from the noise of "
           "system and sensors",
-      .examples = {{"the model from the graph, its noise from sensor models",
+      .examples = {{"with the model and the sensor noise of the graph",
                     "eagerx-gen design kalman robot.yaml --of estimate --model --process "
                     "estimate.u=0.5"}},
       .arguments = joined(
@@ -222,12 +222,13 @@ Command kalman_table(KalmanOptions& options) {
                   "standard deviation of the noise at each tick, of a state (`x[1]`, or its name) "
                   "or of the input u",
                   "NAME=VALUE"),
-            texts("--measurement", options.measurement,
-                  "standard deviation of the noise of each element of what is measured (default: "
-                  "that of the graph's SensorModel)",
-                  "PORT=VALUE"),
+            texts(
+                "--measurement", options.measurement,
+                "standard deviation of the noise of each element of the measurement (default: that "
+                "of the graph's SensorModel)",
+                "PORT=VALUE"),
             flag("--model", options.model,
-                 "take the model a, b and c from the graph, too (default: that of the node)")},
+                 "also compute the model a, b and c from the graph (default: that of the node)")},
            design_arguments(options, "a KalmanFilter or an Observer")}),
       .run = [&options] { return perform_kalman(options); }};
 }
@@ -235,7 +236,7 @@ Command kalman_table(KalmanOptions& options) {
 }  // namespace
 
 Command design_kalman_command() {
-  return with_options<KalmanOptions>(kalman_table);
+  return experimental(with_options<KalmanOptions>(kalman_table));
 }
 
 }  // namespace eagerx::gen

@@ -37,8 +37,8 @@ class LqrValues {
       if (!value || !take(*value, text)) return false;
     }
     if (request.deviations.empty()) {
-      run_.diagnostics().usage_error("E0522", "no deviation has a weight").help =
-          fmt::format("write the largest tolerable ones: `--deviation {}=…`",
+      run_.diagnostics().usage_error("E0522", "no `--deviation` is given").help =
+          fmt::format("add the largest tolerable deviations: `--deviation {}=…`",
                       run_.input("x") != nullptr ? run_.input("x")->written : "PORT");
       return false;
     }
@@ -184,19 +184,19 @@ Command lqr_table(LqrOptions& options) {
   return {
       .name = "lqr",
       .about =
-          "gains of a StateFeedback, for the largest deviations and efforts that are "
-          "tolerable (Bryson's rule)",
+          "compute the gains of a StateFeedback from the largest tolerable deviations and efforts "
+          "(Bryson's rule)",
       .examples = {{"from three deviations, with the limits of the node as effort",
                     "eagerx-gen design lqr robot.yaml --of balance --deviation "
                     "balance.x=0.5,0.1,1"}},
       .arguments = joined(
           {{graph(options),
             texts("--deviation", options.deviations,
-                  "the largest tolerable deviation of each element of a port, or of a number of "
-                  "the state",
+                  "largest tolerable deviation of each element of a port, or of a number of the "
+                  "state",
                   "PORT=VALUE"),
             texts("--effort", options.efforts,
-                  "the largest effort of each element of the output (default: its limits)",
+                  "largest effort of each element of the output (default: its limits)",
                   "PORT=VALUE")},
            design_arguments(options, "a StateFeedback")}),
       .run = [&options] { return perform_lqr(options); }};
@@ -205,7 +205,7 @@ Command lqr_table(LqrOptions& options) {
 }  // namespace
 
 Command design_lqr_command() {
-  return with_options<LqrOptions>(lqr_table);
+  return experimental(with_options<LqrOptions>(lqr_table));
 }
 
 }  // namespace eagerx::gen

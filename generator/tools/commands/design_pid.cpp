@@ -83,28 +83,29 @@ int perform_pid(const PidOptions& options) {
 Command pid_table(PidOptions& options) {
   return {
       .name = "pid",
-      .about = "gains of a PidController, for a crossover and a phase margin",
+      .about = "compute the gains of a PidController for a crossover frequency and a phase margin",
       .examples = {{"a crossover at 20 Hz with 60 degrees",
                     "eagerx-gen design pid robot.yaml --of speed --crossover '20 Hz' "
                     "--phase-margin '60 deg'"}},
-      .arguments = joined(
-          {{graph(options),
-            text("--crossover", options.crossover,
-                 "frequency at which the loop's gain is 1, in Hz (default: that with the largest "
-                 "gain of the integral)",
-                 "HZ"),
-            text("--phase-margin", options.phase_margin, "in degrees (default: 60)", "DEG"),
-            choice("--terms", {"p", "pi", "pd", "pid"},
-                   "which gains there are (default: those that are not 0 in the graph, else pi)",
-                   [&options](const std::string& name) { options.terms = name; })},
-           design_arguments(options, "a PidController")}),
+      .arguments =
+          joined({{graph(options),
+                   text("--crossover", options.crossover,
+                        "frequency at which the loop's gain is 1, in Hz (default: the one with the "
+                        "largest integral gain)",
+                        "HZ"),
+                   text("--phase-margin", options.phase_margin,
+                        "phase margin at the crossover, in degrees (default: 60)", "DEG"),
+                   choice("--terms", {"p", "pi", "pd", "pid"},
+                          "gains to compute (default: those that are not 0 in the graph, else pi)",
+                          [&options](const std::string& name) { options.terms = name; })},
+                  design_arguments(options, "a PidController")}),
       .run = [&options] { return perform_pid(options); }};
 }
 
 }  // namespace
 
 Command design_pid_command() {
-  return with_options<PidOptions>(pid_table);
+  return experimental(with_options<PidOptions>(pid_table));
 }
 
 }  // namespace eagerx::gen

@@ -98,7 +98,7 @@ std::optional<SampledSystem> system_at(Run& run, const std::string& image,
   return system_of(run, image, words, code);
 }
 
-/// The worst margins over the corners of what a reset draws; nothing with a problem.
+/// The worst margins over the corners of what a reset samples; nothing with a problem.
 std::optional<WorstMargins> worst_of_corners(Run& run, const std::string& image,
                                              const LinearizeOptions& options,
                                              const std::vector<std::string>& words, int& code) {
@@ -110,7 +110,7 @@ std::optional<WorstMargins> worst_of_corners(Run& run, const std::string& image,
     if (there)
       run.diagnostics
           .error("E0520", run.graph->span,
-                 fmt::format("a reset draws {} parameters, and `--corners` takes at most 8",
+                 fmt::format("a reset samples {} parameters, and `--corners` takes at most 8",
                              drawn_parameters(*there).size()))
           .help = "give some a value in a variant, or use a campaign";
     return std::nullopt;
@@ -155,7 +155,7 @@ std::string check(const LinearizeOptions& options) {
   if (!options.trim && !(point.fix.empty() && point.moving.empty() && point.bounds.empty()))
     return "`--fix`, `--moving` and `--bounds` are for the search of `--trim`";
   if (options.corners && options.open.empty())
-    return "`--corners` is about the margins of a loop: it needs `--open PORT`";
+    return "`--corners` varies the margins of a loop: it needs `--open PORT`";
   return options.format == LinearFormat::csv && options.open.empty()
              ? "`--format csv` is the frequency response of a loop: it needs `--open PORT`"
              : "";
@@ -167,26 +167,27 @@ Command table(LinearizeOptions& options) {
       .about =
           "linearize the sampled loop as it runs, with its rates, delays and windows: matrices, "
           "poles, and stability margins",
-      .examples = {{"matrices and poles where the graph starts", "eagerx-gen linearize robot.yaml"},
+      .examples = {{"matrices and poles at the start of an episode",
+                    "eagerx-gen linearize robot.yaml"},
                    {"gain, phase and delay margin of the loop through a motor",
                     "eagerx-gen linearize robot.yaml --open controller.u"},
-                   {"the same with a picture of it",
+                   {"the same, with plots",
                     "eagerx-gen linearize robot.yaml --open controller.u --plot loop.svg"},
                    {"at another state, from a setpoint to a sensor, for NumPy",
                     "eagerx-gen linearize robot.yaml --at pendulum.model_state=0,0 --from target.y "
                     "--to pendulum.theta --format json"},
-                   {"where the graph rests with the pendulum at 0.1 rad",
+                   {"at the operating point with the pendulum at 0.1 rad",
                     "eagerx-gen linearize robot.yaml --trim --fix 'pendulum.model_state[0]=0.1'"}},
       .arguments = joined(
           {{graph(options),
             text("--open", options.open,
-                 "break the loop at this port, and print its stability margins", "PORT"),
+                 "open the loop at this port, and print its stability margins", "PORT"),
             writes(text("--plot", options.plot,
-                        "with --open: draw Bode and Nyquist plot, poles and step response",
+                        "with --open: draw Bode and Nyquist plots, poles and the step response",
                         "FILE.svg")),
             flag("--corners", options.corners,
-                 "also the worst margins over all combinations of the least and largest values of "
-                 "parameters and delays that a reset draws"),
+                 "also print the worst margins over all combinations of the least and largest "
+                 "values of parameters and delays that a reset samples"),
             texts("--at", options.at,
                   "initial state, its elements separated by commas (default: that of the graph)",
                   "STATE=VALUE"),
@@ -201,8 +202,8 @@ Command table(LinearizeOptions& options) {
             whole("--seed", options.seed, "seed of random numbers (default: 1)", 0,
                   std::numeric_limits<std::int64_t>::max()),
             texts("--from", options.from,
-                  "ports as inputs: an offset of their messages (default: the actions)", "PORT"),
-            texts("--to", options.to, "ports as outputs (default: the observations)", "PORT"),
+                  "inputs u: ports whose messages get an offset (default: the actions)", "PORT"),
+            texts("--to", options.to, "outputs y: ports (default: the observations)", "PORT"),
             choice("--format", {"text", "json", "csv"},
                    "text, JSON with all matrices, or with --open the frequency response as a table "
                    "(default: text)",

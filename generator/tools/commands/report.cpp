@@ -181,7 +181,7 @@ Command table(ReportOptions& options) {
             folder(text("--build", options.build,
                         "build folder of the image (default: the image's folder)", "DIR")),
             texts("--open", options.open,
-                  "break the loop at this port, as `eagerx-gen linearize` does, and show Bode and "
+                  "open the loop at this port, as `eagerx-gen linearize` does, and show Bode and "
                   "Nyquist plot, poles, margins and step response; may be repeated",
                   "PORT"),
             whole("--points", options.points,

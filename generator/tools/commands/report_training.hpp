@@ -1,4 +1,4 @@
-// What `report --training` adds to a page.
+// The part of a page that `report --training` adds.
 #pragma once
 
 #include <optional>

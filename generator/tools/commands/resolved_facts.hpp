@@ -1,4 +1,4 @@
-// What a graph without errors comes to, as an editor shows it.
+// Facts about a graph without errors, for editors.
 #pragma once
 
 #include "generator/driver/pipeline/pipeline.hpp"

@@ -36,7 +36,7 @@ Command table(TrimOptions& options) {
       .about =
           "find an operating point: a state and constant actions for which the graph rests, within "
           "their bounds",
-      .examples = {{"where the graph rests, nearest to where it starts",
+      .examples = {{"the operating point that is closest to the start of an episode",
                     "eagerx-gen trim robot.yaml"},
                    {"the voltage that holds a pendulum at 0.1 rad",
                     "eagerx-gen trim robot.yaml --fix 'pendulum.model_state[0]=0.1'"},
@@ -45,11 +45,12 @@ Command table(TrimOptions& options) {
                     "robot.speed=2"}},
       .arguments = joined(
           {{graph(options),
-            texts("--at", options.at, "begin the search at this state or action", "NAME=VALUE")},
+            texts("--at", options.at, "start the search at this value of a state or an action",
+                  "NAME=VALUE")},
            trim_arguments(options.settings),
            {texts("--from", options.settings.from,
-                  "ports as inputs: readers get a constant instead of their messages (default: the "
-                  "actions)",
+                  "inputs: ports whose readers receive a constant instead of messages (default: "
+                  "the actions)",
                   "PORT"),
             whole("--steps", options.steps,
                   "steps before the search, for numbers that it does not choose (default: until "
@@ -74,7 +75,7 @@ Command table(TrimOptions& options) {
 }  // namespace
 
 Command trim_command() {
-  return with_options<TrimOptions>(table);
+  return experimental(with_options<TrimOptions>(table));
 }
 
 }  // namespace eagerx::gen

@@ -120,9 +120,9 @@ bool check_moving(const TrimReport& report, const Plan& plan, Diagnostics& diagn
       continue;
     diagnostics
         .error("E0521", plan.graph->span,
-               fmt::format("`{}` depends on what moves, and so it moves, too",
+               fmt::format("`{}` moves, because it depends on a moving state",
                            name_of_word(answer.there, each.word)))
-        .help = fmt::format("say so with `--moving {}`, or let nothing move",
+        .help = fmt::format("add `--moving {}`, or remove `--moving`",
                             name_of_word(answer.there, each.word));
     return false;
   }
@@ -132,11 +132,10 @@ bool check_moving(const TrimReport& report, const Plan& plan, Diagnostics& diagn
 }  // namespace
 
 std::vector<Argument> trim_arguments(TrimSettings& settings) {
-  return {texts("--fix", settings.fix,
-                "a state or an action that keeps its value, or a port that is to have this one",
+  return {texts("--fix", settings.fix, "hold this state or action, or require this value of a port",
                 "NAME[=VALUE]"),
           texts("--moving", settings.moving,
-                "a state that may move steadily, as a position does; all others rest", "STATE"),
+                "state that may move, such as a position; all others rest", "STATE"),
           texts("--bounds", settings.bounds,
                 "bounds of a state or an action (default: those of its space)", "NAME=LOW,HIGH")};
 }
