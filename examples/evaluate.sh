@@ -46,7 +46,7 @@ function abs(x) { return x < 0 ? -x : x }
 function near(a, b, tolerance) { return abs(a - b) <= tolerance }
 function wrong(what) { print "row " NR ": " what; bad = 1; exit 1 }
 '
-# judge FILE PROGRAM: an awk program over a table; `wrong("…")` makes it fail, and so does an empty table.
-judge() { awk "$columns $2 END { if (bad || NR < 2) exit 1 }" "$1"; }
+# check_table FILE PROGRAM: an awk program over a table; `wrong("…")` makes it fail, and so does an empty table.
+check_table() { awk "$columns $2 END { if (bad || NR < 2) exit 1 }" "$1"; }
 
 finish() { [ $missed = 0 ]; }

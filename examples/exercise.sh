@@ -57,9 +57,9 @@ plan_has() {
   done
 }
 
-# judge TABLE PROGRAM: an awk program over a table. c["angle"] is the column of that name, near(a, b, tolerance)
+# check_table TABLE PROGRAM: an awk program over a table. c["angle"] is the column of that name, near(a, b, tolerance)
 # compares, and `wrong("…")` says what is wrong with a row.
-judge() {
+check_table() {
   awk 'BEGIN { FS = "," }
     function abs(x) { return x < 0 ? -x : x }
     function near(a, b, tolerance) { return a != "nan" && b != "nan" && abs(a - b) <= tolerance }

@@ -50,7 +50,7 @@ class Document {
   /// Once for each element.
   void check(pugi::xml_node element);
 
-  /// What was left out of all files.
+  /// Elements that were left out of all files.
   void report_left_out();
 
  private:

@@ -1,4 +1,4 @@
-// What MJCF has, and which of it does not change the motion.
+// Elements of MJCF, and those that do not change the motion.
 #include <algorithm>
 #include <iterator>
 

@@ -5,7 +5,7 @@
 
 namespace eagerx::urdf {
 
-/// What `flag` in `option` disables, but for gravity.
+/// Features that `flag` in `option` disables, except gravity.
 struct Disabled {
   bool contact = false, limit = false, friction = false, equality = false, spring = false,
        damper = false;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMostItems = 1'000;  // bodies, and joints
 constexpr std::size_t kDeepest = 200;      // bodies in bodies
 
-/// What one body has, with its place in the body's frame.
+/// Parts of one body, with their places in the body's frame.
 struct Part {
   pugi::xml_node node;
   Frame frame;

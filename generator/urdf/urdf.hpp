@@ -91,7 +91,7 @@ struct Mimic {
   double offset = 0.0;  // [rad, m]
 };
 
-/// What the description says of the actuators of a joint. Torques in N·m or N.
+/// Actuators of a joint in the description. Torques in N·m or N.
 struct Drive {
   bool exists = true;
   double torque_low = -std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// What the actuators of simulations have in common.
+// Shared parts of simulated actuators.
 #pragma once
 
 #include <cstddef>

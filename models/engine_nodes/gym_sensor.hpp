@@ -1,4 +1,4 @@
-// What sensors of environments on GymEngine have in common.
+// Shared parts of sensors on GymEngine.
 #pragma once
 
 #include <eagerx/message.hpp>

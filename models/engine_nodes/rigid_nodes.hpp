@@ -1,4 +1,4 @@
-// What sensors and actuators of joints and bodies on OpenDynamicsEngine have in common.
+// Shared parts of sensors and actuators of joints and bodies on OpenDynamicsEngine.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What states of joints and bodies on OpenDynamicsEngine have in common.
+// Shared parts of states of joints and bodies on OpenDynamicsEngine.
 #pragma once
 
 #include <cstddef>

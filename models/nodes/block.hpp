@@ -1,4 +1,4 @@
-// What blocks of a controller share: messages as numbers, and constants of a configuration.
+// Shared parts of control blocks: messages as numbers, and constants of a configuration.
 //
 // Blocks are written so that `Real` may be a SIMD vector (eagerx/simd.hpp): a number chooses
 // with `select`, and only what is the same in all lanes (which messages there are) with `if`.

@@ -1,4 +1,5 @@
-// What blocks that know a robot share: its joints, messages as numbers, and torques with limits.
+// Shared parts of blocks that know a robot: its joints, messages as numbers, and torques with
+// limits.
 #pragma once
 
 #include <array>

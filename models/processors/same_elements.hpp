@@ -1,4 +1,4 @@
-// What processors have in common that change the shape alone.
+// Shared parts of processors that change only the shape.
 #pragma once
 
 #include <cstddef>

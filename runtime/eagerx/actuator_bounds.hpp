@@ -1,4 +1,4 @@
-// What a processor makes of an action on its way to an actuator.
+// Bounds of an action that a processor changes on its way to an actuator.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What is known of a published message before the program runs.
+// Properties of a published message that are known before the program runs.
 #pragma once
 
 #include <cstdint>

@@ -51,9 +51,9 @@ class Takeover {
   }
   void saw_numbers() { seen_ = true; }
 
-  Action judge(Action action, std::uint64_t late_in_a_row) {
+  Action check(Action action, std::uint64_t late_in_a_row) {
     if (!seen_) count_not_seen();
-    return verdict_.judge(action, seen_, late_in_a_row) ? action : Limits::safe();
+    return verdict_.check(action, seen_, late_in_a_row) ? action : Limits::safe();
   }
 
   void stop() { ++stops_; }
@@ -141,7 +141,7 @@ class Guard {
   /// `max_lateness`; without `safety:` nothing is too late.
   Action check(Action action, std::uint64_t late_in_a_row) {
     if constexpr (kTakesOver) {
-      action = takeover_.judge(action, late_in_a_row);
+      action = takeover_.check(action, late_in_a_row);
     } else {
       static_cast<void>(late_in_a_row);
     }

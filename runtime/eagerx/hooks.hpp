@@ -1,6 +1,6 @@
-// What a generated program calls besides its nodes: template parameter `Hooks` of Program, an
-// object that sees messages and decides whether the engine runs, slots wait and pictures are drawn.
-// Only on_episode() and on_message() are compulsory.
+// Functions that a generated program calls besides its nodes: template parameter `Hooks` of
+// Program, an object that sees messages and decides whether the engine runs, slots wait and
+// pictures are drawn. Only on_episode() and on_message() are compulsory.
 #pragma once
 
 #include <cstdint>

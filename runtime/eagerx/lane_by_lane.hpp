@@ -1,4 +1,4 @@
-// What a SIMD group does one lane after the other: nodes and processors that are written for plain
+// Lane-by-lane parts of a SIMD group: nodes and processors that are written for plain
 // numbers. They see and give the same messages as in their environment's own program.
 #pragma once
 

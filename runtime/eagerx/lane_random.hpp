@@ -53,9 +53,9 @@ class LaneRandom {
   /// The next 32 random bits of each.
   Words bits32() {
     if (left_ == 0) {
-      const auto block = philox4x32<N>({environment_, episode_, entity_, Wide(draw_)}, seed_);
+      const auto block = philox4x32<N>({environment_, episode_, entity_, Wide(counter_)}, seed_);
       for (std::size_t i = 0; i < kWords; ++i) block_[i] = Words(block[i]);
-      ++draw_;
+      ++counter_;
       left_ = kWords;
     }
     --left_;
@@ -77,7 +77,7 @@ class LaneRandom {
   std::array<Wide, 2> seed_{};
   Wide environment_{}, episode_{};
   Wide entity_;
-  std::uint32_t draw_ = 0;  // blocks drawn so far
+  std::uint32_t counter_ = 0;  // blocks so far
   std::array<Words, kWords> block_{};
   std::uint32_t left_ = 0;  // words of the block not yet used
 };

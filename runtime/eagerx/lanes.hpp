@@ -1,4 +1,4 @@
-// What a program over SIMD vectors needs besides simd.hpp: clocks and windows of environments that
+// For programs over SIMD vectors, besides simd.hpp: clocks and windows of environments that
 // began at different times, and copying one environment into and out of its lane.
 #pragma once
 

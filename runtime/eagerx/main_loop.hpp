@@ -1,4 +1,4 @@
-// What the main program of a package and its hardware.h have in common.
+// Shared by the main program of a package and its hardware.h.
 #pragma once
 
 #include <cstddef>

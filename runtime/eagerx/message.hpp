@@ -1,4 +1,4 @@
-// What travels between nodes: a scalar for shape [], an Array for every other shape.
+// Messages between nodes: a scalar for shape [], an Array for every other shape.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@ inline constexpr std::size_t kSeeds = 16;
 /// Called with each number that begins to exist, while it is not null.
 inline void (*born)(const void* number) = nullptr;
 
-/// What a node did to derivatives.
+/// The effect of a node on derivatives.
 struct Doings {
   bool lost = false;      // read a number as a plain one
   bool smoothed = false;  // took the mean slope of steps
@@ -51,7 +51,7 @@ constexpr bool has_derivative(const Number& x) {
 
 /// Noise has its mean, 0.
 inline void set_noise_lane(Number& /*x*/, int /*i*/, double /*value*/) {}
-/// What works lane by lane loses the derivatives.
+/// Lane-by-lane operations lose the derivatives.
 inline double lane(const Number& x, int /*i*/) {
   linearize::doings.lost = linearize::doings.lost || linearize::has_derivative(x);
   return x.value;

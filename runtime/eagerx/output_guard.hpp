@@ -46,12 +46,12 @@ class OutputGuard {
   /// The value that replaces `action` as the nodes measure it, if acts(). `late_in_a_row`: steps up
   /// to now that were later than `max_lateness`.
   Action check(Action action, std::uint64_t late_in_a_row) {
-    return judged(action, true, late_in_a_row, is_frozen(action));
+    return checked(action, true, late_in_a_row, is_frozen(action));
   }
   /// The same of a step for which no measurement has come.
   Action miss(std::uint64_t late_in_a_row) {
     ++missing_;
-    return judged(Limits::safe(), false, late_in_a_row, false);
+    return checked(Limits::safe(), false, late_in_a_row, false);
   }
   /// Whether the nodes run in the step that was checked last.
   bool acts() const { return acts_; }
@@ -125,9 +125,9 @@ class OutputGuard {
     ChannelCounts<kActions> frozen;
   };
 
-  Action judged(Action action, bool seen, std::uint64_t late_in_a_row, bool is_wrong) {
+  Action checked(Action action, bool seen, std::uint64_t late_in_a_row, bool is_wrong) {
     const bool was_safe = verdict_.is_safe();
-    acts_ = is_reset_ && verdict_.judge(action, seen, late_in_a_row, is_wrong);
+    acts_ = is_reset_ && verdict_.check(action, seen, late_in_a_row, is_wrong);
     begins_anew_ = acts_ && was_safe && (Limits::kResetsNodes || was_not_finite_);
     return action;
   }

@@ -1,4 +1,4 @@
-// What nodes that were cut out of a graph get from outside, at the rate of who sent it there.
+// Inputs of a controller that was cut out of a graph, at the rates of their senders.
 #pragma once
 
 #include <eagerx/rate.hpp>

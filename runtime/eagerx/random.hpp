@@ -1,6 +1,6 @@
 // Random numbers that depend on names and counts only: Philox4x32-10 on (seed; environment,
-// episode, entity, draw). Environment k never depends on how many others run, and all targets draw
-// the same bits.
+// episode, entity, counter). Environment k never depends on how many others run, and all targets
+// sample the same bits.
 #pragma once
 
 #include <array>
@@ -60,7 +60,7 @@ class Random {
   constexpr Random() = default;
   /// `block`: where to begin in the stream, in blocks of four words.
   constexpr Random(EpisodeKey key, std::uint32_t entity, std::uint32_t block = 0)
-      : key_(key), entity_(entity), draw_(block) {}
+      : key_(key), entity_(entity), counter_(block) {}
 
   /// Those of step `step`, which has `blocks` of four words for itself.
   static constexpr Random of_step(EpisodeKey key, std::uint32_t entity, std::uint64_t step,
@@ -76,17 +76,17 @@ class Random {
   constexpr std::uint32_t bits32() {
     if (left_ == 0) {
       block_ = philox4x32(
-          {key_.environment, key_.episode, entity_, draw_},
+          {key_.environment, key_.episode, entity_, counter_},
           {static_cast<std::uint32_t>(key_.seed), static_cast<std::uint32_t>(key_.seed >> 32U)});
-      ++draw_;
+      ++counter_;
       left_ = kWords;
     }
     --left_;
     return block_[kWords - 1 - left_];
   }
 
-  /// Uniform in 0 … n - 1 without bias; n = 0 stands for 2^32. Draws again with a probability below
-  /// 1/2 (Lemire 2019).
+  /// Uniform in 0 … n - 1 without bias; n = 0 stands for 2^32. Samples again with a probability
+  /// below 1/2 (Lemire 2019).
   constexpr std::uint32_t below(std::uint32_t n) {
     if (n == 0) return bits32();
     const std::uint32_t unfair = (0U - n) % n;  // 2^32 mod n
@@ -166,7 +166,7 @@ class Random {
 
   EpisodeKey key_{};
   std::uint32_t entity_ = 0;
-  std::uint32_t draw_ = 0;  // blocks drawn so far
+  std::uint32_t counter_ = 0;  // blocks so far
   std::array<std::uint32_t, kWords> block_{};
   std::uint32_t left_ = 0;  // words of the block not yet used
 };

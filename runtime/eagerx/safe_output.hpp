@@ -1,4 +1,4 @@
-// What leaves to the world of a controller without an engine while it is safe.
+// Outputs of a controller without an engine while it applies safe values.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a graph declares under `safety:`.
+// Settings under `safety:` of a graph.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Safety {
   bool holds;   // after NaN: true: the last action for `missed` - 1 instants; false: safe at once
 };
 
-/// Instants in a row that were too late, judged when an action is about to be applied. `in_a_row`:
+/// Instants in a row that were too late, checked when an action is about to be applied. `in_a_row`:
 /// those that began too late, up to the latest; `age`: time since that was due. Its action is in
 /// time within a period, or within `max_lateness` if that is longer. A program that stood still for
 /// many periods has missed as many instants, not one. Times in one unit, `period` above 0.

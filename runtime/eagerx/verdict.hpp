@@ -67,7 +67,7 @@ class Verdict {
   /// False if what is safe takes over in this step; otherwise `action` becomes what is applied.
   /// `seen`: whether what the action answers was finite. `is_wrong`: whether something else is
   /// wrong with it, so that neither it nor the last one may act.
-  bool judge(Action& action, bool seen, std::uint64_t late_in_a_row, bool is_wrong = false) {
+  bool check(Action& action, bool seen, std::uint64_t late_in_a_row, bool is_wrong = false) {
     const bool late = late_in_a_row >= kSafety.late;
     overruns_ += late ? 1U : 0U;
     // Nearly always everything is right, which is one look at each number.

@@ -1,4 +1,4 @@
-// What a callback sees of a connection: the last messages, oldest first, without a copy.
+// A callback's view of a connection: the last messages, oldest first, without a copy.
 // SEMANTICS §4.
 #pragma once
 

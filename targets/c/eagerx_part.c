@@ -16,7 +16,9 @@ static struct {
   uint64_t time, ticks[kMostRates];
 } g;
 
-static int64_t floor_div(int64_t x, int64_t y) { return x >= 0 ? x / y : -((-x + y - 1) / y); }
+static int64_t floor_div(int64_t x, int64_t y) {
+  return x >= 0 ? x / y : -((-x + y - 1) / y);
+}
 
 uint32_t eagerx_take(struct eagerx_input* input, uint64_t n) {
   const int64_t tick = (int64_t)n;
@@ -36,8 +38,8 @@ uint32_t eagerx_take(struct eagerx_input* input, uint64_t n) {
   const struct eagerx_message* const message = input->message;
   for (uint64_t i = 0; i < size; ++i) {
     const uint64_t seq = input->received - size + i;
-    memcpy((uint8_t*)input->window + i * message->bytes, message->ring + seq % message->keep * message->bytes,
-           message->bytes);
+    memcpy((uint8_t*)input->window + i * message->bytes,
+           message->ring + seq % message->keep * message->bytes, message->bytes);
   }
   return (uint32_t)size;
 }
@@ -54,7 +56,9 @@ static void receive(const struct eagerx_message* message, uint64_t n) {
   for (uint32_t i = 0; message->is_bool && i < message->bytes; ++i) place[i] = place[i] != 0;
 }
 
-static int is_due(uint32_t rate) { return g.time % g.part->periods[rate] == 0; }
+static int is_due(uint32_t rate) {
+  return g.time % g.part->periods[rate] == 0;
+}
 
 static void take_turns(const struct eagerx_turn* turns, uint32_t count) {
   for (uint32_t i = 0; i < count; ++i) {
@@ -72,7 +76,7 @@ static void begin_slot(void) {
 }
 
 static void reset(void) {
-  uint8_t episode[kEpisode]; /* states that are drawn are of parts in C++ */
+  uint8_t episode[kEpisode]; /* states that are sampled are of parts in C++ */
   eagerx_link_get(episode, sizeof episode);
   g.time = 0;
   memset(g.ticks, 0, sizeof g.ticks);
@@ -119,7 +123,8 @@ static void run_session(void) {
 
 int eagerx_run(const struct eagerx_part* part) {
   g.part = part;
-  if (part->rates > kMostRates || !eagerx_link_begin(part)) return fprintf(stderr, "error: out of memory\n"), kExitWrong;
+  if (part->rates > kMostRates || !eagerx_link_begin(part))
+    return fprintf(stderr, "error: out of memory\n"), kExitWrong;
   const enum eagerx_ending how = (enum eagerx_ending)setjmp(eagerx_link_end);
   if (how == EAGERX_GOES_ON || how == EAGERX_SESSION_OVER) {
     eagerx_link_wait();

@@ -116,7 +116,7 @@ std::optional<PlacedFault> place_fault(Fault fault, const std::vector<FaultPlace
   const std::string written = std::exchange(fault.name, spelled(fault.name, places));
   if (written != fault.name) {
     problem.note = "`" + written + "` is `" + fault.name + "` here";
-    fault.written.replace(0, written.size(), fault.name);  // what a campaign draws by
+    fault.written.replace(0, written.size(), fault.name);  // what a campaign samples by
   }
   std::optional<PlacedFault> found;
   for (std::size_t i = 0; i < places.size(); ++i) {

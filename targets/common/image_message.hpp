@@ -1,4 +1,4 @@
-// What `render:` shows that is pixels already.
+// Messages of `render:` that are pixels.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What `render:` of a graph showed last, kept until somebody wants it as pixels.
+// The newest picture of `render:`, kept until a reader wants it as pixels.
 #pragma once
 
 #include <cstdint>

@@ -49,7 +49,7 @@ typename Graph::Action decide(Agent agent, EpisodeKey key, Seq step,
 /// `command`, or false when the session is over.
 template <class Graph, class Program, class Link>
 bool run_steps(Program& program, Link& link, const link::Episode& episode, std::uint8_t& command) {
-  typename Graph::Observation observation = program.reset(Graph::draw(episode.key));
+  typename Graph::Observation observation = program.reset(Graph::sample(episode.key));
   for (Seq step = 0; link.get(command); ++step) {
     const bool safe =
         Graph::kSafety.declared && command == static_cast<std::uint8_t>(link::Command::safe_step);

@@ -208,7 +208,7 @@ int run(Program& program) {
   std::uint64_t steps = 0, compared = 0;
   bool same = true;
   for (std::uint32_t number = 0; same && number < episodes; ++number) {
-    program.reset(Graph::draw({.seed = seed, .environment = 0, .episode = number}));
+    program.reset(Graph::sample({.seed = seed, .environment = 0, .episode = number}));
     const std::uint32_t length = recorded.word();
     Episode<Graph, Limits, Program> episode(program, recorded, number);
     same = episode.run(length);

@@ -1,4 +1,4 @@
-// What is said of a reward that is no number, where there are strings.
+// Error text for a reward that is not finite, for targets with strings.
 #pragma once
 
 #include <cstddef>

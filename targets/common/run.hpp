@@ -117,8 +117,8 @@ bool is_linked(const Program& program) {
 
 /// A program that asks others for messages before it needs them waits for those on their way.
 template <class Program>
-void settle(Program& program) {
-  if constexpr (requires { program.settle(); }) program.settle();
+void drain(Program& program) {
+  if constexpr (requires { program.drain(); }) program.drain();
 }
 
 /// The action applied in the last step: another program's decision, once that is there.
@@ -233,7 +233,7 @@ struct Watch {
   /// An episode begins, before its reset.
   void begin(EpisodeKey /*key*/) {}
   /// The initial state.
-  States states(EpisodeKey key) { return Graph::draw(key); }
+  States states(EpisodeKey key) { return Graph::sample(key); }
   void reset(std::uint32_t /*episode*/, const Observation& /*observation*/) {}
   /// Whether an episode is over before its last step.
   bool is_over() { return false; }
@@ -254,13 +254,13 @@ struct Watch {
 template <class Graph, class Program, class AgentFunction, class WatchOfRun>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, WatchOfRun& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
-    settle(program);
+    drain(program);
     if (!(is_linked(program) || watch.link_again()) || !watch.go_on()) return;
     const EpisodeKey key = watch.key({plan.seed, plan.environment, episode});
     watch.begin(key);
     program.hooks.on_episode(episode);
     typename Graph::Observation observation = program.reset(watch.states(key));
-    if (watch.looks()) settle(program);
+    if (watch.looks()) drain(program);
     if (!is_linked(program)) continue;
     watch.reset(episode, observation);
     for (std::uint64_t step = 0; step < plan.steps; ++step) {
@@ -269,7 +269,7 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
       const typename Graph::Action wanted = agent(key, step, observation);
       typename Graph::Action action = guarded(program, wanted, watch.late_in_a_row());
       observation = apply(program, action);
-      if (watch.looks()) settle(program);
+      if (watch.looks()) drain(program);
       if (!is_linked(program)) break;
       find_applied(program, action);
       const auto outcome = outcome_of<Graph>(program);

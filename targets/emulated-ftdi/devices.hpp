@@ -1,4 +1,4 @@
-// What can be wired to the adapter.
+// Devices that can be wired to the adapter.
 #pragma once
 
 #include <cstddef>

@@ -270,7 +270,7 @@ int Emulator::bulk_out(std::uint64_t opened, unsigned interface, const std::uint
   usb_.batches += asks ? 1 : 0;
   Fault fault{};
   const bool has_i2c = std::find(bytes, bytes + n, 0x22) != bytes + n;
-  const bool bad = asks && n > kShortest && has_faults() && faults_.draw(fault, has_i2c);
+  const bool bad = asks && n > kShortest && has_faults() && faults_.sample(fault, has_i2c);
   if (bad && starts_badly(fault)) return kNoDevice;
   while (stale_.size() > 0) to_host_.put(stale_.take());
   const std::uint64_t writes = converter_.writes();

@@ -28,7 +28,7 @@ void Faults::note(Fault fault) {
   ++counts_[static_cast<std::size_t>(fault)];
 }
 
-bool Faults::draw(Fault& fault, bool has_i2c) {
+bool Faults::sample(Fault& fault, bool has_i2c) {
   if (is_forced_) {
     is_forced_ = false;
     fault = forced_;

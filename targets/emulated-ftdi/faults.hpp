@@ -1,4 +1,4 @@
-// What goes wrong on purpose: which, how often, and how many did.
+// Injected faults: which, how often, and how many did.
 #pragma once
 
 #include <array>
@@ -25,7 +25,8 @@ inline constexpr std::array<const char*, kFaults> kFaultNames = {
     "unplug",  "cut",       "silent",     "late", "split",    "spike",
     "corrupt", "stuck_low", "stuck_high", "nak",  "oversleep"};
 
-/// Draws faults, at most one for each batch of transfers that has an answer and one for each sleep.
+/// Samples faults, at most one for each batch of transfers that has an answer and one for each
+/// sleep.
 class Faults {
  public:
   Faults() = default;
@@ -34,7 +35,7 @@ class Faults {
   void configure(std::uint64_t seed, double probability, std::uint32_t kinds, std::uint64_t most);
 
   /// Whether a batch gets a fault, and which. Not oversleep, and nak only with I2C in the batch.
-  bool draw(Fault& fault, bool has_i2c);
+  bool sample(Fault& fault, bool has_i2c);
   /// How much longer a sleep takes.
   std::int64_t oversleep_ns();
 

@@ -352,7 +352,7 @@ class Batch {
     }
   }
 
-  /// What a step gives besides the observation.
+  /// The results of a step besides the observation.
   template <class AnyProgram>
   [[gnu::always_inline]] inline EpisodeEnds write_step(std::uint32_t k, AnyProgram& program,
                                                        Step& step) {

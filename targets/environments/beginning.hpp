@@ -11,7 +11,7 @@
 namespace eagerx::environments {
 
 /// The rows of a step, and the environments of which an episode begins at its end. These wait for
-/// each other, because what they begin with is drawn for several at once.
+/// each other, because what they begin with is sampled for several at once.
 struct Step {
   static constexpr std::uint32_t kMost = 16;
 
@@ -22,28 +22,28 @@ struct Step {
   std::array<std::uint32_t, kMost> environments;  // the first `waiting`; not zeroed
 };
 
-/// draw() of the graph for several episodes at once, where environments run vectorized.
+/// sample() of the graph for several episodes at once, where environments run vectorized.
 template <class Graph>
-class Draws {
+class Sampler {
  public:
   using States = typename Graph::States;
 
-  explicit Draws(const SimdKernel<Graph>& kernel) : draw_(kernel.draw) {
-    if (draw_ != nullptr && kernel.most_draws < most_) most_ = kernel.most_draws;
+  explicit Sampler(const SimdKernel<Graph>& kernel) : sample_(kernel.sample) {
+    if (sample_ != nullptr && kernel.most_samples < most_) most_ = kernel.most_samples;
   }
 
   /// The largest number of them.
   std::uint32_t most() const { return most_; }
-  void draw(const EpisodeKey* keys, std::uint32_t count, States* states) const {
-    if (draw_ != nullptr && count > 1) {
-      draw_(keys, count, states);
+  void sample(const EpisodeKey* keys, std::uint32_t count, States* states) const {
+    if (sample_ != nullptr && count > 1) {
+      sample_(keys, count, states);
     } else {
-      for (std::uint32_t i = 0; i < count; ++i) states[i] = Graph::draw(keys[i]);
+      for (std::uint32_t i = 0; i < count; ++i) states[i] = Graph::sample(keys[i]);
     }
   }
 
  private:
-  void (*draw_)(const EpisodeKey* keys, std::size_t count, States* states) = nullptr;
+  void (*sample_)(const EpisodeKey* keys, std::size_t count, States* states) = nullptr;
   std::uint32_t most_ = Step::kMost;
 };
 

@@ -1,4 +1,4 @@
-// What the critic of a training sees besides the observations: `critic:` of a graph's task.
+// Inputs of a training's critic besides the observations: `critic:` of a graph's task.
 #pragma once
 
 #include <algorithm>
@@ -60,7 +60,7 @@ class CriticLayout {
     for (std::size_t i = 0; i < seen_.size(); ++i)
       row[seen_[i]] = column.end(kTerms + terms_of<Graph> + i);
   }
-  /// 0 for what is not drawn.
+  /// 0 for what is not sampled.
   void write_states(const States& states, float* row) const {
     std::size_t field = messages_;
     for_each_state([&](const char*, auto member, const auto& space) {

@@ -1,4 +1,4 @@
-// What eagerx_describe() says of a graph.
+// The answer of eagerx_describe() about a graph.
 #pragma once
 
 #include <cstddef>

@@ -7,7 +7,7 @@
    `[environments][numbers]` is row-major float32. Columns are in the order of the names of the
    actions, observations and states, not in that of the graph's file; eagerx_describe() lists them.
    Numbers of another type are converted.
-   - An environment's draws depend on (seed, number, episode) and on nothing else: it has the same
+   - An environment's samples depend on (seed, number, episode) and on nothing else: it has the same
    bits alone, in any batch and on any number of threads. Number k of seed S is `PROGRAM --seed S
    --environment k` of target linux-sim.
    - Of one `eagerx_environments` one thread calls a function at a time, else the later call is an
@@ -47,7 +47,7 @@ typedef struct {
   uint32_t size;           /* sizeof(eagerx_options) */
   uint32_t environments;   /* 1 to EAGERX_ENVIRONMENTS_MOST */
   const uint32_t* numbers; /* [environments] number of each; null: 0, 1, 2, ... Copied. Several may
-                              be equal: they draw the same unless their seeds differ */
+                              be equal: they sample the same unless their seeds differ */
   uint64_t seed;           /* of all, until eagerx_reset() gives others */
   uint32_t
       longest; /* steps until `truncated`, besides what the graph's `task:` says; 0: only that */
@@ -124,9 +124,9 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
 int eagerx_act(eagerx_environments* environments, const float* observation, float* action);
 
 /* The states and delays of the next episode, for environments where `mask` is not 0 (null: all).
-   states  [environments][numbers of the states]; NaN: drawn as the graph says. One that is outside
-   of its space is an error, and nothing is set. Delays are doubles: 0.1F is 0.1 s, the shortest
-   decimal that reads back to it */
+   states  [environments][numbers of the states]; NaN: sampled as the graph says. One that is
+   outside of its space is an error, and nothing is set. Delays are doubles: 0.1F is 0.1 s, the
+   shortest decimal that reads back to it */
 int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, const float* states);
 
 /* Sets parameters of running episodes, for environments where `mask` is not 0 (null: all), each of
@@ -137,14 +137,15 @@ int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, co
 int eagerx_tune(eagerx_environments* environments, const uint8_t* mask, const float* states);
 
 /* states  [environments][numbers of the states] what the episodes began with; NaN where nothing was
- * set or drawn */
+ * set or sampled */
 int eagerx_get_states(eagerx_environments* environments, float* states);
 /* The same as doubles, which hold 32-bit seeds and delays exactly. */
 int eagerx_get_exact_states(eagerx_environments* environments, double* states);
 
 /* From their next reset on, episodes are those of a stage of the graph's task, for environments
-   where `mask` is not 0 (null: all): states that it draws otherwise, and reward and terms with its
-   weights. What a trace says of the reward stays as the graph is written. stage  its name; null or
+   where `mask` is not 0 (null: all): states that it samples otherwise, and reward and terms with
+   its weights. What a trace says of the reward stays as the graph is written. stage  its name; null
+   or
    "": the graph as it is written, as at first */
 int eagerx_set_stage(eagerx_environments* environments, const uint8_t* mask, const char* stage);
 

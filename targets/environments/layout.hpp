@@ -151,11 +151,11 @@ class Layout {
       using Observed = typename decltype(observed)::type;
       observations.add(name, messages_of<Observed>() * size_of<typename Observed::value_type>);
     });
-    const States drawn = Graph::draw({0, 0, 0});  // the same states for every key
+    const States sampled = Graph::sample({0, 0, 0});  // the same states for every key
     std::size_t i = 0;
     Graph::for_each_state([&](const char* name, const char*, auto member, const auto& space) {
-      const bool is_drawn = (drawn.*member).has_value();
-      states.add({name, elements_of<float>(space.low), elements_of<float>(space.high), is_drawn,
+      const bool is_sampled = (sampled.*member).has_value();
+      states.add({name, elements_of<float>(space.low), elements_of<float>(space.high), is_sampled,
                   target::is_tunable<Graph>(i++)});
     });
     actions.arrange();

@@ -1,4 +1,4 @@
-// What the functions of eagerx_environments.h do, for any generated graph: they check what they are
+// Functions of eagerx_environments.h for any generated graph: they check what they are
 // given, and nothing that is thrown leaves them.
 #pragma once
 

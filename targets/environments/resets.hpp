@@ -23,13 +23,13 @@ class Resets {
   Staging<Graph> staging;
 
   Resets(const SimdKernel<Graph>& kernel, std::uint32_t environments)
-      : staging(environments), draws_(kernel) {}
+      : staging(environments), sampler_(kernel) {}
 
-  /// Environment `k` begins an episode before the step is over: now, if as many wait as can draw
+  /// Environment `k` begins an episode before the step is over: now, if as many wait as can sample
   /// together.
   void begin_later(Held<Graph>& held, std::uint32_t k, Step& step) {
     step.environments[step.waiting++] = k;
-    if (step.waiting == draws_.most()) begin_all(held, step);
+    if (step.waiting == sampler_.most()) begin_all(held, step);
   }
   void begin_all(Held<Graph>& held, Step& step) {
     if (step.waiting != 0) begin_waiting(held, step);
@@ -37,7 +37,7 @@ class Resets {
 
   /// That the current episode of environment `k` begins with.
   States states_of(std::uint32_t k, EpisodeKey key) const {
-    States states = Graph::draw(key);
+    States states = Graph::sample(key);
     put_own(k, key, states);
     return states;
   }
@@ -48,13 +48,13 @@ class Resets {
     States states[Step::kMost];
     for (std::uint32_t i = 0; i < step.waiting; ++i)
       keys[i] = held.episodes[step.environments[i]].key();
-    draws_.draw(keys, step.waiting, states);
+    sampler_.sample(keys, step.waiting, states);
     for (std::uint32_t i = 0; i < step.waiting; ++i)
       begin(held, step.environments[i], states[i], step.rows.observation);
     step.waiting = 0;
   }
 
-  /// `states`: as the graph draws them.
+  /// `states`: as the graph samples them.
   void begin(Held<Graph>& held, std::uint32_t k, States& states, float* observations) {
     Episode& episode = held.episodes[k];
     set_states.begin(k);
@@ -73,14 +73,14 @@ class Resets {
     if (held.simd.lanes() != 0 && !episode.traced && !continues) held.put_in(k);
   }
 
-  /// The states that the stage draws differently from the graph, and those that were set.
+  /// The states that the stage samples differently from the graph, and those that were set.
   void put_own(std::uint32_t k, EpisodeKey key, States& states) const {
-    staging.draw(k, key, states);
+    staging.sample(k, key, states);
     if (const float* const row = set_states.row(k)) layout_.read(row, states);
   }
 
   const Layout<Graph>& layout_ = Layout<Graph>::get();
-  Draws<Graph> draws_;
+  Sampler<Graph> sampler_;
 };
 
 }  // namespace eagerx::environments

@@ -21,9 +21,9 @@ namespace eagerx::environments {
 struct NoAgent {};
 
 /// `Program` is the graph's over SIMD vectors of `Lanes`, `Action` and `Observation` are its
-/// messages, `Draws` draws for several environments, `Agent` is the graph's policy.
+/// messages, `Sampler` samples for several environments, `Agent` is the graph's policy.
 template <class Graph, class Program, class Action, class Observation, std::size_t Lanes,
-          class Draws, class Agent = NoAgent>
+          class Sampler, class Agent = NoAgent>
 class SimdFunctions {
  public:
   using Kernel = SimdKernel<Graph>;
@@ -52,8 +52,8 @@ class SimdFunctions {
       static_cast<const Program*>(group)->store(lane, one);
     };
     if constexpr (Program::kPhases == 1 && !kHasResetNodes) kernel.restart = restart;
-    kernel.draw = Draws::draw;
-    kernel.most_draws = Draws::kMost;
+    kernel.sample = Sampler::sample;
+    kernel.most_samples = Sampler::kMost;
     kernel.action_bytes = sizeof(Action);
     if constexpr (!Graph::kSafety.declared) kernel.take = take;
     kernel.put = [](void* actions, std::uint32_t lane, const typename Kernel::Action& action) {

@@ -1,4 +1,4 @@
-// What a batch does with SIMD groups, compiled once for each instruction set.
+// A batch's operations on SIMD groups, compiled once for each instruction set.
 #pragma once
 
 #include <cstddef>
@@ -67,9 +67,9 @@ struct SimdKernel {
   /// of these may depend on more: reset nodes, several phases.
   typename Graph::Observation (*restart)(void* group, std::uint32_t lane, Program& one,
                                          const States& states) = nullptr;
-  /// As the graph's draw() for each of `count` keys, at most `most_draws`.
-  void (*draw)(const EpisodeKey* keys, std::size_t count, States* states) = nullptr;
-  std::uint32_t most_draws = 0;
+  /// As the graph's sample() for each of `count` keys, at most `most_samples`.
+  void (*sample)(const EpisodeKey* keys, std::size_t count, States* states) = nullptr;
+  std::uint32_t most_samples = 0;
   /// Fills `actions` of a SIMD group. The lanes, a bit each, whose action must go through the
   /// guard, which has not been done: put() takes what comes out. Null if all must.
   std::uint64_t (*take)(const ActionRows& rows, void* actions) = nullptr;

@@ -49,11 +49,11 @@ class Staging {
   void begin([[maybe_unused]] std::uint32_t k) {
     if constexpr (kStages > 0) now_[k] = next_[k];
   }
-  /// The states that the stage draws differently from the graph.
-  void draw([[maybe_unused]] std::uint32_t k, [[maybe_unused]] EpisodeKey key,
-            [[maybe_unused]] typename Graph::States& states) const {
+  /// The states that the stage samples differently from the graph.
+  void sample([[maybe_unused]] std::uint32_t k, [[maybe_unused]] EpisodeKey key,
+              [[maybe_unused]] typename Graph::States& states) const {
     if constexpr (kStages > 0) {
-      if (now_[k] != kAsWritten) Stages<Graph>::draw(now_[k], key, states);
+      if (now_[k] != kAsWritten) Stages<Graph>::sample(now_[k], key, states);
     }
   }
   /// Writes reward and terms of a step with the stage's weights; term(i): as the graph weighs it.

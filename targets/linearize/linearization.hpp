@@ -370,7 +370,7 @@ int run(int argc, char** argv) {
   constexpr int kProblems = 1, kWrongUsage = 2;
   const auto request = read_request(argc, argv);
   if (!request) return kWrongUsage;
-  typename Graph::States states = Graph::draw(EpisodeKey{request->seed, 0, 0});
+  typename Graph::States states = Graph::sample(EpisodeKey{request->seed, 0, 0});
   for (const std::string& text : request->at) {
     if (!set_state<Graph>(text, states)) return kWrongUsage;
   }

@@ -70,21 +70,21 @@ inline void print_number(const char* separator, double x) {
     std::printf("%snull", separator);
 }
 
-/// The range that element `i` of a state is drawn from; null if it is not.
+/// The range that element `i` of a state is sampled from; null if it is not.
 template <class Graph>
 void print_range(typename Graph::States& states, const void* state, std::size_t i) {
-  bool is_drawn = false;
+  bool is_sampled = false;
   Graph::for_each_range([&](const char*, auto member, const auto& space) {
     if (static_cast<const void*>(&(states.*member)) != state) return;
-    is_drawn = true;
+    is_sampled = true;
     print_number(", ", static_cast<double>(element(space.low, i)));
     print_number(", ", static_cast<double>(element(space.high, i)));
   });
-  if (!is_drawn) std::printf(", null, null");
+  if (!is_sampled) std::printf(", null, null");
 }
 
-/// ["pendulum.model_state", element, value, low, high, drawn from, to] of each number, in the order
-/// of States.
+/// ["pendulum.model_state", element, value, low, high, sampled from, to] of each number, in the
+/// order of States.
 template <class Graph>
 void print_states(typename Graph::States states) {
   std::printf(",\n\"states\": [");

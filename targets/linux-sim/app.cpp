@@ -110,7 +110,7 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
     return "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "
            "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions";
   if (facts.is_split() && !options.settings.empty())
-    return "error: each part draws its states itself\nhelp: leave out `--set`";
+    return "error: each part samples its states itself\nhelp: leave out `--set`";
   std::string problem = settings.read(options.settings);
   if (!problem.empty()) return problem;
   problem = problem_of_agent(options, program);

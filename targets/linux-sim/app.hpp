@@ -66,7 +66,7 @@ class GraphWatch : public target::Watch<Graph> {
   EpisodeKey key(EpisodeKey planned) { return watch_.key(planned); }
   void begin(EpisodeKey key) { link_.begin(key, watch_.agent()); }
   States states(EpisodeKey key) {
-    States states = Graph::draw(key);
+    States states = Graph::sample(key);
     const StateRow row = watch_.states();
     copy_states<Graph>(states, row);
     if (watch_.begin_episode(key, row)) take_states<Graph>(row, states);
@@ -192,7 +192,7 @@ void run_program(Watch& watch, LinkOf<Graph>& link, Program& program) {
     LinkOf<Graph>::make_safe(program);
     target::step_safely<Graph>(program);
   }
-  target::settle(program);
+  target::drain(program);
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
   target::stop(program);
 }
@@ -249,8 +249,8 @@ class ProgramOf final : public GraphProgram {
 
   std::size_t action_bytes() const override { return sizeof(Action); }
   void zero(void* action) const override { *static_cast<Action*>(action) = Graph::zero(); }
-  void draw(EpisodeKey key, StateRow states) const override {
-    copy_states<Graph>(Graph::draw(key), states);
+  void sample(EpisodeKey key, StateRow states) const override {
+    copy_states<Graph>(Graph::sample(key), states);
   }
   void warm_up() override { target::warm_up(traced_); }
   void reset(std::uint32_t episode, StateRow states) override {

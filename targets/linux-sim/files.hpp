@@ -1,4 +1,4 @@
-// What a program reads and writes: descriptors that are there, files that are different.
+// Files of a program: descriptors that are there, files that are different.
 #pragma once
 
 #include <cstdio>

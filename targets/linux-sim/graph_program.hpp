@@ -70,7 +70,7 @@ struct Field {
   MessageType type;
   const void* low = nullptr;  // messages of the type, if there is a space; the listener copies them
   const void* high = nullptr;
-  const char* id = "";     // of a state: what its draws are called
+  const char* id = "";     // of a state: what its samples are called
   std::size_t offset = 0;  // of an action, in Action
   bool tunable = false;    // a state that can be set while an episode runs
   std::uint32_t most = 1;  // messages of an observation that there can be
@@ -83,7 +83,7 @@ class FieldListener {
   virtual void action(const Field& field) = 0;
   virtual void observation(const Field& field) = 0;
   virtual void state(const Field& field) = 0;
-  /// A state that is drawn from the range of its space.
+  /// A state that is sampled from the range of its space.
   virtual void range(const Field& field) = 0;
   /// A number of what a step was worth: the reward, flags, then the terms of the reward.
   virtual void outcome(const char* name, bool is_flag) = 0;
@@ -146,7 +146,7 @@ class GraphProgram {
 
   virtual std::size_t action_bytes() const = 0;
   virtual void zero(void* action) const = 0;
-  virtual void draw(EpisodeKey key, StateRow states) const = 0;
+  virtual void sample(EpisodeKey key, StateRow states) const = 0;
   virtual void warm_up() = 0;
   /// Begins episode `episode` with what is in `states`.
   virtual void reset(std::uint32_t episode, StateRow states) = 0;

@@ -19,7 +19,7 @@ namespace {
 using identification::Experiment;
 using identification::Trial;
 
-/// All elements of the states that the graph draws from ranges.
+/// All elements of the states that the graph samples from ranges.
 std::vector<identification::Parameter> parameters_of(const std::vector<Field>& ranges) {
   std::vector<identification::Parameter> parameters;
   for (const Field& field : ranges) {

@@ -1,4 +1,4 @@
-// What each option of the command line is called, wants and sets.
+// Name, value and effect of each option of the command line.
 #pragma once
 
 #include <span>

@@ -78,7 +78,7 @@ class PacerOn {
                                  static_cast<std::uint64_t>(std::max(period_ns_, 1.0)),
                                  static_cast<std::uint64_t>(max_lateness_ns_));
   }
-  /// Until when the action of the latest instant is in time, as late_in_a_row() judges it; 0:
+  /// Until when the action of the latest instant is in time, as late_in_a_row() checks it; 0:
   /// always.
   std::int64_t in_time_until_ns() const {
     return paces() ? due_ns_ + std::max(static_cast<std::int64_t>(period_ns_), max_lateness_ns_)

@@ -1,4 +1,4 @@
-// What is done with the messages of a run besides their hash: written, measured, compared with a
+// Handles the messages of a run besides their hash: written, measured, compared with a
 // log or taken from it.
 #pragma once
 

@@ -33,7 +33,7 @@ class Repetition {
     program_.warm_up();
     for (std::uint32_t episode = 0; episode < log_.episodes() && replay_.go_on(); ++episode) {
       const EpisodeKey key{log_.seed, log_.environment, episode};
-      program_.draw(key, states_.row());
+      program_.sample(key, states_.row());
       repeat_states(log_, episode, fields_.states, states_.row());
       program_.reset(episode, states_.row());
       for (Seq step = 0; replay_.go_on() && replay_.has_step(episode); ++step) {

@@ -1,4 +1,4 @@
-// What watches a run, step by step: the side that the main function sees.
+// Watches a run, step by step: the side that the main function sees.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a program says before it ends.
+// Messages of a program before it ends.
 #pragma once
 
 #include <string>

@@ -28,7 +28,7 @@ class StateRecord {
   void trace_set(host::TextFile& out, std::uint32_t episode, Seq step, StateRow states) const;
   void column_names(host::TextFile& out) const;
   void columns(host::TextFile& out) const;
-  /// A line for each state: its value, or from where to where it was drawn.
+  /// A line for each state: its value, or from where to where it was sampled.
   void describe(Summary& summary) const;
 
  private:

@@ -102,7 +102,7 @@ std::string problem_of(const StateSetting& setting, const std::vector<double>& l
     if (setting.kind == Kind::normal) {
       if (i < size && setting.number(1, i) < 0.0)
         return about(setting) + "the deviation is below 0";
-      continue;  // what is drawn is moved into the space
+      continue;  // what is sampled is moved into the space
     }
     for (std::size_t group = 0; group < setting.groups(); ++group) {
       const double x = setting.kind == Kind::choice ? setting.numbers[std::min(i, given - 1)]
@@ -129,9 +129,9 @@ std::vector<double> numbers_of(const Field& field, const void* message) {
   return result;
 }
 
-/// Element after element, as Space::sample() and draw.hpp draw messages.
+/// Element after element, as Space::sample() and sample.hpp sample messages.
 template <class T>
-void draw(const StateSetting& setting, EpisodeKey key, const Field& field, T* elements) {
+void sample(const StateSetting& setting, EpisodeKey key, const Field& field, T* elements) {
   Random random(key, entity_id(field.id));
   const std::size_t size = field.type.size;
   const auto number = [&](std::size_t group, std::size_t i) {
@@ -210,7 +210,7 @@ bool StateSettings::apply(EpisodeKey key, StateRow states) const {
   for (std::size_t i = 0; i < settings_.size(); ++i) {
     if (!settings_[i]) continue;
     with_elements(states_[i].type.scalar, states.messages[i],
-                  [&](auto* elements) { draw(*settings_[i], key, states_[i], elements); });
+                  [&](auto* elements) { sample(*settings_[i], key, states_[i], elements); });
     states.has_value[i] = true;
   }
   return !settings_.empty();
@@ -222,7 +222,7 @@ bool StateSettings::apply_at(Seq step, StateRow states) const {
     if (setting.step != step) continue;
     with_elements(states_[state].type.scalar, states.messages[state],
                   [&, state = state, &setting = setting](auto* elements) {
-                    draw(setting, {}, states_[state], elements);
+                    sample(setting, {}, states_[state], elements);
                   });
     states.has_value[state] = any = true;
   }

@@ -50,7 +50,7 @@ class StateSettings {
   /// The problem of `texts`, or nothing.
   std::string read(const std::vector<std::string>& texts);
 
-  /// Puts what is set into `states`, as the graph's own draws would be: the same numbers for the
+  /// Puts what is set into `states`, as the graph's own samples would be: the same numbers for the
   /// same key. Does not allocate. False: nothing is set.
   bool apply(EpisodeKey key, StateRow states) const;
 

@@ -1,4 +1,4 @@
-// What a run did, in lines of `name value` that people and scripts read.
+// The summary of a run, in lines of `name value` that people and scripts read.
 #pragma once
 
 #include <cstdint>

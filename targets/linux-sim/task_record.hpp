@@ -1,4 +1,4 @@
-// What a graph's task says of the episodes of a run, for the summary.
+// Returns and successes of a run's episodes, for the summary.
 #pragma once
 
 #include <cstddef>

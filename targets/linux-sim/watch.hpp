@@ -1,4 +1,4 @@
-// What watches a run, step by step: the side that programs see.
+// Watches a run, step by step: the side that programs see.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class Watch {
   /// Whether the run has begun and is over before its time, so that something may have to be made
   /// safe.
   virtual bool ends_early() const = 0;
-  /// An episode begins with `states`, as the graph draws them. True: some are others now.
+  /// An episode begins with `states`, as the graph samples them. True: some are others now.
   virtual bool begin_episode(EpisodeKey key, StateRow states) = 0;
   /// Memory for them.
   virtual StateRow states() = 0;

@@ -193,7 +193,7 @@ def _run_session(link, part):
     has_begun = False
     while True:
         if command == RESET:
-            EPISODE.unpack(link.read(EPISODE.size))  # states that are drawn are of parts in C++
+            EPISODE.unpack(link.read(EPISODE.size))  # states that are sampled are of parts in C++
             part.reset(link)
             has_begun = True
         elif has_begun and (command == STEP or (command == SAFE_STEP and part.safe_steps)):

@@ -1,4 +1,4 @@
-// What PWM, encoders and clocks have in common on the STM32F405: its general and advanced timers.
+// Shared by PWM, encoders and clocks on the STM32F405: its general and advanced timers.
 // Source: ST RM0090, rev 19, chapters 17 to 19; pins: DS8626, table 9.
 #pragma once
 

@@ -18,7 +18,7 @@ class Failure extends Error {
 const kHelp = `Options (defaults in brackets):
   --steps N         steps of each episode [300, or what the graph's task says]
   --episodes N      episodes [1]
-  --seed N          what random numbers are drawn from [1]
+  --seed N          what random numbers are sampled from [1]
   --environment N   one of many environments with this seed [0]
   --agent NAME      policy, zero or random [the agent of the graph]
   --set NAME=VALUE  of a state at each reset, VALUE@STEP of a tunable parameter from that step on; may be repeated

@@ -68,7 +68,7 @@ class Simulation {
   using States = typename Graph::States;
 
   Fields actions, states, messages, outcome;
-  /// States of the next episodes; NaN: drawn as the graph says. [numbers of the states]
+  /// States of the next episodes; NaN: sampled as the graph says. [numbers of the states]
   std::vector<double> settings;
 
   Simulation() {
@@ -133,15 +133,15 @@ class Simulation {
   /// The next episode begins; false if a setting is outside of its space, and then nothing happens.
   bool reset() {
     key_.episode = next_episode_;
-    States drawn = Graph::draw(key_);
-    if (!apply_settings(drawn)) return false;
-    write(drawn);
+    States sampled = Graph::sample(key_);
+    if (!apply_settings(sampled)) return false;
+    write(sampled);
     ++next_episode_;
     steps_ = 0;
     ended_ = false;
     program_.hooks.forget();
     program_.hooks.on_episode(key_.episode);
-    observation_.emplace(program_.reset(drawn));
+    observation_.emplace(program_.reset(sampled));
     write(Outcome{});
     return true;
   }

@@ -106,7 +106,7 @@ class Simulation {
     this.actions = row("actions");
     this.actionsLow = row("actions_low");
     this.actionsHigh = row("actions_high");
-    /** Of the next episodes; NaN: drawn as the graph says. */
+    /** Of the next episodes; NaN: sampled as the graph says. */
     this.settings = row("settings");
     /** What the episode began with. */
     this.states = row("states");

@@ -1,4 +1,4 @@
-// What Emscripten's standard library of Debian 12 (libc++ 13) lacks of C++20. Included before
+// Parts of C++20 that Emscripten's library of Debian 12 (libc++ 13) lacks. Included before
 // everything else.
 #pragma once
 

@@ -70,7 +70,7 @@ std::map<std::string, std::uint64_t> counts_of(const Program& program) {
 /// The ten lines: a loop that steps with whatever it has.
 template <class Program, class Graph>
 void run_loop(Program& program, int steps) {
-  program.reset(Graph::draw(kKey));
+  program.reset(Graph::sample(kKey));
   std::uint32_t word = 1;
   for (int i = 0; i < steps; ++i) {
     word = word * 1664525U + 1013904223U;
@@ -117,7 +117,7 @@ TEST(OwnLoopTest, NorWithSafety) {
 TEST(OwnLoopTest, SafetyTakesOverAfterLateStepsAndGivesBack) {
   graphs::taken_over::Program<MotorHooks> program;
   program.hooks.channel = graphs::taken_over::channel::pendulum_u_action_applied;
-  program.reset(graphs::taken_over::Graph::draw(kKey));
+  program.reset(graphs::taken_over::Graph::sample(kKey));
   const auto applied = [&](float voltage, std::uint64_t late = 0) {
     program.step({.voltage = {voltage}}, late);
     return program.hooks.last;
@@ -136,7 +136,7 @@ TEST(OwnLoopTest, SafetyTakesOverAfterLateStepsAndGivesBack) {
 TEST(OwnLoopTest, WhatHasNotComeYetBecauseTheGraphSaysSoIsNoFault) {
   graphs::skipped::Program<MotorHooks> program;
   for (int episode = 0; episode < 3; ++episode) {
-    program.reset(graphs::skipped::Graph::draw(kKey));
+    program.reset(graphs::skipped::Graph::sample(kKey));
     for (int i = 0; i < 5; ++i) program.step({.target = {0.1F}});
   }
   for (const auto& [name, count] : counts_of(program)) EXPECT_EQ(count, 0U) << name;

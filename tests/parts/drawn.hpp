@@ -139,7 +139,7 @@ Result run(const target::RunPlan& plan, Program& program, KeepingWatch<Graph>& w
                    : Graph::zero();
   };
   target::run_episodes<Graph>(plan, program, agent, watch);
-  target::settle(program);
+  target::drain(program);
   return {program.hooks.hash(), program.hooks.messages, std::move(watch.seen),
           target::is_linked(program)};
 }

@@ -37,7 +37,7 @@ using TraceOfCut =
 TEST(CutTest, InALoopWithTheMotorItsMessagesAreThoseOfTheSimulation) {
   constexpr int kSteps = 2000;
   whole::Program<TraceOfWhole> simulation;
-  simulation.reset(whole::Graph::draw({.seed = 1, .environment = 0, .episode = 0}));
+  simulation.reset(whole::Graph::sample({.seed = 1, .environment = 0, .episode = 0}));
   for (int i = 1; i < kSteps; ++i) simulation.step({});
 
   cut::Program<TraceOfCut> program;

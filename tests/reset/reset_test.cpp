@@ -25,10 +25,10 @@ class ResetNode : public ::testing::Test {
   int second_reset() {
     Interruption::at = INT32_MAX;
     program.hooks.on_episode(0);
-    program.reset(Graph::draw({1, 0, 0}));
+    program.reset(Graph::sample({1, 0, 0}));
     Interruption::at = at;
     program.hooks.on_episode(1);
-    program.reset(Graph::draw({1, 0, 1}));
+    program.reset(Graph::sample({1, 0, 1}));
     return Interruption::messages;
   }
   int at = INT32_MAX;

@@ -69,7 +69,7 @@ class FakeProgram final : public GraphProgram {
   std::uint64_t hash() const override { return 42; }
   std::size_t action_bytes() const override { return sizeof(FakeAction); }
   void zero(void* action) const override { *static_cast<FakeAction*>(action) = {}; }
-  void draw(EpisodeKey /*key*/, StateRow states) const override {
+  void sample(EpisodeKey /*key*/, StateRow states) const override {
     states.has_value[0] = true;  // the delay is drawn
     *static_cast<double*>(states.messages[0]) = 0.25;
   }

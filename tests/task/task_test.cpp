@@ -50,7 +50,7 @@ std::vector<std::uint64_t> run(Program& program, std::uint32_t episodes, std::ui
   for (std::uint32_t episode = 0; episode < episodes; ++episode) {
     const eagerx::EpisodeKey key{.seed = 3, .environment = 0, .episode = episode};
     program.hooks.on_episode(episode);
-    program.reset(Graph::draw(key));
+    program.reset(Graph::sample(key));
     check(0, program.outcome());
     std::uint64_t step = 0;
     while (step < steps) {

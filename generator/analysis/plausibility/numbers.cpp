@@ -9,7 +9,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// The values of a delay that are written, whether it is drawn or not.
+/// The values of a delay that are written, whether it is sampled or not.
 std::vector<QuantitySpec> written_delays(const ConnectionSettings& settings) {
   std::vector<QuantitySpec> result;
   const auto add = [&](const std::optional<YamlValue>& value) {

@@ -93,11 +93,11 @@ void check_kept_states(const CheckedGraph& checked, Diagnostics& diagnostics) {
     if (is_brought_about(checked.graph, i)) continue;
     const auto kept = still_moving(object);
     if (kept.empty()) continue;
-    std::vector<std::string> names, drawn;
+    std::vector<std::string> names, sampled;
     bool bounded = true;
     for (const KeptState* state : kept) {
       names.push_back(object.name + "." + state->name);
-      drawn.push_back(
+      sampled.push_back(
           fmt::format("{}: {}", state->name, state->bounded ? "uniform" : "{value: …}"));
       bounded = bounded && state->bounded;
     }
@@ -108,7 +108,8 @@ void check_kept_states(const CheckedGraph& checked, Diagnostics& diagnostics) {
     problem.notes.push_back({fmt::format("`{}` ends episodes", end->name), end->span, ""});
     problem.help = fmt::format(
         "write `states: {{{}}}`{}; without a value (`{}:`) if a program of your own sets it",
-        join(drawn, ", "), bounded ? ", or always the same: `{value: …}`" : "", kept.front()->name);
+        join(sampled, ", "), bounded ? ", or always the same: `{value: …}`" : "",
+        kept.front()->name);
   }
 }
 

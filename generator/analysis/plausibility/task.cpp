@@ -59,11 +59,11 @@ void check_inputs(const Graph& graph, Diagnostics& diagnostics) {
 
 void check_critic(const std::vector<CriticInput>& critic, Diagnostics& diagnostics) {
   for (const CriticInput& seen : critic) {
-    if (seen.drawn) continue;
+    if (seen.sampled) continue;
     auto& problem = diagnostics.warning(
-        kCode, seen.span, fmt::format("`{}` is not drawn: the critic always sees 0", seen.name));
+        kCode, seen.span, fmt::format("`{}` is not sampled: the critic always sees 0", seen.name));
     problem.label = "unless the program that trains sets it";
-    problem.help = "draw it, as with `states: {mass: uniform}` of its object, or leave it out";
+    problem.help = "sample it, as with `states: {mass: uniform}` of its object, or leave it out";
   }
 }
 

@@ -232,7 +232,7 @@ class CompileCheck {
           "give the variable a value where it is declared";
   }
 
-  /// What the compiler says of the program in this form, a folder and a namespace; nothing if the
+  /// The compiler's messages for the program in this form, a folder and a namespace; nothing if the
   /// target has none.
   std::string compile_form(const std::string& form, const std::vector<std::string>& more) {
     const std::string header = fmt::format("{}/{}/program.hpp", plan_.graph->name, form);

@@ -31,7 +31,7 @@ class TemporaryFolder {
   std::string path_;
 };
 
-/// Compiles the program in `files`, which emit() made for the output `folder`, and judges the code
+/// Compiles the program in `files`, which emit() made for the output `folder`, and checks the code
 /// of its entities. An entity that needs an operating system may use a heap. Problems: E0510 a
 /// missing class, E0511 code that does not compile, E0512 a broken promise, E0513 no compiler,
 /// E0901 the files cannot be written.

@@ -1,4 +1,4 @@
-// What an object file calls that no board has, and what it keeps outside of its objects. Inside
+// Calls in an object file that no board has, and its static data. Inside
 // compile/ only.
 #pragma once
 

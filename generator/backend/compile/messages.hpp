@@ -1,4 +1,4 @@
-// What compilers say. Inside compile/ only.
+// Messages of compilers. Inside compile/ only.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a slot does: groups of nodes with one rate, and in them what each node does.
+// Blocks of a slot: groups of nodes with one rate, and the calls of each node.
 #pragma once
 
 #include <string>

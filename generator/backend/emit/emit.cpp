@@ -141,7 +141,7 @@ class Emitter {
     program.set("indented", indented());
     add_one("program.hpp", "cpp/vectorized_program.hpp.mustache", std::move(program));
     if (!failed_) files_.back().text = take_marks(files_.back().text).text;
-    add_one("draws.hpp", "cpp/vectorized_draws.hpp.mustache", draws_view(plan_, names_));
+    add_one("sampler.hpp", "cpp/vectorized_sampler.hpp.mustache", sampler_view(plan_, names_));
     if (acts_vectorized()) {
       View view = vectorized_policy_view(*network_, "policy");
       view["agent"] = vectorized_agent_view(plan_, *network_);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <bit>
 
-#include "generator/backend/emit/draws.hpp"
 #include "generator/backend/emit/names.hpp"
 #include "generator/backend/emit/policy_answers.hpp"
+#include "generator/backend/emit/samples.hpp"
 #include "generator/support/diagnostics/join.hpp"
 #include "generator/support/quote/quote.hpp"
 
@@ -35,7 +35,7 @@ class GraphView {
     view_.set("agent_csv",
               cpp_string(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
     add_channels();
-    add_draws();
+    add_samples();
     add_states();
     add_random_action();
     add_policy();
@@ -46,9 +46,9 @@ class GraphView {
     return std::move(view_);
   }
 
-  /// Only what is drawn.
-  View draws() {
-    add_draws();
+  /// Only what is sampled.
+  View sampler() {
+    add_samples();
     return std::move(view_);
   }
 
@@ -203,9 +203,9 @@ class GraphView {
     view_["parts"] = std::move(parts);
   }
 
-  void add_draws() {
+  void add_samples() {
     View ranges = list(), randoms = list();
-    bool draws = false;
+    bool samples = false;
     const auto add = [&](const std::string& owner, const State& state, const std::string& field) {
       if (!state.random) return;
       const RandomSpec::Kind kind = state.random->kind;
@@ -223,9 +223,9 @@ class GraphView {
       item.set("field", field);
       item.set("is_together",
                kind == RandomSpec::Kind::uniform && state.space.dtype == Dtype::float32);
-      item.set("lines", draw_lines(*state.random, state.space, field, constant));
+      item.set("lines", sample_lines(*state.random, state.space, field, constant));
       randoms.push_back(item);
-      draws = draws || kind != RandomSpec::Kind::value;
+      samples = samples || kind != RandomSpec::Kind::value;
     };
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s)
@@ -252,7 +252,7 @@ class GraphView {
     view_.set("has_ranges", ranges.is_non_empty_list());
     view_["ranges"] = std::move(ranges);
     view_["randoms"] = std::move(randoms);
-    view_.set("draws", draws);
+    view_.set("samples", samples);
   }
 
   /// Everything that States has.
@@ -309,8 +309,8 @@ class GraphView {
     constexpr std::uint64_t kWordsInBlock = 4;
     view_.set("has_random_action", !samples.empty());
     view_.set("random_action", designated(samples));
-    // Twice what is needed, since drawing an integer may take several words.
-    view_.set("draws_a_step",
+    // Twice what is needed, since sampling an integer may take several words.
+    view_.set("samples_a_step",
               fmt::format("{}", std::bit_ceil(2 * (words + kWordsInBlock - 1) / kWordsInBlock)));
   }
 
@@ -364,9 +364,9 @@ View graph_view(const Plan& plan, const ProgramNames& names, const std::optional
   return GraphView(plan, names, network, node_policies).make();
 }
 
-View draws_view(const Plan& plan, const ProgramNames& names) {
+View sampler_view(const Plan& plan, const ProgramNames& names) {
   const std::optional<Network> no_network;
-  return GraphView(plan, names, no_network, {}).draws();
+  return GraphView(plan, names, no_network, {}).sampler();
 }
 
 }  // namespace eagerx::gen

@@ -1,4 +1,4 @@
-// What the header of a library is rendered with.
+// The view of a library's header.
 #include <fmt/format.h>
 
 #include <algorithm>

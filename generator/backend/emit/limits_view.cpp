@@ -1,4 +1,4 @@
-// What limits.hpp is rendered with: spaces, and what `safety:` says.
+// The view of limits.hpp: spaces, and the settings of `safety:`.
 #include <fmt/format.h>
 
 #include <algorithm>

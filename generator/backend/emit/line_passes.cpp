@@ -45,7 +45,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kNamesOf
      {"<optional>", "std::optional"},
      {"<optional>", "std::nullopt"},
      {"<eagerx/delay.hpp>", "DelayQuanta"},
-     {"<eagerx/draw.hpp>", "eagerx::draw_"},
+     {"<eagerx/sample.hpp>", "eagerx::sample_"},
      {"<eagerx/cursor.hpp>", "DelayCursor"},
      {"<eagerx/cursor.hpp>", "SkipCursor"},
      {"<eagerx/cursor.hpp>", "NewMessages"},

@@ -1,4 +1,4 @@
-// What clang-format does with several lines of generated C++.
+// Passes over lines of generated C++, as clang-format formats them.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a program does with a message at its links to others.
+// The view of a message at the links to other programs.
 #pragma once
 
 #include <string>

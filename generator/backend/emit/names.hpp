@@ -136,8 +136,8 @@ struct ProgramNames {
 /// begin with that of the member that has all of it.
 bool is_drawn(const Plan& plan, const Ring& ring);
 
-/// vectorized/draws.hpp: what several episodes begin with.
-View draws_view(const Plan& plan, const ProgramNames& names);
+/// vectorized/sampler.hpp: what several episodes begin with.
+View sampler_view(const Plan& plan, const ProgramNames& names);
 
 /// The view of the templates of one program.
 View messages_view(const Plan& plan, const ProgramNames& names);

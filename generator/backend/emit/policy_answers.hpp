@@ -1,4 +1,4 @@
-// What becomes of a network's outputs, in generated code.
+// The outputs of a network as actions, in generated code.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What templates/cpp/policy.hpp.mustache shows of a network.
+// The view of a network for templates/cpp/policy.hpp.mustache.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace eagerx::gen {
 
-/// What becomes of a policy's tables while its view is made.
+/// The form of a policy's tables in its view.
 class PolicyTables {
  public:
   enum class Kind : std::uint8_t {

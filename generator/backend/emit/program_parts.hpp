@@ -1,4 +1,4 @@
-// What a program has of each rate, node, ring and object of a plan: the C++ names, by kind.
+// C++ names in a program for each rate, node, ring and object of a plan, by kind.
 #pragma once
 
 #include <cstddef>

@@ -229,7 +229,7 @@ class ProgramView {
     view_.set("observation_asks", asks);
   }
 
-  /// What the messages of a ring are: "motor.u", "motor.u for filter.signal".
+  /// Describes the messages of a ring: "motor.u", "motor.u for filter.signal".
   [[nodiscard]] std::string label_of(const Ring& ring) const {
     const auto channel = ranges::find_if(plan_.channels, [&](const Channel& each) {
       return each.node == ring.node && each.output == ring.output;

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "generator/backend/emit/draws.hpp"
 #include "generator/backend/emit/names.hpp"
+#include "generator/backend/emit/samples.hpp"
 #include "generator/support/quote/quote.hpp"
 
 namespace eagerx::gen {
@@ -14,7 +14,7 @@ std::string limit(const std::optional<double>& wanted) {
   return double_literal(wanted.value_or(-std::numeric_limits<double>::infinity()));
 }
 
-View drawn_in_stage(const Plan& plan, const ProgramNames& names, const StageState& each) {
+View sampled_in_stage(const Plan& plan, const ProgramNames& names, const StageState& each) {
   const Graph& graph = *plan.graph;
   const std::string& owner =
       each.object ? graph.objects[*each.object].name : graph.nodes[each.node].name;
@@ -32,7 +32,7 @@ View drawn_in_stage(const Plan& plan, const ProgramNames& names, const StageStat
     range.set("literal", space_literal(range_of(each.random, state.space)));
     view["range"] = std::move(range);
   }
-  view.set("lines", draw_lines(each.random, state.space, field, "kRange"));
+  view.set("lines", sample_lines(each.random, state.space, field, "kRange"));
   return view;
 }
 
@@ -42,7 +42,7 @@ View stages_view(const Plan& plan, const ProgramNames& names) {
   const auto& task = plan.graph->task;
   if (!task || task->stages.empty() || names.is_split()) return View(false);
   std::vector<std::string> stage_names, untils, scales;
-  View draws = list();
+  View samples = list();
   for (const Stage& stage : task->stages) {
     stage_names.push_back(cpp_string(stage.name));
     untils.push_back(braced({limit(stage.success), limit(stage.mean_return)}));
@@ -54,20 +54,20 @@ View stages_view(const Plan& plan, const ProgramNames& names) {
     }
     scales.push_back(braced(own));
     View item = object();
-    item.set("number", fmt::format("{}", draws.list_value().size()));
+    item.set("number", fmt::format("{}", samples.list_value().size()));
     item.set("stage", stage.name);
     View states = list();
     for (const StageState& state : stage.states)
-      states.push_back(drawn_in_stage(plan, names, state));
+      states.push_back(sampled_in_stage(plan, names, state));
     item["states"] = std::move(states);
-    draws.push_back(item);
+    samples.push_back(item);
   }
   View view = object();
   view.set("stage_names", joined(stage_names));
   view.set("untils", joined(untils));
   view.set("scales", joined(scales));
   view.set("terms", fmt::format("{}", task->terms.size()));
-  view["draws"] = std::move(draws);
+  view["samples"] = std::move(samples);
   return view;
 }
 

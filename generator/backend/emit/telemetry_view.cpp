@@ -1,4 +1,4 @@
-// What boards send of themselves: the tables in graph.hpp, and telemetry.json for who reads it.
+// The telemetry of boards: the tables in graph.hpp, and telemetry.json for readers.
 #include <fmt/format.h>
 
 #include "generator/backend/emit/names.hpp"

@@ -19,7 +19,7 @@ using Operators = std::array<std::string_view, 6>;
 constexpr std::array<Operators, 5> kPrecedences = {
     {{" ||"}, {" &&"}, {" <", " >", " <=", " >=", " ==", " !="}, {" +", " -"}, {" *", " /"}}};
 
-/// What these, which have a blank behind them, divide outside of brackets.
+/// Operands of these operators, which have a blank behind them, outside of brackets.
 std::vector<Piece> divided(std::string_view text, const auto& separators) {
   std::vector<Piece> parts;
   std::size_t begin = 0;

@@ -1,4 +1,4 @@
-// What a part in another language cannot do.
+// Limits of a part in another language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,10 +50,10 @@ class LanguageCheck {
         refuse(output.span, fmt::format("`{}.{}` has a processor", node.name, output.name),
                kConvert);
     for (const State& state : node.states) {
-      const bool drawn = state.random && state.random->kind != RandomSpec::Kind::value;
-      if (drawn || (state.random && state.processor))
+      const bool sampled = state.random && state.random->kind != RandomSpec::Kind::value;
+      if (sampled || (state.random && state.processor))
         refuse(state.span,
-               fmt::format("the state `{}.{}` is drawn at a reset", node.name, state.name),
+               fmt::format("the state `{}.{}` is sampled at a reset", node.name, state.name),
                "give it a value: `states: {NAME: {value: 0.5}}`");
     }
   }

@@ -1,4 +1,4 @@
-// What the templates of other languages are rendered with.
+// The view for templates of other languages.
 #pragma once
 
 #include <cstdint>

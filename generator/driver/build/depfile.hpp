@@ -1,4 +1,4 @@
-// What an output was made from, for make and ninja.
+// The sources of an output, for make and ninja.
 #pragma once
 
 #include "generator/driver/pipeline/pipeline.hpp"

@@ -1,4 +1,4 @@
-// What a library of environments would say of its graph, before it is built.
+// The description that a library of environments will have, before it is built.
 #pragma once
 
 #include <string>

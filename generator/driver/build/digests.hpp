@@ -1,4 +1,4 @@
-// What the files of a build were when they were compiled.
+// Digests of a build's files from the time of compilation.
 #pragma once
 
 #include <cstdint>

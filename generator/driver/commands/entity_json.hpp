@@ -1,4 +1,4 @@
-// What is known of entities and targets, as JSON: for the reference (toolchains/site) and other
+// Entities and targets as JSON: for the reference (toolchains/site) and other
 // tools.
 #pragma once
 

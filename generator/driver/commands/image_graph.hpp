@@ -1,4 +1,4 @@
-// What an image says of itself: whether it is of the graph that it is started for, and its board.
+// The note in an image: whether it is of the graph that it is started for, and its board.
 #pragma once
 
 #include <cstdint>

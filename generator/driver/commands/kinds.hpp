@@ -1,4 +1,4 @@
-// What `eagerx-gen new` makes: one folder of templates a kind, in templates/new.
+// Kinds of `eagerx-gen new`: one folder of templates a kind, in templates/new.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What to type after a program was generated.
+// Commands to type after a program was generated.
 #pragma once
 
 #include <string>

@@ -146,7 +146,7 @@ int perform(const PolicyCompareOptions& options) {
   }
   // Before rows of one are found not to fit the other.
   if (!check_sizes(*a, *b, run.diagnostics)) return finish(run, options);
-  // What remembers says what is drawn, and statistics and bounds say where.
+  // What remembers says what is sampled, and statistics and bounds say where.
   const bool by_second = b->has_memory() && !a->has_memory();
   const auto asked = asked_rows(by_second ? *b : *a, options.asked, run.diagnostics);
   if (!asked || !check_work(*b, asked->rows.observations.size(), run.diagnostics)) {

@@ -65,11 +65,11 @@ std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& dia
 std::optional<AskedRows> asked_rows(const Network& network, const AskedOptions& options,
                                     Diagnostics& diagnostics) {
   if (options.observations.empty()) {
-    Draw draw;
-    draw.rows = options.rows.value_or(draw.rows);
-    draw.seed = static_cast<std::uint32_t>(options.seed.value_or(draw.seed));
-    if (!check_work(network, draw.rows, diagnostics)) return std::nullopt;
-    return AskedRows{drawn_observations(network, draw), describe(network, draw)};
+    Sampling sampling;
+    sampling.rows = options.rows.value_or(sampling.rows);
+    sampling.seed = static_cast<std::uint32_t>(options.seed.value_or(sampling.seed));
+    if (!check_work(network, sampling.rows, diagnostics)) return std::nullopt;
+    return AskedRows{sampled_observations(network, sampling), describe(network, sampling)};
   }
   auto rows = read_golden(options.observations, options.observations, {}, diagnostics);
   if (!rows || !check_observations(network, *rows, options.observations, diagnostics) ||

@@ -20,8 +20,8 @@ struct AskedRows {
   GoldenRows rows;
   std::string origin;
 };
-/// Those of `--observations`, else as many drawn as `--rows` says; problems if `network` cannot be
-/// asked for its answers to them.
+/// Those of `--observations`, else as many sampled as `--rows` says; problems if `network` cannot
+/// be asked for its answers to them.
 std::optional<AskedRows> asked_rows(const Network& network, const AskedOptions& options,
                                     Diagnostics& diagnostics);
 

@@ -51,7 +51,7 @@ Arguments asked(AskedOptions& options) {
 
 std::string check_asked(const AskedOptions& options) {
   if (options.observations.empty() || (!options.rows && !options.seed)) return {};
-  return "--rows and --seed are for drawn observations, not for --observations";
+  return "--rows and --seed are for sampled observations, not for --observations";
 }
 
 Command policy_command() {

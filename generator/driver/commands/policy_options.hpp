@@ -1,4 +1,4 @@
-// What the commands `policy` take: weight files, and observations to ask them about.
+// Options of the commands `policy`: weight files, and observations to ask them about.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct PolicyOptions : MessageOptions {
 
 /// Observations for which answers are asked.
 struct AskedOptions {
-  std::string observations;  // a file; empty: drawn ones
+  std::string observations;  // a file; empty: sampled ones
   std::optional<std::uint64_t> rows, seed;
 };
 

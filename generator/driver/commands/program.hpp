@@ -1,4 +1,4 @@
-// What the programs `eagerx-gen` and `eagerx-gen-tools` have in common besides commands.
+// Shared by the programs `eagerx-gen` and `eagerx-gen-tools`, besides commands.
 #pragma once
 
 #include <string_view>

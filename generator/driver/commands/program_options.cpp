@@ -36,7 +36,7 @@ const Format& options_format() {
          {"one_of", format::list("a list of words", format::text("a word"), 1), false,
           "its values"},
          {"value", format::text("a word"), false,
-          "what its value is called, which the program judges"},
+          "what its value is called, which the program checks"},
          {"split", format::boolean(), false, "only for programs of which a part runs elsewhere"},
          {"without", reason, false, "why it has no value"}});
     return format::record(

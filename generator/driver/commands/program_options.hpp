@@ -12,7 +12,7 @@ namespace eagerx::gen {
 /// <targets/PLACE/app.hpp> has its options in targets/PLACE/options.yaml. E0516 for each option
 /// that the program does not take, with the reason or the option that is meant, which may be one of
 /// eagerx-gen; what it does without being asked is left out of `words`. Programs without such a
-/// file judge their options themselves.
+/// file check their options themselves.
 bool check_program_options(Run& run, const Target& target, std::vector<std::string>& words);
 
 }  // namespace eagerx::gen

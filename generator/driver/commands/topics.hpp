@@ -1,4 +1,4 @@
-// What `eagerx-gen help TOPIC` says.
+// Texts of `eagerx-gen help TOPIC`.
 #pragma once
 
 #include <vector>

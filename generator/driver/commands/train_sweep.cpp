@@ -45,7 +45,7 @@ FormatPtr range_format(const FormatPtr& value) {
        {.name = "to", .format = value, .required = true, .about = "the greatest value"},
        {.name = "count",
         .format = format::integer("a number of values", 2, kMostPoints),
-        .about = "number of values, at equal distances; not with `random`, where any is drawn"},
+        .about = "number of values, at equal distances; not with `random`, where any is sampled"},
        {.name = "logarithmic",
         .format = format::boolean(),
         .about = "equal quotients instead of equal distances (default: false)"}});
@@ -84,11 +84,11 @@ const Format& train_sweep_format() {
           .format = format::integer("a number of seeds", 1, kMostSeeds),
           .about = "trainings with each (default: 1)"},
          {.name = "random",
-          .format = format::integer("how many are drawn", 1, static_cast<double>(kMostCases)),
-          .about = "number of combinations to draw (default: all)"},
+          .format = format::integer("how many are sampled", 1, static_cast<double>(kMostCases)),
+          .about = "number of combinations to sample (default: all)"},
          {.name = "seed",
           .format = format::integer("a seed", 0, kMostSeed),
-          .about = "of these draws (default: 1)"}});
+          .about = "of these samples (default: 1)"}});
   }();
   return *whole;
 }
@@ -101,7 +101,7 @@ class Reader {
       : yaml_(yaml),
         diagnostics_(diagnostics),
         places_(places),
-        draws_(yaml.find("random") != nullptr) {
+        is_random_(yaml.find("random") != nullptr) {
     for (const auto& entry : yaml.find("settings")->entries) read(entry);
     if (swept_.empty())
       diagnostics_.error("E0204", yaml.find("settings")->span, "there is nothing to sweep over");
@@ -110,7 +110,7 @@ class Reader {
   /// The settings of each case; nothing after an error.
   std::vector<std::string> cases() {
     if (diagnostics_.has_errors()) return {};
-    return draws_ ? drawn() : combined();
+    return is_random_ ? sampled() : combined();
   }
 
  private:
@@ -164,13 +164,13 @@ class Reader {
                          fmt::format("the range ends at {} and begins at {}", one.to, one.from));
     } else if (one.logarithmic && one.from <= 0.0) {
       diagnostics_.error("E0204", value.find("from")->span, "a logarithmic range begins above 0");
-    } else if (draws_ && count != nullptr) {
+    } else if (is_random_ && count != nullptr) {
       auto& problem =
-          diagnostics_.error("E0204", count->span, "with `random` any value of a range is drawn");
+          diagnostics_.error("E0204", count->span, "with `random` any value of a range is sampled");
       problem.help = "leave `count` out, or write a list of values";
-    } else if (!draws_ && count == nullptr) {
+    } else if (!is_random_ && count == nullptr) {
       auto& problem = diagnostics_.error("E0202", value.span, "missing key `count` in a range");
-      problem.help = "say how many values, or draw some: `random: 20` next to `settings:`";
+      problem.help = "say how many values, or sample some: `random: 20` next to `settings:`";
     } else if (count != nullptr) {
       const std::int64_t points = parse_int(count->text).value_or(2);
       for (std::int64_t i = 0; i < points; ++i)
@@ -198,7 +198,7 @@ class Reader {
       if (count <= kMostCases) continue;
       auto& problem = diagnostics_.error("E0204", yaml_.find("settings")->span,
                                          fmt::format("more than {} combinations", kMostCases));
-      problem.help = "draw some of them: `random: 20` next to `settings:`";
+      problem.help = "sample some of them: `random: 20` next to `settings:`";
       return {};
     }
     std::vector<std::string> all;
@@ -215,7 +215,7 @@ class Reader {
     return all;
   }
 
-  std::vector<std::string> drawn() {
+  std::vector<std::string> sampled() {
     const auto count = parse_int(yaml_.find("random")->text).value_or(1);
     const YamlValue* const seed = yaml_.find("seed");
     const auto start =
@@ -236,8 +236,8 @@ class Reader {
     return all;
   }
 
-  /// From 0 to 1: a setting's draws do not depend on the others, and are the same everywhere, which
-  /// the distributions of <random> are not.
+  /// From 0 to 1: a setting's samples do not depend on the others, and are the same everywhere,
+  /// which the distributions of <random> are not.
   static double share_of(const Swept& one, std::uint64_t seed, std::int64_t k) {
     std::vector<std::uint64_t> words(one.row->name, one.row->name + std::strlen(one.row->name));
     words.push_back(static_cast<std::uint64_t>(k));
@@ -260,7 +260,7 @@ class Reader {
   const YamlValue& yaml_;
   Diagnostics& diagnostics_;
   SettingPlaces& places_;
-  const bool draws_;
+  const bool is_random_;
   std::vector<Swept> swept_;
 };
 

@@ -11,7 +11,7 @@
 namespace eagerx::gen {
 
 /// Words for the trainer: `--seeds N`, and `--case "NAME=VALUE NAME=VALUE"` for each combination,
-/// or for each that was drawn. nullopt and errors of the reader and of the format (E01xx, E02xx)
+/// or for each that was sampled. nullopt and errors of the reader and of the format (E01xx, E02xx)
 /// for a file that is wrong. `places` gets where each is said.
 std::optional<std::vector<std::string>> read_train_sweep(const std::string& path,
                                                          SourceMap& sources,

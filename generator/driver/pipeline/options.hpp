@@ -1,4 +1,4 @@
-// What several commands of eagerx-gen take. A command's own options are a struct in its own file,
+// Options of several commands of eagerx-gen. A command's own options are a struct in its own file,
 // derived from that of these which it needs.
 #pragma once
 

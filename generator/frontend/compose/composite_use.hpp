@@ -1,4 +1,4 @@
-// What a graph, or a composite around, says of a composite that it uses.
+// The settings of a composite where a graph or another composite uses it.
 #pragma once
 
 #include "generator/frontend/compose/scope.hpp"

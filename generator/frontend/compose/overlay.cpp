@@ -39,7 +39,7 @@ void lay_over_connections(YamlValue& base, YamlValue over) {
   }
 }
 
-/// Ways to draw a state: another one takes the place of the one below.
+/// Ways to sample a state: another one takes the place of the one below.
 constexpr std::array<std::string_view, 5> kWays{"value", "uniform", "normal", "log_uniform",
                                                 "choice"};
 

@@ -1,4 +1,4 @@
-// What the ports of composites stand for, by their full names.
+// The inner ports of a composite's ports, by their full names.
 #pragma once
 
 #include <map>

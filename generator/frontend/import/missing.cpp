@@ -1,4 +1,4 @@
-// What somebody has to write in C++ before a file runs: interfaces as saved, as manifests.
+// Entities to write in C++ before a file runs: interfaces as saved, as manifests.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What only draws: EAGERx's nodes for pictures, and the sensors that feed them.
+// Removes nodes that only draw: EAGERx's nodes for pictures, and the sensors that feed them.
 #include <fmt/format.h>
 
 #include <array>

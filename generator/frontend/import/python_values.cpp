@@ -1,4 +1,4 @@
-// What PyYAML writes for values that YAML does not have: tuples, and the scalars and arrays of
+// Values that PyYAML writes and YAML does not have: tuples, and the scalars and arrays of
 // numpy.
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// What a file needs, before anything is made of it: one run reports everything that is missing.
+// Requirements of a file, before it is converted: one run reports everything that is missing.
 #include <fmt/format.h>
 
 #include "generator/frontend/import/entity_mapping.hpp"

@@ -21,7 +21,7 @@ std::string text_of(const QuantitySpec& quantity) {
   return number != nullptr ? number->to_string() : text_of(*quantity.expression());
 }
 
-/// Settings that EAGERx has for a connection: it has no `max_delay` and draws no delays.
+/// Settings that EAGERx has for a connection: it has no `max_delay` and samples no delays.
 void add_settings(const ConnectionSettings& settings, std::vector<std::string>& items) {
   if (settings.window) items.push_back("window: " + text_of(*settings.window));
   if (settings.delay) {

@@ -334,7 +334,7 @@ std::optional<Implementation> read_implementation_manifest(const YamlValue& writ
 
 namespace {
 
-/// What the time of instructions depends on.
+/// Conditions that the time of instructions depends on.
 void read_timing(const YamlValue& root, Target& target) {
   target.cpu = text_at(root, "cpu");
   if (const auto hz = parse_int(text_at(root, "clock_hz")); hz && *hz > 0)

@@ -1,4 +1,4 @@
-// What entities are called elsewhere.
+// Names of entities in other tools.
 #pragma once
 
 #include <string>

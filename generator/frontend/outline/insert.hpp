@@ -1,4 +1,4 @@
-// What is added to a text, written as the lines around it are.
+// Text to insert, in the style of the lines around it.
 #pragma once
 
 #include <string>

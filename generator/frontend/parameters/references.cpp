@@ -1,4 +1,4 @@
-// What `$(…)` stands for.
+// Values of `$(…)`.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What the manifest of an entity requires of its parameters, ports and rate.
+// Requirements in a manifest on parameters, ports and rate.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What was read before is not parsed again: for a program that reads the same files over and over,
+// A cache of parsed files: for a program that reads the same files over and over,
 // with small changes.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the text of a scalar means. Strict: one way to write each thing, and no locale.
+// Values of scalars. Strict: one way to write each thing, and no locale.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What was meant by text that YAML takes otherwise: `rate:30`, `rate = 30 Hz`, `kd: 1,5`, `1_000`.
+// Typos that YAML reads as something else: `rate:30`, `rate = 30 Hz`, `kd: 1,5`, `1_000`.
 #pragma once
 
 #include <optional>

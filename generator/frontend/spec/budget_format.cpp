@@ -43,7 +43,7 @@ FormatPtr margin_format() {
        {"delay", format::time("a time in seconds", true), false,
         "smallest delay margin, in seconds"},
        {"corners", format::boolean(), false,
-        "at all combinations of the ends of drawn parameters (default false)"},
+        "at all combinations of the ends of sampled parameters (default false)"},
        {"trim", format::boolean(), false,
         "linearize at the operating point that `eagerx-gen trim` finds (default false)"}});
   return format::one_of("a margin `{at: …, phase: …, gain: …, delay: …}`, or a list of them",

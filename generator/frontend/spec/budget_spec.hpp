@@ -1,4 +1,4 @@
-// What the user wrote under `budget:`.
+// The contents of `budget:` as written.
 #pragma once
 
 #include <cstdint>

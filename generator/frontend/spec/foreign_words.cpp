@@ -18,7 +18,7 @@ constexpr std::array kWords = {
     Meaning{"timeout", "truncated"}, Meaning{"max_steps", "truncated"},
     Meaning{"max_episode_steps", "truncated"}, Meaning{"time_limit", "truncated"},
     Meaning{"goal", "success"}, Meaning{"cost", "reward"},
-    // of draws
+    // of distributions
     Meaning{"gaussian", "normal"}, Meaning{"gauss", "normal"}, Meaning{"randn", "normal"},
     Meaning{"mu", "mean"}, Meaning{"sigma", "std"}, Meaning{"stddev", "std"},
     Meaning{"loguniform", "log_uniform"}, Meaning{"constant", "value"}, Meaning{"fixed", "value"},

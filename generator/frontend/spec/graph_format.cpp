@@ -37,7 +37,7 @@ Field processor_field() {
   return {"processor", processor_format(), false, "converts every message"};
 }
 
-/// `one`: a number that is drawn, or a delay.
+/// `one`: a number that is sampled, or a delay.
 std::vector<Field> random_fields(const FormatPtr& one) {
   const FormatPtr value = format::one_of("a number or a list of numbers",
                                          {format::list("a list of numbers", one, 1), one});
@@ -70,10 +70,10 @@ Field space_field() {
 }
 
 FormatPtr state_format(const std::vector<Field>& more) {
-  const FormatPtr drawn = format::record("how a state gets its value",
-                                         with(random_fields(format::number("a number")), more));
+  const FormatPtr sampled = format::record("how a state gets its value",
+                                           with(random_fields(format::number("a number")), more));
   return format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
-                        {drawn, format::keyword({"uniform"})});
+                        {sampled, format::keyword({"uniform"})});
 }
 
 FormatPtr states_format() {
@@ -136,17 +136,17 @@ std::vector<Field> connection_settings() {
        format::one_of(
            "a delay in seconds, or a mapping such as `{uniform: {low: 0, high: "
            "0.1}}`",
-           {format::record("how a delay is drawn",
+           {format::record("how a delay is sampled",
                            random_fields(format::number("a delay in seconds", Quantity::time))),
             format::time("a delay in seconds")}),
-       false, "seconds from sending to receiving, or a distribution that every reset draws from"},
+       false, "seconds from sending to receiving, or a distribution that every reset samples from"},
       {"max_delay", format::time("a delay in seconds"), false,
        "maximum delay that a reset may set (default: the maximum of the distribution)"},
       {"skip", format::boolean(), false,
        "read the message of the previous tick, which breaks a cycle"}};
 }
 
-FormatPtr drawn_format() {
+FormatPtr distribution_format() {
   return state_format({});
 }
 

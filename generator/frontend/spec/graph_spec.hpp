@@ -1,4 +1,4 @@
-// What the user wrote, typed but not yet looked up: no entity, space or port has been checked.
+// The graph as written, with types, before lookup: no entity, space or port has been checked.
 #pragma once
 
 #include <optional>
@@ -200,8 +200,8 @@ FormatPtr agent_format();
 FormatPtr engine_nodes_format();
 FormatPtr safety_format();
 FormatPtr task_format();
-/// How a state is drawn, and nothing else of it.
-FormatPtr drawn_format();
+/// How a state is sampled, and nothing else of it.
+FormatPtr distribution_format();
 FormatPtr telemetry_format();
 FormatPtr budget_format();
 FormatPtr config_format();

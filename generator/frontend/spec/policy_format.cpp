@@ -1,4 +1,4 @@
-// What a trained policy needs in the graph file, of a node and of the agent.
+// Keys of a trained policy in the graph file, for nodes and for the agent.
 #include "generator/frontend/spec/graph_spec.hpp"
 
 namespace eagerx::gen {

@@ -1,4 +1,4 @@
-// What `$(…)` refers to in manifests: something that the graph says of the same entity.
+// References `$(…)` in manifests, to settings of the same entity in the graph.
 #pragma once
 
 #include <compare>

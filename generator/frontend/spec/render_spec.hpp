@@ -1,4 +1,4 @@
-// What the user wrote under `render:`.
+// The contents of `render:` as written.
 #pragma once
 
 #include <optional>

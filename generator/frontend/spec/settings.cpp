@@ -24,7 +24,7 @@ ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& ov
   if (over.max_delay) base.max_delay = over.max_delay;
   if (over.skip) base.skip = over.skip;
   if (over.processor) base.processor = over.processor;
-  // A delay that is written replaces one that is drawn, and the other way round.
+  // A delay that is written replaces one that is sampled, and the other way round.
   if (over.delay) base.random_delay.reset();
   if (over.random_delay) {
     base.random_delay = over.random_delay;
@@ -88,7 +88,7 @@ std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagno
   }
   if (ways.empty() && !yaml.entries.empty()) return std::nullopt;
   if (ways.size() != 1) {
-    diagnostics.error("E0206", yaml.span, "a value can be drawn in only one way").help =
+    diagnostics.error("E0206", yaml.span, "a value can be sampled in only one way").help =
         "write one of value, uniform, normal, log_uniform, choice";
     return std::nullopt;
   }

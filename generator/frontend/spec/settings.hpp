@@ -1,4 +1,4 @@
-// What may be set of an entity, a port or a connection, as it is written in graphs and manifests.
+// Settings of an entity, a port or a connection, as written in graphs and manifests.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct Spanned {
   Span span;
 };
 
-/// A key with a value that only a manifest can judge.
+/// A key with a value that only a manifest can check.
 struct Setting {
   std::string name;
   Span span;
@@ -59,7 +59,7 @@ struct QuantitySpec {
 struct ConnectionSettings {
   std::optional<QuantitySpec> window;      // in messages
   std::optional<QuantitySpec> delay;       // in seconds
-  std::optional<RandomSpec> random_delay;  // drawn at every reset, replaces `delay`
+  std::optional<RandomSpec> random_delay;  // sampled at every reset, replaces `delay`
   std::optional<QuantitySpec> max_delay;   // a reset may change the delay up to these seconds
   std::optional<Spanned<bool>> skip;
   std::optional<ProcessorSpec> processor;

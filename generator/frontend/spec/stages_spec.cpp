@@ -8,8 +8,8 @@
 namespace eagerx::gen {
 namespace {
 
-FormatPtr drawn_states_format() {
-  Format states = *format::map("states", drawn_format());
+FormatPtr distributions_format() {
+  Format states = *format::map("states", distribution_format());
   states.key = format::port("a state such as `pendulum.model_state`");
   states.file_names = true;  // what a key may be, `key` says
   return std::make_shared<const Format>(std::move(states));
@@ -65,7 +65,7 @@ FormatPtr stages_format() {
       format::record(
           "a stage",
           {{"name", format::name("a name"), true, "name in progress messages and tables"},
-           {"states", drawn_states_format(), false,
+           {"states", distributions_format(), false,
             "distributions of states in this stage: `{pendulum.model_state: {uniform: …}}`"},
            {"weights", format::map("terms of the reward", format::number("a number")), false,
             "weights of terms that replace the graph's"},

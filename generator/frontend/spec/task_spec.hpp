@@ -1,4 +1,4 @@
-// What the user wrote under `task:`.
+// The contents of `task:` as written.
 #pragma once
 
 #include <optional>
@@ -40,7 +40,7 @@ struct NoiseSpec {
   bool is_range = false;  // half the width of even noise; else standard deviations
 };
 
-/// How a stage draws a state, instead of as the graph does.
+/// How a stage samples a state, instead of as the graph does.
 struct StageStateSpec {
   Spanned<std::string> state;  // "pendulum.model_state"
   RandomSpec random;

@@ -1,4 +1,4 @@
-// What the user wrote under `telemetry:`.
+// The contents of `telemetry:` as written.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What was meant by a tree that YAML makes of a slip: `{kd: 1,5}`, a key that is not indented.
+// Typos that YAML turns into a tree: `{kd: 1,5}`, a key that is not indented.
 #pragma once
 
 #include <string>

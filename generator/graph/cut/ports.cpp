@@ -86,7 +86,7 @@ class CrossingsFinder {
       goes_out(input);
   }
 
-  /// Nodes that only draw or judge drive nothing.
+  /// Nodes that only draw or compute rewards drive nothing.
   [[nodiscard]] bool only_looks(std::size_t n) const {
     return whole_.nodes[n].drawn || (whole_.task && whole_.task->node == n) ||
            (whole_.render && whole_.render->node == n);

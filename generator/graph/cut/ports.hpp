@@ -1,4 +1,4 @@
-// What crosses a cut, and the names of it.
+// Messages that cross a cut, and their names.
 #pragma once
 
 #include <map>

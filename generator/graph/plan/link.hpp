@@ -1,4 +1,4 @@
-// What would cross a serial link between the engine with its sensors and actuators, and the rest.
+// Traffic of a serial link between the engine with its sensors and actuators, and the rest.
 #pragma once
 
 #include <cstdint>

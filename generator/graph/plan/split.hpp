@@ -1,4 +1,4 @@
-// What goes over the links between the programs of a placed graph.
+// Messages on the links between the programs of a placed graph.
 #pragma once
 
 #include <optional>

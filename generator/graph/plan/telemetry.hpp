@@ -1,4 +1,4 @@
-// What a board sends of itself: which messages in which record, how many of them, and the load of
+// The telemetry of a board: which messages in which record, how many of them, and the load of
 // the line. runtime/eagerx/link/telemetry.hpp is what does it.
 #pragma once
 

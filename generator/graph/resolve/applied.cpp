@@ -1,4 +1,4 @@
-// What may be applied of an action: its own space, and those of the actuators that get it as it is.
+// Bounds of an applied action: its own space, and those of the actuators that get it as it is.
 #include <fmt/format.h>
 
 #include <algorithm>

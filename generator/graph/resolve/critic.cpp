@@ -75,7 +75,7 @@ void resolve_critic(UnresolvedGraph& draft) {
       draft.graph.task->critic.push_back({name.value, place, input->space, true, name.span});
     } else if (state != states.end()) {
       draft.graph.task->critic.push_back(
-          {state->name, std::nullopt, state->space, state->drawn, name.span});
+          {state->name, std::nullopt, state->space, state->sampled, name.span});
     } else {
       report_unknown(draft, name, states);
     }

@@ -30,13 +30,13 @@ std::optional<Rational> longest_delay(const Random& random) {
   return Rational(static_cast<std::int64_t>(std::ceil(longest_s * kSecondNs)), 1'000'000'000);
 }
 
-void draw_delay(const RandomSpec& spec, Input& input, Diagnostics& diagnostics) {
+void sample_delay(const RandomSpec& spec, Input& input, Diagnostics& diagnostics) {
   Space seconds{Dtype::float64, {}, {0.0}, {}};
   if (input.max_delay_s) seconds.high = {input.max_delay_s->to_double()};
   const bool ranged =
       spec.kind == RandomSpec::Kind::uniform || spec.kind == RandomSpec::Kind::log_uniform;
   if (ranged && !spec.first && !input.max_delay_s) {
-    diagnostics.error("E0327", spec.span, "this delay has no range to be drawn from").help =
+    diagnostics.error("E0327", spec.span, "this delay has no range to be sampled from").help =
         "write `max_delay` next to it, or the range: `{low: …, high: …}`";
     return;
   }
@@ -59,7 +59,7 @@ void resolve_delay(const UnresolvedGraph& draft, const UnresolvedInput& from, In
     const Rational* longest_s = settings.max_delay->number();
     into.max_delay_s = longest_s != nullptr ? *longest_s : Rational();
   }
-  if (settings.random_delay) draw_delay(*settings.random_delay, into, draft.diagnostics);
+  if (settings.random_delay) sample_delay(*settings.random_delay, into, draft.diagnostics);
   if (into.max_delay_s && *into.max_delay_s < into.delay_s) {
     draft.diagnostics.error(
         "E0327", settings.max_delay ? settings.max_delay->span : from.span,

@@ -1,4 +1,4 @@
-// Delays of connections: as written, drawn at a reset, or changed by it up to a longest one.
+// Delays of connections: as written, sampled at a reset, or changed by it up to a longest one.
 #pragma once
 
 #include "generator/graph/resolve/unresolved_graph.hpp"
@@ -6,7 +6,7 @@
 namespace eagerx::gen {
 
 /// The delay of the connection to `from`, in `into`: what it is at first, the longest that a reset
-/// may make it, and how it is drawn (E0327).
+/// may make it, and how it is sampled (E0327).
 void resolve_delay(const UnresolvedGraph& draft, const UnresolvedInput& from, Input& into);
 
 }  // namespace eagerx::gen

@@ -144,7 +144,7 @@ struct GraphNode {
 /// A state of an object that the graph does not write: a reset leaves it as it is.
 struct KeptState {
   std::string name;
-  bool bounded = false;                  // its space has both bounds, so it could be drawn
+  bool bounded = false;                  // its space has both bounds, so it could be sampled
   const Entity* engine_state = nullptr;  // what would set it
   Config config;
 };
@@ -222,7 +222,7 @@ struct CriticInput {
   std::string name;                  // "speed", "pendulum.mass"
   std::optional<std::size_t> input;  // of the task's node; without: a state
   Space space;
-  bool drawn = true;  // a state: at each reset
+  bool sampled = true;  // a state: at each reset
   Span span;
 };
 
@@ -232,7 +232,7 @@ struct ObservationNoise {
   std::optional<std::size_t> node;  // that adds it; without: real sensors have noise of their own
 };
 
-/// A state that a stage draws otherwise.
+/// A state that a stage samples otherwise.
 struct StageState {
   std::string name;                   // "pendulum.model_state"
   std::optional<std::size_t> object;  // its owner

@@ -1,4 +1,4 @@
-// What the entities of a graph need besides the runtime.
+// Requirements of a graph's entities besides the runtime.
 #pragma once
 
 #include <string>

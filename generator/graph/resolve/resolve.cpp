@@ -127,7 +127,7 @@ void resolve_agent(UnresolvedGraph& draft) {
       agent.observations, {}, [&](std::size_t i) -> const auto& { return inputs[i].name; });
 }
 
-/// A draw between bounds of which one is infinite is no number. Without bounds it is between the
+/// A sample between bounds of which one is infinite is no number. Without bounds it is between the
 /// ends of the dtype.
 void check_random_agent(UnresolvedGraph& draft) {
   if (draft.graph.agent.kind != AgentSpec::Kind::random || draft.graph.nodes.empty()) return;
@@ -137,7 +137,7 @@ void check_random_agent(UnresolvedGraph& draft) {
     if (ranges::none_of(space.low, infinite) && ranges::none_of(space.high, infinite)) continue;
     auto& problem = draft.diagnostics.error(
         "E0326", draft.graph.agent.span,
-        fmt::format("no random `{}` can be drawn: its bounds are not finite", action.name));
+        fmt::format("no random `{}` can be sampled: its bounds are not finite", action.name));
     problem.notes.push_back({"this action", action.span, ""});
     problem.help = fmt::format(
         "give finite ones: `actions: {{{}: {{space: {{low: …, high: …}}}}}}`", action.name);

@@ -74,10 +74,10 @@ class StagesResolver {
     return names;
   }
 
-  /// Nothing would draw it again once the stage is over.
+  /// Nothing would sample it again once the stage is over.
   void report_kept(const Spanned<std::string>& name, const State& state) {
     auto& problem = draft_.diagnostics.error(
-        "E0352", name.span, fmt::format("the graph does not draw `{}`", name.value));
+        "E0352", name.span, fmt::format("the graph does not sample `{}`", name.value));
     problem.notes.push_back({"it keeps its value here", state.span, ""});
     problem.help = fmt::format(
         "write its value in the graph, which is that of the last part of a training: "

@@ -102,7 +102,7 @@ class RandomReader {
       random.first.assign(space_.size(), 0.0);
       random.second.assign(space_.size(), 1.0);
     } else if (space_.low.empty() || space_.high.empty()) {
-      fail("E0327", spec_.span, "the space of this state has no bounds to draw from",
+      fail("E0327", spec_.span, "the space of this state has no bounds to sample from",
            "give a range: `{uniform: {low: -1.0, high: 1.0}}`");
       return;
     } else {
@@ -113,7 +113,7 @@ class RandomReader {
     }
     for (std::size_t i = 0; good_ && i < random.first.size(); ++i) {
       if (!std::isfinite(random.first[i]) || !std::isfinite(random.second[i])) {
-        fail("E0327", spec_.span, "a range to draw from must be finite");
+        fail("E0327", spec_.span, "a range to sample from must be finite");
       } else if (random.first[i] > random.second[i]) {
         fail("E0327", spec_.span,
              fmt::format("`low` ({}) is above `high` ({})", random.first[i], random.second[i]));
@@ -177,7 +177,7 @@ std::optional<Space> state_space(const PortManifest& port, const References& ref
   return check_bounds(*space, place, diagnostics) ? std::move(space) : std::nullopt;
 }
 
-/// The states that the user named, each with its space and how it is drawn.
+/// The states that the user named, each with its space and how it is sampled.
 std::vector<State> read_states(UnresolvedGraph& draft, const Entity& entity,
                                const EntitySpec& spec) {
   Diagnostics& diagnostics = draft.diagnostics;

@@ -1,4 +1,4 @@
-// States of entities, and how they are drawn.
+// States of entities, and how they are sampled.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace eagerx::gen {
 
-void resolve_states(UnresolvedGraph& draft);  // how states are drawn
-/// How `name` is drawn, checked against its space (E0322, E0327).
+void resolve_states(UnresolvedGraph& draft);  // how states are sampled
+/// How `name` is sampled, checked against its space (E0322, E0327).
 std::optional<Random> read_random(const std::string& name, const Space& space,
                                   const RandomSpec& spec, Diagnostics& diagnostics);
 

@@ -1,4 +1,4 @@
-// What layers do, in words, and what they take.
+// Descriptions of layers, and their costs.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a policy answers, as the generated program computes it and as it would be without rounding.
+// Answers of a policy, as the generated program computes them and without rounding.
 #pragma once
 
 #include <optional>

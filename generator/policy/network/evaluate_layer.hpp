@@ -1,4 +1,4 @@
-// What one layer answers, with the bits of generated programs, and in float64.
+// Answers of one layer, with the bits of generated programs, and in float64.
 #pragma once
 
 #include <vector>

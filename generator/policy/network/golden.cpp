@@ -204,8 +204,8 @@ std::vector<float> input_of_row(const Network& network, const GoldenRows& rows, 
   return normalized(network, to_float(rows.observations[i]));
 }
 
-std::vector<std::vector<float>> drawn_rows(std::size_t count, std::size_t width,
-                                           std::uint32_t seed) {
+std::vector<std::vector<float>> sampled_rows(std::size_t count, std::size_t width,
+                                             std::uint32_t seed) {
   constexpr unsigned kUnused = 16;
   constexpr std::uint32_t kApart = 2654435769U;  // 2^32 over the golden ratio: seeds lie far apart
   std::vector<std::vector<float>> result(count, std::vector<float>(width));
@@ -235,7 +235,7 @@ std::vector<std::vector<float>> self_test_rows(const Network& network, const Gol
     }
     return result;
   }
-  return drawn_rows(count, network.inputs());
+  return sampled_rows(count, network.inputs());
 }
 
 bool check_normalized(const Network& network, const GoldenRows& rows, const std::string& name,

@@ -38,8 +38,8 @@ bool starts_episode(const GoldenRows& rows, std::size_t i);
 std::vector<float> input_of_row(const Network& network, const GoldenRows& rows, std::size_t i);
 
 /// `count` rows of `width` numbers in -1…1, the same on every machine.
-std::vector<std::vector<float>> drawn_rows(std::size_t count, std::size_t width,
-                                           std::uint32_t seed = 1);
+std::vector<std::vector<float>> sampled_rows(std::size_t count, std::size_t width,
+                                             std::uint32_t seed = 1);
 
 /// A few observations for programs to check their answers on: golden rows, or numbers in -1…1. They
 /// take no more than half a kilobyte of flash, answers included, unless one row is larger. Those of

@@ -45,7 +45,7 @@ void round_layer(Layer& layer) {
   }
 }
 
-/// Inputs of the network: those of golden rows, or drawn ones.
+/// Inputs of the network: those of golden rows, or sampled ones.
 std::vector<std::vector<float>> inputs_of(const Network& network, const GoldenRows* rows) {
   std::vector<std::vector<float>> inputs;
   for (std::size_t i = 0; rows != nullptr && i < rows->observations.size(); ++i) {
@@ -57,7 +57,7 @@ std::vector<std::vector<float>> inputs_of(const Network& network, const GoldenRo
   constexpr std::size_t kWork = 500'000'000;  // products
   std::size_t products = 1;
   for (const Layer& layer : network.layers) products += cost_of(layer).multiply_adds;
-  return drawn_rows(std::clamp(kWork / products, kFewRows, kMostRows), network.inputs());
+  return sampled_rows(std::clamp(kWork / products, kFewRows, kMostRows), network.inputs());
 }
 
 /// Whether row `i` begins an episode: as the golden rows say, else every 32 rows.
@@ -149,7 +149,7 @@ RoundingError rounding_error(const Network& given, const Network& rounded, const
 std::string to_string(const RoundingError& error) {
   std::string text = fmt::format("mean {:.2g}, largest {:.2g} in a range of {:.2g}, on {} {}",
                                  error.mean, error.largest, error.range, error.rows,
-                                 error.golden ? "golden rows" : "drawn rows in -1…1");
+                                 error.golden ? "golden rows" : "sampled rows in -1…1");
   if (error.choices > 0) text += fmt::format("; the choice differs in {}", error.choices);
   return text;
 }

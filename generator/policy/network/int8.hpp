@@ -42,7 +42,7 @@ struct RoundingError {
   std::size_t choices = 0;  // rows with another choice, of a policy that chooses
 };
 
-/// Compares two networks that differ in their weights on golden rows, or on drawn numbers.
+/// Compares two networks that differ in their weights on golden rows, or on sampled numbers.
 RoundingError rounding_error(const Network& given, const Network& rounded, const GoldenRows* rows);
 
 /// "mean 0.012, largest 0.14 of 2.0 on 1000 golden rows"

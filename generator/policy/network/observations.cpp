@@ -60,15 +60,16 @@ bool is_finite(const std::vector<double>& values) {
 
 }  // namespace
 
-GoldenRows drawn_observations(const Network& network, const Draw& draw) {
+GoldenRows sampled_observations(const Network& network, const Sampling& sampling) {
   constexpr std::size_t kEpisode = 32;
   const Range range = range_of(network);
   GoldenRows rows;
-  for (const std::vector<float>& drawn : drawn_rows(draw.rows, network.inputs(), draw.seed)) {
+  for (const std::vector<float>& sampled :
+       sampled_rows(sampling.rows, network.inputs(), sampling.seed)) {
     if (network.has_memory()) {
       rows.starts.push_back({rows.observations.size() % kEpisode == 0 ? 1.0 : 0.0});
     }
-    std::vector<double>& row = rows.observations.emplace_back(drawn.begin(), drawn.end());
+    std::vector<double>& row = rows.observations.emplace_back(sampled.begin(), sampled.end());
     for (std::size_t i = 0; i < row.size(); ++i) {
       // The network takes float32: what is written is what it was asked.
       row[i] = static_cast<double>(static_cast<float>(placed(network, range, i, row[i])));
@@ -77,11 +78,11 @@ GoldenRows drawn_observations(const Network& network, const Draw& draw) {
   return rows;
 }
 
-std::string describe(const Network& network, const Draw& draw) {
+std::string describe(const Network& network, const Sampling& sampling) {
   const char* where = "in -1…1";
   if (range_of(network) == Range::statistics) where = "within 2 deviations of the statistics";
   if (range_of(network) == Range::bounds) where = "within the bounds of their space";
-  return fmt::format("{} drawn, seed {}, {}", draw.rows, draw.seed, where);
+  return fmt::format("{} sampled, seed {}, {}", sampling.rows, sampling.seed, where);
 }
 
 bool check_observations(const Network& network, const GoldenRows& rows, const std::string& name,

@@ -1,4 +1,4 @@
-// Observations to ask policies for their answers: drawn ones, or those of a file.
+// Observations to ask policies for their answers: sampled ones, or those of a file.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace eagerx::gen {
 
-/// Where drawn observations begin and how many there are.
-struct Draw {
+/// Where sampled observations begin and how many there are.
+struct Sampling {
   std::size_t rows = 1000;
   std::uint32_t seed = 1;
 };
@@ -20,10 +20,10 @@ struct Draw {
 /// Rows of observations without answers. Each number is within two deviations of its mean if the
 /// network has statistics, else within its bounds if the file says such, else in -1…1. Those of a
 /// network with a memory are episodes of 32 rows. The same on every machine.
-GoldenRows drawn_observations(const Network& network, const Draw& draw);
+GoldenRows sampled_observations(const Network& network, const Sampling& sampling);
 
-/// For people: "1000 drawn, seed 1, within 2 deviations of the statistics".
-std::string describe(const Network& network, const Draw& draw);
+/// For people: "1000 sampled, seed 1, within 2 deviations of the statistics".
+std::string describe(const Network& network, const Sampling& sampling);
 
 /// Whether `network` can be asked for its answers to `rows` of the file `name`. E0632 if they do
 /// not have its size, E0761 if it has a memory and they do not say where episodes start.

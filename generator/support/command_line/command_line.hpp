@@ -1,4 +1,4 @@
-// What a program takes on its command line, as data, and the reading of it. CLI11 stays inside this
+// The command line of a program as data, and its parser. CLI11 stays inside this
 // folder: its headers take longer to compile than a whole stage.
 #pragma once
 
@@ -106,7 +106,8 @@ Argument reads(Argument argument, std::string continues = {});
 /// The argument names the file that is written; `otherwise`: its name if it is not given.
 Argument writes(Argument argument, std::string otherwise = {});
 Argument folder(Argument argument);
-/// What runtime/STABILITY.md does not promise yet; its description ends with "(experimental)".
+/// An option that runtime/STABILITY.md does not promise yet; its description ends with
+/// "(experimental)".
 Argument experimental(Argument argument);
 Command experimental(Command command);
 

@@ -1,4 +1,4 @@
-// What completes a command line in shells. Inside command_line/ only.
+// Completions of a command line in shells. Inside command_line/ only.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What is said of a command line that is wrong. Inside command_line/ only.
+// Errors in a command line. Inside command_line/ only.
 #pragma once
 
 #include <CLI/App.hpp>

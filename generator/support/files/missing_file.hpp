@@ -1,4 +1,4 @@
-// What is in a folder, for messages about a file that is not.
+// The contents of a folder, for messages about a missing file.
 #pragma once
 
 #include <string>

@@ -167,7 +167,7 @@ std::string success_panel(int top, const std::string& name,
   std::vector<const std::vector<double>*> values;
   std::vector<std::size_t> of;
   for (std::size_t t = 0; t < tables.size(); ++t) {
-    for (const CampaignColumn& column : tables[t]->drawn) {
+    for (const CampaignColumn& column : tables[t]->sampled) {
       if (column.name != name) continue;
       values.push_back(&column.values);
       of.push_back(t);
@@ -194,7 +194,7 @@ std::string success_panel(int top, const std::string& name,
 std::vector<std::string> columns_of(const std::vector<const CampaignTable*>& tables) {
   std::vector<std::string> names;
   for (const CampaignTable* table : tables) {
-    for (const CampaignColumn& column : table->drawn)
+    for (const CampaignColumn& column : table->sampled)
       if (std::ranges::find(names, column.name) == names.end()) names.push_back(column.name);
   }
   if (names.size() > kMostPanels) names.resize(kMostPanels);
@@ -282,10 +282,10 @@ std::string pairs_text(const CampaignTable& first, const CampaignTable& second) 
 }
 
 /// The name of a column that differs between the runs of a pair; empty if all are the same.
-std::string other_draw(const CampaignTable& first, const CampaignTable& second) {
-  for (const CampaignColumn& a : first.drawn) {
-    const auto b = std::ranges::find(second.drawn, a.name, &CampaignColumn::name);
-    if (b == second.drawn.end()) continue;
+std::string other_sample(const CampaignTable& first, const CampaignTable& second) {
+  for (const CampaignColumn& a : first.sampled) {
+    const auto b = std::ranges::find(second.sampled, a.name, &CampaignColumn::name);
+    if (b == second.sampled.end()) continue;
     for (std::size_t i = 0; i < std::min(a.values.size(), b->values.size()); ++i) {
       const bool both_empty = std::isnan(a.values[i]) && std::isnan(b->values[i]);
       if (a.values[i] != b->values[i] && !both_empty) return a.name;
@@ -339,7 +339,7 @@ TraceResult plot_campaigns(const std::vector<std::string>& paths) {
     return result;
   }
   if (tables[0].name == tables[1].name) tables[1].name += " (2)";
-  if (const std::string name = other_draw(tables[0], tables[1]); !name.empty())
+  if (const std::string name = other_sample(tables[0], tables[1]); !name.empty())
     result.note = fmt::format(
         "`{}` differs within pairs: give both campaigns the same `--seed` and the same `--vary`",
         name);

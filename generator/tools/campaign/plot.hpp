@@ -13,10 +13,10 @@ namespace eagerx::gen::campaign {
 std::string campaign_svg(const CampaignTable& table);
 
 /// Two campaigns of the same runs, such as of two variants: the same pictures of both, and the
-/// difference of the returns of each pair: run k of both began with the same draws.
+/// difference of the returns of each pair: run k of both began with the same samples.
 std::string comparison_svg(const CampaignTable& first, const CampaignTable& second);
 
-/// One or two tables of `eagerx-gen campaign --csv`, as SVG. A note if pairs have other draws.
+/// One or two tables of `eagerx-gen campaign --csv`, as SVG. A note if pairs have other samples.
 TraceResult plot_campaigns(const std::vector<std::string>& paths);
 
 }  // namespace eagerx::gen::campaign

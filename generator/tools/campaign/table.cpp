@@ -26,7 +26,7 @@ class CampaignReader {
 
   std::optional<CampaignTable> read(std::string& problem) {
     if (read_header() && read_rows()) {
-      std::erase_if(table_.drawn, [](const CampaignColumn& column) { return !differs(column); });
+      std::erase_if(table_.sampled, [](const CampaignColumn& column) { return !differs(column); });
       return std::move(table_);
     }
     problem = problem_;
@@ -61,7 +61,7 @@ class CampaignReader {
     const auto names = host::cells_of(line);
     for (std::size_t i = kFixed; i < names.size(); ++i) {
       const std::string_view name = names[i].substr(names[i].find(':') + 1);
-      table_.drawn.push_back({std::string(name), {}});
+      table_.sampled.push_back({std::string(name), {}});
     }
     return true;
   }
@@ -75,7 +75,7 @@ class CampaignReader {
   }
 
   bool read_row(const std::vector<std::string_view>& cells) {
-    const std::size_t columns = kFixed + table_.drawn.size();
+    const std::size_t columns = kFixed + table_.sampled.size();
     if (cells.size() != columns)
       return fail(fmt::format("it has {} cells, and the first line has {}", cells.size(), columns));
     if ((table_.returns.size() + 1) * columns > kMostNumbers)
@@ -87,11 +87,11 @@ class CampaignReader {
     table_.returns.push_back(value);
     if (cells[kSuccess] != "0" && cells[kSuccess] != "1") return fail("`success` is 0 or 1");
     table_.successes.push_back(cells[kSuccess] == "1");
-    for (std::size_t i = 0; i < table_.drawn.size(); ++i) {
+    for (std::size_t i = 0; i < table_.sampled.size(); ++i) {
       value = std::numeric_limits<double>::quiet_NaN();
       if (!cells[kFixed + i].empty() && !host::read_number(cells[kFixed + i], value))
-        return fail(fmt::format("`{}` is no number", table_.drawn[i].name));
-      table_.drawn[i].values.push_back(value);
+        return fail(fmt::format("`{}` is no number", table_.sampled[i].name));
+      table_.sampled[i].values.push_back(value);
     }
     return true;
   }

@@ -15,10 +15,10 @@ struct CampaignColumn {
 };
 
 struct CampaignTable {
-  std::string name;                   // of its file, without folder and end
-  std::vector<double> returns;        // [runs], by the number of the run; may be not finite
-  std::vector<bool> successes;        // [runs]
-  std::vector<CampaignColumn> drawn;  // those that differ between runs
+  std::string name;                     // of its file, without folder and end
+  std::vector<double> returns;          // [runs], by the number of the run; may be not finite
+  std::vector<bool> successes;          // [runs]
+  std::vector<CampaignColumn> sampled;  // those that differ between runs
 };
 
 /// nullopt: `problem` says what is wrong, with the line.

@@ -25,7 +25,7 @@ std::string detail_of(const Input& input) {
   if (input.processor) append_item(text, via(input.processor));
   if (input.window != 1) append_item(text, fmt::format("window {}", input.window));
   if (input.random_delay && input.max_delay_s)
-    append_item(text, fmt::format("delay drawn, up to {} s", input.max_delay_s->to_string()));
+    append_item(text, fmt::format("random delay, up to {} s", input.max_delay_s->to_string()));
   else if (input.max_delay_s)
     append_item(text, fmt::format("delay up to {} s", input.max_delay_s->to_string()));
   else if (!(input.delay_s == Rational()))

@@ -1,4 +1,4 @@
-// What changes of a graph's structure have in common. Inside edit/ only.
+// Shared parts of changes of a graph's structure. Inside edit/ only.
 #pragma once
 
 #include <array>

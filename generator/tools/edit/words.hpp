@@ -1,4 +1,4 @@
-// What names are made of, and what a key of a half-written text says.
+// Characters of names, and keys in incomplete text.
 #pragma once
 
 #include <cctype>

@@ -1,4 +1,4 @@
-// The worst margins over the corners of what a reset draws.
+// The worst margins over the corners of what a reset samples.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace eagerx::gen {
 /// NAME=VALUE,… of each state with a drawn parameter or delay.
 using Corner = std::vector<std::string>;
 
-/// Parameters and delays with a range from which a reset draws them: elements of
+/// Parameters and delays with a range from which a reset samples them: elements of
 /// Hyperperiod::states.
 std::vector<std::size_t> drawn_parameters(const Hyperperiod& there);
 /// All combinations of the ends of their ranges, at most 2^8; nothing if there are more.

@@ -147,7 +147,7 @@ std::string margins_text(const LinearReport& report) {
 std::string corners_text(const WorstMargins& worst) {
   const Margins& margins = worst.margins;
   std::string text = fmt::format(
-      "\nover {} of drawn parameters\n  closed        {}, spectral radius {:.9g} at {}\n",
+      "\nover {} of sampled parameters\n  closed        {}, spectral radius {:.9g} at {}\n",
       counted(worst.corners, "corner"), margins.is_stable ? "stable" : "unstable",
       margins.spectral_radius, worst.stability_at);
   if (margins.gain)

@@ -1,4 +1,4 @@
-// What the server needs of the rest of eagerx-gen.
+// The server's interface to the rest of eagerx-gen.
 #pragma once
 
 #include <memory>

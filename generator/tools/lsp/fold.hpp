@@ -1,4 +1,4 @@
-// What an editor can fold.
+// Folding ranges.
 #pragma once
 
 #include <cstdint>

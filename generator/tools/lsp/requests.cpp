@@ -1,4 +1,4 @@
-// What is asked of a document that is open.
+// Requests about an open document.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// What is known of a graph beyond its text: rates, spaces, delays, ages. Of the last text that had
+// Facts about a graph beyond its text: rates, spaces, delays, ages. Of the last text that had
 // no error, by names, so that it still serves while somebody types.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a JSON schema (draft-07, as `eagerx-gen schema` writes it) says of a place in a file that
+// The view of a JSON schema (draft-07, as `eagerx-gen schema` writes it) at a place in a file that
 // may be half written.
 #pragma once
 

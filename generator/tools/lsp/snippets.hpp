@@ -1,4 +1,4 @@
-// What an entity needs where a graph names it, with places to fill in: LSP's snippets.
+// Snippets of LSP for entities in a graph, with places to fill in.
 #pragma once
 
 #include <string>

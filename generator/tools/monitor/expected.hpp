@@ -1,4 +1,4 @@
-// What a graph says of the messages that are watched.
+// Properties of watched messages in a graph.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a person does at the screen.
+// Keys that a person presses.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What the live page receives of a stream besides its messages. Inside monitor/ only.
+// Data for the live page besides the messages of a stream. Inside monitor/ only.
 #pragma once
 
 #include <cstdint>

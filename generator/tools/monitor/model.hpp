@@ -1,4 +1,4 @@
-// What is known of a stream: all that a screen or a script is shown. Nothing here has a clock, a
+// The state of a stream: all that a screen or a script is shown. Nothing here has a clock, a
 // socket or a terminal.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What is done with a stream besides showing it: it is written into a file, or sent on.
+// Writes a stream into a file, or forwards it.
 #pragma once
 
 #include <memory>

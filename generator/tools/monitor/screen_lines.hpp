@@ -1,4 +1,4 @@
-// What a screen shows, as lines of text: nothing here knows a terminal.
+// The contents of a screen as lines of text: nothing here knows a terminal.
 #pragma once
 
 #include <cstddef>

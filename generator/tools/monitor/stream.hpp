@@ -1,4 +1,4 @@
-// What a source tells of a stream of messages: the same of all kinds.
+// Events of a stream of messages: the same of all kinds.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What all loops over a source have in common. Inside monitor/ only.
+// Shared parts of loops over a source. Inside monitor/ only.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a simulation recorded where nodes were cut out of its graph, for the library of these nodes.
+// Messages that a simulation recorded at a cut of its graph, for the library of the cut-out nodes.
 #pragma once
 
 #include <cstdint>

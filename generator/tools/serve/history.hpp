@@ -1,4 +1,4 @@
-// What was changed, so that it can be undone: byte for byte.
+// Changes that can be undone, byte for byte.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What is answered to which request: who may ask, addresses, methods. It knows no sockets.
+// Answers to requests: permissions, addresses, methods. It knows no sockets.
 #pragma once
 
 #include <string>

@@ -27,7 +27,7 @@ struct PlotPanel {
   std::string unit = {};                   // of all of them; empty: not known
 };
 
-/// What is said of names of channels.
+/// Problems of names of channels.
 struct Naming {
   std::vector<host::Named> ports = {};  // names besides those of the log
   std::string problem = {}, note = {};

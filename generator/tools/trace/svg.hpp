@@ -1,4 +1,4 @@
-// What all plots have in common: paper, colours and text, as SVG.
+// Shared parts of plots: paper, colours and text, as SVG.
 #pragma once
 
 #include <cstddef>

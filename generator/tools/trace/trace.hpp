@@ -1,4 +1,4 @@
-// What a run wrote with `--trace`, for other tools and for the eye.
+// Traces that runs wrote with `--trace`, for other tools and for plots.
 #pragma once
 
 #include <cstddef>

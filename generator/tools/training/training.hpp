@@ -1,4 +1,4 @@
-// What a training leaves, as the page of `eagerx-gen report --training` shows it.
+// The record of a training, for the page of `eagerx-gen report --training`.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What two links, one hanging from the other, look like.
+// Draws two links, one hanging from the other.
 #pragma once
 
 #include <eagerx/message.hpp>

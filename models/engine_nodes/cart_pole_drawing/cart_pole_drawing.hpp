@@ -1,4 +1,4 @@
-// What a pole on a cart looks like.
+// Draws a pole on a cart.
 #pragma once
 
 #include <eagerx/math.hpp>

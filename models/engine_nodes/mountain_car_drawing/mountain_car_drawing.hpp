@@ -1,4 +1,4 @@
-// What a car in a valley looks like.
+// Draws a car in a valley.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What an environment on GymEngine observes.
+// The observation of an environment on GymEngine.
 #pragma once
 
 #include <cstddef>

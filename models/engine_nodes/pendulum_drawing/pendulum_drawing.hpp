@@ -1,4 +1,4 @@
-// What a disc pendulum looks like.
+// Draws a disc pendulum.
 #pragma once
 
 #include <eagerx/math.hpp>

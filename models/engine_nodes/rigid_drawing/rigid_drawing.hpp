@@ -1,4 +1,4 @@
-// What an object on OpenDynamicsEngine looks like: its geometries, and rods along its links.
+// Draws an object on OpenDynamicsEngine: its geometries, and rods along its links.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What a model of a step-by-step environment offers to GymEngine.
+// Requirements of GymEngine on a model of a step-by-step environment.
 #pragma once
 
 #include <concepts>

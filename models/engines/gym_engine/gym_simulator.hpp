@@ -1,4 +1,4 @@
-// What GymEngine keeps for each object.
+// GymEngine's data of each object.
 #pragma once
 
 #include <cstdint>

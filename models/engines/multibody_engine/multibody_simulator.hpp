@@ -1,4 +1,4 @@
-// What MultibodyEngine keeps for each object.
+// MultibodyEngine's data of each object.
 #pragma once
 
 #include <array>

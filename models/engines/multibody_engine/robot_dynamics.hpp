@@ -1,4 +1,4 @@
-// What motion of a robot's joints takes: recursive Newton-Euler, and the mass matrix by composite
+// Inverse dynamics of a robot's joints: recursive Newton-Euler, and the mass matrix by composite
 // rigid bodies (Featherstone, Rigid Body Dynamics Algorithms, 2008, sections 5.3 and 6.2), with the
 // base at rest. In loops over the links, so that the code is short on boards.
 #pragma once

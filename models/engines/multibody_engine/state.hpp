@@ -1,4 +1,4 @@
-// What a step of MultibodyEngine reads and writes: numbers alone, a lane of a SIMD vector for each
+// Inputs and outputs of a step of MultibodyEngine: numbers alone, a lane of a SIMD vector for each
 // environment.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a model of an ordinary differential equation offers to OdeEngine.
+// Requirements of OdeEngine on a model of an ordinary differential equation.
 #pragma once
 
 #include <concepts>

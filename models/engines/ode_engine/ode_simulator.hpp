@@ -1,4 +1,4 @@
-// What OdeEngine keeps for each object.
+// OdeEngine's data of each object.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What OpenDynamicsEngine keeps for each object.
+// OpenDynamicsEngine's data of each object.
 #pragma once
 
 #include <ode/ode.h>

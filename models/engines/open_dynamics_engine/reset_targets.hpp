@@ -1,4 +1,4 @@
-// What engine states ask a reset to place.
+// Poses that engine states request at a reset.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What an object on OpenDynamicsEngine consists of: bodies, joints, geometries, known to the
+// Parts of an object on OpenDynamicsEngine: bodies, joints, geometries, known to the
 // compiler.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the wiring of a real object offers to RealEngine.
+// Requirements of RealEngine on the wiring of a real object.
 #pragma once
 
 #include <concepts>

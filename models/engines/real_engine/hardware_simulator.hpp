@@ -1,4 +1,4 @@
-// What RealEngine keeps for each object: last values, next action, what is allowed, what went
+// RealEngine's data of each object: last values, next action, what is allowed, what went
 // wrong.
 #pragma once
 

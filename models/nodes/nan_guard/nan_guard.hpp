@@ -1,4 +1,4 @@
-// What stands in for messages that are not finite.
+// Replaces messages that are not finite.
 #pragma once
 
 #include <cstddef>

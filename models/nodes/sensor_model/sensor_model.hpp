@@ -1,4 +1,4 @@
-// What a sensor makes of a value.
+// Errors of a sensor: scale, offset, drift, noise, drop-outs.
 #pragma once
 
 #include <array>
@@ -54,8 +54,8 @@ class SensorModel {
     std::array<Real, kSize> noise{};
     std::array<Real, kSize> chance{};
     std::array<Real, kSize> even{};
-    for (int k = 0; k < lanes<Real>; ++k) draw(tick, k, noise, chance);
-    for (int k = 0; kSpreads && k < lanes<Real>; ++k) draw_even(tick, k, even);
+    for (int k = 0; k < lanes<Real>; ++k) sample(tick, k, noise, chance);
+    for (int k = 0; kSpreads && k < lanes<Real>; ++k) sample_even(tick, k, even);
     for (std::size_t i = 0; i < kSize; ++i) {
       const Real true_value = newest<Real>(in.signal, i);
       Real y = ((scale_[i].value * true_value + bias_[i].value) + drift_[i].value * time) +
@@ -92,9 +92,9 @@ class SensorModel {
   }
 
   /// For lane `k`: a normal number and one in [0, 1) for each element, whether they are used or
-  /// not, so that one parameter does not change the draws of another.
-  void draw(const auto& tick, int k, std::array<Real, kSize>& noise,
-            std::array<Real, kSize>& chance) {
+  /// not, so that one parameter does not change the samples of another.
+  void sample(const auto& tick, int k, std::array<Real, kSize>& noise,
+              std::array<Real, kSize>& chance) {
     constexpr std::uint32_t kWords = sizeof(Lane) == 4 ? 3 : 6;  // of one element
     constexpr std::uint32_t kBlocks = (static_cast<std::uint32_t>(kSize) * kWords + 3) / 4;
     const auto seed = static_cast<std::uint32_t>(lane(difference_, k)) ^ kSeed;
@@ -105,8 +105,8 @@ class SensorModel {
     }
   }
 
-  /// Of a stream of its own: what `draw` gives stays as it is without `spread`.
-  void draw_even(const auto& tick, int k, std::array<Real, kSize>& even) {
+  /// Of a stream of its own: what `sample` gives stays as it is without `spread`.
+  void sample_even(const auto& tick, int k, std::array<Real, kSize>& even) {
     constexpr std::uint32_t kWords = sizeof(Lane) == 4 ? 1 : 2;  // of one element
     constexpr std::uint32_t kBlocks = (static_cast<std::uint32_t>(kSize) * kWords + 3) / 4;
     const auto seed = static_cast<std::uint32_t>(lane(difference_, k)) ^ kSeed;

@@ -1,4 +1,4 @@
-// What both mountain cars of Gym share.
+// Shared parts of Gym's two mountain cars.
 #pragma once
 
 #include <cstddef>

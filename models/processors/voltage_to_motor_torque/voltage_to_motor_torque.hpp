@@ -1,4 +1,4 @@
-// What a DC motor does with a voltage.
+// The torque of a DC motor from its voltage.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // The host's end of the link. It drives: a request goes out when it needs messages of the board (or
 // its frame is full), and is sent again until the answer with its number is there. So a line that
 // drops, duplicates, delays, reorders or corrupts frames changes how long a run takes and nothing
-// else, or the run stops with a reason. A host that knows what it will need can post() requests
+// else, or the run stops with a reason. A host that knows what it will need can submit() requests
 // before it waits for the answer to the first of them.
 #pragma once
 
@@ -120,7 +120,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
       const std::size_t taken = out().append(bytes, size);
       bytes += taken;
       size -= taken;
-      // Who posts has frames with room for all that goes into one.
+      // A host that submits has frames with room for all that goes into one.
       if (size > 0 && waiting_ > 0) problem_ = Problem::out_of_step;
       if (size > 0) request();
     }
@@ -139,8 +139,8 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost, Depth>> {
   }
 
   /// Sends what the board needs for its next messages, if there is something, and does not wait for
-  /// them. Before it, until is_full() is false: get() of the oldest that were posted.
-  void post() {
+  /// them. Before it, until is_full() is false: get() of the oldest that were submitted.
+  void submit() {
     if (!open_ || !ok() || out().empty()) return;
     send_request(port.now_ns());
   }
@@ -329,7 +329,7 @@ struct NoLink {
     return false;
   }
   template <class Part>
-  static void post(Part /*part*/) {}
+  static void submit(Part /*part*/) {}
 };
 
 }  // namespace eagerx::link

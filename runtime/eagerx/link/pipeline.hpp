@@ -109,7 +109,7 @@ class Pipeline {
 
   /// Asks part `K` for what `take` takes. False if the connection is over.
   template <std::size_t K, class... Message>
-  bool post(Owner& owner, PartIndex<K> part, Take take, Seq n, Awaited<Message>... awaited) {
+  bool request(Owner& owner, PartIndex<K> part, Take take, Seq n, Awaited<Message>... awaited) {
     auto& link = owner.link();
     if (held_ || !link.is_pipelined()) return (owner.*take)(n, nullptr);
     Queue& queue = queues_[K];
@@ -117,8 +117,8 @@ class Pipeline {
       if (!take_next(owner, queue)) return false;
     }
     Record* const record = reserve(n, awaited...);
-    if (record == nullptr) return settle(owner) && (owner.*take)(n, nullptr);
-    link.post(part);
+    if (record == nullptr) return drain(owner) && (owner.*take)(n, nullptr);
+    link.submit(part);
     queue.waiting[(queue.first + queue.count++) % Most] = {take, n, record};
     return link.ok();
   }
@@ -149,7 +149,7 @@ class Pipeline {
   }
 
   /// Waits for all that is on its way. False if the connection is over.
-  bool settle(Owner& owner) {
+  bool drain(Owner& owner) {
     for (Queue& queue : queues_) {
       while (queue.count > 0) {
         if (!take_next(owner, queue)) return false;
@@ -162,9 +162,9 @@ class Pipeline {
   /// messages without a request. False if the connection is over.
   bool hold(Owner& owner) {
     held_ = true;
-    return settle(owner);
+    return drain(owner);
   }
-  void go_on() { held_ = false; }
+  void resume() { held_ = false; }
 
   /// A message of the trace.
   template <class Message>
@@ -174,7 +174,7 @@ class Pipeline {
         later_.fill(*later_.template add<Message>(channel, seq), message);
         return;
       }
-      if (!settle(owner)) return;
+      if (!drain(owner)) return;
     }
     owner.hooks.on_message(channel, seq, message);
   }

@@ -87,8 +87,8 @@ class Star {
     return link<K>().is_full();
   }
   template <std::size_t K>
-  void post(PartIndex<K> /*part*/) {
-    link<K>().post();
+  void submit(PartIndex<K> /*part*/) {
+    link<K>().submit();
   }
 
   void begin_episode(const Episode& episode) {

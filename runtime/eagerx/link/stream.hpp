@@ -18,7 +18,7 @@ enum class Command : std::uint8_t {
   safe_step = 4,  // as `step`, with the safe action instead of the agent's
 };
 
-/// The data of a reset: both programs draw the same states from the key.
+/// The data of a reset: both programs sample the same states from the key.
 struct Episode {
   EpisodeKey key{};
   std::uint8_t agent = 0;  // where the board decides: which of its agents

@@ -1,4 +1,4 @@
-// What a board sends of itself while it runs in real time: chosen messages, in the frames of the
+// Telemetry of a board that runs in real time: chosen messages, in the frames of the
 // link (frame.hpp), over a line without answers. In a slot messages are only copied into a
 // ring; frames are made and sent in the idle time between slots, a byte at a time, and nothing ever
 // waits. targets/README.md has the format.

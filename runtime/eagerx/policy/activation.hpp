@@ -1,4 +1,4 @@
-// What layers apply to their outputs, over float and over lanes of floats: the same bits.
+// Activation functions of layers, over float and over lanes of floats: the same bits.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What networks with branches need besides layers: parts of values, values that come together, and
+// Operations of networks with branches: parts of values, values that come together, and
 // functions of each number. Each result is rounded once; sums go from the first to the last number.
 // R is float, or a SIMD vector of them.
 #pragma once

@@ -1,4 +1,4 @@
-// What a network does to its numbers one by one with constants: scaling, shifting, clipping. `c`
+// Elementwise operations of a network with constants: scaling, shifting, clipping. `c`
 // holds one constant for all numbers or one for each. Each result is rounded once.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a program does when the system has no more memory or threads for it.
+// Reports that the system has no more memory or threads.
 #pragma once
 
 namespace eagerx::host {

@@ -1,4 +1,4 @@
-// What eagerx-gen hands on to the program or library that it has built and starts: in the
+// Data from eagerx-gen to the program or library that it builds and starts: in the
 // environment, so that every program can be started by hand as well.
 #pragma once
 

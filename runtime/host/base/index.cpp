@@ -1,4 +1,4 @@
-// What eagerx/index.hpp calls.
+// Functions that eagerx/index.hpp calls.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

@@ -31,7 +31,7 @@ class Json {
   Json& whole(std::uint64_t value);
   Json& boolean(bool value);
   Json& null();
-  /// What is JSON already: values with commas between them, or nothing.
+  /// JSON text: values with commas between them, or nothing.
   Json& written(std::string_view json);
 
   const std::string& str() const { return text_; }

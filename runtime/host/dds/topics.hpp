@@ -1,4 +1,4 @@
-// What the messages of a graph are in ROS 2: names of topics, and types.
+// Messages of a graph in ROS 2: names of topics, and types.
 #pragma once
 
 #include <cstddef>

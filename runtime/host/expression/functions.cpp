@@ -13,7 +13,7 @@ constexpr std::array kFunctions = {
     Function{"ceil", 1},  Function{"round", 1}, Function{"trunc", 1},   Function{"atan2", 2},
     Function{"pow", 2},   Function{"fmod", 2},  Function{"clamp", 3}};
 
-/// What Python, NumPy, torch, MATLAB and C call some functions.
+/// Names of functions in Python, NumPy, torch, MATLAB and C.
 constexpr auto kOtherNames =
     std::to_array<std::array<std::string_view, 2>>({{"square", "x^2"},
                                                     {"sq", "x^2"},

@@ -1,4 +1,4 @@
-// What clients of Foxglove's WebSocket protocol say:
+// Messages of clients in Foxglove's WebSocket protocol:
 // https://github.com/foxglove/ws-protocol/blob/main/docs/spec.md
 #pragma once
 

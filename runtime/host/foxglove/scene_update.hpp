@@ -1,4 +1,4 @@
-// What `render:` shows as messages of Foxglove's 3D panel: `foxglove.SceneUpdate` in JSON.
+// Pictures of `render:` as messages of Foxglove's 3D panel: `foxglove.SceneUpdate` in JSON.
 #pragma once
 
 #include <cstddef>

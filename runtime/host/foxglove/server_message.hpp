@@ -1,4 +1,4 @@
-// What servers of Foxglove's WebSocket protocol say, for who listens to one:
+// Messages of servers in Foxglove's WebSocket protocol, for a client:
 // https://github.com/foxglove/ws-protocol/blob/main/docs/spec.md
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a server of Foxglove's WebSocket protocol says in text.
+// Text messages of a server in Foxglove's WebSocket protocol.
 #pragma once
 
 #include <cstdint>

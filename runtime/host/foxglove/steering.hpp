@@ -1,4 +1,5 @@
-// What clients may change of a run. The owner of a run says how; a server without one is read-only.
+// Changes that clients may make to a run. The owner of a run says how; a server without one is
+// read-only.
 #pragma once
 
 #include <cstdint>

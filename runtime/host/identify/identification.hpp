@@ -1,5 +1,5 @@
 // Parameters of the graph's objects and delays of their actuators, from a log. What is looked for
-// is what the graph draws from a range.
+// is what the graph samples from a range.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace eagerx::identification {
 
-/// One element of a state that the graph draws from a range.
+/// One element of a state that the graph samples from a range.
 struct Parameter {
   std::string state;  // "pendulum.model_parameters"
   std::size_t element = 0, size = 0;

@@ -1,4 +1,4 @@
-// What a board's telemetry consists of: `telemetry.json`, which lies next to the program, as a
+// Layout of a board's telemetry: `telemetry.json`, which lies next to the program, as a
 // struct. targets/README.md has the format.
 #pragma once
 

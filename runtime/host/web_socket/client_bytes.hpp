@@ -1,4 +1,4 @@
-// What a client sends, as far as the library may have it. It takes frames that are not masked,
+// Bytes of a client that the library may receive. It takes frames that are not masked,
 // which RFC 6455 (section 5.1) forbids a server to take.
 #pragma once
 

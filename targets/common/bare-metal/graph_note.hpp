@@ -1,4 +1,4 @@
-// What the file of an image says of its graph and its board, for who starts or measures it.
+// Note in an image about its graph and its board, for programs that start or measure it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What start-up code does on every core, once there is a stack.
+// Start-up code of all cores, which needs a stack.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a call must have right before anything is done.
+// Checks of a call before it has an effect.
 #pragma once
 
 #include <targets/environments/eagerx_environments.h>

@@ -1,4 +1,4 @@
-// What eagerx_describe() says of rows.
+// Rows in the answer of eagerx_describe().
 #pragma once
 
 #include <cstddef>

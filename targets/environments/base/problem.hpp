@@ -1,4 +1,4 @@
-// What is wrong with a call, on its way to eagerx_error().
+// The problem of a call, for eagerx_error().
 #pragma once
 
 #include <stdexcept>

@@ -61,8 +61,8 @@ std::string StateRows::problem_of(const float* row) const {
       }
     }
     const std::size_t given = count_given(from, size);
-    if (!field.drawn && given != 0 && given != size)
-      problem = quoted(field) + " is not drawn: set all of its elements, or none";
+    if (!field.sampled && given != 0 && given != size)
+      problem = quoted(field) + " is not sampled: set all of its elements, or none";
   }
   return problem;
 }

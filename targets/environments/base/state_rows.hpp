@@ -13,7 +13,7 @@ namespace eagerx::environments {
 struct StateField {
   const char* name = nullptr;
   std::vector<float> low, high;
-  bool drawn = false;    // whether a reset draws it
+  bool sampled = false;  // whether a reset samples it
   bool tunable = false;  // whether an episode can change it
 };
 
@@ -44,7 +44,7 @@ class StateRows {
   std::vector<StateField> fields_;
 };
 
-/// States that are set for environments' next episodes, instead of drawn ones. Allocates with the
+/// States that are set for environments' next episodes, instead of sampled ones. Allocates with the
 /// first set().
 class SetRows {
  public:
@@ -66,7 +66,7 @@ class SetRows {
   void take_next(std::uint32_t k);
 
   const StateRows& states_;
-  std::vector<float> now_, next_;  // [environments][state numbers] or empty; NaN: drawn
+  std::vector<float> now_, next_;  // [environments][state numbers] or empty; NaN: sampled
 };
 
 }  // namespace eagerx::environments

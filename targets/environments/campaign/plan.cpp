@@ -181,7 +181,7 @@ std::vector<target::PlacedFault> Plan::faults_of(std::uint32_t run) const {
 
 std::vector<float> Plan::states_of(std::uint32_t run) const {
   std::vector<float> row(columns.size(), std::numeric_limits<float>::quiet_NaN());
-  for (const Drawn& one : drawn) {
+  for (const Sampled& one : sampled) {
     Random random({seed, run, 0}, entity_id(one.stream.c_str()));
     row[one.column] =
         one.is_real ? random.uniform(static_cast<float>(one.low), static_cast<float>(one.high))
@@ -212,8 +212,9 @@ Plan make_plan(const Description& description, std::uint64_t seed, std::uint32_t
       const std::size_t column = place.first + i;
       if (!taken.insert(column).second)
         throw Problem(client::kUsage, fmt::format("`{}` is varied twice", plan.columns[column]));
-      plan.drawn.push_back({column, "campaign/" + plan.columns[column],
-                            place.space.dtype.starts_with("float"), variation.low, variation.high});
+      plan.sampled.push_back({column, "campaign/" + plan.columns[column],
+                              place.space.dtype.starts_with("float"), variation.low,
+                              variation.high});
     }
   }
   plan.variations = std::move(variations);

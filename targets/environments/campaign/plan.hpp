@@ -1,4 +1,4 @@
-// What a campaign runs: its results depend on a plan and a library, and on nothing else.
+// Runs of a campaign: its results depend on a plan and a library, and on nothing else.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ inline constexpr std::uint32_t kChunk = 256;
 /// Steps of an episode that the task does not end, as in programs for Linux.
 inline constexpr std::uint32_t kDefaultSteps = 300;
 
-/// A number of the states that each run draws for itself.
-struct Drawn {
+/// A number of the states that each run samples for itself.
+struct Sampled {
   std::size_t column = 0;  // in a row of states
   std::string stream;      // what its random numbers are called
   bool is_real = true;     // else a whole number
@@ -39,7 +39,7 @@ struct Plan {
   std::uint32_t runs = 0;
   std::uint32_t longest = 0;  // steps
   std::vector<Variation> variations;
-  std::vector<Drawn> drawn;
+  std::vector<Sampled> sampled;
   std::vector<std::string> columns;         // names of the numbers of the states
   std::vector<target::PlacedFault> faults;  // of numbers of rows: `place` is a FaultRow
 
@@ -48,7 +48,7 @@ struct Plan {
   std::uint32_t size_of(std::uint32_t chunk) const {
     return runs - first_of(chunk) < kChunk ? runs - first_of(chunk) : kChunk;
   }
-  /// States of a run, [columns]: a function of (seed, run, name). NaN: drawn as the graph says.
+  /// States of a run, [columns]: a function of (seed, run, name). NaN: sampled as the graph says.
   std::vector<float> states_of(std::uint32_t run) const;
   /// Faults of a run with the steps at which they begin: a function of (seed, run, fault).
   std::vector<target::PlacedFault> faults_of(std::uint32_t run) const;

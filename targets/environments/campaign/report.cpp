@@ -77,7 +77,7 @@ std::string text_of(const client::Space& state, double value) {
   return fmt::format("{}", value);
 }
 
-/// Of all numbers of the states that differ between runs, varied or drawn by the graph.
+/// Of all numbers of the states that differ between runs, varied or sampled by the graph.
 std::vector<Sensitivity> sensitivities_of(const client::Description& description, const Plan& plan,
                                           const Results& results,
                                           const std::vector<double>& returns) {
@@ -185,11 +185,11 @@ std::string Report::command(std::uint32_t run) const {
   for (const client::Space& state : description.states) {
     const std::size_t first = column;
     column += state.size;
-    const bool is_varied = std::ranges::any_of(plan.drawn, [&](const Drawn& drawn) {
-      return drawn.column >= first && drawn.column < column;
+    const bool is_varied = std::ranges::any_of(plan.sampled, [&](const Sampled& sampled) {
+      return sampled.column >= first && sampled.column < column;
     });
     if (!is_varied) continue;
-    // Also the elements that the graph has drawn: they are what they were.
+    // Also the elements that the graph has sampled: they are what they were.
     text += " --set " + state.name;
     for (std::size_t i = first; i < column; ++i) {
       text += i == first ? "=" : ",";

@@ -1,4 +1,4 @@
-// What came of the runs.
+// Results of the runs.
 #pragma once
 
 #include <cstdint>

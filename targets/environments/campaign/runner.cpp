@@ -46,7 +46,7 @@ class Runner::Chunk {
 
   void begin(std::uint32_t first) {
     const Plan& plan = runner_.plan_;
-    if (!plan.drawn.empty()) {
+    if (!plan.sampled.empty()) {
       std::vector<float> wanted;  // [count][columns]
       for (std::uint32_t e = 0; e < count_; ++e)
         std::ranges::copy(plan.states_of(first + e), std::back_inserter(wanted));

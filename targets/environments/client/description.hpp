@@ -1,4 +1,4 @@
-// What a library of environments says of its graph.
+// A library's description of its graph.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What ends a program around a library: caught and printed by main().
+// An error that ends a program around a library: caught and printed by main().
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// What eagerx-campaign and `eagerx-gen campaign` take.
+// Options of eagerx-campaign and `eagerx-gen campaign`.
 #pragma once
 
 #include "targets/environments/options/row.hpp"
@@ -9,8 +9,9 @@ inline constexpr Row kCampaign[] = {
     {.names = "--runs", .value = "N", .about = "number of episodes (default: 1000)"},
     {.names = "--vary",
      .value = "NAME=LOW:HIGH",
-     .about = "range from which each run draws a state or a delay, or one element of it: NAME[0]; "
-              "may be repeated",
+     .about =
+         "range from which each run samples a state or a delay, or one element of it: NAME[0]; "
+         "may be repeated",
      .repeated = true},
     {.names = "--faults",
      .value = "NAME=KIND",

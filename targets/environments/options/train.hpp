@@ -1,4 +1,4 @@
-// What eagerx-train and `eagerx-gen train` take.
+// Options of eagerx-train and `eagerx-gen train`.
 #pragma once
 
 #include "targets/environments/options/row.hpp"

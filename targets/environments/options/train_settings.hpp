@@ -68,7 +68,7 @@ inline constexpr Setting kTrainSettings[] = {
      .low = 1,
      .high = 4096,
      .algorithm = "ppo"},
-    // What is learnt.
+    // The networks.
     {.name = "gamma",
      .kind = SettingKind::number,
      .otherwise = "0.99",
@@ -209,7 +209,7 @@ inline constexpr Setting kTrainSettings[] = {
               "many a third; 0: never",
      .low = 0,
      .high = 1e12},
-    // What is tried.
+    // Exploration.
     {.name = "initial_std",
      .kind = SettingKind::number,
      .otherwise = "1",
@@ -340,7 +340,7 @@ inline constexpr Setting kTrainSettings[] = {
      .low = 0,
      .high = 1e12,
      .algorithm = "sac"},
-    // What the networks see, and what is kept.
+    // Inputs of the networks, and files.
     {.name = "norm_obs",
      .kind = SettingKind::truth,
      .otherwise = "true",

@@ -1,4 +1,4 @@
-// What a training asks of an algorithm, whichever it is.
+// Interface of a learning algorithm.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What the trainer uses of the programs around libraries of environments.
+// The trainer's use of the client of libraries of environments.
 #pragma once
 
 #include <runtime/host/base/interrupt.hpp>

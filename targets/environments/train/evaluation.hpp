@@ -57,7 +57,7 @@ class Evaluator {
   std::size_t parts() const;
   environments::Share all() const { return {0, parts()}; }
 
-  /// One episode in each environment of the parts `some`, the first of `seed`. Nothing is drawn.
+  /// One episode in each environment of the parts `some`, the first of `seed`. Nothing is sampled.
   /// `observations`: what is far from it is counted. `stage` of the task; empty: as it is written.
   Evaluation run(const Policy& policy, std::uint64_t seed, const Statistics& observations,
                  const std::string& stage, environments::Share some);

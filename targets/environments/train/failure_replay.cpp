@@ -113,9 +113,9 @@ void ReplayedEnvironments::note(std::size_t environment) {
   Random random({seed_, static_cast<std::uint32_t>(first_ + environment), episode_[environment]++},
                 entity_id("train/start"));
   const auto last = starts_->size() - 1;
-  const auto drawn =
+  const auto sampled =
       static_cast<std::size_t>(random.uniform(0.0F, 1.0F) * static_cast<float>(starts_->size()));
-  std::copy_n(starts_->at(std::min(drawn, last)), starts_->width(),
+  std::copy_n(starts_->at(std::min(sampled, last)), starts_->width(),
               &states_[environment * starts_->width()]);
 }
 

@@ -31,7 +31,7 @@ class FailureReplay {
 };
 
 /// Of a batch of environments, those that begin at hard starts in each of their episodes: what is
-/// set of a state that the graph does not draw would stay in the next episode.
+/// set of a state that the graph does not sample would stay in the next episode.
 class ReplayedEnvironments {
  public:
   /// Numbers first … first + count - 1 of a training; `settings` say how many of them.

@@ -1,4 +1,4 @@
-// What a part of a minibatch says of all that is learnt.
+// Gradients of all parameters from a part of a minibatch.
 #pragma once
 
 #include <array>

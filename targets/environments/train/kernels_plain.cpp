@@ -1,4 +1,4 @@
-// What every machine can run: SSE2 on x86-64, NEON on aarch64.
+// Kernels that every machine can run: SSE2 on x86-64, NEON on aarch64.
 #include "targets/environments/train/kernels_of.hpp"
 #include "targets/environments/train/kernels_table.hpp"
 

@@ -1,4 +1,4 @@
-// What is learnt.
+// The learned parameters.
 #pragma once
 
 #include <algorithm>

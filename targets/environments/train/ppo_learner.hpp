@@ -1,4 +1,4 @@
-// What one minibatch of proximal policy optimisation says of the networks.
+// Gradients of one minibatch of proximal policy optimization.
 #pragma once
 
 #include <cstddef>

@@ -27,16 +27,16 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
                                  : library.description().episode_steps),
       cut_at_(count_),
       is_cut_(count_),
-      hard_(settings, library, static_cast<std::uint32_t>(first_),
-            static_cast<std::uint32_t>(count_)),
+      replayed_(settings, library, static_cast<std::uint32_t>(first_),
+                static_cast<std::uint32_t>(count_)),
       rows_(library.description(), count_),
-      sight_(library.description(), rows_),
+      observer_(library.description(), rows_),
       action_(count_ * numbers_),
       return_(count_),
       discounted_(count_),
       actor_states_(tiles(), {settings.rnn, settings.rnn_hidden_size}),
       critic_states_(actor_states_) {
-  rows_.observation.resize(tiles() * kLanes * sight_.actor_width());
+  rows_.observation.resize(tiles() * kLanes * observer_.actor_width());
   rows_.final_observation = rows_.observation;
   rewards_.resize(horizon_ * count_);
   value_.resize(rewards_.size() + count_);
@@ -49,8 +49,8 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Head& h
 }
 
 void Rollout::reset(std::uint64_t seed) {
-  hard_.reset(environments_, seed, rows_.observation.data());
-  sight_.look(environments_);
+  replayed_.reset(environments_, seed, rows_.observation.data());
+  observer_.look(environments_);
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
   taken.clear();
@@ -84,11 +84,11 @@ void Rollout::cut_first_episodes() {
     any = any || cuts;
     if (!cuts) continue;
     rows_.truncated[e] = 1;
-    sight_.end(e);
+    observer_.end(e);
   }
   if (!any) return;
   environments_.reset_some(is_cut_.data(), rows_.observation.data());
-  sight_.look(environments_);
+  observer_.look(environments_);
 }
 
 void Rollout::replay(const std::vector<float>& again, float discount) {
@@ -99,7 +99,7 @@ void Rollout::replay(const std::vector<float>& again, float discount) {
     for (std::size_t e = 0; e < count_; ++e) {
       if (count_reward(discount, e)) begin_episode(e);
     }
-    hard_.set(environments_);
+    replayed_.set(environments_);
     row = end;
   }
 }
@@ -122,7 +122,7 @@ void Rollout::collect(const Frozen& frozen) {
     spent.learning_s += watch.lap();
   }
   for (std::size_t k = 0; k < tiles(); ++k) {
-    frozen.normaliser.load(sight_.now() + k * kLanes * width_, critic_row_.data());
+    frozen.normaliser.load(observer_.now() + k * kLanes * width_, critic_row_.data());
     critic_states_.load(frozen.model.critic, k, critic_row_.data());
     frozen.model.critic.forward(frozen.kernels, frozen.model.critic_parameters.data(),
                                 critic_row_.data());
@@ -139,8 +139,8 @@ void Rollout::collect(const Frozen& frozen) {
 void Rollout::act(const Frozen& frozen, std::size_t step) {
   const Model& model = frozen.model;
   for (std::size_t k = 0; k < tiles(); ++k) {
-    frozen.normaliser.load(sight_.now() + k * kLanes * width_, critic_row_.data());
-    std::copy_n(critic_row_.data(), sight_.actor_width(), actor_row_.data());
+    frozen.normaliser.load(observer_.now() + k * kLanes * width_, critic_row_.data());
+    std::copy_n(critic_row_.data(), observer_.actor_width(), actor_row_.data());
     note_inputs(step, k);
     actor_states_.load(model.actor, k, actor_row_.data());
     critic_states_.load(model.critic, k, critic_row_.data());
@@ -222,15 +222,15 @@ void Rollout::sample_actions(const Frozen& frozen, std::size_t step, std::size_t
 
 void Rollout::step_environments() {
   step_all(environments_, action_.data(), rows_);
-  sight_.look(environments_);
-  sight_.look_at_ends(environments_);
+  observer_.look(environments_);
+  observer_.look_at_ends(environments_);
   cut_first_episodes();
 }
 
 void Rollout::note_step(const Frozen& frozen, std::size_t step) {
   if (remembers) taken.insert(taken.end(), action_.begin(), action_.end());
-  for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
-  hard_.set(environments_);
+  for (std::size_t e = 0; e < count_; ++e) record_step(frozen, step, e);
+  replayed_.set(environments_);
   bootstrap(frozen, step);
   forget();
   sum_observations();
@@ -271,11 +271,11 @@ bool Rollout::count_reward(float discount, std::size_t environment) {
 void Rollout::begin_episode(std::size_t environment) {
   return_[environment] = 0.0;
   discounted_[environment] = 0.0F;
-  hard_.note(environment);
+  replayed_.note(environment);
 }
 
 /// Counts the reward and the end of an episode.
-void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environment) {
+void Rollout::record_step(const Frozen& frozen, std::size_t step, std::size_t environment) {
   const std::size_t e = environment;
   const bool ended = count_reward(frozen.settings.gamma, e);
   return_sums.add(0, discounted_[e]);
@@ -298,7 +298,7 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
       any = any || (rows_.truncated[e] != 0 && rows_.terminated[e] == 0);
     }
     if (!any) continue;
-    frozen.normaliser.load(sight_.at_end() + k * kLanes * width_, critic_row_.data());
+    frozen.normaliser.load(observer_.at_end() + k * kLanes * width_, critic_row_.data());
     critic_states_.load(model.critic, k, critic_row_.data());
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
     const Simd& value = critic_row_[model.critic.output()];
@@ -313,7 +313,7 @@ void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
 void Rollout::sum_observations() {
   for (std::size_t e = 0; e < count_; ++e) {
     for (std::size_t i = 0; i < width_; ++i) {
-      const float x = sight_.now()[e * width_ + i];
+      const float x = observer_.now()[e * width_ + i];
       if (!std::isfinite(x)) {
         throw Problem(kProblems, "an observation is NaN or infinite",
                       "the simulation breaks down: look at its step, or end the episode sooner");

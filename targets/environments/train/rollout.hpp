@@ -85,7 +85,7 @@ class Rollout final : public RolloutStatistics {
   void step_environments();
   void sample_cuts(std::uint64_t seed);
   void cut_first_episodes();
-  void settle(const Frozen& frozen, std::size_t step, std::size_t environment);
+  void record_step(const Frozen& frozen, std::size_t step, std::size_t environment);
   bool count_reward(float discount, std::size_t environment);
   void begin_episode(std::size_t environment);
   void bootstrap(const Frozen& frozen, std::size_t step);
@@ -104,9 +104,9 @@ class Rollout final : public RolloutStatistics {
   std::uint32_t time_ = 0;             // steps since reset()
   std::vector<std::uint32_t> cut_at_;  // [count] where the first episode of each ends
   std::vector<std::uint8_t> is_cut_;   // [count] in this step
-  ReplayedEnvironments hard_;
+  ReplayedEnvironments replayed_;
   Rows rows_;                      // [count] of the last step
-  ObservationBuilder sight_;       // with what only the critic sees, [count][width]
+  ObservationBuilder observer_;    // with what only the critic sees, [count][width]
   std::vector<float> action_;      // [count][numbers]
   std::vector<double> return_;     // [count] of the episode so far
   std::vector<float> discounted_;  // [count] of the episode so far

@@ -1,4 +1,4 @@
-// What a rollout of a part of the environments has to say to all of the training.
+// Statistics of a rollout of a part of the environments, for the whole training.
 #pragma once
 
 #include <vector>

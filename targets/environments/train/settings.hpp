@@ -1,4 +1,4 @@
-// What a training depends on, besides the library: the same settings give the same bits.
+// Settings of a training: with one library, the same settings give the same bits.
 #pragma once
 
 #include <cstddef>

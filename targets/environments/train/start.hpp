@@ -1,4 +1,4 @@
-// What a training is made of, from options and library: what fails here fails before any step.
+// Makes a training from options and library. Errors are reported before the first step.
 #pragma once
 
 #include <cstdint>

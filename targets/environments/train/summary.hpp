@@ -1,4 +1,4 @@
-// What a training says when it is over.
+// The summary of a training.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a sweep tells: a line for each of its settings.
+// The table of a sweep: a line for each of its settings.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What watches a run whose agent is another process.
+// Watches a run whose agent is another process.
 #pragma once
 
 #include <algorithm>

@@ -78,7 +78,7 @@ ExternalAgent::ExternalAgent(const Options& options, const Fields& fields, Graph
       fields_(fields),
       rows_(fields),
       seen_(fields.observations),
-      drawn_(fields.states),
+      sampled_(fields.states),
       sizes_(fields.observations.size()),
       action_(program.action_bytes() / sizeof(std::max_align_t) + 1),
       terms_(terms_of(fields)),
@@ -91,7 +91,7 @@ ExternalAgent::ExternalAgent(const Options& options, const Fields& fields, Graph
       is_traced_(traced),
       is_real_(program.is_real()) {
   program_.zero(action_.data());
-  program_.draw({0, 0, 0}, drawn_.row());  // the same states for every key
+  program_.sample({0, 0, 0}, sampled_.row());  // the same states for every key
 }
 
 ExternalAgent::~ExternalAgent() {
@@ -241,7 +241,7 @@ bool ExternalAgent::serve() {
 }
 
 bool ExternalAgent::take_reset() {
-  const std::string problem = rows_.problem_of_states(given_.data(), drawn_.row().has_value);
+  const std::string problem = rows_.problem_of_states(given_.data(), sampled_.row().has_value);
   if (!problem.empty()) return answer_problem(problem), false;
   // Parameters for a step that does not come are those of the episode.
   for (std::size_t i = 0; i < states_.size(); ++i)

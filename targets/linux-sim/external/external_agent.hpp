@@ -49,7 +49,7 @@ class ExternalAgent {
 
   /// The key of an episode that begins: of the seed that the agent gave.
   EpisodeKey key(EpisodeKey planned);
-  /// Puts the states that the agent gave instead of drawn ones. False: there are none.
+  /// Puts the states that the agent gave instead of sampled ones. False: there are none.
   bool apply_states(StateRow states);
   /// The same of parameters that it gave since the last step.
   bool apply_parameters(StateRow states);
@@ -88,7 +88,7 @@ class ExternalAgent {
   const Fields& fields_;
   ExternalRows rows_;
   MessageRows seen_;
-  StateMemory drawn_;
+  StateMemory sampled_;
   std::vector<std::uint32_t> sizes_;  // [observations]
   std::vector<std::max_align_t> action_;
   std::vector<double> terms_;  // of all steps since the last answer

@@ -109,7 +109,7 @@ void ExternalRows::write_observation(ObservationRow observation, float* row) con
   }
 }
 
-std::string ExternalRows::problem_of_states(const float* row, const bool* drawn) const {
+std::string ExternalRows::problem_of_states(const float* row, const bool* sampled) const {
   for (std::size_t f = 0; f < fields_.states.size(); ++f) {
     const Field& field = fields_.states[f];
     const float* const from = row + states_.first(f);
@@ -123,8 +123,8 @@ std::string ExternalRows::problem_of_states(const float* row, const bool* drawn)
         return "`" + std::string(field.name) + "` is out of its space: element " +
                std::to_string(i) + " is " + host::number_text(from[i]);
     }
-    if ((drawn == nullptr || !drawn[f]) && missing != 0 && missing != field.type.size)
-      return "`" + std::string(field.name) + "` is not drawn: set all of its elements, or none";
+    if ((sampled == nullptr || !sampled[f]) && missing != 0 && missing != field.type.size)
+      return "`" + std::string(field.name) + "` is not sampled: set all of its elements, or none";
   }
   return {};
 }

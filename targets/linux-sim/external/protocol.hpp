@@ -1,4 +1,4 @@
-// What a program and an external agent say to each other: datagrams over a socket that both
+// Protocol between a program and an external agent: datagrams over a socket that both
 // have from the beginning. Both are on one machine, so numbers are as it has them.
 #pragma once
 
@@ -13,7 +13,7 @@ inline constexpr std::uint32_t kExternalVersion = 3;
 /// The requests of an agent; each is answered once.
 enum class Ask : std::uint32_t {
   describe = 1,  // piece of the description, JSON
-  reset = 2,     // an episode; behind it a row of states, NaN for what is drawn
+  reset = 2,     // an episode; behind it a row of states, NaN for what is sampled
   step = 3,      // behind it a row of actions
   counts = 4,    // piece of what was counted, JSON
   hash = 5,      // of all messages; in Answer::step

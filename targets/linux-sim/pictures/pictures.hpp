@@ -1,4 +1,4 @@
-// What `--render` of a program does with scenes: a window, a film, or pictures in files.
+// Output of `--render` of a program: a window, a film, or pictures in files.
 #pragma once
 
 #include <cstddef>

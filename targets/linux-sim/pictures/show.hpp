@@ -1,4 +1,4 @@
-// What a program that shows something calls.
+// Interface of `--render` for programs.
 #pragma once
 
 #include <eagerx/rate.hpp>

@@ -1,4 +1,4 @@
-// What `--publish` says.
+// The value of `--publish`.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What of a run has a name and a value that others can set.
+// Parameters of a run that clients can set.
 #pragma once
 
 #include <cstdint>

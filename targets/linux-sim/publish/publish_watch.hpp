@@ -1,4 +1,4 @@
-// What watches a run that is published.
+// Watches a run that is published.
 #pragma once
 
 #include <targets/linux-sim/publish/publishing.hpp>

@@ -158,7 +158,7 @@ std::string Publishing::open_sinks() {
 
 std::unique_ptr<PublishSink> Publishing::foxglove_sink_of(const Destination& to) {
   if (facts_.is_scene) scene_rows_ = facts_.scene_rows;
-  // A part draws its states itself, and does not wait.
+  // A part samples its states itself, and does not wait.
   if (!facts_.is_split() && !remote_) remote_ = std::make_unique<Remote>(fields_);
   foxglove::Served served;
   served.graph = facts_.name;

@@ -1,4 +1,4 @@
-// What watches a run that others can change.
+// Watches a run that clients can change.
 #pragma once
 
 #include <targets/linux-sim/publish/publish_watch.hpp>

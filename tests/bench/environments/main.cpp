@@ -70,7 +70,7 @@ double alone(std::uint32_t steps, double (*now)()) {
   const double start = now();
   std::uint32_t age = 0, episode = 0;
   for (std::uint32_t step = 0; step < steps; ++step) {
-    if (age == 0) program.reset(Graph::draw({1, 0, episode++}));
+    if (age == 0) program.reset(Graph::sample({1, 0, episode++}));
     program.step(given[step % kRows]);
     age = has_ended(program) || age + 1 == kLongest ? 0 : age + 1;
   }

@@ -85,7 +85,7 @@ int main(int count, char** words) {
     }
     eagerx::bench::library(steps);
   } else {
-    const auto observation = eagerx::bench::program.reset(Graph::draw({1, 0, 0}));
+    const auto observation = eagerx::bench::program.reset(Graph::sample({1, 0, 0}));
     std::size_t to = 0;
     Graph::for_each_observation(observation, [&](const char*, const auto& window, const auto&) {
       for (std::size_t k = 0; k < 4; ++k) row[to++] = static_cast<float>(element(window[0], k));

@@ -18,7 +18,7 @@ Known answers of a policy.
   $ policies=$root/tests/data/policy
   $ eagerx-gen policy golden "$policies/ppo_64.zip" --normalize "$policies/ppo_64_vecnormalize.pkl" --rows 20 -o g.csv
   g.csv: 20 rows
-  observations   20 drawn, seed 1, within 2 deviations of the statistics
+  observations   20 sampled, seed 1, within 2 deviations of the statistics
   $ eagerx-gen policy test "$policies/ppo_64.zip" g.csv --normalize "$policies/ppo_64_vecnormalize.pkl"
   <root>/tests/data/policy/ppo_64.zip against g.csv: 20 rows
   largest error  5.75e-07 (against float64)
@@ -45,7 +45,7 @@ Its own first layer may normalize, which the file does not say.
   $ eagerx-gen policy golden "$policies/ppo_64.zip" --observations asked.csv -o given.csv -q
   $ eagerx-gen policy golden "$policies/architectures/gru.onnx" --rows 40 --seed 7 -o h.csv
   h.csv: 40 rows
-  observations   40 drawn, seed 7, in -1…1
+  observations   40 sampled, seed 7, in -1…1
   episodes       as `episode_start` says
   actions        left out: the file does not say their bounds
   $ eagerx-gen policy test "$policies/architectures/gru.onnx" h.csv
@@ -77,7 +77,7 @@ Its own first layer may normalize, which the file does not say.
   help: `eagerx-gen policy golden --help` lists the options
   [2]
   $ eagerx-gen policy golden "$policies/ppo_64.zip" --rows 5 --observations asked.csv -o no.csv
-  error: --rows and --seed are for drawn observations, not for --observations
+  error: --rows and --seed are for sampled observations, not for --observations
   help: `eagerx-gen policy golden --help` lists the options
   [2]
   $ eagerx-gen policy golden "$policies/ppo_64.zip" --rows 5 -o asked.csv/no.csv
@@ -90,7 +90,7 @@ Two policies side by side.
   $ eagerx-gen policy compare "$policies/sac_64.zip" --int8 --tolerance 0.2
   first          <root>/tests/data/policy/sac_64.zip: Stable-Baselines3 2.3.2, Stable-Baselines3's SAC
   second         <root>/tests/data/policy/sac_64.zip with weights of eight bits: Stable-Baselines3 2.3.2, Stable-Baselines3's SAC
-  observations   1000 drawn, seed 1, within the bounds of their space
+  observations   1000 sampled, seed 1, within the bounds of their space
   output   largest     mean        range       allowed     in row
     0      0.074       0.0059      2           0.2         214
   farthest off   output 0 in row 214
@@ -105,7 +105,7 @@ Two policies side by side.
   $ eagerx-gen policy compare "$policies/sac_64.zip" --int8
   first          <root>/tests/data/policy/sac_64.zip: Stable-Baselines3 2.3.2, Stable-Baselines3's SAC
   second         <root>/tests/data/policy/sac_64.zip with weights of eight bits: Stable-Baselines3 2.3.2, Stable-Baselines3's SAC
-  observations   1000 drawn, seed 1, within the bounds of their space
+  observations   1000 sampled, seed 1, within the bounds of their space
   output   largest     mean        range       allowed     in row
     0      0.074       0.0059      2           2e-05       214
   farthest off   output 0 in row 214
@@ -124,7 +124,7 @@ Two policies side by side.
   $ eagerx-gen policy compare "$policies/ppo_64.zip" "$policies/ppo_64.onnx" --tolerance 0
   first          <root>/tests/data/policy/ppo_64.zip: Stable-Baselines3 2.3.2, Stable-Baselines3's PPO or A2C
   second         <root>/tests/data/policy/ppo_64.onnx: ONNX opset 17, exported by pytorch 1.13.0
-  observations   1000 drawn, seed 1, within the bounds of their space
+  observations   1000 sampled, seed 1, within the bounds of their space
   output   largest     mean        range       allowed     in row
     0      0           0           7.08        0           1
   layer    weights     largest     mean        in row
@@ -132,7 +132,7 @@ Two policies side by side.
     2      0           0           0           1      64 -> 64 tanh
     3      0           0           0           1      64 -> 1
   $ eagerx-gen policy compare "$policies/ppo_64.zip" "$policies/ppo_64.onnx" --json | grep -e within -e layers
-    "observations": "1000 drawn, seed 1, within the bounds of their space",
+    "observations": "1000 sampled, seed 1, within the bounds of their space",
     "within": true,
     "layers": [
   $ eagerx-gen policy compare "$policies/ppo_64.zip" "$policies/ppo_64.onnx" --normalize "$policies/ppo_64_vecnormalize.pkl" --normalize - 2>&1 |

@@ -89,7 +89,7 @@ Sweeps, before anything is built.
   1 error
   [1]
   $ sweep 'random: 3\nsettings: {clip_range: {from: 0.1, to: 0.3, count: 3}}'
-  error[E0204]: with `random` any value of a range is drawn
+  error[E0204]: with `random` any value of a range is sampled
    --> sweep.yaml:2:52
     |
   2 | settings: {clip_range: {from: 0.1, to: 0.3, count: 3}}

@@ -27,7 +27,7 @@ struct Watch {
 int main() {
   static simulation::Program<Watch> plant;
   static controller::Program<> program;
-  simulation::Observation seen = plant.reset(simulation::Graph::draw({1, 0, 0}));
+  simulation::Observation seen = plant.reset(simulation::Graph::sample({1, 0, 0}));
   program.reset({});
   for (int step = 0; step < 450; ++step) {
     const controller::Action measured{plant.hooks.theta, plant.hooks.theta_dot};

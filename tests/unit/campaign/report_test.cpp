@@ -31,7 +31,7 @@ struct Example {
                           state("cart/u/delay", "float64", 0.0, 0.2)};
     plan.runs = 3;
     plan.columns = client::column_names(description.states);
-    plan.drawn = {{1, "gyro.seed", false, 0.0, 4294967295.0}};
+    plan.sampled = {{1, "gyro.seed", false, 0.0, 4294967295.0}};
     results.returns = {1.0, 2.0, 3.0};
     results.steps = {5, 5, 5};
     results.states = {double{0.1F}, 4044589560.0, 0.1,   //

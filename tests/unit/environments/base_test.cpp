@@ -106,7 +106,7 @@ TEST(StateRows, AreOfTheirSpacesAndWhole) {
   EXPECT_EQ(error({1, 0, 1.5F}),
             "`position` is out of its space: element 1 is 1.5 (environment 0)");
   EXPECT_EQ(error({1, 0, kNan}),
-            "`position` is not drawn: set all of its elements, or none (environment 0)");
+            "`position` is not sampled: set all of its elements, or none (environment 0)");
   EXPECT_EQ(error({1, kNan, kNan}, true), "");
   EXPECT_EQ(error({1, 0, 0}, true),
             "`position` can be set at a reset, not while an episode runs; what can: mass "

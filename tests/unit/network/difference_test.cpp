@@ -41,7 +41,7 @@ std::optional<PolicyDifference> differ(const Network& a, const Network& b,
                                        std::optional<double> tolerance = {}) {
   Diagnostics diagnostics;
   if (!check_sizes(a, b, diagnostics)) return std::nullopt;
-  return difference_of(a, b, drawn_observations(a, {100, 1}), tolerance, diagnostics);
+  return difference_of(a, b, sampled_observations(a, {100, 1}), tolerance, diagnostics);
 }
 
 TEST(Difference, OfAPolicyWithItselfIsNothing) {
@@ -97,9 +97,9 @@ TEST(Difference, AnAnswerThatIsNotFiniteIsNone) {
   b.layers[1].bias[0] = std::numeric_limits<float>::max();
   b.layers[0].bias[0] = 4.0F;
   Diagnostics diagnostics;
-  EXPECT_FALSE(difference_of(a, b, drawn_observations(a, {100, 1}), {}, diagnostics).has_value());
+  EXPECT_FALSE(difference_of(a, b, sampled_observations(a, {100, 1}), {}, diagnostics).has_value());
   EXPECT_EQ(diagnostics.all().front().code, "E0759");
-  GoldenRows rows = drawn_observations(b, {1, 1});
+  GoldenRows rows = sampled_observations(b, {1, 1});
   rows.observations[0] = {1e38, 1e38};
   b.normalization = statistics({0.0, 0.0});
   b.normalization->clip = 1e308;
@@ -114,7 +114,7 @@ TEST(Difference, AnAnswerThatIsNotFiniteIsNone) {
 TEST(Observations, AreDrawnWhereTheFileSaysThatTheyAre) {
   Network network = two_layers();
   const auto all_within = [&](double low, double high, std::size_t i) {
-    for (const auto& row : drawn_observations(network, {200, 3}).observations) {
+    for (const auto& row : sampled_observations(network, {200, 3}).observations) {
       if (row[i] < low || row[i] > high) return false;
     }
     return true;
@@ -127,14 +127,14 @@ TEST(Observations, AreDrawnWhereTheFileSaysThatTheyAre) {
   network.normalization = statistics({100.0, 0.0});
   EXPECT_TRUE(all_within(95.9, 104.1, 0));
   EXPECT_FALSE(all_within(98.0, 102.0, 0));
-  EXPECT_NE(drawn_observations(network, {1, 1}).observations,
-            drawn_observations(network, {1, 2}).observations);
+  EXPECT_NE(sampled_observations(network, {1, 1}).observations,
+            sampled_observations(network, {1, 2}).observations);
 }
 
 TEST(Observations, WithAnswersAreGoldenRows) {
   Network network = two_layers();
   network.normalization = statistics({0.5, 0.0});
-  GoldenRows rows = drawn_observations(network, {10, 1});
+  GoldenRows rows = sampled_observations(network, {10, 1});
   Diagnostics diagnostics;
   ASSERT_TRUE(add_answers(network, rows, diagnostics));
   EXPECT_EQ(rows.outputs_double.size(), 10U);

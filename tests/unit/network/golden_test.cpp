@@ -24,7 +24,7 @@ Network sum_of_two() {
 
 GoldenRows rows_of(const Network& network, double offset) {
   GoldenRows rows;
-  for (const auto& row : drawn_rows(50, network.inputs())) {
+  for (const auto& row : sampled_rows(50, network.inputs())) {
     rows.observations.emplace_back(row.begin(), row.end());
     rows.outputs.push_back(evaluate_in_double(network, row));
     for (double& value : rows.outputs.back()) value += offset;

@@ -47,7 +47,7 @@ class Hub {
       if (!star.ok()) return n;
       EXPECT_EQ(ring_[(count - 1) % kRing], sum_of(count - 1)) << n;
     }
-    return pipeline_.settle(*this) ? steps : 0;
+    return pipeline_.drain(*this) ? steps : 0;
   }
   /// The same with a part that receives other frames in between.
   void run_held(Seq from, Seq steps) {
@@ -57,10 +57,10 @@ class Hub {
       ask(n);
       EXPECT_EQ(taken_, n + 1);
     }
-    pipeline_.go_on();
+    pipeline_.resume();
     ask(from + steps);
     EXPECT_EQ(taken_, from + steps);
-    EXPECT_TRUE(pipeline_.settle(*this));
+    EXPECT_TRUE(pipeline_.drain(*this));
   }
   /// The calls that the trace must receive.
   static Calls expected(Seq steps) {
@@ -80,7 +80,7 @@ class Hub {
     auto value = static_cast<std::uint32_t>(n * n);
     pipeline_.tell(*this, kSent, n, value);
     star.put(kPart, value);
-    return pipeline_.post(*this, kPart, &Hub::take, n, Awaited<std::uint32_t>{kAnswered});
+    return pipeline_.request(*this, kPart, &Hub::take, n, Awaited<std::uint32_t>{kAnswered});
   }
   static std::uint32_t sum_of(Seq n) {
     std::uint32_t sum = 0;

@@ -116,7 +116,7 @@ TEST_F(Line, BeginsAnewInTheMiddleOfAnExchange) {
     EXPECT_EQ(run_host(5), 5);
     host_->begin_step();
     for (std::uint32_t i = 0; i < session; ++i) host_->put(i);
-    if (session % 3 == 0) host_->post();
+    if (session % 3 == 0) host_->submit();
   }
   EXPECT_EQ(sessions_, 20);
 }

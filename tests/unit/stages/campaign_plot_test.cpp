@@ -44,10 +44,10 @@ TEST_F(CampaignPlotTest, ColumnsThatDifferAreKept) {
   EXPECT_EQ(read->returns[0], -1.5);
   EXPECT_TRUE(std::isnan(read->returns[1]));
   EXPECT_EQ(read->successes, (std::vector<bool>{true, false}));
-  ASSERT_EQ(read->drawn.size(), 2U);
-  EXPECT_EQ(read->drawn[0].name, "robot/body.mass");
-  EXPECT_EQ(read->drawn[1].name, "a=silent");
-  EXPECT_TRUE(std::isnan(read->drawn[1].values[0]));
+  ASSERT_EQ(read->sampled.size(), 2U);
+  EXPECT_EQ(read->sampled[0].name, "robot/body.mass");
+  EXPECT_EQ(read->sampled[1].name, "a=silent");
+  EXPECT_TRUE(std::isnan(read->sampled[1].values[0]));
   EXPECT_FALSE(campaign::campaign_svg(*read).empty());
 }
 

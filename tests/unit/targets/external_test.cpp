@@ -60,13 +60,13 @@ TEST(ExternalRows, StatesAreCheckedAndReadAsTheirDecimals) {
   const Fields fields(program);
   const ExternalRows rows(fields);
   const StateMemory states(fields.states);
-  program.draw({}, states.row());
+  program.sample({}, states.row());
   const bool* const drawn = states.row().has_value;
   const auto problem = [&](std::array<float, 3> row) {  // at, delay
     return rows.problem_of_states(row.data(), drawn);
   };
   EXPECT_EQ(problem({kNone, kNone, kNone}), "");
-  EXPECT_EQ(problem({1.0F, kNone, kNone}), "`at` is not drawn: set all of its elements, or none");
+  EXPECT_EQ(problem({1.0F, kNone, kNone}), "`at` is not sampled: set all of its elements, or none");
   EXPECT_EQ(problem({kNone, kNone, 0.6F}), "`delay` is out of its space: element 0 is 0.6");
   const std::array<float, 3> row{kNone, kNone, 0.1F};
   ASSERT_EQ(rows.problem_of_states(row.data(), drawn), "");

@@ -7,7 +7,7 @@
 namespace turning {
 
 /// From the last `pose` [7]: the angle `error` [1] in rad to a course that turns at `turn` [1] in
-/// rad/s, which is drawn at a reset; see the manifest.
+/// rad/s, which is sampled at a reset; see the manifest.
 template <class Io>
 class Course {
  public:

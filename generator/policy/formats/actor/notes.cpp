@@ -1,4 +1,4 @@
-// What files say of themselves in words.
+// Notes on files, for people.
 #include <fmt/core.h>
 
 #include <algorithm>

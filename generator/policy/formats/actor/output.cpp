@@ -1,4 +1,4 @@
-// What follows an actor's last layer, and what its answers are.
+// The output of an actor: its last activation and the form of its answers.
 #include <fmt/core.h>
 
 #include <utility>

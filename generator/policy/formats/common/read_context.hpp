@@ -1,4 +1,4 @@
-// What a reader may need besides the bytes of a file.
+// Data that a reader may need besides the bytes of a file.
 #pragma once
 
 #include <cstdint>

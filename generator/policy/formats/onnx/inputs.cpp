@@ -1,4 +1,4 @@
-// What a graph's inputs are: observations of a fixed size, and states.
+// Inputs of a graph: observations of a fixed size, and states.
 #include "generator/policy/formats/onnx/inputs.hpp"
 
 #include <fmt/core.h>

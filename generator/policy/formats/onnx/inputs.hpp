@@ -1,4 +1,4 @@
-// What a graph's inputs are. Inside formats/onnx only.
+// Inputs of a graph. Inside formats/onnx only.
 #pragma once
 
 #include <optional>

@@ -32,7 +32,7 @@ std::string lower(std::string_view name) {
   return result;
 }
 
-/// Names that exporters give the action. ML-Agents has both a drawn and a deterministic one.
+/// Names that exporters give the action. ML-Agents has both a sampled and a deterministic one.
 bool is_action(std::string_view name) {
   constexpr std::array kNames = {"action",       "actions",       "continuous_actions",
                                  "mu",           "action_mean",   "mean_action",

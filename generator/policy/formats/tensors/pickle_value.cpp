@@ -1,4 +1,4 @@
-// What the values of a pickle mean, and which names they may be made by.
+// Values of a pickle, and the names that may make them.
 #include <algorithm>
 #include <array>
 

@@ -1,4 +1,4 @@
-// What code calculates with known numbers and shapes.
+// Computations on known numbers and shapes.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -374,7 +374,7 @@ class TorchReading {
 
 namespace {
 
-/// A function of `code` that draws random numbers, or "".
+/// A function of `code` that samples random numbers, or "".
 std::string_view random_function(std::string_view code) {
   for (const std::string_view name :
        {"randn_like", "randn", "rand_like", "rand", "normal", "bernoulli", "multinomial"}) {
@@ -395,7 +395,7 @@ void add_sampling(const Archive& archive, PolicyProblem& problem) {
     const auto code = archive.read(name, buffer, ignored);
     const std::string_view random = code ? random_function(*code) : std::string_view{};
     if (random.empty()) continue;
-    problem.message += fmt::format("; its code draws random numbers (`{}`)", random);
+    problem.message += fmt::format("; its code samples random numbers (`{}`)", random);
     problem.help = "export the deterministic action: means instead of samples, in eval mode";
     return;
   }

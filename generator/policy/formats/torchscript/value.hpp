@@ -1,4 +1,4 @@
-// What is known of a value of TorchScript code without running it, and the operators over such
+// Static knowledge of a value in TorchScript code, and the operators over such
 // values.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What is known of an operator's results.
+// Static knowledge of an operator's results.
 #pragma once
 
 #include "generator/policy/network/graph/call.hpp"

@@ -1,4 +1,4 @@
-// What is known about a value of a policy without running it, and the steps from the observation to
+// Static knowledge of a value of a policy, and the steps from the observation to
 // it.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What VS Code asks of a language, asked of the server.
+// VS Code's requests about a language, passed to the server.
 "use strict";
 const vscode = require("vscode");
 const convert = require("./convert.js");

@@ -27,7 +27,7 @@ class Env(checks.Single, gymnasium.Env):
     render_size        (width, height) of it, in pixels
     stage              of the graph's task: the name of one of its `stages:`; None: the graph as it is written
 
-    reset(options={"states": {"pendulum.mass": 0.03}}) sets states instead of drawn ones, reset(options={"stage": "near"}) the stage
+    reset(options={"states": {"pendulum.mass": 0.03}}) sets states instead of sampled ones, reset(options={"stage": "near"}) the stage
     from then on, and set({"controller.kp": 3.0})
     tunable parameters between two steps. Without `task:` in the graph rewards
     are 0. info of a step has `success` and the weighted `terms` of the reward, where the graph has a task.

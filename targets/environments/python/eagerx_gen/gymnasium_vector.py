@@ -73,9 +73,9 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
 
     def _seeds(self, given, mask):
         """[num_envs] and whose seeds are new; where nothing was said, of those that begin for the first time."""
-        drawn = self.np_random.integers(2**63, size=self.num_envs) if None in given and not self._begun.all() else given
+        sampled = self.np_random.integers(2**63, size=self.num_envs) if None in given and not self._begun.all() else given
         new = np.array([s is not None for s in given]) | ~self._begun
-        return [0 if d is None else int(d) if s is None else s for s, d in zip(given, drawn)], new & mask
+        return [0 if d is None else int(d) if s is None else s for s, d in zip(given, sampled)], new & mask
 
     @checks.arguments("reset", reset_mask="give options={'reset_mask': …}", **checks.OPTIONS)
     def reset(self, *, seed=None, options=None):

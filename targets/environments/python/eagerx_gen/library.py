@@ -217,7 +217,7 @@ class Environments(checks.Single):
             self._fail(RewardNotFinite if result > 0 else Error)
 
     def set_states(self, states, mask=None):
-        """The states of the next episode: {name: value or [count, ...]}; what is not named is drawn."""
+        """The states of the next episode: {name: value or [count, ...]}; what is not named is sampled."""
         row = states_row(self._library, states, self._count)
         mask = checks.mask(mask, self._count)
         if self._call(self._library.c.eagerx_set_states, None if mask is None else mask.ctypes.data, row.ctypes.data) != 0:
@@ -231,7 +231,7 @@ class Environments(checks.Single):
             self._fail()
 
     def states(self):
-        """{name: [count, ...]} that the episodes began with; NaN where nothing was set or drawn."""
+        """{name: [count, ...]} that the episodes began with; NaN where nothing was set or sampled."""
         row = np.zeros((self._count, self._library._sizes["states"]), np.float32)
         if self._call(self._library.c.eagerx_get_states, row.ctypes.data) != 0:
             self._fail()

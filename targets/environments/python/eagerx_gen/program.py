@@ -220,7 +220,7 @@ class RunningProgram(checks.Single):
         checks.stage(stage, ())
 
     def set_states(self, states, mask=None):
-        """The states of the next episode: {name: value}; what is not named is drawn."""
+        """The states of the next episode: {name: value}; what is not named is sampled."""
         self.check_open()
         self._states = states_row(self.library, states, 1)[0]
 

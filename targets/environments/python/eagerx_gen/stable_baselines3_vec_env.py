@@ -22,7 +22,7 @@ class VecEnv(checks.Single, _base.VecEnv):
     sets another stage while a model learns: from the next episode of each on.
 
     set_options({"states": {"pendulum.mass": 0.03}, "stage": "near"}), or a list of n_envs such dicts, counts at the next reset(),
-    as reset(options=…) of Env. Episodes that begin by themselves draw their states again; a stage stays.
+    as reset(options=…) of Env. Episodes that begin by themselves sample their states again; a stage stays.
     """
 
     @checks.arguments("VecEnv", num_envs="n_envs is how many environments there are")
@@ -81,8 +81,8 @@ class VecEnv(checks.Single, _base.VecEnv):
         self._set_options()
         given = list(self._seeds)
         if not self._begun:
-            drawn = np.random.default_rng().integers(2**63, size=self.num_envs)
-            given = [int(d) if seed is None else seed for seed, d in zip(given, drawn)]
+            sampled = np.random.default_rng().integers(2**63, size=self.num_envs)
+            given = [int(d) if seed is None else seed for seed, d in zip(given, sampled)]
         new = np.array([seed is not None for seed in given])
         if new.any():
             self.environments.reset(new, [0 if seed is None else seed for seed in given])

@@ -1,4 +1,4 @@
-// What several ranks do together: one of them has a problem, and all say so.
+// Collective operations of ranks: one of them has a problem, and all say so.
 #pragma once
 
 #include <functional>

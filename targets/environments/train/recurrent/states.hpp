@@ -1,4 +1,4 @@
-// What a network remembers of each environment.
+// Memory of a recurrent network for each environment.
 #pragma once
 
 #include <algorithm>

@@ -18,21 +18,21 @@ Collector::Collector(const train::Settings& settings, const Library& library, st
                     settings.seed, longest, EAGERX_SAME_STEP),
       count_(settings.sac.n_envs),
       numbers_(head_.numbers),
-      hard_(settings, library, 0, static_cast<std::uint32_t>(count_)),
+      replayed_(settings, library, 0, static_cast<std::uint32_t>(count_)),
       rows_(library.description(), count_),
-      sight_(library.description(), rows_),
-      width_(sight_.width()),
+      observer_(library.description(), rows_),
+      width_(observer_.width()),
       squashed_(count_ * numbers_),
       action_(count_ * numbers_),
       return_(count_),
       discounted_(count_) {
   rows_.final_observation = rows_.observation;
-  rows_.observation.resize(kLanes * sight_.actor_width());
+  rows_.observation.resize(kLanes * observer_.actor_width());
 }
 
 void Collector::reset(std::uint64_t seed) {
-  hard_.reset(environments_, seed, rows_.observation.data());
-  sight_.look(environments_);
+  replayed_.reset(environments_, seed, rows_.observation.data());
+  observer_.look(environments_);
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
   observation_sums.clear();
@@ -48,8 +48,8 @@ void Collector::act(const Model& model, const Normaliser& normaliser, const Kern
                     std::uint32_t time) {
   row_.resize(model.actor.row());
   seen_.resize(width_);
-  normaliser.load(sight_.now(), seen_.data());
-  std::copy_n(seen_.begin(), sight_.actor_width(), row_.begin());
+  normaliser.load(observer_.now(), seen_.data());
+  std::copy_n(seen_.begin(), observer_.actor_width(), row_.begin());
   model.actor.forward(kernels, model.actor_parameters.data(), row_.data());
   Simd* means = &row_[model.actor.output()];
   kernels.tanh(means + numbers_, numbers_);
@@ -71,12 +71,12 @@ void Collector::step(Model& model, const Normaliser& normaliser, const Kernels& 
     for (std::size_t j = 0; j < numbers_; ++j)
       squashed_[e * numbers_ + j] = random.uniform(-1.0F, 1.0F);
   }
-  before_.assign(sight_.now(), sight_.now() + count_ * width_);
+  before_.assign(observer_.now(), observer_.now() + count_ * width_);
   spent.inference_s += watch.lap();
   step_environments();
   spent.simulation_s += watch.lap();
-  for (std::size_t e = 0; e < count_; ++e) settle(model, e, time);
-  hard_.set(environments_);
+  for (std::size_t e = 0; e < count_; ++e) record_step(model, e, time);
+  replayed_.set(environments_);
   sum_observations();
   spent.learning_s += watch.lap();
 }
@@ -87,15 +87,15 @@ void Collector::step_again(const Memory& memory, std::size_t back) {
   }
   step_environments();
   for (std::size_t e = 0; e < count_; ++e) count_reward(e);
-  hard_.set(environments_);
+  replayed_.set(environments_);
 }
 
 void Collector::step_environments() {
   for (std::size_t i = 0; i < action_.size(); ++i)
     action_[i] = head_.scaled(i % numbers_, squashed_[i]);
   step_all(environments_, action_.data(), rows_);
-  sight_.look(environments_);
-  sight_.look_at_ends(environments_);
+  observer_.look(environments_);
+  observer_.look_at_ends(environments_);
 }
 
 /// Whether it was the last of the episode, whose return is then in `return_` for the last time.
@@ -109,26 +109,26 @@ bool Collector::count_reward(std::size_t environment) {
   episodes.push_back({return_[e], 0, rows_.success[e] != 0 ? 1U : 0U});
   return_[e] = 0.0;
   discounted_[e] = 0.0F;
-  hard_.note(e);
+  replayed_.note(e);
   return true;
 }
 
-void Collector::settle(Model& model, std::size_t environment, std::uint32_t time) {
+void Collector::record_step(Model& model, std::size_t environment, std::uint32_t time) {
   const std::size_t e = environment;
   const bool ended = count_reward(e);
   if (ended) episodes.back().step = time;
-  model.memory.add({&before_[e * width_], (ended ? sight_.at_end() : sight_.now()) + e * width_,
-                    &squashed_[e * numbers_], rows_.reward[e],
-                    rows_.terminated[e] != 0 ? 0.0F : 1.0F});
+  model.memory.add(
+      {&before_[e * width_], (ended ? observer_.at_end() : observer_.now()) + e * width_,
+       &squashed_[e * numbers_], rows_.reward[e], rows_.terminated[e] != 0 ? 0.0F : 1.0F});
 }
 
 void Collector::sum_observations() {
   for (std::size_t i = 0; i < count_ * width_; ++i) {
-    if (!std::isfinite(sight_.now()[i])) {
+    if (!std::isfinite(observer_.now()[i])) {
       throw Problem(kProblems, "an observation is NaN or infinite",
                     "the simulation breaks down: look at its step, or end the episode sooner");
     }
-    observation_sums.add(i % width_, sight_.now()[i]);
+    observation_sums.add(i % width_, observer_.now()[i]);
   }
   observation_sums.count += static_cast<double>(count_);
   return_sums.count += static_cast<double>(count_);

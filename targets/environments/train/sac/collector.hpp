@@ -23,7 +23,7 @@ class Collector {
   void reset(std::uint64_t seed);
   /// From the next reset() on.
   void set_stage(const std::string& name) { environments_.set_stage(name); }
-  /// A step of all with actions of the actor, or drawn evenly while it has learnt nothing yet.
+  /// A step of all with actions of the actor, or sampled evenly while it has learnt nothing yet.
   /// `time`: steps since the training began. The transitions go into the memory.
   void step(Model& model, const Normaliser& normaliser, const Kernels& kernels, bool is_random,
             std::uint32_t time);
@@ -39,7 +39,7 @@ class Collector {
   void act(const Model& model, const Normaliser& normaliser, const Kernels& kernels,
            std::uint32_t time);
   void step_environments();
-  void settle(Model& model, std::size_t environment, std::uint32_t time);
+  void record_step(Model& model, std::size_t environment, std::uint32_t time);
   bool count_reward(std::size_t environment);
   void sum_observations();
   Random noise(std::uint32_t time, std::size_t environment) const;
@@ -48,9 +48,9 @@ class Collector {
   const Head head_;
   Environments environments_;
   std::size_t count_, numbers_;
-  ReplayedEnvironments hard_;
+  ReplayedEnvironments replayed_;
   Rows rows_;                             // [count] of the last step; [kLanes] of observations
-  ObservationBuilder sight_;              // with what only the critics see
+  ObservationBuilder observer_;           // with what only the critics see
   std::size_t width_;                     // of that
   std::vector<float> before_;             // [count][width]
   std::vector<float> squashed_, action_;  // [count][numbers] in -1…1; in their bounds

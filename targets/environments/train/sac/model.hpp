@@ -1,4 +1,4 @@
-// What SAC learns.
+// The parameters that SAC learns.
 #pragma once
 
 #include <array>

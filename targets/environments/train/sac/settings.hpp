@@ -1,4 +1,4 @@
-// What a training with SAC depends on besides train::Settings.
+// Settings of SAC besides train::Settings.
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@ Program<Hooks> hooked;
 float run() {
   if (!Graph::self_test() || !eagerx::calculates_as_everywhere()) return 0.0F;
   const eagerx::EpisodeKey key{.seed = 1, .environment = 0, .episode = 0};
-  Observation seen = program.reset(Graph::draw(key));
+  Observation seen = program.reset(Graph::sample(key));
   program.reset({});
   Action action = Graph::zero();
   action.angle[0] = 0.5F;

@@ -1,4 +1,4 @@
-// How a state is drawn, as C++.
+// How a state is sampled, as C++.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 namespace eagerx::gen {
 
 /// The lines ("line") that set `states.FIELD` from `random`; `constant`: what its range is called.
-View draw_lines(const Random& random, const Space& space, const std::string& field,
-                const std::string& constant);
+View sample_lines(const Random& random, const Space& space, const std::string& field,
+                  const std::string& constant);
 
-/// Whether draws need a range: a value and a choice do not.
+/// Whether samples need a range: a value and a choice do not.
 inline bool needs_range(const Random& random) {
   return random.kind != RandomSpec::Kind::value && random.kind != RandomSpec::Kind::choice;
 }

@@ -1,4 +1,4 @@
-#include "generator/backend/emit/draws.hpp"
+#include "generator/backend/emit/samples.hpp"
 
 #include <fmt/format.h>
 
@@ -24,8 +24,8 @@ Space range_of(const Random& random, const Space& space) {
   return range;
 }
 
-View draw_lines(const Random& random, const Space& space, const std::string& field,
-                const std::string& constant) {
+View sample_lines(const Random& random, const Space& space, const std::string& field,
+                  const std::string& constant) {
   const std::string type = message_type(space);
   std::vector<std::string> text;
   std::vector<std::string> choices;
@@ -38,18 +38,18 @@ View draw_lines(const Random& random, const Space& space, const std::string& fie
       text = {fmt::format("states.{} = {}.sample(random);", field, constant)};
       break;
     case RandomSpec::Kind::log_uniform:
-      text = {fmt::format("states.{} = eagerx::draw_log_uniform(random, {}.low, {}.high);", field,
+      text = {fmt::format("states.{} = eagerx::sample_log_uniform(random, {}.low, {}.high);", field,
                           constant, constant)};
       break;
     case RandomSpec::Kind::normal:
       text = {fmt::format("constexpr {} kMean{};", type, initializer(random.first, space)),
               fmt::format("constexpr {} kStd{};", type, initializer(random.second, space)),
-              fmt::format("states.{} = {}.clipped(eagerx::draw_normal(random, kMean, kStd));",
+              fmt::format("states.{} = {}.clipped(eagerx::sample_normal(random, kMean, kStd));",
                           field, constant)};
       break;
     case RandomSpec::Kind::choice:
       text = {fmt::format("constexpr {} kChoices[] = {};", type, braced(choices)),
-              fmt::format("states.{} = eagerx::draw_choice(random, kChoices);", field)};
+              fmt::format("states.{} = eagerx::sample_choice(random, kChoices);", field)};
       break;
   }
   View lines = list();

@@ -10,7 +10,7 @@ namespace eagerx {
 
 /// Normally distributed, element by element. The caller clips it to the state's space.
 template <class Message>
-Message draw_normal(Random& random, const Message& mean, const Message& std) {
+Message sample_normal(Random& random, const Message& mean, const Message& std) {
   Message result{};
   for (std::size_t i = 0; i < size_of<Message>; ++i) {
     element(result, i) = random.normal(element(mean, i), element(std, i));
@@ -20,7 +20,7 @@ Message draw_normal(Random& random, const Message& mean, const Message& std) {
 
 /// Uniform in the logarithm between low and high, element by element; 0 < low <= high.
 template <class Message>
-Message draw_log_uniform(Random& random, const Message& low, const Message& high) {
+Message sample_log_uniform(Random& random, const Message& low, const Message& high) {
   Message result{};
   for (std::size_t i = 0; i < size_of<Message>; ++i) {
     element(result, i) = random.log_uniform(element(low, i), element(high, i));
@@ -30,7 +30,7 @@ Message draw_log_uniform(Random& random, const Message& low, const Message& high
 
 /// One of the values, each as likely.
 template <class Message, std::size_t N>
-Message draw_choice(Random& random, const Message (&values)[N]) {
+Message sample_choice(Random& random, const Message (&values)[N]) {
   return values[random.below(static_cast<std::uint32_t>(N))];
 }
 
