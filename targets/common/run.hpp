@@ -115,7 +115,7 @@ bool is_linked(const Program& program) {
   }
 }
 
-/// A program that asks others for messages before it needs them waits for those on their way.
+/// A program that asks others for messages before it needs them waits for those in flight.
 template <class Program>
 void drain(Program& program) {
   if constexpr (requires { program.drain(); }) program.drain();

@@ -33,11 +33,11 @@ std::string messages_text(const Plan& plan, const std::vector<bool>& crosses) {
   return texts.empty() ? "nothing" : fmt::format("{}", join(texts, ", "));
 }
 
-/// "continues while up to 4 exchanges are on their way: `arm.u` reads it with `delay: 0.1`"
+/// "continues while up to 4 exchanges are in flight: `arm.u` reads it with `delay: 0.1`"
 std::string pipelining_text(const PartLink& link) {
   const std::string what =
       link.depth > 1
-          ? fmt::format("continues while up to {} exchanges are on their way", link.depth)
+          ? fmt::format("continues while up to {} exchanges are in flight", link.depth)
           : fmt::format("waits for a message where it is {}", link.is_pipelined ? "read" : "sent");
   return fmt::format("{}: {}", what, link.why_no_more);
 }

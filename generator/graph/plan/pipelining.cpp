@@ -11,7 +11,7 @@
 namespace eagerx::gen {
 namespace {
 
-/// Frames of a link that are on their way at most, and bytes of all of them: what a socket holds.
+/// Frames of a link that are in flight at most, and bytes of all of them: what a socket holds.
 constexpr std::size_t kMostExchanges = 32;
 constexpr std::size_t kMostBytesOnWay = std::size_t{1} << 16U;
 /// Of the trace that waits.

@@ -107,7 +107,7 @@ struct PartLink {
   bool several_frames = false;  // whether messages do not fit into one
   bool is_pipelined = false;    // the hub asks for messages where they are sent, and takes them
                                 // where they are read
-  std::size_t depth = 1;        // exchanges on their way at most
+  std::size_t depth = 1;        // exchanges in flight at most
   std::string why_no_more;      // what keeps the hub from going further
   /// By node: the number of its ticks after it has sent a message at which the hub hands that on to
   /// this part, and the part expects it; message 0 at once.

@@ -98,7 +98,7 @@ class LaterMessages {
 };
 
 /// `Owner` is the hub's program, with a member `hooks` and a link() that is a Star of `Parts`
-/// links. `Most`: ticks of a part's nodes that may be on their way; `Bytes`: of the trace that
+/// links. `Most`: ticks of a part's nodes that may be in flight; `Bytes`: of the trace that
 /// waits. If either is not enough, the hub waits. All zero at the start.
 template <class Owner, class Hooks, std::size_t Parts, std::size_t Most, std::size_t Bytes>
 class Pipeline {
@@ -148,7 +148,7 @@ class Pipeline {
     return count;
   }
 
-  /// Waits for all that is on its way. False if the connection is over.
+  /// Waits for all that is in flight. False if the connection is over.
   bool drain(Owner& owner) {
     for (Queue& queue : queues_) {
       while (queue.count > 0) {

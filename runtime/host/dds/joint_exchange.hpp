@@ -30,7 +30,7 @@ class JointExchange {
   /// Somebody writes each input, and reads an output.
   virtual bool is_there() const = 0;
   /// `positions`: [n · size] of output `output`, which has names if n is 1. False: there is no room
-  /// for the message, as long as earlier ones are on their way.
+  /// for the message, as long as earlier ones are in flight.
   virtual bool write(std::size_t output, Stamp time, std::string& frame,
                      std::span<double> positions) = 0;
   /// Calls `take` for messages that have come.

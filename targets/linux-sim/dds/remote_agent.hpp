@@ -55,7 +55,7 @@ class RemoteAgent {
   };
 
   /// Those of this step that are not written. False: there is no room for one, as long as earlier
-  /// ones are on their way.
+  /// ones are in flight.
   bool write(ObservationRow observations);
   /// Takes what has come. True: all actions are there.
   bool take_all();
