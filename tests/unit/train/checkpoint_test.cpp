@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "targets/environments/client/files.hpp"
 #include "targets/environments/train/client.hpp"
@@ -94,9 +95,9 @@ TEST_F(TrainCheckpoint, ATruthValueThatIsNoneIsRefused) {
   EXPECT_EQ(said(changed(bytes(), kSucceeded, 2)), "`it` is not complete");
 }
 
-/// The networks of a checkpoint of tests/data/stability, which every later version reads.
+/// Begins from a checkpoint of tests/data/stability, which every later version reads.
 template <class SomeModel>
-SomeModel begun_from(const std::string& name, const Settings& settings) {
+void expect_networks_in(const std::string& name, const Settings& settings) {
   Description description;
   for (const char* const channel : {"angle", "speed"})
     description.observations.push_back(
@@ -105,20 +106,36 @@ SomeModel begun_from(const std::string& name, const Settings& settings) {
       {.name = "voltage", .dtype = "float32", .size = 1, .low = {-2.0}, .high = {2.0}});
   constexpr std::size_t kObservations = 4;
   SomeModel model(settings, kObservations, Head(description));
+  const std::vector<float> random = model.actor_parameters;
   begin_from(read_file(EAGERX_SOURCE_DIR "/tests/data/stability/1.0/" + name), "it",
              interface_of(settings, description), model);
-  return model;
+  EXPECT_NE(model.actor_parameters, random);
+  EXPECT_TRUE(
+      std::ranges::all_of(model.actor_parameters, [](float x) { return std::isfinite(x); }));
 }
 
-bool has_learnt(const std::vector<float>& parameters) {
-  return std::ranges::any_of(parameters, [](float x) { return x != 0.0F; }) &&
-         std::ranges::all_of(parameters, [](float x) { return std::isfinite(x); });
+Settings of_corpus() {
+  Settings settings;
+  settings.net_arch = {4};
+  return settings;
 }
 
 TEST(Stability, ReadsTheCheckpointOfAnEarlierVersion) {
-  Settings settings;
-  settings.net_arch = {4};
-  EXPECT_TRUE(has_learnt(begun_from<Model>("pendulum.checkpoint", settings).actor_parameters));
+  expect_networks_in<Model>("pendulum.checkpoint", of_corpus());
+}
+
+TEST(Stability, ReadsARecurrentCheckpointOfAnEarlierVersion) {
+  Settings settings = of_corpus();
+  settings.rnn = Memory::gru;
+  settings.rnn_hidden_size = 4;
+  expect_networks_in<Model>("memory.checkpoint", settings);
+}
+
+TEST(Stability, ReadsTheCheckpointOfSacOfAnEarlierVersion) {
+  Settings settings = of_corpus();
+  settings.algorithm = "sac";
+  settings.sac.buffer_size = 1000;
+  expect_networks_in<sac::Model>("sac.checkpoint", settings);
 }
 
 }  // namespace
