@@ -143,17 +143,15 @@ void describe(const LqrDesign& design, const LqrRequest& request, DesignReport& 
   }
   if (design.unknown > 1e-6) {
     report.facts.emplace_back(
-        "not received", fmt::format("{} of what the regulator of the full state would send, which "
-                                    "depends on {}",
+        "not received", fmt::format("{} of the output of the full-state regulator, for lack of {}",
                                     percent(design.unknown), join(missing, ", ")));
     report.facts.emplace_back(
-        "cost", fmt::format("{:.5g} of that regulator's: the gains are the best constant ones of "
-                            "what is received",
+        "cost", fmt::format("{:.5g} times that of the full-state regulator; the gains are the best "
+                            "constant output feedback",
                             design.cost));
   } else {
-    report.facts.emplace_back("cost",
-                              "the regulator of the full state: all that it needs is "
-                              "received");
+    report.facts.emplace_back(
+        "cost", "that of the full-state regulator: the node receives the whole state");
   }
   report.numbers["unknown"] = design.unknown;
   report.numbers["cost"] = design.cost;
