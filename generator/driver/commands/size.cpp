@@ -256,9 +256,8 @@ Command table(SizeOptions& options) {
             experimental(flag(
                 "--worst", options.worst,
                 "also compute upper bounds from the image: instructions of each step, slot and "
-                "node "
-                "(Cortex-M), cycles (Cortex-M3, M4), and with --graph whether slots fit into their "
-                "time")),
+                "node (Cortex-M), cycles (Cortex-M3, M4), and with --graph whether slots fit into "
+                "their time")),
             text("--run", options.run_on,
                  "also run the image in this target's emulator, and count instructions", "TARGET"),
             reads(text(

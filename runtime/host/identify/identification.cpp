@@ -64,8 +64,7 @@ bool Identification::choose_parameters(std::string& problem) {
   if (chosen_.empty() && experiment_.actuators().empty()) {
     problem =
         "error: there is nothing to identify\nhelp: let the graph sample a state of an object from "
-        "a "
-        "range, as in `states: {model_parameters: {uniform: {low: […], high: […]}}}`";
+        "a range, as in `states: {model_parameters: {uniform: {low: […], high: […]}}}`";
     return false;
   }
   return true;
