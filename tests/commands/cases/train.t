@@ -84,7 +84,7 @@ Sweeps, before anything is built.
     |
   1 | settings: {clip_range: {from: 0.1, to: 0.3}}
     |                        ^
-  help: say how many values, or draw some: `random: 20` next to `settings:`
+  help: say how many values, or sample some: `random: 20` next to `settings:`
   
   1 error
   [1]
@@ -104,7 +104,7 @@ Sweeps, before anything is built.
     |
   1 | settings: {n_envs: {from: 128, to: 65536, count: 200}, n_steps: {from: 1, to: 4096, count: 200}}
     |           ^
-  help: draw some of them: `random: 20` next to `settings:`
+  help: sample some of them: `random: 20` next to `settings:`
   
   1 error
   [1]

@@ -231,7 +231,7 @@ TEST(TorchScript, WhatIsNotUnderstoodIsRefusedByItsLine) {
                  "`index_put` in a way");
   expect_refused(body_with("z = torch.matmul(y, self.a)"), "E0618", "line 6");
   expect_refused(body_with("z = torch.add(y, torch.mul(torch.randn_like(y), torch.log(y)))"),
-                 "E0754", "its code draws random numbers (`randn_like`)");
+                 "E0754", "its code samples random numbers (`randn_like`)");
   expect_refused(with_body("    return x\n", "x: Tensor,\n    hc: Tuple[Tensor, Tensor]"), "E0754",
                  "takes `hc`, which is no tensor but Tuple[Tensor,Tensor]");
 }

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <eagerx/channel.hpp>
-#include <eagerx/draw.hpp>
+#include <eagerx/sample.hpp>
 #include <eagerx/float_environment.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/space.hpp>
@@ -85,33 +85,33 @@ struct Graph : Limits {
       {-2.0, 2.0},      // slow/filtered
   };
 
-  /// The range that left.model_state is drawn from
+  /// The range that left.model_state is sampled from
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateLeftModelState{
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
-  /// The range that left.mass is drawn from
+  /// The range that left.mass is sampled from
   static constexpr eagerx::Space<float> kStateLeftMass{.low = 0.01F, .high = 0.07F};
-  /// The range that right.model_state is drawn from
+  /// The range that right.model_state is sampled from
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateRightModelState{
       .low = {{-1.0F, -2.0F}}, .high = {{1.0F, 2.0F}}};
 
   /// The randomised states of an episode: a function of the key and of nothing else.
-  [[nodiscard]] static States draw(eagerx::EpisodeKey key) {
+  [[nodiscard]] static States sample(eagerx::EpisodeKey key) {
     States states;
     {  // left/model_state
       eagerx::Random random(key, eagerx::entity_id("left/model_state"));
       constexpr eagerx::Array<float, 2> kMean{{0.5F, 0.0F}};
       constexpr eagerx::Array<float, 2> kStd{{0.1F, 0.2F}};
       states.left_model_state =
-          kStateLeftModelState.clipped(eagerx::draw_normal(random, kMean, kStd));
+          kStateLeftModelState.clipped(eagerx::sample_normal(random, kMean, kStd));
     }
     {  // left/mass
       eagerx::Random random(key, eagerx::entity_id("left/mass"));
-      states.left_mass = eagerx::draw_log_uniform(random, kStateLeftMass.low, kStateLeftMass.high);
+      states.left_mass = eagerx::sample_log_uniform(random, kStateLeftMass.low, kStateLeftMass.high);
     }
     {  // left/length
       eagerx::Random random(key, eagerx::entity_id("left/length"));
       constexpr float kChoices[] = {0.05F, 0.1F, 0.2F};
-      states.left_length = eagerx::draw_choice(random, kChoices);
+      states.left_length = eagerx::sample_choice(random, kChoices);
     }
     {  // right/model_state
       eagerx::Random random(key, eagerx::entity_id("right/model_state"));
@@ -123,7 +123,7 @@ struct Graph : Limits {
     return states;
   }
 
-  /// f(name, member of States, space) for each state that is drawn from a range.
+  /// f(name, member of States, space) for each state that is sampled from a range.
   template <class F>
   static void for_each_range(F&& f) {
     f("left.model_state", &States::left_model_state, kStateLeftModelState);
@@ -131,7 +131,7 @@ struct Graph : Limits {
     f("right.model_state", &States::right_model_state, kStateRightModelState);
   }
 
-  /// f(name, what its draws are called, member of States, space) for each state.
+  /// f(name, what its samples are called, member of States, space) for each state.
   template <class F>
   static void for_each_state(F&& f) {
     f("left.model_state", "left/model_state", &States::left_model_state,
@@ -151,7 +151,7 @@ struct Graph : Limits {
   /// The action that does nothing.
   [[nodiscard]] static Action zero() { return Action{}; }
 
-  /// An action drawn uniformly from the spaces of the actions.
+  /// An action sampled uniformly from the spaces of the actions.
   [[nodiscard]] static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 4U);
     return {.voltage = kActionVoltage.sample(random), .push = kActionPush.sample(random)};

@@ -70,12 +70,12 @@ struct Graph : Limits {
       {-2.0, 2.0},      // smooth/filtered
   };
 
-  /// The range that pendulum.model_state is drawn from
+  /// The range that pendulum.model_state is sampled from
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStatePendulumModelState{
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
 
   /// The randomised states of an episode: a function of the key and of nothing else.
-  [[nodiscard]] static States draw(eagerx::EpisodeKey key) {
+  [[nodiscard]] static States sample(eagerx::EpisodeKey key) {
     States states;
     {  // pendulum/model_state
       eagerx::Random random(key, eagerx::entity_id("pendulum/model_state"));
@@ -93,13 +93,13 @@ struct Graph : Limits {
     return states;
   }
 
-  /// f(name, member of States, space) for each state that is drawn from a range.
+  /// f(name, member of States, space) for each state that is sampled from a range.
   template <class F>
   static void for_each_range(F&& f) {
     f("pendulum.model_state", &States::pendulum_model_state, kStatePendulumModelState);
   }
 
-  /// f(name, what its draws are called, member of States, space) for each state.
+  /// f(name, what its samples are called, member of States, space) for each state.
   template <class F>
   static void for_each_state(F&& f) {
     f("pendulum.model_state", "pendulum/model_state", &States::pendulum_model_state,
@@ -115,7 +115,7 @@ struct Graph : Limits {
   /// The action that does nothing.
   [[nodiscard]] static Action zero() { return Action{}; }
 
-  /// An action drawn uniformly from the spaces of the actions.
+  /// An action sampled uniformly from the spaces of the actions.
   [[nodiscard]] static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 2U);
     return {.voltage = kActionVoltage.sample(random)};

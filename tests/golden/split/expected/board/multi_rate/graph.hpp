@@ -23,7 +23,7 @@ struct Graph : Limits {
         eagerx::link::hash_of_part(graphs::multi_rate::kGraphHash, kPart);
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
-    static constexpr std::size_t kDepth = 1;  // requests that may be on their way
+    static constexpr std::size_t kDepth = 1;  // requests that may be in flight
     static constexpr bool kBoardDecides = true;
   };
   using States = graphs::multi_rate::States;
@@ -95,16 +95,16 @@ struct Graph : Limits {
   };
 
   /// The randomised states of an episode: a function of the key and of nothing else.
-  [[nodiscard]] static States draw(eagerx::EpisodeKey /*key*/) {
+  [[nodiscard]] static States sample(eagerx::EpisodeKey /*key*/) {
     States states;
     return states;
   }
 
-  /// f(name, member of States, space) for each state that is drawn from a range.
+  /// f(name, member of States, space) for each state that is sampled from a range.
   template <class F>
   static void for_each_range(F&& /*f*/) {}
 
-  /// f(name, what its draws are called, member of States, space) for each state.
+  /// f(name, what its samples are called, member of States, space) for each state.
   template <class F>
   static void for_each_state(F&& f) {
     f("left.model_state", "left/model_state", &States::left_model_state,
@@ -124,7 +124,7 @@ struct Graph : Limits {
   /// The action that does nothing.
   [[nodiscard]] static Action zero() { return Action{}; }
 
-  /// An action drawn uniformly from the spaces of the actions.
+  /// An action sampled uniformly from the spaces of the actions.
   [[nodiscard]] static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 4U);
     return {.voltage = kActionVoltage.sample(random), .push = kActionPush.sample(random)};
