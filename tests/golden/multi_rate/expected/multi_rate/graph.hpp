@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <eagerx/channel.hpp>
-#include <eagerx/sample.hpp>
 #include <eagerx/float_environment.hpp>
 #include <eagerx/random.hpp>
+#include <eagerx/sample.hpp>
 #include <eagerx/space.hpp>
 
 #include "multi_rate/limits.hpp"
@@ -106,7 +106,8 @@ struct Graph : Limits {
     }
     {  // left/mass
       eagerx::Random random(key, eagerx::entity_id("left/mass"));
-      states.left_mass = eagerx::sample_log_uniform(random, kStateLeftMass.low, kStateLeftMass.high);
+      states.left_mass =
+          eagerx::sample_log_uniform(random, kStateLeftMass.low, kStateLeftMass.high);
     }
     {  // left/length
       eagerx::Random random(key, eagerx::entity_id("left/length"));

@@ -1,4 +1,4 @@
-// What each node of graph `multi_rate` is compiled for: rate, parameters, inputs, outputs.
+// The interface of each node of graph `multi_rate`: rate, parameters, inputs, outputs.
 // Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 

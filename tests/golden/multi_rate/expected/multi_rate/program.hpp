@@ -431,7 +431,7 @@ class Program {
     run_after_action(due);
   }
 
-  // What the environment sees.
+  // The observation of the environment.
   Observation observe() {
     const Observation observation{
         .angle = {observation_angle_, n20Hz_},

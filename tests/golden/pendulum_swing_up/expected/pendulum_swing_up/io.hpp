@@ -1,4 +1,4 @@
-// What each node of graph `pendulum_swing_up` is compiled for: rate, parameters, inputs, outputs.
+// The interface of each node of graph `pendulum_swing_up`: rate, parameters, inputs, outputs.
 // Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 

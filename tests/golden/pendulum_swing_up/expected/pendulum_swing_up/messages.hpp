@@ -1,4 +1,4 @@
-// What goes into and comes out of the program of graph `pendulum_swing_up`.
+// Actions, observations and states of graph `pendulum_swing_up`.
 // Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace graphs::pendulum_swing_up {
 
 /// The hash of the inputs: FNV-1a of all headers of this program and of those with weights alone,
 /// which is 0 without a policy. A comment in the graph changes neither.
-inline constexpr std::uint64_t kGraphHash = 0x2132cf8180371a93U;
+inline constexpr std::uint64_t kGraphHash = 0x454d3c6937264bc2U;
 inline constexpr std::uint64_t kPolicyHash = 0xc5ea043d3f18bbd4U;
 inline constexpr const char* kGenerator = "eagerx-gen 0.2.0";
 

@@ -265,7 +265,7 @@ class Program {
     }
   }
 
-  // What the environment sees.
+  // The observation of the environment.
   Observation observe() {
     const Observation observation{.angle = {observation_angle_, n30Hz_},
                                   .theta_dot = {pendulum_theta_dot_observation_, n30Hz_}};
@@ -304,7 +304,7 @@ class Program {
   eagerx::models::ButterworthFilter<SmoothIo> smooth_{};
   eagerx::models::OdeInput<PendulumUIo> pendulum_u_{};
 
-  // What only pictures need: nothing in a program that shows none.
+  // Only for pictures: empty in a program without them.
   struct Drawing {
     eagerx::Array<float, 24, 16> pendulum_scene_scene_[1]{};
     eagerx::models::PendulumDrawing<PendulumSceneIo> pendulum_scene_{};

@@ -1,4 +1,4 @@
-// What goes into and comes out of the program of graph `multi_rate`.
+// Actions, observations and states of graph `multi_rate`.
 // Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace graphs::multi_rate {
 
 /// The hash of the inputs: FNV-1a of all headers of this program and of those with weights alone,
 /// which is 0 without a policy. A comment in the graph changes neither.
-inline constexpr std::uint64_t kGraphHash = 0xf9592af8bcf0c336U;
+inline constexpr std::uint64_t kGraphHash = 0xf5cd2ee5e891a773U;
 inline constexpr std::uint64_t kPolicyHash = 0x0000000000000000U;
 inline constexpr const char* kGenerator = "eagerx-gen 0.2.0";
 

@@ -223,7 +223,7 @@ class Program {
     }
   }
 
-  // What the environment sees.
+  // The observation of the environment.
   Observation observe() {
     const Observation observation{
         .angle = {observation_angle_, n20Hz_},

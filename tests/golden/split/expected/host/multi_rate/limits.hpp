@@ -1,4 +1,4 @@
-// What the actions and observations of graph `multi_rate` may be, and which action is safe.
+// Limits of the actions and observations of graph `multi_rate`, and the safe action.
 // Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 

@@ -32,8 +32,8 @@ class Program {
   /// The links to the parts of this graph; before the first reset.
   void connect(Link& link) { link_ = &link; }
   [[nodiscard]] Link& link() const { return *link_; }
-  /// At the end of an episode, and where messages are looked at: waits for those on their way.
-  void settle() { pipeline_.settle(*this); }
+  /// At the end of an episode, and where messages are looked at: waits for those in flight.
+  void drain() { pipeline_.drain(*this); }
   /// The action that the part with the agent has sent in the last step, once it is there.
   [[nodiscard]] Action applied() const {
     return {.voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1 - 1)],
@@ -93,7 +93,7 @@ class Program {
 
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
   Observation reset(const States& states) & {
-    settle();
+    drain();
     for (auto& taken : taken_) {
       taken = 0;
     }
@@ -156,7 +156,7 @@ class Program {
     }
     link_->begin_step();
     // actions
-    if (!pipeline_.post(
+    if (!pipeline_.request(
             *this, part::kBoard, &Program::take_environment, n10Hz_ - 1,
             eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_voltage},
             eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::environment_push})) {
@@ -280,7 +280,7 @@ class Program {
       const eagerx::Seq n = n30Hz_ - 1;
       // fast: ButterworthFilter
       {
-        if (!pipeline_.post(
+        if (!pipeline_.request(
                 *this, part::kBoard, &Program::take_fast, n,
                 eagerx::link::Awaited<eagerx::Array<float, 1>>{channel::fast_filtered})) {
           return;
@@ -478,7 +478,7 @@ class Program {
     run_after_action(due);
   }
 
-  // What the environment sees.
+  // The observation of the environment.
   Observation observe() {
     const Observation observation{
         .angle = {observation_angle_, n20Hz_},
@@ -487,7 +487,7 @@ class Program {
         .applied = {left_u_applied_action_applied_, n10Hz_ - 1},
         .other = {right_theta_observation_, observation_other_cursor_.take()}};
     if constexpr (eagerx::sees_inputs<Hooks>) {
-      settle();
+      drain();
       hooks.on_inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
     }
     return observation;
