@@ -4,8 +4,8 @@
 
 namespace eagerx {
 
-inline constexpr int kVersionMajor = 0;
-inline constexpr int kVersionMinor = 2;
+inline constexpr int kVersionMajor = 1;
+inline constexpr int kVersionMinor = 0;
 inline constexpr int kVersionPatch = 0;
 
 }  // namespace eagerx

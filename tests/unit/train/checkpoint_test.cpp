@@ -70,7 +70,7 @@ TEST_F(TrainCheckpoint, AnotherGraphIsNamedWithoutItsHash) {
       "0.1 (here there is none)");
 }
 
-// Checkpoints of versions before 0.3.0 have other names of settings.
+// Checkpoints of versions before 1.0.0 have other names of settings.
 TEST_F(TrainCheckpoint, FormerNamesOfSettingsAreRead) {
   EXPECT_EQ(with_new_names("algorithm sac; layers 4,4; clip 0.1; tau 1; hard-starts 0a; future 7"),
             "algorithm sac; net_arch 4,4; clip_range 0.1; tau 1; failure-replay 0a; future 7");

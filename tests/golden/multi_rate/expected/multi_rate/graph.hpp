@@ -1,5 +1,5 @@
 // Everything that a main loop needs to know of graph `multi_rate`.
-// Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
+// Made by eagerx-gen 1.0.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
 #include <cstdint>

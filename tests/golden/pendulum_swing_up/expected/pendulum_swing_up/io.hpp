@@ -1,5 +1,5 @@
 // The interface of each node of graph `pendulum_swing_up`: rate, parameters, inputs, outputs.
-// Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
+// Made by eagerx-gen 1.0.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Graph `multi_rate` on OdeEngine: its memory, its schedule, one step.
-// Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
+// Made by eagerx-gen 1.0.0 from graph.yaml. Do not edit: change the graph and generate again.
 //
 // Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at
 // which at least one rate is due; the 12 slots of the hyperperiod are a table of which of them are

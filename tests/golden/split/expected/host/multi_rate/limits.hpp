@@ -1,5 +1,5 @@
 // Limits of the actions and observations of graph `multi_rate`, and the safe action.
-// Made by eagerx-gen 0.2.0 from graph.yaml. Do not edit: change the graph and generate again.
+// Made by eagerx-gen 1.0.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
 #include <array>
