@@ -68,12 +68,26 @@ PlotPanel panel_of(const Log& log, std::uint32_t channel, std::optional<std::uin
 
 namespace {
 
+/// Where the index of an element begins behind a channel's name; npos: there is none. Brackets
+/// before the last part are of an array: `leg[0]/theta`.
+std::size_t index_of(const std::string& name) {
+  if (!name.ends_with(']')) return std::string::npos;
+  const std::size_t part = name.find_last_of("/.");
+  return name.find('[', part == std::string::npos ? 0 : part);
+}
+
 /// A channel, or one element of it.
 std::optional<PlotPanel> one_named(const Log& log, const std::string& name,
                                    std::optional<std::uint32_t> episode, Naming& naming) {
-  const std::size_t bracket = name.ends_with(']') ? name.rfind('[') : std::string::npos;
-  const std::string whole = name.substr(0, bracket);
-  const auto channel = channel_named(log, whole, naming);
+  const std::size_t bracket = index_of(name);
+  Naming of_array{naming.ports};  // `smooth[0]` may be a part of `smooth[0]/filtered`
+  if (bracket != std::string::npos) {
+    if (const auto channel = channel_named(log, name, of_array)) {
+      naming.note += (naming.note.empty() ? "" : "\n") + of_array.note;
+      return panel_of(log, *channel, episode);
+    }
+  }
+  const auto channel = channel_named(log, name.substr(0, bracket), naming);
   if (!channel) return std::nullopt;
   PlotPanel panel = panel_of(log, *channel, episode);
   if (bracket == std::string::npos) return panel;
@@ -84,7 +98,10 @@ std::optional<PlotPanel> one_named(const Log& log, const std::string& name,
     naming.problem = fmt::format(
         "`{}` has no element `{}`\nhelp: its elements are {}[0]{}", panel.title,
         name.substr(bracket), panel.title,
-        panel.elements == 1 ? "" : fmt::format(" to {}[{}]", panel.title, panel.elements - 1));
+        panel.elements == 1
+            ? ""
+            : fmt::format(" to {}[{}]{}", panel.title, panel.elements - 1,
+                          is_number ? "" : ": one number, counted row by row, for each element"));
     return std::nullopt;
   }
   std::erase_if(panel.lines, [&](const PlotLine& line) { return line.element != element; });
@@ -112,6 +129,17 @@ void lay_over(PlotPanel added, PlotPanel& panel) {
   panel.channels.insert(panel.channels.end(), added.channels.begin(), added.channels.end());
 }
 
+/// The comma behind the name that begins there, or the end; commas in brackets are of an index.
+std::size_t end_of_name(const std::string& names, std::size_t begin) {
+  int depth = 0;
+  for (std::size_t i = begin; i < names.size(); ++i) {
+    if (names[i] == '[') ++depth;
+    if (names[i] == ']') --depth;
+    if (names[i] == ',' && depth <= 0) return i;
+  }
+  return names.size();
+}
+
 }  // namespace
 
 std::optional<PlotPanel> panel_named(const Log& log, const std::string& name,
@@ -119,7 +147,7 @@ std::optional<PlotPanel> panel_named(const Log& log, const std::string& name,
   std::optional<PlotPanel> panel;
   std::size_t begin = 0;
   while (begin <= name.size()) {
-    const std::size_t end = std::min(name.find(',', begin), name.size());
+    const std::size_t end = end_of_name(name, begin);
     auto one = one_named(log, name.substr(begin, end - begin), episode, naming);
     if (!one) return std::nullopt;
     begin = end + 1;

@@ -135,11 +135,32 @@ TEST_F(LogsTest, APanelIsAChannelAnElementOrSeveral) {
   EXPECT_EQ(both->names, (std::vector<std::string>{"pendulum/theta", "environment/u[0]",
                                                    "environment/u[0]", "environment/u[1]"}));
   EXPECT_EQ(both->elements, 4U);
-  for (const std::string wrong : {"u[2]", "u[x]", "u[]", "theta[1]", "theta,", ",u", "thetta"}) {
+  for (const std::string wrong : {"u[2]", "u[x]", "u[]", "u[0,1]", "u[0][1]", "u[0:2]", "u[0",
+                                  "theta[1]", "theta,", ",u", "thetta"}) {
     naming.problem.clear();
     EXPECT_FALSE(panel_named(read, wrong, {}, naming)) << wrong;
     EXPECT_NE(naming.problem, "") << wrong;
   }
+}
+
+TEST_F(LogsTest, AnIndexIsOneNumberBehindTheLastPartOfAName) {
+  const trace_log::Log read = log();
+  Naming naming;
+  for (const std::string index : {"[0,1]", "[0][1]", "[0:2]"}) {
+    EXPECT_FALSE(panel_named(read, "u" + index, {}, naming));
+    EXPECT_EQ(naming.problem, "`environment/u` has no element `" + index +
+                                  "`\nhelp: its elements are environment/u[0] to environment/u[1]: "
+                                  "one number, counted row by row, for each element");
+  }
+  trace_log::Log array = read;
+  array.channels[0].name = "smooth[0]/y";
+  array.channels[1].name = "smooth[1]/y";
+  const auto whole = panel_named(array, "smooth[0]", {}, naming);
+  ASSERT_TRUE(whole) << naming.problem;
+  EXPECT_EQ(whole->title, "smooth[0]/y");
+  const auto one = panel_named(array, "smooth[0]/y[1]", {}, naming);
+  ASSERT_TRUE(one) << naming.problem;
+  EXPECT_EQ(one->title, "smooth[0]/y[1]");
 }
 
 TEST_F(LogsTest, ALegendNamesSeventeenElementsAndTellsThemApart) {
