@@ -83,6 +83,28 @@ test("keys go from view to view and from box to box, and Enter opens composites"
   assert.ok(document.getElementById("help").open);
 });
 
+test("Fit shows all of a graph, and again its whole width, if only the height made it small", () => {
+  const {run, document, frames} = open("tests/compose/graphs/levels.yaml");
+  run("showView('graph')");
+  const fit =
+      document.getElementById("view-graph").querySelectorAll("button").find((each) => each.textContent === "Fit");
+  const press = () => (fit.click(), passFrames(frames), run("({...graphView, shown: null})"));
+  const graphs = [{width: 2000, height: 3000}, {width: 6000, height: 500}, {width: 100, height: 500}];
+  const [tall, wide, small] = graphs.map((size) => {
+    run(`Object.assign(graphView.shown, ${JSON.stringify(size)}); graphView.moved = true`);
+    const views = [press(), press(), press()];
+    assert.ok(views[0].x >= 0 && views[0].x + size.width * views[0].zoom <= 800.001);
+    assert.ok(views[0].y >= 0 && views[0].y + size.height * views[0].zoom <= 600.001);
+    assert.equal(views[2].zoom, views[0].zoom, "a third time: all of it");
+    return views;
+  });
+  assert.equal(tall[1].x, 16);
+  assert.ok(Math.abs(2000 * tall[1].zoom - (800 - 2 * 16)) < 1e-9, "the whole width");
+  assert.ok(tall[1].zoom > 2 * tall[0].zoom);
+  assert.equal(wide[1].zoom, wide[0].zoom, "it is as wide already");
+  assert.ok(small[1].zoom <= 1.5, "text does not become larger than it must");
+});
+
 test("an open composite that is selected is marked with all that is in it, however deep", () => {
   const {run, data, frames} = open("tests/compose/graphs/levels.yaml");
   const deep = data.composites.findIndex(({name}) => name === "deep");
