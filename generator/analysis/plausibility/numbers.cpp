@@ -26,11 +26,19 @@ std::vector<QuantitySpec> written_delays(const ConnectionSettings& settings) {
   return result;
 }
 
+/// Whether `max_delay` in milliseconds would be below the delay next to it.
+bool is_short_in_ms(const ConnectionSettings& settings) {
+  const Rational* next_s = settings.delay ? settings.delay->number() : nullptr;
+  const Rational* longest = settings.max_delay ? settings.max_delay->number() : nullptr;
+  return next_s != nullptr && longest != nullptr && *longest < *next_s * Rational(1000);
+}
+
 /// A delay in seconds without a written unit that is many steps long.
 void check_delay(const CheckedGraph& checked, const ConnectionSettings& settings,
                  Diagnostics& diagnostics) {
   constexpr std::int64_t kManySteps = 10;
-  for (const QuantitySpec& delay : written_delays(settings)) {
+  const std::vector<QuantitySpec> delays = written_delays(settings);
+  for (const QuantitySpec& delay : delays) {
     const Rational* delay_s = delay.number();
     if (delay.with_unit || delay_s == nullptr || *delay_s < Rational(1)) continue;
     const std::string seconds = delay_s->to_string();
@@ -40,7 +48,10 @@ void check_delay(const CheckedGraph& checked, const ConnectionSettings& settings
         "W0114", delay.span,
         fmt::format("a delay of {0} is {0} s, {1} steps of the graph", seconds, steps.floor()));
     problem.help =
-        fmt::format("write the unit: `{0} ms` if these are milliseconds, else `{0} s`", seconds);
+        &delay == &delays.back() && is_short_in_ms(settings)
+            ? fmt::format("write the unit: `{} s`", seconds)
+            : fmt::format("write the unit: `{0} ms` if these are milliseconds, else `{0} s`",
+                          seconds);
     return;  // the others are of the same unit
   }
 }

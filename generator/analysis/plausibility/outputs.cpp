@@ -1,6 +1,9 @@
 // What leaves a graph without engine while it is safe, and keys of `safety:` that do nothing.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "generator/analysis/plausibility/plausibility.hpp"
 #include "generator/frontend/spec/named.hpp"
 #include "generator/support/diagnostics/join.hpp"
@@ -11,6 +14,23 @@ namespace {
 void report_idle(Span span, std::string_view key, std::string_view why, Diagnostics& diagnostics) {
   diagnostics.warning("W0109", span, fmt::format("`{}` does nothing: {}", key, why)).help =
       "leave it out";
+}
+
+/// Zero, moved into its space: one number, or a list where the elements differ.
+std::string zero_within(const Space& space) {
+  const auto bound = [](const std::vector<double>& bounds, std::size_t i, double without) {
+    return bounds.empty() ? without : bounds[std::min(i, bounds.size() - 1)];
+  };
+  std::vector<std::string> numbers;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < std::max(space.low.size(), space.high.size()); ++i) {
+    const double least = bound(space.low, i, -kInfinity), most = bound(space.high, i, kInfinity);
+    const double value = std::max(least, std::min(0.0, most));
+    numbers.push_back(value == 0.0 ? "0.0" : fmt::format("{}", value));
+  }
+  if (numbers.empty()) return "0.0";
+  const bool is_one = ranges::all_of(numbers, [&](const auto& x) { return x == numbers.front(); });
+  return is_one ? numbers.front() : fmt::format("[{}]", join(numbers, ", "));
 }
 
 void check_idle_keys(const CheckedGraph& checked, Diagnostics& diagnostics) {
@@ -54,7 +74,7 @@ void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics) {
     const Input& input = graph.environment().inputs[i];
     names.push_back("`" + input.written + "`");
     if (input.window != 1) many.push_back("`" + input.written + "`");
-    values.push_back(input.name + (input.window == 1 ? ": 0.0" : ": none"));
+    values.push_back(input.name + ": " + (input.window == 1 ? zero_within(input.space) : "none"));
   }
   const Input& first = graph.environment().inputs[safety.undeclared.front()];
   auto& problem = diagnostics.warning(

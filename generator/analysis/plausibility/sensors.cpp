@@ -61,10 +61,12 @@ void check_rates(const CheckedGraph& checked, Diagnostics& diagnostics) {
                     join(fast.sensors, "`, `"), fast.sensors.size() == 1 ? "is" : "are",
                     fast.rate_hz.to_string(), engine_hz));
     problem.label = "between two steps nothing new can be read";
-    problem.help = fmt::format(
-        "write `engine: {{rate: {}}}`, or a lower rate for the sensor: `sensors: {{{}: {{rate: "
-        "{}}}}}`",
-        fast.rate_hz.to_string(), parse_port(fast.sensors.front()).name, engine_hz);
+    const auto& rate = checked.spec.engine.rate;
+    problem.help =
+        fmt::format("{} {}`, or a lower rate for the sensor: `sensors: {{{}: {{rate: {}}}}}`",
+                    rate && rate->is_option ? "give `--engine-rate" : "write `engine: {rate:",
+                    fast.rate_hz.to_string() + (rate && rate->is_option ? "" : "}"),
+                    parse_port(fast.sensors.front()).name, engine_hz);
   }
 }
 

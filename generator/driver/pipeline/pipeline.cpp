@@ -184,8 +184,9 @@ bool wants_whole_graph(const Run& run, const GraphOptions& options) {
 
 void take_rates(Run& run, const GraphOptions& options) {
   if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
-  if (options.engine_rate_hz && run.spec->has_engine())
-    run.spec->engine.rate->value = *options.engine_rate_hz;
+  if (!options.engine_rate_hz || !run.spec->has_engine()) return;
+  run.spec->engine.rate->value = *options.engine_rate_hz;
+  run.spec->engine.rate->is_option = true;
 }
 
 /// `--policy FILE` replaces the graph's agent; the graph names files relative to itself.

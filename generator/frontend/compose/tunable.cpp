@@ -36,9 +36,10 @@ std::string nearest_node(const YamlValue& nodes, const std::string& name) {
 
 void take(YamlValue& nodes, const YamlValue& item, const Library& library,
           Diagnostics& diagnostics) {
-  const std::size_t dot = std::min(item.text.rfind('.'), item.text.size());
+  const std::size_t dot = item.text.rfind('.');
+  if (dot == std::string::npos) return;  // no port: said where the graph is read
   const std::string name = item.text.substr(0, dot);
-  const std::string parameter = item.text.substr(std::min(dot + 1, item.text.size()));
+  const std::string parameter = item.text.substr(dot + 1);
   const auto node = ranges::find(nodes.entries, name, &YamlValue::Entry::key);
   if (node == nodes.entries.end()) {
     const auto inside = ranges::find_if(

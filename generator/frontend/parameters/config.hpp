@@ -83,12 +83,15 @@ std::optional<Rational> rate_of(const QuantitySpec& rate, const References& refe
                                 Diagnostics& diagnostics);
 
 /// The entity with this id if it is of the wanted kind, else nullptr and E0303 (unknown) or E0304
-/// (other kind); nothing is said of an empty id.
+/// (other kind); nothing is said of an empty id. `instead`: the help if it is of another kind,
+/// where it is no entry of the graph.
 const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
-                          Diagnostics& diagnostics);
+                          Diagnostics& diagnostics, const std::string& instead = {});
 
-/// How an object is made on an engine; E0308 if it is not.
+/// How an object is made on an engine; E0308 if it is not, with the help `instead` if the engine is
+/// not the graph's.
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
-                                        const Entity& engine, Span span, Diagnostics& diagnostics);
+                                        const Entity& engine, Span span, Diagnostics& diagnostics,
+                                        const std::string& instead = {});
 
 }  // namespace eagerx::gen

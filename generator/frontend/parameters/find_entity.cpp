@@ -17,7 +17,7 @@ std::string with_article(EntityKind kind) {
 }  // namespace
 
 const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
-                          Diagnostics& diagnostics) {
+                          Diagnostics& diagnostics, const std::string& instead) {
   if (id.value.empty()) return nullptr;  // reported when the graph was read
   const Entity* entity = library.find(id.value);
   if (entity != nullptr && entity->kind == kind) return entity;
@@ -26,10 +26,13 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
                                       fmt::format("`{}` is {}, not {}", id.value,
                                                   with_article(entity->kind), with_article(kind)));
     problem.notes.push_back({"defined here", entity->id.span, ""});
-    if (entity->kind == EntityKind::object && kind == EntityKind::node)
+    if (!instead.empty()) {
+      problem.help = instead;
+    } else if (entity->kind == EntityKind::object && kind == EntityKind::node) {
       problem.help = "objects go under `objects:`";
-    if (entity->kind == EntityKind::node && kind == EntityKind::object)
+    } else if (entity->kind == EntityKind::node && kind == EntityKind::object) {
       problem.help = "nodes go under `nodes:`";
+    }
     return nullptr;
   }
   auto& problem = diagnostics.error("E0303", id.span,
@@ -61,7 +64,8 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
 }
 
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
-                                        const Entity& engine, Span span, Diagnostics& diagnostics) {
+                                        const Entity& engine, Span span, Diagnostics& diagnostics,
+                                        const std::string& instead) {
   if (const ObjectEngine* found = entity.implementation(engine)) return found;
   std::vector<std::string> known;
   for (const auto& id : library.ids(EntityKind::engine)) {
@@ -70,8 +74,9 @@ const ObjectEngine* find_implementation(const Library& library, const Entity& en
   auto& problem = diagnostics.error(
       "E0308", span,
       fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine.id.value));
-  problem.help = known.empty() ? "it has no implementation for any engine"
-                               : fmt::format("it is made for {}", join(known, ", "));
+  problem.help = !instead.empty() ? instead
+                 : known.empty()  ? "it has no implementation for any engine"
+                                  : fmt::format("it is made for {}", join(known, ", "));
   return nullptr;
 }
 

@@ -1,4 +1,6 @@
 // An object as a parameter: which model it has on an engine, and with which parameters.
+#include <fmt/format.h>
+
 #include "generator/frontend/parameters/config.hpp"
 
 namespace eagerx::gen {
@@ -12,6 +14,15 @@ FormatPtr model_format() {
        format::name("the id of an object")});
 }
 
+/// What to do about something that is no object for the engine of the model: the first that is one.
+std::string help_for_model(const Library& library, const Entity& engine) {
+  for (const std::string& id : library.ids(EntityKind::object)) {
+    if (library.find(id)->implementation(engine) != nullptr)
+      return fmt::format("name an object that is made for `{}`, such as `{}`", engine.id.value, id);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::shared_ptr<const ModelUse> read_model(const Library& library, const Parameter& parameter,
@@ -19,14 +30,16 @@ std::shared_ptr<const ModelUse> read_model(const Library& library, const Paramet
   if (!check(yaml, *model_format(), diagnostics)) return nullptr;
   const std::size_t errors_before = diagnostics.error_count();
   const YamlValue& type = yaml.is_scalar() ? yaml : *yaml.find("type");
-  const Entity* object =
-      find_entity(library, {type.text, type.span}, EntityKind::object, diagnostics);
   const Entity* engine = find_entity(library, {parameter.engine, parameter.name.span},
                                      EntityKind::engine, diagnostics);
+  const std::string other = engine == nullptr ? "" : help_for_model(library, *engine);
+  const Entity* object =
+      find_entity(library, {type.text, type.span}, EntityKind::object, diagnostics, other);
   if (object == nullptr || engine == nullptr) return nullptr;
   ModelUse use;
   use.object = object;
-  use.implementation = find_implementation(library, *object, *engine, type.span, diagnostics);
+  use.implementation =
+      find_implementation(library, *object, *engine, type.span, diagnostics, other);
   use.config =
       resolve_config(library, *object, read_config(yaml.find("config")), type.span, diagnostics);
   if (diagnostics.error_count() != errors_before) return nullptr;

@@ -47,6 +47,7 @@ struct QuantitySpec {
   std::variant<Rational, YamlValue> value;
   Span span;
   bool with_unit = false;  // one was written
+  bool is_option = false;  // an option of the command line, instead of what is written
 
   /// nullptr: it is an expression.
   [[nodiscard]] const Rational* number() const { return std::get_if<Rational>(&value); }

@@ -121,10 +121,12 @@ class ActionCheck {
         theirs.empty()
             ? "give them `dtype: int64`, and as many values together as the policy has outputs"
             : fmt::format(
-                  "give it `space: {{dtype: int64, shape: [{}], low: {}, high: [{}]}}` and "
-                  "turn its numbers into commands with a node",
-                  theirs.size(), is_from_zero ? "0" : fmt::format("[{}]", join(lows, ", ")),
-                  join(highs, ", "));
+                  "write {} and turn its numbers into commands with a node",
+                  space_entry(
+                      action.name,
+                      fmt::format("dtype: int64, shape: [{}], low: {}, high: [{}]", theirs.size(),
+                                  is_from_zero ? "0" : fmt::format("[{}]", join(lows, ", ")),
+                                  join(highs, ", "))));
   }
 
   /// Whole numbers from 0 to 1, as many as outputs: E0702 says so if not.
@@ -141,10 +143,9 @@ class ActionCheck {
                                            number.action->raw.describe()),
                                number.action->span, ""});
       problem.help = fmt::format(
-          "give it `space: {{dtype: int64, shape: [{}], low: 0, high: 1}}` and turn its numbers "
-          "into "
-          "commands with a node",
-          network_.outputs());
+          "write {} and turn its numbers into commands with a node",
+          space_entry(number.action->name, fmt::format("dtype: int64, shape: [{}], low: 0, high: 1",
+                                                       network_.outputs())));
       return;
     }
   }
@@ -165,9 +166,9 @@ class ActionCheck {
           {fmt::format("`{}{}` is {}", use_.out, action.name, action.raw.describe()), action.span,
            ""});
       problem.help = fmt::format(
-          "give it `space: {{dtype: int64, shape: [], low: 0, high: {}}}` and turn the number into "
-          "a command with the processor `ChooseValue`",
-          network_.outputs() - 1);
+          "write {} and turn the number into a command with the processor `ChooseValue`",
+          space_entry(action.name, fmt::format("dtype: int64, shape: [], low: 0, high: {}",
+                                               network_.outputs() - 1)));
       return;
     }
     const double low = action.raw.low.front();
@@ -184,11 +185,15 @@ class ActionCheck {
         .notes.push_back({"the action", action.span, ""});
   }
 
+  /// A space of an action, as it is written in the graph.
+  std::string space_entry(const std::string& action, const std::string& space) const {
+    return fmt::format("`{}: {{{}: {{space: {{{}}}}}}}`", use_.is_agent ? "actions" : "outputs",
+                       action, space);
+  }
+
   /// Other bounds change what reaches the robot, unless the training scaled its actions itself.
   std::string help_for_bounds(const std::string& action, double low, double high) const {
-    const std::string bounds =
-        fmt::format("`{}: {{{}: {{space: {{low: {:g}, high: {:g}}}}}}}`",
-                    use_.is_agent ? "actions" : "outputs", action, low, high);
+    const std::string bounds = space_entry(action, fmt::format("low: {:g}, high: {:g}", low, high));
     if (low != -1.0 || high != 1.0) {
       return fmt::format(
           "if the training acted in the same unit, give it the bounds of the training: {}", bounds);
