@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <runtime/host/base/counted.hpp>
 #include <runtime/host/identify/identification.hpp>
 
@@ -121,10 +122,11 @@ bool Identification::find(double tick_s, double longest_delay_s, std::string& pr
     parameters_[chosen_[p]].value = trial.parameters[p];
     parameters_[chosen_[p]].deviation = deviations[p];
   }
+  constexpr double kRounding = std::numeric_limits<float>::epsilon();  // of a part of a tick
   for (std::size_t a = 0; a < experiment_.actuators().size(); ++a) {
     const std::size_t p = chosen_.size() + a;
-    delays_.push_back(
-        {experiment_.actuators()[a], trial.parameters[p] * tick_s, deviations[p] * tick_s});
+    delays_.push_back({experiment_.actuators()[a], trial.parameters[p] * tick_s,
+                       std::max(deviations[p], kRounding) * tick_s});
   }
   leftover_ = solver.leftover();
   for (std::size_t g = 0; g < leftover_.size(); ++g) counts_.push_back(solver.counts(g));
