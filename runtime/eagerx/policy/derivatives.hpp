@@ -8,6 +8,7 @@
 #include <eagerx/number.hpp>
 #include <eagerx/policy.hpp>
 #include <eagerx/space.hpp>
+#include <type_traits>
 
 namespace eagerx {
 
@@ -117,7 +118,8 @@ Message unflatten(const Number (&output)[N], std::size_t& position) {
 
 /// Within the bounds of the space: at a bound without derivatives.
 template <class Message>
-Message clipped(Message action, const Space<Message>& space) {
+requires std::is_same_v<ScalarOf<Message>, Number> Message clipped(Message action,
+                                                                   const Space<Message>& space) {
   for (std::size_t i = 0; i < size_of<Message>; ++i) {
     Number& x = element(action, i);
     const Number low = element(space.low, i), high = element(space.high, i);

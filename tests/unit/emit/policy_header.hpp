@@ -18,6 +18,7 @@ inline std::string policy_header(const Network& network, PolicyTables& tables,
   view.set("namespace", in_namespace);
   view.set("node", false);
   view.set("policy", "policy");
+  view.set("derivatives", false);
   Diagnostics diagnostics;
   const auto text = render_file(EAGERX_SOURCE_DIR "/templates/cpp/policy.hpp.mustache",
                                 "policy.hpp", view, diagnostics);
