@@ -116,10 +116,13 @@ Message unflatten(const Number (&output)[N], std::size_t& position) {
   return action;
 }
 
-/// Within the bounds of the space: at a bound without derivatives.
+/// A message of numbers with derivatives.
 template <class Message>
-requires std::is_same_v<ScalarOf<Message>, Number> Message clipped(Message action,
-                                                                   const Space<Message>& space) {
+concept HasDerivatives = std::is_same_v<ScalarOf<Message>, Number>;
+
+/// Within the bounds of the space: at a bound without derivatives.
+template <HasDerivatives Message>
+Message clipped(Message action, const Space<Message>& space) {
   for (std::size_t i = 0; i < size_of<Message>; ++i) {
     Number& x = element(action, i);
     const Number low = element(space.low, i), high = element(space.high, i);
