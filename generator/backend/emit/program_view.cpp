@@ -319,7 +319,7 @@ class ProgramView {
     view_["drawing"] = std::move(drawing);
   }
 
-  /// It judges an episode, and nothing of the graph reads what it remembers.
+  /// Whether it is the node of `task:`, whose memory nothing in the graph reads.
   [[nodiscard]] bool is_task(std::size_t node) const {
     return graph_.task && graph_.task->node == node;
   }

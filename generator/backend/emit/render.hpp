@@ -4,6 +4,7 @@
 #include <kainjow/mustache.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/support/diagnostics/diagnostics.hpp"
 
@@ -15,6 +16,17 @@ inline View object() {
 }
 inline View list() {
   return View(View::type::list);
+}
+
+/// A list of items `line`.
+inline View lines_view(const std::vector<std::string>& lines) {
+  View view = list();
+  for (const std::string& line : lines) {
+    View item = object();
+    item.set("line", line);
+    view.push_back(item);
+  }
+  return view;
 }
 
 /// For a section that is left out where there is no text.

@@ -52,13 +52,7 @@ View sample_lines(const Random& random, const Space& space, const std::string& f
               fmt::format("states.{} = eagerx::sample_choice(random, kChoices);", field)};
       break;
   }
-  View lines = list();
-  for (const auto& line : text) {
-    View item = object();
-    item.set("line", line);
-    lines.push_back(item);
-  }
-  return lines;
+  return lines_view(text);
 }
 
 }  // namespace eagerx::gen

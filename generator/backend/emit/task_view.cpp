@@ -13,16 +13,6 @@
 namespace eagerx::gen {
 namespace {
 
-View lines_view(const std::vector<std::string>& lines) {
-  View view = list();
-  for (const auto& line : lines) {
-    View item = object();
-    item.set("line", line);
-    view.push_back(item);
-  }
-  return view;
-}
-
 /// Inputs that a task's expressions read.
 struct Used {
   std::vector<bool> variable, before, by_critic;  // by input

@@ -234,7 +234,7 @@ int perform(const BuildOptions& options) {
   if (programs) check_built_budget(run, options, *programs);
   if (programs) check_margin_budget(run, options);
   if (programs && !options.quiet) {
-    tell_built_time(run, options, *programs);
+    note_built_time(run, options, *programs);
     for (const BuiltProgram& program : *programs) say("{}\n", program.image);
   }
   return std::max(finish(run, options), code);

@@ -54,7 +54,7 @@ std::optional<Json> time_json(Run& run, const LibraryOptions& options, const std
   return json;
 }
 
-void tell_built_time(Run& run, const GraphOptions& options,
+void note_built_time(Run& run, const GraphOptions& options,
                      const std::vector<BuiltProgram>& programs) {
   if (run.spec->budget && limits_time(*run.spec->budget)) return;  // which was checked
   for (const BuiltProgram& program : programs) {

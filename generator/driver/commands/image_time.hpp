@@ -25,7 +25,7 @@ std::optional<BoundReport> bound_of_image(Run& run, const std::string& image,
 std::optional<Json> time_json(Run& run, const LibraryOptions& options, const std::string& image);
 
 /// Says how much of their time the slots of images that were just built take at most.
-void tell_built_time(Run& run, const GraphOptions& options,
+void note_built_time(Run& run, const GraphOptions& options,
                      const std::vector<BuiltProgram>& programs);
 
 /// The keys `time` and `slot` of the graph's `budget:`, of an image that was just built.

@@ -147,9 +147,10 @@ int perform(const LinearizeOptions& given) {
   LinearizeOptions options = given;
   Run run;
   int code = kDone;
-  if (!make_linear_graph(run, options) ||
-      (!options.plot.empty() && !spares_inputs(options.plot, run.diagnostics)))
-    return finish(run, options);
+  if (!make_linear_graph(run, options)) return finish(run, options);
+  for (const std::string& path : {options.plot, options.npz}) {
+    if (!path.empty() && !spares_inputs(path, run.diagnostics)) return finish(run, options);
+  }
   std::optional<PortElement> opened;
   auto words = words_of(options, *run.plan, opened, run.diagnostics);
   if (options.trim && !check_trim(options.point, options, *run.plan, run.diagnostics))

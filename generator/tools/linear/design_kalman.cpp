@@ -188,8 +188,7 @@ ModelDesign model_of(std::string_view printed, const Plan& plan) {
         counted(plant->phases.size(), "tick"));
     result.help =
         "give the filter the slowest rate of what is in between; if that is its own rate, the "
-        "graph "
-        "moves there: choose a state at which it rests with `--at`";
+        "graph moves there: choose a state at which it rests with `--at`";
     return result;
   }
   plant->phases.resize(1);

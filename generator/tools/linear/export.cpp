@@ -69,21 +69,18 @@ void add_texts(NumpyArchive& archive, const std::string& name,
   archive.add(name, fmt::format("<U{}", longest), fmt::format("{},", texts.size()), bytes);
 }
 
-void add_named_ports(NumpyArchive& archive, const std::string& name,
-                     const std::vector<SampledPort>& ports, std::size_t count) {
-  std::vector<std::string> names, units;
-  for (std::size_t i = 0; i < count; ++i) {
-    names.push_back(ports[i].name);
-    units.push_back(ports[i].unit);
-  }
-  add_texts(archive, name, names);
-  add_texts(archive, name + "_unit", units);
-}
-
 std::vector<std::string> names_of_ports(const std::vector<SampledPort>& ports, std::size_t count) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < count; ++i) names.push_back(ports[i].name);
   return names;
+}
+
+void add_named_ports(NumpyArchive& archive, const std::string& name,
+                     const std::vector<SampledPort>& ports, std::size_t count) {
+  std::vector<std::string> units;
+  for (std::size_t i = 0; i < count; ++i) units.push_back(ports[i].unit);
+  add_texts(archive, name, names_of_ports(ports, count));
+  add_texts(archive, name + "_unit", units);
 }
 
 /// "a: [1, 2,\n      3, 4]": a row of the matrix in each line.
