@@ -26,8 +26,8 @@ void read(std::string_view bytes, PickleNames names) {
   for (const PickleValue& value : pickle->values) {
     (void)pickle->find(value, "mean");
     (void)pickle->number(&value);
-    (void)pickle->integers(value);
-    if (const auto array = pickle->array(value)) (void)values_of(*array);
+    (void)pickle->integers(&value);
+    if (const auto array = pickle->array(&value)) (void)values_of(*array);
   }
 }
 
