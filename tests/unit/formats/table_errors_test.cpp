@@ -131,7 +131,7 @@ TEST(TableErrors, OneOfSeveralActorsMayBeSaid) {
   EXPECT_FALSE(read_actor(bytes, "third", diagnostics).has_value());
   expect_problem(diagnostics.all().back(), "E0625", "begins with `third.`; its first one is `agen");
   EXPECT_FALSE(read_actor(test::two_layers().bytes(), "first", diagnostics).has_value());
-  expect_problem(diagnostics.all().back(), "E0625", "no table of tensors");
+  expect_problem(diagnostics.all().back(), "E0625", "not a table of tensors");
 }
 
 TEST(TableErrors, OneTensorOfArsIsItsOldLinearPolicy) {
